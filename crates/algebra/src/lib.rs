@@ -1,0 +1,1 @@
+//! The clever, untrusted part: parsing, printing, rational functions, limits, signs.

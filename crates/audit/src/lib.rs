@@ -1,0 +1,1 @@
+//! Reads derivation documents and judges their statements.

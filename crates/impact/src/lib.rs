@@ -1,0 +1,1 @@
+//! Impact laws, written once for every number system.

@@ -1,0 +1,196 @@
+//! Abstract syntax of derivations: what a statement *is*, before anyone judges it.
+
+use num_rational::BigRational;
+
+/// An expression over the symbols of a [`Context`]. Numbers are exact.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Expr {
+    /// A rational number.
+    Num(BigRational),
+    /// The symbol at this index of [`Context::vars`].
+    Var(usize),
+    /// The definition at this index of [`Context::lets`].
+    Let(usize),
+    /// −a
+    Neg(Box<Expr>),
+    /// a + b
+    Add(Box<Expr>, Box<Expr>),
+    /// a − b
+    Sub(Box<Expr>, Box<Expr>),
+    /// a · b
+    Mul(Box<Expr>, Box<Expr>),
+    /// a / b, undefined where b = 0
+    Div(Box<Expr>, Box<Expr>),
+    /// aⁿ; 0⁰ = 1, and a negative n is a division
+    Pow(Box<Expr>, i32),
+    /// |a|
+    Abs(Box<Expr>),
+    /// the smaller of two
+    Min(Box<Expr>, Box<Expr>),
+    /// the larger of two
+    Max(Box<Expr>, Box<Expr>),
+    /// the non-negative root, undefined where a < 0
+    Sqrt(Box<Expr>),
+    /// the derivative of an explicit expression with respect to a symbol
+    Deriv(Box<Expr>, usize),
+    /// first branch whose guards all hold; undefined where none does and there is no `else`
+    Cases(Vec<(Vec<Relation>, Expr)>, Option<Box<Expr>>),
+}
+
+/// How the two sides of a [`Relation`] compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rel {
+    /// =
+    Eq,
+    /// ≠
+    Ne,
+    /// <
+    Lt,
+    /// ≤
+    Le,
+    /// >
+    Gt,
+    /// ≥
+    Ge,
+}
+
+/// One link `lhs ⋈ rhs`; true only where both sides are defined.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Relation {
+    /// left side
+    pub lhs: Expr,
+    /// comparison
+    pub rel: Rel,
+    /// right side
+    pub rhs: Expr,
+}
+
+/// What an expression tends to.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// a value, free of the limit variable
+    Finite(Expr),
+    /// +∞
+    PlusInf,
+    /// −∞
+    MinusInf,
+}
+
+/// Where the limit variable goes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Approach {
+    /// x → a, from every side from which the domain reaches a
+    To(BigRational),
+    /// x → a+
+    Above(BigRational),
+    /// x → a−
+    Below(BigRational),
+    /// x → +∞
+    PlusInf,
+    /// x → −∞
+    MinusInf,
+}
+
+/// `expr → to` as `var` follows `at`, inside the domain of `var`.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Limit {
+    /// what tends
+    pub expr: Expr,
+    /// what it tends to
+    pub to: Target,
+    /// index of the limit variable
+    pub var: usize,
+    /// how the limit variable moves
+    pub at: Approach,
+}
+
+/// A link of a statement.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Link {
+    /// a relation that holds pointwise
+    Relation(Relation),
+    /// a limit
+    Limit(Limit),
+}
+
+/// One end of a declared range.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Bound {
+    /// the end point
+    pub value: BigRational,
+    /// whether the end point itself is excluded
+    pub strict: bool,
+}
+
+/// A declared symbol.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Var {
+    /// name as written
+    pub name: String,
+    /// `Some(x)` for an arbitrary real function of the symbol x
+    pub of: Option<usize>,
+    /// lower end of its range, −∞ if absent
+    pub lower: Option<Bound>,
+    /// upper end of its range, +∞ if absent
+    pub upper: Option<Bound>,
+}
+
+/// A definition `let name := body`; the body names earlier symbols and definitions only.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Definition {
+    /// name as written
+    pub name: String,
+    /// what it stands for
+    pub body: Expr,
+}
+
+/// The symbols and definitions of a document.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Context {
+    /// declared symbols
+    pub vars: Vec<Var>,
+    /// definitions in order
+    pub lets: Vec<Definition>,
+}
+
+/// What a statement says: its links hold wherever its `when` does.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Sentence {
+    /// conditions, read left to right; empty for none
+    pub when: Vec<Relation>,
+    /// the links of the chain or list, all of which are meant
+    pub links: Vec<Link>,
+}
+
+/// A cited sentence and how far it may be trusted.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Hypothesis {
+    /// what it says
+    pub sentence: Sentence,
+    /// a `given` also asserts that it is defined; a cited claim speaks only where it is
+    pub given: bool,
+}
+
+/// What a claim concludes (one link of it).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Conclusion {
+    /// this link
+    Link(Link),
+    /// the hypotheses cannot all hold
+    Contradiction,
+    /// this sentence does not follow from the hypotheses
+    NotImplied(Sentence),
+}
+
+/// What the kernel is asked about: under `when` and the hypotheses, the conclusion.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Goal {
+    /// symbols and definitions
+    pub context: Context,
+    /// cited premises
+    pub hypotheses: Vec<Hypothesis>,
+    /// the claim's own conditions
+    pub when: Vec<Relation>,
+    /// one link of the claim
+    pub conclusion: Conclusion,
+}

@@ -1,0 +1,1 @@
+//! Exact numbers, their floating-point counterparts, and the distance between them.

@@ -1,0 +1,1 @@
+//! Presents verdicts as text, Markdown and JSON; computes nothing.
