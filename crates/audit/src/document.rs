@@ -1,0 +1,80 @@
+//! A derivation document after reading: symbols, statements, and where each stands in the text.
+
+use std::ops::Range;
+
+use kane_kernel::{Context, Expr, Sentence};
+
+use crate::Verdict;
+
+/// A derivation document that was read without error.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// the file's name, as given
+    pub name: String,
+    /// the whole text
+    pub text: String,
+    /// the first level-one heading, if any
+    pub title: Option<String>,
+    /// symbols and definitions
+    pub context: Context,
+    /// `let`, `given` and `claim` in the order of the text
+    pub statements: Vec<Statement>,
+}
+
+/// One `let`, `given` or `claim`.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// the label as written, `(9)` or `k-range`; a `let` without one goes by its name
+    pub label: String,
+    /// what it says
+    pub body: Body,
+    /// byte range in [`Document::text`]
+    pub span: Range<usize>,
+    /// line of its first character, from 1
+    pub line: usize,
+}
+
+/// What a statement says.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// definition at this index of [`Context::lets`]
+    Let(usize),
+    /// what the author assumes
+    Given(Sentence),
+    /// what the author claims
+    Claim(Claim),
+}
+
+/// A claim with its citations.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// the claimed thing
+    pub content: Content,
+    /// the claim's own conditions
+    pub when: Vec<kane_kernel::Relation>,
+    /// indices of the cited statements, as cited
+    pub from: Vec<usize>,
+    /// values or functions proposed as a witness: symbol and expression
+    pub by: Vec<(usize, Expr)>,
+    /// the verdict that the author expects; `Proved` where nothing is written
+    pub expect: Option<Verdict>,
+}
+
+/// The claimed thing.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// links, each judged on its own, with the byte range of each in the text
+    Links(Vec<(kane_kernel::Link, Range<usize>)>),
+    /// the hypotheses cannot all hold
+    Contradiction,
+    /// the statement at this index does not follow
+    NotImplied(usize),
+}
+
+impl Document {
+    /// The statement's text as written, without its comment.
+    #[must_use]
+    pub fn source(&self, statement: &Statement) -> &str {
+        self.text.get(statement.span.clone()).unwrap_or_default()
+    }
+}

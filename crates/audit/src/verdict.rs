@@ -1,0 +1,116 @@
+//! The judgement of a document as data: verdicts, reasons, what they rest on.
+
+use std::fmt;
+
+/// How a statement fares. The order is that of increasing trouble for a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// a definition: nothing to judge
+    Defined,
+    /// a premise: taken as it is
+    Assumed,
+    /// the kernel accepted a certificate
+    Proved,
+    /// neither proof nor witness was found within the budget
+    Undecided,
+    /// the kernel accepted a witness against it
+    Refuted,
+    /// a point where all hypotheses hold and the claim has no meaning
+    IllDefined,
+    /// the hypotheses contradict each other
+    Vacuous,
+    /// a claim that it cites is not proved
+    Unsupported,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Defined => "defined",
+            Self::Assumed => "assumed",
+            Self::Proved => "proved",
+            Self::Undecided => "undecided",
+            Self::Refuted => "refuted",
+            Self::IllDefined => "ill-defined",
+            Self::Vacuous => "vacuous",
+            Self::Unsupported => "unsupported",
+        })
+    }
+}
+
+/// The judged document.
+#[derive(Clone, Debug)]
+pub struct Audit {
+    /// what was judged
+    pub document: crate::Document,
+    /// one per statement, in the same order
+    pub judgements: Vec<Judgement>,
+}
+
+/// The judgement of one statement.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// verdict of the whole: the worst link
+    pub verdict: Verdict,
+    /// what it would be if every cited claim were proved; differs from `verdict` only when unsupported
+    pub conditional: Verdict,
+    /// one per link; empty for `let` and `given`
+    pub links: Vec<LinkJudgement>,
+    /// indices of the cited claims that are not proved
+    pub unproved: Vec<usize>,
+    /// indices of the `given`s on which it finally rests, ascending
+    pub rests_on: Vec<usize>,
+    /// a point or functions at which all hypotheses hold: `name = value` pairs; `None` where none was found
+    pub model: Option<Vec<(String, String)>>,
+    /// the author's expectation, if written
+    pub expect: Option<Verdict>,
+}
+
+/// The judgement of one link of a claim.
+#[derive(Clone, Debug)]
+pub struct LinkJudgement {
+    /// the link in plain notation
+    pub text: String,
+    /// the link in LaTeX
+    pub latex: String,
+    /// verdict of this link, cited claims taken as proved
+    pub verdict: Verdict,
+    /// one sentence: how it was proved, the witness, or why undecided
+    pub reason: String,
+    /// digest of the accepted certificate, 32 hexadecimal digits; `None` when undecided
+    pub certificate: Option<String>,
+    /// cited statements that the proof actually used, as indices
+    pub used: Vec<usize>,
+    /// the proof or witness step by step, for a person with paper
+    pub steps: Vec<Step>,
+    /// search steps spent
+    pub cost: u64,
+}
+
+/// One line of a written-out proof or witness.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// nesting, 0 for the outermost
+    pub depth: usize,
+    /// the sentence
+    pub text: String,
+}
+
+impl Judgement {
+    /// Whether the verdict is what the author expects (`proved` where nothing is written).
+    #[must_use]
+    pub fn as_expected(&self) -> bool {
+        match self.verdict {
+            Verdict::Defined | Verdict::Assumed => true,
+            verdict => verdict == self.expect.unwrap_or(Verdict::Proved),
+        }
+    }
+}
+
+impl Audit {
+    /// Whether every statement ends as its author expects.
+    #[must_use]
+    pub fn as_expected(&self) -> bool {
+        self.judgements.iter().all(Judgement::as_expected)
+    }
+}
