@@ -1,1 +1,3 @@
-//! k
+//! The program `kane`.
+
+fn main() {}

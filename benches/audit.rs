@@ -1,0 +1,3 @@
+//! How long an audit takes.
+
+fn main() {}

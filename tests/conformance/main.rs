@@ -1,0 +1,1 @@
+//! What must hold of the house and of the documents that it ships.
