@@ -1,0 +1,85 @@
+//! What a number system must offer for a law to run in it.
+
+use std::fmt::{Debug, Display};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::{Comparison, Rational};
+
+/// A number system in which a law can be evaluated: field operations and constants, no order.
+///
+/// Implemented for [`Rational`] (exact), `f32` and `f64` (each operation correctly rounded).
+/// Operations take the right operand by value or by reference, so that numbers on the heap are
+/// not copied. Exact systems satisfy the field axioms; floats satisfy them up to rounding.
+///
+/// Division by zero is the caller's to exclude: `/` gives ±∞ or NaN in floats and panics for
+/// rationals. Where a guard cannot exclude it, use [`checked_div`](Self::checked_div).
+pub trait Number:
+    Clone
+    + Debug
+    + Display
+    + 'static
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+{
+    /// The neutral element of addition, exact.
+    #[must_use]
+    fn zero() -> Self;
+
+    /// The neutral element of multiplication, exact.
+    #[must_use]
+    fn one() -> Self;
+
+    /// The number nearest to an exact rational: exact where the system holds it, otherwise
+    /// correctly rounded (ties to even, overflow to ±∞).
+    #[must_use]
+    fn from_rational(exact: &Rational) -> Self;
+
+    /// `self·factor + addend` with a single rounding.
+    ///
+    /// A difference of nearly equal products keeps no correct digit if it is rounded twice, and
+    /// then no error bound in ulps holds. Hence this is an operation of its own, without a
+    /// default that a float system could inherit by mistake.
+    #[must_use]
+    fn mul_add(&self, factor: &Self, addend: &Self) -> Self;
+
+    /// `self / divisor`, or `None` if the divisor is zero or cannot be told from zero.
+    #[must_use]
+    fn checked_div(&self, divisor: &Self) -> Option<Self>;
+
+    /// Whether this is a number proper: false for NaN and ±∞, always true in exact systems.
+    #[must_use]
+    fn is_finite(&self) -> bool;
+
+    /// Twice the number: exact in binary floats, save for overflow.
+    #[must_use]
+    fn double(&self) -> Self {
+        self.clone() + self
+    }
+
+    /// The square, formed by one multiplication.
+    #[must_use]
+    fn square(&self) -> Self {
+        self.clone() * self
+    }
+}
+
+/// A number system with an order, which may be unable to decide a given comparison.
+pub trait Ordered: Number {
+    /// What is known about the order of `self` and `other`; exact for exact systems and for
+    /// floats (where −0 = +0), [`Comparison::UNKNOWN`] if either is NaN.
+    #[must_use]
+    fn compare(&self, other: &Self) -> Comparison;
+
+    /// What is known about the sign: the comparison with zero.
+    #[must_use]
+    fn sign(&self) -> Comparison {
+        self.compare(&Self::zero())
+    }
+}

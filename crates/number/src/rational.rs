@@ -1,0 +1,43 @@
+//! The exact end of the scale.
+
+use num_traits::{One, Zero};
+
+use crate::{Comparison, Number, Ordered};
+
+/// An integer of any size.
+pub type Integer = num_bigint::BigInt;
+
+/// An exact fraction, always in lowest terms with a positive denominator.
+pub type Rational = num_rational::BigRational;
+
+impl Number for Rational {
+    fn zero() -> Self {
+        Zero::zero()
+    }
+
+    fn one() -> Self {
+        One::one()
+    }
+
+    fn from_rational(exact: &Rational) -> Self {
+        exact.clone()
+    }
+
+    fn mul_add(&self, factor: &Self, addend: &Self) -> Self {
+        self * factor + addend
+    }
+
+    fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        (!divisor.is_zero()).then(|| self / divisor)
+    }
+
+    fn is_finite(&self) -> bool {
+        true
+    }
+}
+
+impl Ordered for Rational {
+    fn compare(&self, other: &Self) -> Comparison {
+        self.cmp(other).into()
+    }
+}

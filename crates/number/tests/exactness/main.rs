@@ -1,0 +1,37 @@
+//! The exact numbers satisfy their axioms, and every bridge to the floats keeps its promise.
+
+/// Field and order axioms, through the testkit that later number systems share.
+mod axioms;
+/// Correct rounding, against two other ways of telling the nearest float.
+mod encoding;
+/// What is read, what is refused, and where.
+mod parsing;
+/// Float to rational and back, on random bit patterns.
+mod round_trip;
+/// Units in the last place and steps, with the comparison's three answers.
+mod ulps;
+
+use kane_number::{Integer, Rational};
+use quickcheck::{Gen, QuickCheck};
+
+/// quickcheck with a fixed seed: the gate asks the same questions on every run.
+fn quickcheck(tests: u64) -> QuickCheck {
+    QuickCheck::new()
+        .rng(Gen::from_size_and_seed(100, 0x6b61_6e65))
+        .tests(tests)
+        .max_tests(tests)
+}
+
+fn rational(numer: impl Into<Integer>, denom: impl Into<Integer>) -> Rational {
+    Rational::new(numer.into(), denom.into())
+}
+
+/// 2^exponent.
+fn two_to(exponent: i64) -> Rational {
+    let scale = Integer::from(1) << exponent.unsigned_abs();
+    if exponent >= 0 {
+        Rational::from_integer(scale)
+    } else {
+        Rational::new(1.into(), scale)
+    }
+}
