@@ -1,1 +1,59 @@
 //! Impact laws, written once for every number system.
+//!
+//! A law maps a [`Contact`] to the tangential impulse. It is generic over
+//! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
+//! rationals, and the two can be compared digit by digit.
+//!
+//! ```
+//! use kane_impact::{Motion, SphereOnPlane, WangSuLi};
+//! use kane_number::{Rational, parse};
+//!
+//! // A solid sphere, J = 2/5·m·r², that arrives at 45° without spin.
+//! let n = |text| parse(text).expect("a literal");
+//! let sphere = SphereOnPlane {
+//!     mass: n("1"),
+//!     radius: n("1"),
+//!     inertia: n("2/5"),
+//!     friction: n("2/7"),
+//!     restitution: n("1"),
+//!     before: Motion { vx: n("1"), vy: n("1"), omega: n("0") },
+//! };
+//! // α = 7/2·μ(1 + e)/2 = 1: the contact point comes to rest, k = 0, and i_x = 1/2.
+//! assert_eq!(sphere.contact()?.alpha(), Some(n("1")));
+//! let rebound = sphere.collide(&WangSuLi)?;
+//! assert_eq!(rebound.tangential_impulse, n("2/7"));
+//! assert_eq!(rebound.after.vx, rebound.after.omega); // v_x − ω·r = 0
+//! assert_eq!(rebound.energy.total(), n("-1/7"));
+//! # Ok::<(), kane_impact::CollideError<Rational>>(())
+//! ```
+//!
+//! # Signs
+//!
+//! x is along the plane and y points into it. The approach speed is v_y0 ≥ 0, the tangential
+//! velocity of the contact point is v_t = v_x − ω·r, and the impulses on the sphere are −I_x along
+//! x and −I_y along y, so that I_x > 0 opposes v_t > 0:
+//!
+//! ```text
+//! m·(v_y − v_y0) = −I_y      m·(v_x − v_x0) = −I_x      J·(ω − ω0) = r·I_x
+//! ```
+//!
+//! The first is not equation (1) of Wang, Su and Li, which prints +I_y: with their (4),
+//! v_y = −e·v_y0, that would make I_y = −m·(1 + e)·v_y0, whereas their text uses
+//! I_y = m·(1 + e)·v_y0 ≥ 0. We follow the text.
+#![deny(clippy::float_arithmetic)]
+
+mod alpha;
+mod contact;
+mod energy;
+mod law;
+mod sphere;
+mod wang_su_li;
+mod whittaker;
+
+pub use alpha::{Alpha, InvalidAlpha, Ratios};
+pub use contact::{Contact, InvalidInput};
+pub use energy::Ledger;
+pub use law::{Guard, ImpactLaw, NoRegime, Regime, Relation};
+pub use sphere::{CollideError, Motion, Rebound, SphereOnPlane};
+pub use wang_su_li::WangSuLi;
+pub use whittaker::WhittakerUncapped;
