@@ -1,0 +1,249 @@
+//! Certificates: what the search hands over and the kernel checks.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::{Atom, Expr, Poly, Target};
+
+/// What is found about a goal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Finding {
+    /// the conclusion holds and is defined wherever the hypotheses hold
+    Proved,
+    /// somewhere the hypotheses hold and the conclusion is false
+    Refuted,
+    /// somewhere the hypotheses hold and the conclusion is undefined
+    IllDefined,
+    /// the hypotheses cannot all hold
+    Vacuous,
+    /// the hypotheses can all hold
+    Consistent,
+}
+
+/// Evidence for a finding about the goal with this digest.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Certificate {
+    /// [`crate::digest`] of the goal
+    pub goal: u128,
+    /// what is found
+    pub finding: Finding,
+    /// why
+    pub evidence: Evidence,
+}
+
+/// Why a finding is right.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Evidence {
+    /// the conditions of the opposite contradict each other
+    Contradiction(Proof),
+    /// one limit proof a side
+    Limit(Vec<SideProof>),
+    /// a point or functions
+    Model(Model),
+}
+
+/// Shows that the atoms collected so far, with formulas not yet assumed, have no common point.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Proof {
+    /// An atom is a constant and false.
+    Absurd,
+    /// A formula is a disjunction: one proof a case.
+    Assume {
+        /// index of the formula
+        formula: usize,
+        /// proofs, in the order of its cases
+        cases: Vec<Proof>,
+    },
+    /// The sign of a polynomial is one of three.
+    Split {
+        /// the polynomial
+        poly: Poly,
+        /// proof if it is 0
+        zero: Box<Proof>,
+        /// proof if it is > 0
+        positive: Box<Proof>,
+        /// proof if it is < 0
+        negative: Box<Proof>,
+    },
+    /// An equation D·v + E = 0 with D a non-zero constant, or known not to vanish, eliminates v.
+    Substitute {
+        /// index of the equation
+        equation: usize,
+        /// v
+        var: usize,
+        /// index of an atom D ⋈ 0 that is > 0 or ≠ 0; `None` if D is a constant
+        lead: Option<usize>,
+        /// the rest
+        then: Box<Proof>,
+    },
+    /// Divides an atom by factors that are known not to vanish.
+    Cancel {
+        /// index of the atom
+        atom: usize,
+        /// indices of atoms > 0 or ≠ 0, with powers (even ones for ≠ 0 below an inequality)
+        factors: Vec<(usize, u32)>,
+        /// what is left, times a positive integer
+        quotient: Poly,
+        /// atom = content · quotient · factors
+        content: BigInt,
+        /// the rest
+        then: Box<Proof>,
+    },
+    /// Σ weightⱼ·squareⱼ²·Π known + Σ cofactorᵢ·equationᵢ = 0 with one summand visibly positive.
+    Positive {
+        /// the non-negative summands
+        terms: Vec<Term>,
+        /// indices of equations and their cofactors
+        cofactors: Vec<(usize, Poly)>,
+    },
+    /// Π known = Σ cofactorᵢ·equationᵢ although no factor vanishes.
+    Nonzero {
+        /// indices of atoms > 0 or ≠ 0, with powers
+        factors: Vec<(usize, u32)>,
+        /// indices of equations and their cofactors
+        cofactors: Vec<(usize, Poly)>,
+    },
+    /// Bounds lᵢ ≤ xᵢ ≤ uᵢ mapped onto the orthant give an atom's polynomial the wrong sign.
+    Orthant {
+        /// index of the atom
+        atom: usize,
+        /// for each variable of it: indices of atoms for its lower and upper bound
+        bounds: Vec<(usize, Option<usize>, Option<usize>)>,
+    },
+    /// Atoms in one variable: on no cell of the line do they all hold.
+    SignTable {
+        /// the variable
+        var: usize,
+        /// polynomials without common or repeated roots
+        bases: Vec<Vec<BigInt>>,
+        /// all their roots, ascending
+        roots: Vec<Root>,
+        /// atoms used, each as constant · Π baseᵢ^eᵢ
+        atoms: Vec<(usize, BigRational, Vec<u32>)>,
+    },
+    /// What holds for all small t > 0 holds in the limit (Zero and NonNegative survive).
+    Pass {
+        /// the germ
+        germ: Germ,
+        /// polynomial in t, constants and premised limits
+        atom: Atom,
+        /// proof of the atom along the germ
+        along: Box<Proof>,
+        /// the rest, with the atom at t = 0
+        then: Box<Proof>,
+    },
+}
+
+/// weight · square² · Π factors, a summand known to be ≥ 0.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Term {
+    /// a positive integer
+    pub weight: BigInt,
+    /// any polynomial
+    pub square: Poly,
+    /// indices of atoms, with powers (even ones for ≠ 0)
+    pub factors: Vec<(usize, u32)>,
+}
+
+/// The only root of `poly` in the open interval (lo, hi), or the point lo = hi.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Root {
+    /// coefficients from x⁰ up, without repeated roots in the interval
+    pub poly: Vec<BigInt>,
+    /// left end
+    pub lo: BigRational,
+    /// right end
+    pub hi: BigRational,
+}
+
+/// A side from which a limit is taken.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Side {
+    /// the limit variable x
+    pub var: usize,
+    /// the finite end point a; `None` for infinity
+    pub at: Option<BigRational>,
+    /// x = a + t or 1/t if true, a − t or −1/t if false
+    pub above: bool,
+}
+
+/// A side, and how small t must be.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Germ {
+    /// the side
+    pub side: Side,
+    /// 0 < t < numerator/denominator, polynomials in constants
+    pub radius: (Poly, Poly),
+    /// proof that both are positive
+    pub positive: Box<Proof>,
+}
+
+/// Proof of a limit f → L from one side: den·f = num along the germ, and both ends at t = 0.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct SideProof {
+    /// the germ
+    pub germ: Germ,
+    /// num, a polynomial in t, constants and premised limits
+    pub num: Poly,
+    /// den; for an infinite limit divisible by t^order
+    pub den: Poly,
+    /// 0 for a finite limit
+    pub order: u32,
+    /// proof that f is defined and den·f = num along the germ
+    pub along: Box<Proof>,
+    /// proof that den ≠ 0 and num = L·den at t = 0; for ±∞ that num and den/t^order have the sign
+    pub at_zero: Box<Proof>,
+}
+
+/// Something that satisfies a list of formulas.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Model {
+    /// a point
+    Point(Point),
+    /// functions of one variable
+    Functions(Box<Functions>),
+}
+
+/// Values for variables: polynomials with rational coefficients in one real algebraic number θ.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Point {
+    /// θ; `None` if all values are rational
+    pub generator: Option<Root>,
+    /// (variable, coefficients from θ⁰ up)
+    pub values: Vec<(usize, Vec<BigRational>)>,
+}
+
+/// Explicit functions of a variable x, for which the premises are proved for all x.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Functions {
+    /// x
+    pub var: usize,
+    /// an expression in x for each other symbol
+    pub values: Vec<(usize, Expr)>,
+    /// for each symbol, in order of `values`: its expression is defined and within its range
+    pub ranges: Vec<Proof>,
+    /// for each hypothesis: its relations hold for all x; and one limit proof a limit and side
+    pub premises: Vec<(Proof, Vec<Vec<SideProof>>)>,
+    /// how the conclusion fails
+    pub failure: Failure,
+}
+
+/// How a conclusion fails for explicit functions.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Failure {
+    /// nothing has to fail: the hypotheses are consistent
+    Nothing,
+    /// at a point x
+    At(Point),
+    /// the limit at this link is another one; a proof a side of which one is enough
+    Limit {
+        /// index of the link in a sentence; 0 for a single link
+        link: usize,
+        /// what it tends to instead
+        target: Target,
+        /// index of the side
+        side: usize,
+        /// the proof
+        proof: SideProof,
+    },
+}

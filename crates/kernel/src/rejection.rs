@@ -1,0 +1,68 @@
+//! Why the kernel did not accept a certificate.
+
+use std::fmt;
+
+/// Why the kernel did not accept a certificate; never a synonym of «false».
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Rejection {
+    /// the budget ran out
+    Budget,
+    /// the certificate names another goal
+    OtherGoal,
+    /// evidence of this kind cannot show this finding
+    WrongEvidence,
+    /// a limit is judged by functions, not by a point
+    NeedsFunctions,
+    /// no atom is a false constant
+    NotAbsurd,
+    /// cases, proofs: their numbers differ
+    CaseCount(usize, usize),
+    /// no atom with this index
+    NoSuchAtom(usize),
+    /// no formula with this index
+    NoSuchFormula(usize),
+    /// the atom is no equation linear in the variable
+    NotLinear,
+    /// a factor is not known to be non-zero
+    MayVanish,
+    /// the two sides do not expand to the same polynomial
+    NotAnIdentity,
+    /// the atom with this index is no equation
+    NotAnEquation(usize),
+    /// no summand is visibly positive, or one may be negative
+    NotPositive,
+    /// the atom with this index is no bound of the variable
+    NotABound(usize),
+    /// the coefficients do not have the sign that contradicts the atom
+    WrongSign,
+    /// Descartes' rule does not confirm the stated roots
+    RootCount,
+    /// on some cell of the line all atoms hold
+    OpenCell,
+    /// the germ does not lie in the domain
+    OutsideDomain,
+    /// something that varies stands where only constants may
+    NotConstant,
+    /// the power of t does not fit the limit
+    WrongOrder,
+    /// the point violates the formula with this index; `None`: a range
+    NotAModel(Option<usize>),
+    /// a symbol or definition that the context does not have
+    UnknownSymbol,
+    /// a derivative of something without a definition
+    NotExplicit,
+}
+
+impl fmt::Display for Rejection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Budget => write!(f, "the budget of the check ran out"),
+            Self::OtherGoal => write!(f, "the certificate is for another statement"),
+            Self::CaseCount(want, have) => write!(f, "{want} cases but {have} proofs"),
+            other => write!(f, "{other:?}"),
+        }
+    }
+}
+
+impl std::error::Error for Rejection {}
