@@ -1,1 +1,23 @@
 //! Snapshots of what the program prints: every file under `snapshots/` has one test here that owns it.
+
+mod fixture;
+mod reports; // the report of a small audit, in every format
+
+/// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.
+/// No other test touches insta's settings.
+///
+/// The path is absolute, so it does not depend on how deep a test file sits.
+#[track_caller]
+fn settings() -> insta::Settings {
+    let caller = std::path::Path::new(std::panic::Location::caller().file());
+    let folder = caller.file_stem().expect("a source file has a name");
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("snapshots")
+            .join(folder),
+    );
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}

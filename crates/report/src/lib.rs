@@ -1,1 +1,22 @@
 //! Presents verdicts as text, Markdown and JSON; computes nothing.
+//!
+//! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
+//! [`markdown`] for the web, [`json`] for programs (its schema is documented in `docs/report-schema.md`),
+//! and [`explain`] writes out one proof or witness in full. All of them return strings whose bytes depend on
+//! their arguments alone.
+#![deny(clippy::float_arithmetic)]
+
+mod explain;
+mod json;
+mod markdown;
+mod report;
+mod shorten;
+mod summary;
+mod text;
+
+pub use explain::explain;
+pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
+pub use markdown::markdown;
+pub use report::Report;
+pub use summary::Summary;
+pub use text::{Page, text};

@@ -1,0 +1,204 @@
+//! The report for programs. The schema is documented in `docs/report-schema.md`; a change that can break a
+//! reader raises [`SCHEMA_VERSION`].
+
+use std::collections::BTreeMap;
+
+use kane_audit::LinkJudgement;
+use serde::Serialize;
+
+use crate::report::Entry;
+use crate::{Report, Summary};
+
+/// The name of the schema.
+pub const SCHEMA_NAME: &str = "kane-audit";
+/// The version of the schema.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The reports as JSON, ended by a line feed.
+#[must_use]
+pub fn json(reports: &[Report<'_>]) -> String {
+    let file = File {
+        schema: Schema {
+            name: SCHEMA_NAME,
+            version: SCHEMA_VERSION,
+        },
+        program: Program {
+            name: "kane",
+            version: env!("CARGO_PKG_VERSION"),
+        },
+        as_expected: reports.iter().all(Report::as_expected),
+        documents: reports.iter().map(Document::of).collect(),
+    };
+    let mut out = serde_json::to_string_pretty(&file)
+        .expect("strings, numbers and string keys always serialise");
+    out.push('\n');
+    out
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    as_expected: bool,
+    documents: Vec<Document<'a>>,
+}
+
+#[derive(Serialize)]
+struct Schema {
+    name: &'static str,
+    version: u32,
+}
+
+#[derive(Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    name: &'a str,
+    title: Option<&'a str>,
+    bytes: usize,
+    command: &'a str,
+    as_expected: bool,
+    summary: Counts,
+    statements: Vec<Statement<'a>>,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    headline: String,
+    equations: usize,
+    claims: usize,
+    verdicts: BTreeMap<String, usize>,
+    refuted_as_printed: Vec<String>,
+    not_as_expected: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Statement<'a> {
+    label: &'a str,
+    kind: &'static str,
+    line: usize,
+    source: &'a str,
+    verdict: String,
+    conditional: String,
+    expect: Option<String>,
+    as_expected: bool,
+    unproved: Vec<&'a str>,
+    rests_on: Vec<&'a str>,
+    model: Option<Vec<Value<'a>>>,
+    links: Vec<Link<'a>>,
+}
+
+#[derive(Serialize)]
+struct Value<'a> {
+    name: &'a str,
+    value: &'a str,
+}
+
+#[derive(Serialize)]
+struct Link<'a> {
+    text: &'a str,
+    latex: &'a str,
+    verdict: String,
+    reason: &'a str,
+    certificate: Option<&'a str>,
+    used: Vec<&'a str>,
+    cost: u64,
+    steps: Vec<Step<'a>>,
+}
+
+#[derive(Serialize)]
+struct Step<'a> {
+    depth: usize,
+    text: &'a str,
+}
+
+impl<'a> Document<'a> {
+    fn of(report: &'a Report<'_>) -> Self {
+        let document = &report.audit.document;
+        Self {
+            name: &document.name,
+            title: document.title.as_deref(),
+            bytes: document.text.len(),
+            command: &report.command,
+            as_expected: report.as_expected(),
+            summary: Counts::of(report),
+            statements: report
+                .entries()
+                .map(|entry| Statement::of(report, &entry))
+                .collect(),
+        }
+    }
+}
+
+impl Counts {
+    fn of(report: &Report<'_>) -> Self {
+        let summary = Summary::of(report);
+        Self {
+            headline: summary.headline(),
+            equations: summary.equations,
+            claims: summary.claims,
+            verdicts: summary
+                .verdicts
+                .iter()
+                .map(|(verdict, n)| (verdict.to_string(), *n))
+                .collect(),
+            refuted_as_printed: summary.refuted_as_printed,
+            not_as_expected: summary.surprises,
+        }
+    }
+}
+
+impl<'a> Statement<'a> {
+    fn of(report: &Report<'a>, entry: &Entry<'a>) -> Self {
+        let judgement = entry.judgement;
+        Self {
+            label: &entry.statement.label,
+            kind: entry.kind(),
+            line: entry.statement.line,
+            source: report.audit.document.source(entry.statement),
+            verdict: judgement.verdict.to_string(),
+            conditional: judgement.conditional.to_string(),
+            expect: judgement.expect.map(|verdict| verdict.to_string()),
+            as_expected: judgement.as_expected(),
+            unproved: entry.labels(&judgement.unproved),
+            rests_on: entry.labels(&judgement.rests_on),
+            model: judgement.model.as_ref().map(|model| {
+                model
+                    .iter()
+                    .map(|(name, value)| Value { name, value })
+                    .collect()
+            }),
+            links: judgement
+                .links
+                .iter()
+                .map(|link| Link::of(entry, link))
+                .collect(),
+        }
+    }
+}
+
+impl<'a> Link<'a> {
+    fn of(entry: &Entry<'a>, link: &'a LinkJudgement) -> Self {
+        Self {
+            text: &link.text,
+            latex: &link.latex,
+            verdict: link.verdict.to_string(),
+            reason: &link.reason,
+            certificate: link.certificate.as_deref(),
+            used: entry.labels(&link.used),
+            cost: link.cost,
+            steps: link
+                .steps
+                .iter()
+                .map(|step| Step {
+                    depth: step.depth,
+                    text: &step.text,
+                })
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! The report for the web: mathematics between dollar signs, proofs folded away.
+
+use std::fmt::Write as _;
+
+use kane_audit::LinkJudgement;
+
+use crate::report::Entry;
+use crate::{Report, Summary};
+
+/// The report as Markdown.
+#[must_use]
+pub fn markdown(report: &Report<'_>) -> String {
+    let document = &report.audit.document;
+    let summary = Summary::of(report);
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        "# Audit: {}\n",
+        escape(document.title.as_deref().unwrap_or(&document.name))
+    );
+    let _ = writeln!(out, "**{}**\n", escape(&summary.headline()));
+    let _ = writeln!(out, "{}.\n", escape(&summary.expectation()));
+    for entry in report.entries() {
+        section(&mut out, &entry);
+    }
+    let _ = writeln!(
+        out,
+        "---\n\nkane {}, {}\n",
+        env!("CARGO_PKG_VERSION"),
+        code(&report.command)
+    );
+    out.truncate(out.trim_end().len());
+    out.push('\n');
+    out
+}
+
+/// One statement: what it says, its verdict and reason, what it rests on, and the proof.
+fn section(out: &mut String, entry: &Entry<'_>) {
+    let judgement = entry.judgement;
+    let _ = write!(
+        out,
+        "## {} · {}",
+        escape(&entry.statement.label),
+        judgement.verdict
+    );
+    if let Some(remark) = entry.expectation() {
+        let _ = write!(out, " · *{}*", escape(&remark));
+    }
+    let _ = writeln!(out, "\n\n{}\n", code(&entry.source()));
+    if let Some(support) = entry.support() {
+        let _ = writeln!(out, "{}.\n", escape(&capitalised(&support)));
+    }
+    for link in &judgement.links {
+        write_link(out, entry, link);
+    }
+    let mut ground = Vec::new();
+    if !judgement.rests_on.is_empty() {
+        ground.push(format!(
+            "Rests on {}.",
+            escape(&entry.labels(&judgement.rests_on).join(", "))
+        ));
+    }
+    match &judgement.model {
+        Some(model) if !model.is_empty() => {
+            let pairs: Vec<_> = model
+                .iter()
+                .map(|(name, value)| code(&format!("{name} = {value}")))
+                .collect();
+            ground.push(format!(
+                "The hypotheses hold, for example, at {}.",
+                pairs.join(", ")
+            ));
+        }
+        _ => {}
+    }
+    if !ground.is_empty() {
+        let _ = writeln!(out, "{}\n", ground.join(" "));
+    }
+}
+
+/// One link: its formula, verdict and reason, with the steps folded away.
+fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
+    if !link.latex.is_empty() {
+        // a dollar sign inside would end the formula; blank lines would end the paragraph
+        let formula: Vec<_> = link.latex.split_whitespace().collect();
+        let _ = writeln!(out, "${}$\n", formula.join(" "));
+    }
+    let _ = writeln!(
+        out,
+        "**{}**: {}\n",
+        capitalised(&link.verdict.to_string()),
+        escape(&link.reason)
+    );
+    if link.steps.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "<details><summary>Step by step</summary>\n");
+    let mut steps = String::new();
+    for step in &link.steps {
+        for line in step.text.lines() {
+            let _ = writeln!(steps, "{:indent$}{line}", "", indent = 2 * step.depth);
+        }
+    }
+    let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);
+    let _ = writeln!(out, "{fence}text\n{steps}{fence}\n");
+    let mut notes = Vec::new();
+    if !link.used.is_empty() {
+        notes.push(format!(
+            "Uses {}.",
+            escape(&entry.labels(&link.used).join(", "))
+        ));
+    }
+    if let Some(digest) = &link.certificate {
+        notes.push(format!("Certificate {}.", code(digest)));
+    }
+    if !notes.is_empty() {
+        let _ = writeln!(out, "{}\n", notes.join(" "));
+    }
+    let _ = writeln!(out, "</details>\n");
+}
+
+/// The text as it is, also where it has characters that Markdown or HTML would read.
+fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '&' => out.push_str("&amp;"),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '$' | '|' | '~' | '#' => {
+                out.push('\\');
+                out.push(c);
+            }
+            '\n' => out.push(' '),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// The text as code, on one line.
+fn code(text: &str) -> String {
+    let text = text.replace('\n', " ");
+    let fence = "`".repeat(longest_run(&text, '`') + 1);
+    let pad = if text.starts_with('`') || text.ends_with('`') {
+        " "
+    } else {
+        ""
+    };
+    format!("{fence}{pad}{text}{pad}{fence}")
+}
+
+/// The length of the longest run of `c`.
+fn longest_run(text: &str, c: char) -> usize {
+    text.split(|other| other != c)
+        .map(str::len)
+        .max()
+        .unwrap_or(0)
+}
+
+/// The text with its first letter in upper case.
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(chars).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_character_of_a_reason_becomes_markup() {
+        assert_eq!(escape("a_b * <c> $d$"), r"a\_b \* &lt;c&gt; \$d\$");
+    }
+
+    #[test]
+    fn code_may_contain_backticks() {
+        assert_eq!(code("a ` b"), "``a ` b``");
+        assert_eq!(code("`a`"), "`` `a` ``");
+    }
+}

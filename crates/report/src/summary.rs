@@ -1,0 +1,115 @@
+//! The news: how many statements there are, and how they fare.
+
+use std::fmt::Write as _;
+
+use kane_audit::Verdict;
+
+use crate::Report;
+
+/// The verdicts of claims, in the order in which they are told.
+const TOLD: [Verdict; 6] = [
+    Verdict::Proved,
+    Verdict::Refuted,
+    Verdict::IllDefined,
+    Verdict::Vacuous,
+    Verdict::Unsupported,
+    Verdict::Undecided,
+];
+
+/// Counts over the statements that a report shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Summary {
+    /// statements whose label is a number in parentheses
+    pub equations: usize,
+    /// claims, numbered or not
+    pub claims: usize,
+    /// claims by verdict; verdicts that do not occur are left out
+    pub verdicts: Vec<(Verdict, usize)>,
+    /// numbered claims that are refuted, in whole or in one link
+    pub refuted_as_printed: Vec<String>,
+    /// claims that do not end as their author expects
+    pub surprises: Vec<String>,
+}
+
+impl Summary {
+    /// Counts what `report` shows.
+    #[must_use]
+    pub fn of(report: &Report<'_>) -> Self {
+        let claims: Vec<_> = report.entries().filter(|entry| entry.is_claim()).collect();
+        let count = |verdict| {
+            claims
+                .iter()
+                .filter(|entry| entry.judgement.verdict == verdict)
+                .count()
+        };
+        let label = |entry: &crate::report::Entry<'_>| entry.statement.label.clone();
+        Self {
+            equations: report.entries().filter(|entry| entry.is_equation()).count(),
+            claims: claims.len(),
+            verdicts: TOLD
+                .map(|verdict| (verdict, count(verdict)))
+                .into_iter()
+                .filter(|(_, n)| *n > 0)
+                .collect(),
+            refuted_as_printed: claims
+                .iter()
+                .filter(|entry| {
+                    entry.is_equation() && entry.judgement.verdict != Verdict::Unsupported
+                })
+                .filter(|entry| entry.is_refuted())
+                .map(label)
+                .collect(),
+            surprises: claims
+                .iter()
+                .filter(|entry| !entry.judgement.as_expected())
+                .map(label)
+                .collect(),
+        }
+    }
+
+    /// One line: `29 equations, 113 claims: 80 proved, 20 refuted; refuted as printed: (1), (25)`.
+    #[must_use]
+    pub fn headline(&self) -> String {
+        let mut line = String::new();
+        if self.equations > 0 {
+            line.push_str(&counted(self.equations, "equation"));
+            line.push_str(", ");
+        }
+        line.push_str(&counted(self.claims, "claim"));
+        let verdicts: Vec<_> = self
+            .verdicts
+            .iter()
+            .map(|(verdict, n)| format!("{n} {verdict}"))
+            .collect();
+        if !verdicts.is_empty() {
+            let _ = write!(line, ": {}", verdicts.join(", "));
+        }
+        if !self.refuted_as_printed.is_empty() {
+            let _ = write!(
+                line,
+                "; refuted as printed: {}",
+                self.refuted_as_printed.join(", ")
+            );
+        }
+        line
+    }
+
+    /// One line: whether all verdicts are as expected, and which are not.
+    #[must_use]
+    pub fn expectation(&self) -> String {
+        match (self.claims, self.surprises.len()) {
+            (0, _) => "nothing to check".to_owned(),
+            (_, 0) => "every verdict is as expected".to_owned(),
+            (_, n) => format!("{n} NOT AS EXPECTED: {}", self.surprises.join(", ")),
+        }
+    }
+}
+
+/// `1 claim`, `2 claims`, `no claims`.
+fn counted(n: usize, noun: &str) -> String {
+    match n {
+        0 => format!("no {noun}s"),
+        1 => format!("1 {noun}"),
+        n => format!("{n} {noun}s"),
+    }
+}
