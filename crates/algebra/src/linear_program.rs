@@ -1,0 +1,118 @@
+//! Exact linear feasibility: the simplex method over the rationals with Bland's rule.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+type Q = BigRational;
+
+/// Finds x ≥ 0 with A·x = b, or `None` if there is none or the steps run out.
+///
+/// `columns[j]` lists the non-zero entries (row, value) of column j; `b` has one entry a row.
+/// Exact; Bland's rule (1977) excludes cycles, `steps` bounds the pivots.
+#[must_use]
+pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize) -> Option<Vec<Q>> {
+    let (rows, cols) = (b.len(), columns.len());
+    // Tableau of phase one: artificial variables are the initial basis.
+    let mut table = vec![vec![Q::zero(); cols + 1]; rows];
+    for (j, column) in columns.iter().enumerate() {
+        for (i, value) in column {
+            table[*i][j] = value.clone();
+        }
+    }
+    for (row, value) in table.iter_mut().zip(b) {
+        row[cols] = value.clone();
+        if value.is_negative() {
+            for x in row.iter_mut() {
+                *x = -&*x;
+            }
+        }
+    }
+    let mut basis: Vec<Option<usize>> = vec![None; rows];
+    let mut cost = vec![Q::zero(); cols + 1];
+    for row in &table {
+        for (c, x) in cost.iter_mut().zip(row) {
+            *c += x;
+        }
+    }
+    for _ in 0..steps {
+        if cost[cols].is_zero() {
+            let mut x = vec![Q::zero(); cols];
+            for (row, variable) in table.iter().zip(&basis) {
+                if let Some(j) = variable {
+                    x[*j] = row[cols].clone();
+                }
+            }
+            return Some(x);
+        }
+        let enter = (0..cols).find(|&j| cost[j].is_positive())?;
+        // Smallest ratio; ties by the lowest basic variable, artificial ones leave first.
+        let mut best: Option<(Q, Option<usize>, usize)> = None;
+        for (i, row) in table.iter().enumerate() {
+            if row[enter].is_positive() {
+                let candidate = (&row[cols] / &row[enter], basis[i], i);
+                if best.as_ref().is_none_or(|b| (&candidate.0, candidate.1) < (&b.0, b.1)) {
+                    best = Some(candidate);
+                }
+            }
+        }
+        let leave = best?.2;
+        let pivot = table[leave][enter].clone();
+        for x in &mut table[leave] {
+            if !x.is_zero() {
+                *x /= &pivot;
+            }
+        }
+        let source = table[leave].clone();
+        let clear = |row: &mut Vec<Q>| {
+            let factor = row[enter].clone();
+            if factor.is_zero() {
+                return;
+            }
+            for (x, s) in row.iter_mut().zip(&source) {
+                if !s.is_zero() {
+                    *x -= &factor * s;
+                }
+            }
+        };
+        for (i, row) in table.iter_mut().enumerate() {
+            if i != leave {
+                clear(row);
+            }
+        }
+        clear(&mut cost);
+        basis[leave] = Some(enter);
+    }
+    None
+}
+
+/// A vector of whole numbers in the same ratios.
+#[must_use]
+pub fn whole(values: &[Q]) -> Vec<num_bigint::BigInt> {
+    let common = values.iter().fold(num_bigint::BigInt::one(), |l, q| {
+        num_integer::lcm(l, q.denom().clone())
+    });
+    values.iter().map(|q| q.numer() * (&common / q.denom())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn q(n: i64) -> Q {
+        Q::from_integer(n.into())
+    }
+
+    #[test]
+    fn a_feasible_system_is_solved() {
+        // x + y = 3, x − y = 1
+        let columns = [vec![(0, q(1)), (1, q(1))], vec![(0, q(1)), (1, q(-1))]];
+        assert_eq!(feasible(&columns, &[q(3), q(1)], 100), Some(vec![q(2), q(1)]));
+    }
+
+    #[test]
+    fn an_infeasible_system_is_not() {
+        // x + y = −1
+        let columns = [vec![(0, q(1))], vec![(0, q(1))]];
+        assert_eq!(feasible(&columns, &[q(-1)], 100), None);
+    }
+}

@@ -1,0 +1,133 @@
+//! Between the kernel's integer polynomials and the polynomial libraries that the search stands on.
+
+use kane_kernel::{Monomial, Poly};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use polycore::{Monomial as Exponents, Order};
+
+type Foreign = polycore::Poly<BigRational>;
+
+/// The variables of a few polynomials, numbered densely for the libraries.
+#[derive(Clone, Debug)]
+pub struct Ring {
+    vars: Vec<usize>,
+}
+
+impl Ring {
+    /// The smallest ring that contains all of these.
+    #[must_use]
+    pub fn of(polys: &[&Poly]) -> Self {
+        let mut vars: Vec<usize> = polys.iter().flat_map(|p| p.vars()).collect();
+        vars.sort_unstable();
+        vars.dedup();
+        Self { vars }
+    }
+
+    /// Number of variables.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.vars.len()
+    }
+
+    /// Whether no variable occurs.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.vars.is_empty()
+    }
+
+    /// Into the library, in graded reverse lexicographic order. Exact.
+    #[must_use]
+    pub fn outward(&self, p: &Poly) -> Foreign {
+        let terms = p.terms().map(|(m, c)| {
+            let mut exponents = vec![0u32; self.vars.len()];
+            for (v, e) in m {
+                if let Ok(i) = self.vars.binary_search(v) {
+                    exponents[i] = *e;
+                }
+            }
+            (Exponents::new(exponents), BigRational::from_integer(c.clone()))
+        });
+        Foreign::new(terms.collect(), self.vars.len(), Order::GRevLex)
+    }
+
+    /// Out of the library: the polynomial times its common denominator, and that denominator.
+    #[must_use]
+    pub fn inward(&self, p: &Foreign) -> (Poly, BigInt) {
+        let common = p.terms.iter().fold(BigInt::one(), |l, (_, c)| {
+            num_integer::lcm(l, c.denom().clone())
+        });
+        let mut out = Poly::default();
+        for (m, c) in &p.terms {
+            let powers = self.vars.iter().zip(m.exps()).filter(|(_, e)| **e > 0);
+            let monomial: Monomial = powers.map(|(v, e)| (*v, *e)).collect();
+            out.add_term(monomial, c.numer() * (&common / c.denom()));
+        }
+        (out, common)
+    }
+}
+
+/// Quotient q and positive integers a, b with a·p = b·q·d, if d divides p over Q; q is primitive.
+#[must_use]
+pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
+    if d.is_empty() || d.len() > p.len().saturating_mul(8) {
+        return None;
+    }
+    if d.vars().iter().any(|v| d.degree(*v) > p.degree(*v)) {
+        return None;
+    }
+    let ring = Ring::of(&[p, d]);
+    let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
+    r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
+}
+
+/// p/g and q/g for the greatest common divisor g, as primitive polynomials up to a common rational
+/// factor: returns (p′, q′) with p·q′ = p′·q.
+#[must_use]
+pub fn cancelled(p: &Poly, q: &Poly) -> (Poly, Poly) {
+    if q.as_constant().is_some() || p.is_empty() {
+        return (p.clone(), q.clone());
+    }
+    let ring = Ring::of(&[p, q]);
+    let (_, a, b) = zippel_gcd::cofactors(&ring.outward(p), &ring.outward(q));
+    let ((a, da), (b, db)) = (ring.inward(&a), ring.inward(&b));
+    (a.scale(&db), b.scale(&da))
+}
+
+/// The greatest common divisor, primitive.
+#[must_use]
+pub fn gcd(p: &Poly, q: &Poly) -> Poly {
+    let ring = Ring::of(&[p, q]);
+    let g = zippel_gcd::gcd(&ring.outward(p), &ring.outward(q));
+    ring.inward(&g).0.primitive().1
+}
+
+/// The content of p as a polynomial in v: the common factor of its coefficients.
+#[must_use]
+pub fn content_in(p: &Poly, v: usize) -> Poly {
+    let parts = p.coefficients(v);
+    let mut parts = parts.iter().filter(|c| !c.is_empty());
+    let Some(first) = parts.next() else {
+        return Poly::one();
+    };
+    let first = first.primitive().1;
+    parts.fold(first, |g, c| if g.as_constant().is_some() { Poly::one() } else { gcd(&g, c) })
+}
+
+/// Whether all terms of p have coefficients of one sign: Some(true) for positive.
+#[must_use]
+pub fn common_sign(p: &Poly) -> Option<bool> {
+    let mut signs = p.terms().map(|(_, c)| c.is_positive());
+    let first = signs.next()?;
+    signs.all(|s| s == first).then_some(first)
+}
+
+/// p as a polynomial in v alone with rational coefficients, if it is one.
+#[must_use]
+pub fn univariate(p: &Poly, v: usize) -> Option<Vec<BigInt>> {
+    let mut coefficients = p.univariate(v)?;
+    while coefficients.last().is_some_and(Zero::is_zero) {
+        coefficients.pop();
+    }
+    Some(coefficients)
+}

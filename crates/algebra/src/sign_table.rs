@@ -1,0 +1,354 @@
+//! Sign tables: the real line cut at all roots of some polynomials, complete in one variable.
+
+use std::collections::BTreeMap;
+
+use kane_kernel::{Fuel, Rejection, Root, descartes, sign_at};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use polycore::Uni;
+
+type Q = BigRational;
+
+/// A cut line: the kernel confirms it by Descartes' rule.
+#[derive(Clone, Debug)]
+pub struct SignTable {
+    /// polynomials without common or repeated roots
+    pub bases: Vec<Vec<BigInt>>,
+    /// their roots and auxiliary cuts, ascending
+    pub roots: Vec<Root>,
+    /// each input as constant · Π baseᵢ^eᵢ
+    pub factored: Vec<(Q, Vec<u32>)>,
+}
+
+/// A cell of the line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// the open gap before root i (after the last one if i is their number)
+    Gap(usize),
+    /// root i
+    Root(usize),
+}
+
+/// Above this degree polynomials are split by greatest common divisors only, not factored.
+const FACTOR_DEGREE: usize = 24;
+/// Halvings of one interval before giving up.
+const MAX_HALVINGS: usize = 4096;
+
+impl SignTable {
+    /// Cuts the line at the roots of all `polys` (coefficients from x⁰ up, none of them zero).
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn new(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Self, Rejection> {
+        let bases = coprime_bases(polys, fuel)?;
+        let factored = polys
+            .iter()
+            .map(|p| factor_over(p, &bases))
+            .collect::<Option<Vec<_>>>()
+            .ok_or(Rejection::NotAnIdentity)?;
+        let bases: Vec<Vec<BigInt>> = bases;
+        let mut roots = Vec::new();
+        for base in &bases {
+            isolate(base, &mut roots, fuel)?;
+        }
+        separate(&bases, &mut roots, fuel)?;
+        let roots = cut_gaps(&bases, roots, fuel)?;
+        Ok(Self { bases, roots, factored })
+    }
+
+    /// All cells from left to right.
+    pub fn cells(&self) -> impl Iterator<Item = Cell> {
+        let n = self.roots.len();
+        (0..n).flat_map(|i| [Cell::Gap(i), Cell::Root(i)]).chain([Cell::Gap(n)])
+    }
+
+    /// Sign of input `i` on a cell.
+    #[must_use]
+    pub fn sign(&self, i: usize, cell: Cell) -> i8 {
+        let (constant, powers) = &self.factored[i];
+        let mut sign = kane_kernel::sign(constant.numer());
+        for (base, n) in self.bases.iter().zip(powers) {
+            if *n == 0 {
+                continue;
+            }
+            match self.base_sign(base, cell) {
+                0 => return 0,
+                s if s < 0 && n % 2 == 1 => sign = -sign,
+                _ => {}
+            }
+        }
+        sign
+    }
+
+    fn base_sign(&self, base: &[BigInt], cell: Cell) -> i8 {
+        match cell {
+            Cell::Gap(_) => sign_at(base, &self.sample(cell)),
+            Cell::Root(i) => {
+                let root = &self.roots[i];
+                if root.is_exact() {
+                    sign_at(base, &root.lo)
+                } else if root.poly == base {
+                    0
+                } else {
+                    sign_at(base, &root.lo)
+                }
+            }
+        }
+    }
+
+    /// The simplest rational in a gap, or the rational at an exact root; for an irrational root
+    /// the left end of its interval.
+    #[must_use]
+    pub fn sample(&self, cell: Cell) -> Q {
+        match cell {
+            Cell::Root(i) => self.roots[i].lo.clone(),
+            Cell::Gap(i) => {
+                let lo = i.checked_sub(1).and_then(|j| self.roots.get(j)).map(|r| &r.hi);
+                let hi = self.roots.get(i).map(|r| &r.lo);
+                match (lo, hi) {
+                    (Some(a), Some(b)) if a == b => a.clone(),
+                    _ => simplest_between(lo, hi),
+                }
+            }
+        }
+    }
+}
+
+fn uni(p: &[BigInt]) -> Uni<Q> {
+    Uni::new(p.iter().map(|c| Q::from_integer(c.clone())).collect())
+}
+
+fn integers(p: &Uni<Q>) -> Vec<BigInt> {
+    p.primitive().0.iter().map(|c| c.numer().clone()).collect()
+}
+
+/// Pairwise coprime square-free polynomials of which all inputs are products.
+fn coprime_bases(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Vec<Vec<BigInt>>, Rejection> {
+    let mut seen = Vec::new();
+    let mut irreducible: BTreeMap<Vec<BigInt>, ()> = BTreeMap::new();
+    let mut coarse: Vec<Uni<Q>> = Vec::new();
+    for p in polys {
+        if p.len() <= 1 || seen.contains(p) {
+            continue;
+        }
+        seen.push(p.clone());
+        let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+        let words = 1 + p.iter().map(BigInt::bits).max().unwrap_or(0) / 64;
+        fuel.spend(degree.saturating_pow(3).saturating_mul(words))?;
+        let f = uni(p);
+        if f.deg() <= FACTOR_DEGREE {
+            for (factor, _) in polyfactor::factor(&f) {
+                if factor.deg() > 0 {
+                    irreducible.insert(integers(&factor), ());
+                }
+            }
+        } else {
+            for (part, _) in f.squarefree() {
+                if part.deg() > 0 {
+                    coarse.push(part);
+                }
+            }
+        }
+    }
+    // Refine until nothing is shared; irreducible factors are coprime already.
+    let mut bases: Vec<Uni<Q>> = irreducible.keys().map(|p| uni(p)).collect();
+    for mut part in coarse {
+        let mut i = 0;
+        while i < bases.len() && part.deg() > 0 {
+            let g = part.gcd(&bases[i]);
+            if g.deg() > 0 {
+                let rest = &bases[i] / &g;
+                part = &part / &g;
+                if rest.deg() > 0 {
+                    bases.push(rest);
+                }
+                bases[i] = g;
+            }
+            i += 1;
+        }
+        if part.deg() > 0 {
+            bases.push(part);
+        }
+    }
+    Ok(bases.iter().map(integers).collect())
+}
+
+fn factor_over(p: &[BigInt], bases: &[Vec<BigInt>]) -> Option<(Q, Vec<u32>)> {
+    let mut rest = uni(p);
+    let mut powers = vec![0; bases.len()];
+    for (base, n) in bases.iter().zip(&mut powers) {
+        let base = uni(base);
+        while rest.deg() >= base.deg() {
+            let (q, r) = rest.divrem(&base);
+            if !r.is_zero() {
+                break;
+            }
+            rest = q;
+            *n += 1;
+        }
+    }
+    (rest.deg() == 0).then(|| (rest.0.first().cloned().unwrap_or_else(Q::zero), powers))
+}
+
+/// An integer beyond all roots in absolute value (Cauchy 1829).
+fn root_bound(p: &[BigInt]) -> BigInt {
+    let lead = p.last().map(Signed::abs).unwrap_or_else(BigInt::one);
+    let largest = p.iter().map(Signed::abs).max().unwrap_or_else(BigInt::one);
+    largest.div_ceil(&lead) + 1
+}
+
+fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Rejection> {
+    if let [c, d] = base {
+        let at = -Q::new(c.clone(), d.clone());
+        out.push(Root { poly: base.to_vec(), lo: at.clone(), hi: at });
+        return Ok(());
+    }
+    let bound = Q::from_integer(root_bound(base));
+    let mut todo = vec![(-bound.clone(), bound, 0usize)];
+    while let Some((lo, hi, depth)) = todo.pop() {
+        if depth > MAX_HALVINGS {
+            return Err(Rejection::Budget);
+        }
+        match descartes(base, Some(&lo), Some(&hi), fuel)? {
+            0 => {}
+            1 => out.push(Root { poly: base.to_vec(), lo, hi }),
+            _ => {
+                let mid = (&lo + &hi) / Q::from_integer(2.into());
+                if sign_at(base, &mid) == 0 {
+                    out.push(Root { poly: base.to_vec(), lo: mid.clone(), hi: mid.clone() });
+                }
+                todo.push((lo, mid.clone(), depth + 1));
+                todo.push((mid, hi, depth + 1));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Halves an interval around a root, or finds the root.
+pub fn refine(root: &mut Root) {
+    let mid = (&root.lo + &root.hi) / Q::from_integer(2.into());
+    let at = |x: &Q| sign_at(&root.poly, x);
+    // A root at an end of the interval is another one: compare with a sign just inside.
+    match (at(&mid), at(&root.hi)) {
+        (0, _) => {
+            root.lo = mid.clone();
+            root.hi = mid;
+        }
+        (s, 0) => {
+            // Both ends may be other roots; Descartes' rule is exact on halves with one root or none.
+            let plenty = Fuel::new(u64::MAX);
+            match descartes(&root.poly, Some(&root.lo), Some(&mid), &plenty) {
+                Ok(1) => root.hi = mid,
+                _ => root.lo = mid,
+            }
+        }
+        (s, h) if s == h => root.hi = mid,
+        _ => root.lo = mid,
+    }
+}
+
+/// Shrinks intervals until they are disjoint and no other base has a root or sign change there.
+fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<(), Rejection> {
+    for _ in 0..MAX_HALVINGS {
+        roots.sort_by(|a, b| (&a.lo, &a.hi).cmp(&(&b.lo, &b.hi)));
+        let mut dirty = false;
+        for i in 0..roots.len() {
+            if roots[i].is_exact() {
+                continue;
+            }
+            let (lo, hi) = (roots[i].lo.clone(), roots[i].hi.clone());
+            let mut clear = (i == 0 || roots[i - 1].hi < lo)
+                && roots.get(i + 1).is_none_or(|r| hi < r.lo);
+            for base in bases {
+                clear = clear && sign_at(base, &lo) != 0 && sign_at(base, &hi) != 0;
+                if clear && *base != roots[i].poly {
+                    clear = descartes(base, Some(&lo), Some(&hi), fuel)? == 0;
+                }
+            }
+            if !clear {
+                refine(&mut roots[i]);
+                dirty = true;
+            }
+        }
+        if !dirty {
+            return Ok(());
+        }
+        fuel.spend(1)?;
+    }
+    Err(Rejection::Budget)
+}
+
+/// Cuts gaps at rational points until Descartes' rule sees that they hold no root.
+fn cut_gaps(
+    bases: &[Vec<BigInt>],
+    roots: Vec<Root>,
+    fuel: &Fuel,
+) -> Result<Vec<Root>, Rejection> {
+    let mut out: Vec<Root> = Vec::new();
+    let mut todo: Vec<Option<Root>> = roots.into_iter().map(Some).rev().collect();
+    todo.insert(0, None);
+    let mut cuts = 0;
+    while let Some(next) = todo.pop() {
+        let lo = out.last().map(|r| &r.hi);
+        let hi = next.as_ref().map(|r| &r.lo);
+        let mut clear = true;
+        for base in bases {
+            clear = clear && descartes(base, lo, hi, fuel)? == 0;
+        }
+        if clear {
+            match next {
+                Some(root) => out.push(root),
+                None => return Ok(out),
+            }
+            continue;
+        }
+        cuts += 1;
+        if cuts > MAX_HALVINGS {
+            return Err(Rejection::Budget);
+        }
+        let beyond = bases.iter().map(|p| root_bound(p)).max().unwrap_or_else(BigInt::one);
+        let beyond = Q::from_integer(beyond);
+        let at = match (lo, hi) {
+            (Some(a), Some(b)) => (a + b) / Q::from_integer(2.into()),
+            (Some(a), None) => beyond.max(a + Q::one()),
+            (None, Some(b)) => (-beyond).min(b - Q::one()),
+            (None, None) => Q::zero(),
+        };
+        todo.push(next);
+        let poly = vec![-at.numer(), at.denom().clone()];
+        todo.push(Some(Root { poly, lo: at.clone(), hi: at }));
+    }
+    Ok(out)
+}
+
+/// The rational with the smallest denominator, then numerator, strictly between two ends.
+#[must_use]
+pub fn simplest_between(lo: Option<&Q>, hi: Option<&Q>) -> Q {
+    let zero = Q::zero();
+    let above = lo.is_none_or(|a| *a < zero);
+    let below = hi.is_none_or(|b| *b > zero);
+    match (above, below) {
+        (true, true) => zero,
+        (_, false) => match hi {
+            // All negative: mirror.
+            Some(b) => -simplest_between(Some(&-b), lo.map(|a| -a).as_ref()),
+            None => zero,
+        },
+        (false, true) => {
+            let a = lo.cloned().unwrap_or_else(Q::zero);
+            let next = a.floor() + Q::one();
+            if hi.is_none_or(|b| next < *b) {
+                return next;
+            }
+            // Same integer part: recurse into the reciprocal of the fraction.
+            let whole = a.floor();
+            let upper = hi.map(|b| b - &whole).unwrap_or_else(Q::one);
+            let low = &a - &whole;
+            let inverse_hi = (!low.is_zero()).then(|| low.recip());
+            whole + simplest_between(Some(&upper.recip()), inverse_hi.as_ref()).recip()
+        }
+    }
+}
