@@ -1,0 +1,33 @@
+//! What must hold of every collision: in the words of the request, on inputs that aim at trouble.
+//!
+//! `PROPTEST_CASES` scales every property; 256 is the gate, 25600 asks a hundred times as much.
+
+/// Floats against exact numbers, and the two ways through the physics against each other.
+mod agreement;
+/// The limits of normal collision and of non-collision, with their rates.
+mod connection;
+/// Who creates energy, and exactly when.
+mod energy;
+/// Inputs for all of these.
+mod strategies;
+/// Mirror symmetry, zero slip, grazing, and inputs without any sense.
+mod totality;
+
+use kane_number::{Integer, Rational};
+use proptest::test_runner::Config;
+
+/// A configuration with this many cases in the gate.
+fn cases(in_the_gate: u32) -> Config {
+    let default = Config::default();
+    let cases = in_the_gate.saturating_mul(default.cases) / 256;
+    Config { cases, ..default }
+}
+
+fn rational(numer: impl Into<Integer>, denom: impl Into<Integer>) -> Rational {
+    Rational::new(numer.into(), denom.into())
+}
+
+/// 2^exponent.
+fn two_to(exponent: i32) -> Rational {
+    rational(2, 1).pow(exponent)
+}
