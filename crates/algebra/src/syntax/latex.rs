@@ -1,0 +1,158 @@
+//! LaTeX for math mode.
+
+use kane_kernel::{Approach, Context, Expr, Limit, Rel, Relation, Target};
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::names::latex_name;
+use super::number::decimal;
+use super::parser::Level;
+use super::plain::{let_name, level, var_name};
+
+pub(crate) fn whole_expr(expr: &Expr, context: &Context) -> String {
+    Writer { context }.expr(expr, Level::Sum)
+}
+
+/// Relations with commas between; those that share a side become a chain.
+pub(crate) fn relations(relations: &[Relation], context: &Context) -> String {
+    let mut out = String::new();
+    let mut last: Option<&Expr> = None;
+    for relation in relations {
+        if last != Some(&relation.lhs) {
+            if last.is_some() {
+                out.push_str(",\\; ");
+            }
+            out.push_str(&whole_expr(&relation.lhs, context));
+        }
+        out.push(' ');
+        out.push_str(comparison(relation.rel));
+        out.push(' ');
+        out.push_str(&whole_expr(&relation.rhs, context));
+        last = Some(&relation.rhs);
+    }
+    out
+}
+
+/// `f \to L \text{ as } x \to a^{+}`
+pub(crate) fn limit(limit: &Limit, context: &Context) -> String {
+    let to = match &limit.to {
+        Target::Finite(value) => whole_expr(value, context),
+        Target::PlusInf => "\\infty".to_owned(),
+        Target::MinusInf => "-\\infty".to_owned(),
+    };
+    let point = match &limit.at {
+        Approach::To(a) => number(a),
+        Approach::Above(a) => format!("{}^{{+}}", number(a)),
+        Approach::Below(a) => format!("{}^{{-}}", number(a)),
+        Approach::PlusInf => "\\infty".to_owned(),
+        Approach::MinusInf => "-\\infty".to_owned(),
+    };
+    let f = whole_expr(&limit.expr, context);
+    let x = latex_name(var_name(limit.var, context));
+    format!("{f} \\to {to} \\text{{ as }} {x} \\to {point}")
+}
+
+fn comparison(rel: Rel) -> &'static str {
+    match rel {
+        Rel::Eq => "=",
+        Rel::Ne => "\\ne",
+        Rel::Lt => "<",
+        Rel::Le => "\\le",
+        Rel::Gt => ">",
+        Rel::Ge => "\\ge",
+    }
+}
+
+fn number(value: &BigRational) -> String {
+    let sign = if value.is_negative() { "-" } else { "" };
+    match decimal(value) {
+        Some(digits) => format!("{sign}{digits}"),
+        None => format!(
+            "{sign}\\frac{{{}}}{{{}}}",
+            value.numer().magnitude(),
+            value.denom()
+        ),
+    }
+}
+
+struct Writer<'a> {
+    context: &'a Context,
+}
+
+impl Writer<'_> {
+    /// `e` where an operand of at least `least` is due.
+    fn expr(&self, e: &Expr, least: Level) -> String {
+        let bare = self.bare(e);
+        let loose = match e {
+            // a fraction holds together by itself, but an exponent would seem to belong to its top
+            Expr::Div(..) => least > Level::Power,
+            _ => level(e) < least,
+        };
+        if loose {
+            format!("\\left({bare}\\right)")
+        } else {
+            bare
+        }
+    }
+
+    fn bare(&self, e: &Expr) -> String {
+        match e {
+            Expr::Num(value) => number(value),
+            Expr::Var(index) => latex_name(var_name(*index, self.context)),
+            Expr::Let(index) => latex_name(let_name(*index, self.context)),
+            Expr::Neg(a) => format!("-{}", self.expr(a, Level::Product)),
+            Expr::Add(a, b) => self.pair(a, "+", b),
+            Expr::Sub(a, b) => self.pair(a, "-", b),
+            Expr::Mul(a, b) => self.product(a, b),
+            Expr::Div(a, b) => format!("\\frac{{{}}}{{{}}}", self.free(a), self.free(b)),
+            Expr::Pow(a, exponent) => {
+                format!("{}^{{{exponent}}}", self.expr(a, Level::Atom))
+            }
+            Expr::Abs(a) => format!("\\left|{}\\right|", self.free(a)),
+            Expr::Sqrt(a) => format!("\\sqrt{{{}}}", self.free(a)),
+            Expr::Min(a, b) => format!("\\min\\left({}, {}\\right)", self.free(a), self.free(b)),
+            Expr::Max(a, b) => format!("\\max\\left({}, {}\\right)", self.free(a), self.free(b)),
+            Expr::Deriv(f, x) => format!(
+                "\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}{}}}\\left({}\\right)",
+                latex_name(var_name(*x, self.context)),
+                self.free(f)
+            ),
+            Expr::Cases(branches, otherwise) => self.cases(branches, otherwise.as_deref()),
+        }
+    }
+
+    fn free(&self, e: &Expr) -> String {
+        self.expr(e, Level::Sum)
+    }
+
+    fn pair(&self, a: &Expr, operator: &str, b: &Expr) -> String {
+        format!(
+            "{} {operator} {}",
+            self.expr(a, Level::Sum),
+            self.expr(b, Level::Product)
+        )
+    }
+
+    fn product(&self, a: &Expr, b: &Expr) -> String {
+        let left = self.expr(a, Level::Product);
+        let right = self.expr(b, Level::Power);
+        // juxtaposed digits would read as one number
+        let dot = right.starts_with(|c: char| c.is_ascii_digit())
+            || (right.starts_with("\\frac") && left.ends_with(|c: char| c.is_ascii_digit()));
+        format!("{left} {}{right}", if dot { "\\cdot " } else { "" })
+    }
+
+    fn cases(&self, branches: &[(Vec<Relation>, Expr)], otherwise: Option<&Expr>) -> String {
+        let mut rows: Vec<String> = branches
+            .iter()
+            .map(|(guards, value)| {
+                let guards = relations(guards, self.context);
+                format!("{} & \\text{{if }} {guards}", self.free(value))
+            })
+            .collect();
+        if let Some(value) = otherwise {
+            rows.push(format!("{} & \\text{{otherwise}}", self.free(value)));
+        }
+        format!("\\begin{{cases}} {} \\end{{cases}}", rows.join(" \\\\ "))
+    }
+}

@@ -1,0 +1,361 @@
+//! Relations, chains, comma lists and limits.
+
+use std::ops::Range;
+
+use kane_kernel::{Approach, Context, Expr, Limit, Link, Relation, Sentence, Target, Var};
+use num_rational::BigRational;
+
+use super::error::{SyntaxError, SyntaxErrorKind};
+use super::eval::eval;
+use super::lexer::Token;
+use super::parser::{Node, Parser, excerpt};
+use super::scope::Symbol;
+
+/// A relation with its place and the height of its taller side.
+pub(crate) struct RelationNode {
+    pub(crate) relation: Relation,
+    pub(crate) span: Range<usize>,
+    pub(crate) height: usize,
+}
+
+/// A link before the `as` clause has told where the limit variable goes.
+enum Open {
+    Relation(Relation),
+    Limit(Expr, Target, Range<usize>),
+}
+
+impl Parser<'_> {
+    /// Passes a comma list of relations and chains; a chain counts as its links.
+    ///
+    /// # Errors
+    /// On any fault after which the structure is unclear.
+    pub fn relations(&mut self) -> Result<Vec<Relation>, SyntaxError> {
+        let links = self.guard_links()?;
+        Ok(links.into_iter().map(|link| link.relation).collect())
+    }
+
+    /// As [`Parser::relations`], each link with its place.
+    ///
+    /// # Errors
+    /// As [`Parser::relations`].
+    pub fn spanned_relations(&mut self) -> Result<Vec<(Relation, Range<usize>)>, SyntaxError> {
+        let links = self.guard_links()?;
+        Ok(links
+            .into_iter()
+            .map(|link| (link.relation, link.span))
+            .collect())
+    }
+
+    pub(crate) fn guard_links(&mut self) -> Result<Vec<RelationNode>, SyntaxError> {
+        let mut links = Vec::new();
+        loop {
+            let first = self.left_side()?;
+            self.chain(first, &mut links)?;
+            if !self.accept(Token::Comma) {
+                return Ok(links);
+            }
+        }
+    }
+
+    fn left_side(&mut self) -> Result<Node, SyntaxError> {
+        match self.token() {
+            Token::Rel(_) | Token::Arrow => Err(self.fault(SyntaxErrorKind::NoLeftSide)),
+            _ => self.node(),
+        }
+    }
+
+    fn right_side(&mut self, operator: &Range<usize>) -> Result<Node, SyntaxError> {
+        let missing = match self.token() {
+            Token::Rel(_)
+            | Token::Arrow
+            | Token::Comma
+            | Token::Semicolon
+            | Token::Colon
+            | Token::End => true,
+            Token::Name => ["when", "from", "expect", "by", "as"].contains(&self.lexeme()),
+            _ => false,
+        };
+        if missing {
+            return Err(SyntaxError {
+                kind: SyntaxErrorKind::NoRightSide,
+                span: operator.clone(),
+            });
+        }
+        self.node()
+    }
+
+    /// Passes `⋈ b ⋈ c …` after the side `left`.
+    fn chain(&mut self, left: Node, links: &mut Vec<RelationNode>) -> Result<(), SyntaxError> {
+        let alone = left.span.clone();
+        let mut left = left;
+        let mut linked = false;
+        while let Token::Rel(rel) = self.token() {
+            linked = true;
+            let operator = self.span();
+            self.advance();
+            let right = self.right_side(&operator)?;
+            let next = matches!(self.token(), Token::Rel(_)).then(|| Node {
+                expr: right.expr.clone(),
+                span: right.span.clone(),
+                height: right.height,
+            });
+            links.push(RelationNode {
+                span: left.span.start..right.span.end,
+                height: left.height.max(right.height),
+                relation: Relation {
+                    lhs: left.expr,
+                    rel,
+                    rhs: right.expr,
+                },
+            });
+            match next {
+                Some(node) => left = node,
+                None => break,
+            }
+        }
+        if self.token() == Token::Arrow {
+            return Err(self.fault(SyntaxErrorKind::MisplacedLimit));
+        }
+        if linked {
+            return Ok(());
+        }
+        // what follows an expression tells whether a relation or an operator was forgotten
+        match self.token() {
+            Token::End | Token::Comma | Token::Colon | Token::Semicolon => Err(SyntaxError {
+                kind: SyntaxErrorKind::NoRelation,
+                span: alone,
+            }),
+            _ => Err(self.unexpected("a relation")),
+        }
+    }
+
+    /// Passes `RELATION [as x -> a]`: links with their places.
+    ///
+    /// # Errors
+    /// On any fault after which the structure is unclear.
+    pub fn links(&mut self) -> Result<Vec<(Link, Range<usize>)>, SyntaxError> {
+        let mut open = Vec::new();
+        loop {
+            let first = self.left_side()?;
+            if self.token() == Token::Arrow {
+                open.push(self.limit(first)?);
+            } else {
+                let mut links = Vec::new();
+                self.chain(first, &mut links)?;
+                open.extend(
+                    links
+                        .into_iter()
+                        .map(|l| (Open::Relation(l.relation), l.span)),
+                );
+            }
+            if !self.accept(Token::Comma) {
+                break;
+            }
+        }
+        let has_limit = open.iter().any(|(link, _)| matches!(link, Open::Limit(..)));
+        if !self.at_word("as") {
+            if has_limit {
+                return Err(self.fault(SyntaxErrorKind::LimitWithoutAs));
+            }
+        } else if !has_limit {
+            return Err(self.fault(SyntaxErrorKind::AsWithoutLimit));
+        }
+        let motion = if has_limit { self.motion()? } else { None };
+        Ok(self.close_links(open, motion))
+    }
+
+    fn limit(&mut self, expr: Node) -> Result<(Open, Range<usize>), SyntaxError> {
+        let operator = self.span();
+        self.advance();
+        let start = self.span().start;
+        let to = match self.infinity()? {
+            Some(positive) if positive => Target::PlusInf,
+            Some(_) => Target::MinusInf,
+            None => Target::Finite(self.right_side(&operator)?.expr),
+        };
+        if matches!(self.token(), Token::Rel(_) | Token::Arrow) {
+            return Err(self.fault(SyntaxErrorKind::MisplacedLimit));
+        }
+        let end = self.last_end();
+        Ok((Open::Limit(expr.expr, to, start..end), expr.span.start..end))
+    }
+
+    /// Passes `oo`, `+oo` or `-oo` and tells whether it was positive; passes nothing else.
+    ///
+    /// # Errors
+    /// Never by itself; the type serves its callers.
+    fn infinity(&mut self) -> Result<Option<bool>, SyntaxError> {
+        let (rest, _) = self.rest();
+        let unsigned = rest
+            .strip_prefix(['-', '−', '+'])
+            .map_or(rest, str::trim_start);
+        let after = unsigned
+            .strip_prefix('∞')
+            .or_else(|| unsigned.strip_prefix("oo"));
+        let is_infinite = after.is_some_and(|after| {
+            unsigned.starts_with('∞') || !after.starts_with(super::names::is_name_part)
+        });
+        if !is_infinite {
+            return Ok(None);
+        }
+        let negative = self.accept(Token::Minus);
+        if !negative {
+            self.accept(Token::Plus);
+        }
+        self.expect(Token::Infinity, "`oo`")?;
+        Ok(Some(!negative))
+    }
+
+    /// Passes `as x -> a`. `None` after a fault that was recorded.
+    fn motion(&mut self) -> Result<Option<(usize, Approach)>, SyntaxError> {
+        self.advance();
+        let (name, name_span) = self.name()?;
+        self.expect(Token::Arrow, "`->` after the limit variable")?;
+        let start = self.span().start;
+        let at = self.approach()?;
+        let point_span = start..self.last_end();
+        let var = match self.scope().resolve(name) {
+            Some(Symbol::Var(var)) => var,
+            Some(Symbol::Let(_)) => {
+                self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
+                return Ok(None);
+            }
+            None => {
+                self.report(SyntaxErrorKind::UnknownSymbol(excerpt(name)), name_span);
+                return Ok(None);
+            }
+        };
+        let Some(declared) = self.scope().context().vars.get(var) else {
+            return Ok(None);
+        };
+        if declared.of.is_some() {
+            self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
+            return Ok(None);
+        }
+        let Some(at) = at else { return Ok(None) };
+        if !reaches(declared, &at) {
+            let kind = SyntaxErrorKind::NoLimitPoint(declared.name.clone());
+            self.report(kind, point_span);
+        }
+        Ok(Some((var, at)))
+    }
+
+    fn approach(&mut self) -> Result<Option<Approach>, SyntaxError> {
+        match self.infinity()? {
+            Some(positive) if positive => return Ok(Some(Approach::PlusInf)),
+            Some(_) => return Ok(Some(Approach::MinusInf)),
+            None => {}
+        }
+        self.side_may_follow = true;
+        let point = self.constant();
+        self.side_may_follow = false;
+        let point = point?;
+        let make = match self.token() {
+            Token::Plus => Approach::Above,
+            Token::Minus => Approach::Below,
+            _ => return Ok(point.map(Approach::To)),
+        };
+        self.advance();
+        Ok(point.map(make))
+    }
+
+    /// Passes a rational constant expression. `None` after a fault that was recorded.
+    ///
+    /// # Errors
+    /// As [`Parser::expr`].
+    pub fn constant(&mut self) -> Result<Option<BigRational>, SyntaxError> {
+        let Node { expr, span, .. } = self.node()?;
+        let value = eval(&expr, &Context::default(), &[]).ok();
+        if value.is_none() {
+            self.report(SyntaxErrorKind::NotConstant, span);
+        }
+        Ok(value)
+    }
+
+    /// Passes a rational constant or an infinity. `None` after a fault that was recorded.
+    ///
+    /// # Errors
+    /// As [`Parser::expr`].
+    pub fn bound(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
+        Ok(match self.infinity()? {
+            Some(positive) if positive => Some(Endpoint::PlusInf),
+            Some(_) => Some(Endpoint::MinusInf),
+            None => self.constant()?.map(Endpoint::Finite),
+        })
+    }
+
+    fn close_links(
+        &mut self,
+        open: Vec<(Open, Range<usize>)>,
+        motion: Option<(usize, Approach)>,
+    ) -> Vec<(Link, Range<usize>)> {
+        let mut links = Vec::with_capacity(open.len());
+        for (link, span) in open {
+            match (link, &motion) {
+                (Open::Relation(relation), _) => links.push((Link::Relation(relation), span)),
+                (Open::Limit(expr, to, to_span), Some((var, at))) => {
+                    let scope = self.scope();
+                    if let Target::Finite(value) = &to
+                        && scope.varies_with(value, *var)
+                        && let Some(declared) = scope.context().vars.get(*var)
+                    {
+                        let kind = SyntaxErrorKind::LimitNotFree(declared.name.clone());
+                        self.report(kind, to_span);
+                    }
+                    let limit = Limit {
+                        expr,
+                        to,
+                        var: *var,
+                        at: at.clone(),
+                    };
+                    links.push((Link::Limit(limit), span));
+                }
+                // the fault in the `as` clause is recorded already
+                (Open::Limit(..), None) => {}
+            }
+        }
+        links
+    }
+
+    /// Passes `RELATION [as x -> a] [when RELATION]`.
+    ///
+    /// # Errors
+    /// On any fault after which the structure is unclear.
+    pub fn sentence(&mut self) -> Result<Sentence, SyntaxError> {
+        let links = self.links()?.into_iter().map(|(link, _)| link).collect();
+        let when = if self.accept_word("when") {
+            self.relations()?
+        } else {
+            Vec::new()
+        };
+        Ok(Sentence { when, links })
+    }
+}
+
+/// An end of a range as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Endpoint {
+    /// a number
+    Finite(BigRational),
+    /// +∞
+    PlusInf,
+    /// −∞
+    MinusInf,
+}
+
+/// Whether the point can be approached, in the way stated, by points of the symbol's range.
+fn reaches(var: &Var, at: &Approach) -> bool {
+    let lower = var.lower.as_ref().map(|bound| &bound.value);
+    let upper = var.upper.as_ref().map(|bound| &bound.value);
+    let is_point = lower.is_some() && lower == upper;
+    let from_above = |a| lower.is_none_or(|l| l <= a) && upper.is_none_or(|u| a < u);
+    let from_below = |a| lower.is_none_or(|l| l < a) && upper.is_none_or(|u| a <= u);
+    !is_point
+        && match at {
+            Approach::To(a) => from_above(a) || from_below(a),
+            Approach::Above(a) => from_above(a),
+            Approach::Below(a) => from_below(a),
+            Approach::PlusInf => upper.is_none(),
+            Approach::MinusInf => lower.is_none(),
+        }
+}

@@ -1,0 +1,44 @@
+//! The notation of derivations: parser, printers, and evaluation at a point.
+//!
+//! Grammar of expressions, loosest first (`^` is right-associative, the others left-associative):
+//!
+//! ```text
+//! sum     := ["-"] product { ("+" | "-") product }       -a*b is −(a·b), -a^2 is −(a²)
+//! product := operand { ("*" | "/") operand }             4/3*a is (4/3)·a
+//! operand := "-" operand | power                         a/-b*c is (a/(−b))·c
+//! power   := atom [ "^" exponent ]
+//! exponent:= a literal integer: 2, -2, (2), (-2), or a tower of them, 2^3
+//! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
+//!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
+//! ```
+//!
+//! There is no implicit product. A `#` starts a comment, and white space never matters. A name is
+//! a Latin or Greek letter followed by letters, digits, `_` and primes; a Greek letter equals its
+//! spelled-out name, a subscript digit the digit.
+
+mod error;
+mod eval;
+mod jet;
+mod latex;
+mod lexer;
+mod links;
+mod names;
+mod number;
+mod parser;
+mod plain;
+mod scope;
+mod suggest;
+
+pub use error::{SyntaxError, SyntaxErrorKind};
+pub use eval::{Evaluator, NoValue, eval, holds};
+pub use lexer::Token;
+pub use links::Endpoint;
+pub use names::{RESERVED, canonical_name, latex_name};
+pub use number::literal;
+pub use parser::{
+    MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_NESTING, Parser, parse_expr, parse_relations,
+    parse_sentence,
+};
+pub use plain::Notation;
+pub use scope::{DeclareError, Scope, Symbol};
+pub use suggest::nearest;

@@ -1,0 +1,238 @@
+//! Names: which are allowed, which are the same, and how they are set in LaTeX.
+
+use std::borrow::Cow;
+
+/// Words that can be neither names nor labels.
+pub const RESERVED: [&str; 16] = [
+    "oo",
+    "d",
+    "abs",
+    "min",
+    "max",
+    "sqrt",
+    "cases",
+    "else",
+    "from",
+    "when",
+    "as",
+    "by",
+    "expect",
+    "not",
+    "implied",
+    "contradiction",
+];
+
+/// Greek letters with their names; the first character listed for a name is its usual form.
+const GREEK: [(&str, &str); 36] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "εϵ"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θϑ"),
+    ("iota", "ι"),
+    ("kappa", "κϰ"),
+    ("lambda", "λ"),
+    ("mu", "μ\u{b5}"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "πϖ"),
+    ("rho", "ρϱ"),
+    ("sigma", "σς"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "φϕ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ\u{2206}"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Pi", "Π"),
+    ("Sigma", "Σ"),
+    ("Upsilon", "Υ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω\u{2126}"),
+    // letters without a LaTeX command of their own are left out on purpose,
+    // except omicron, which authors use for a little o
+    ("omicron", "ο"),
+    ("Omicron", "Ο"),
+];
+
+fn greek_name(letter: char) -> Option<&'static str> {
+    if letter.is_ascii() {
+        return None;
+    }
+    GREEK
+        .iter()
+        .find(|(_, letters)| letters.contains(letter))
+        .map(|(name, _)| *name)
+}
+
+/// The digit that a subscript digit stands for.
+fn subscript_digit(c: char) -> Option<char> {
+    let digit = u32::from(c).checked_sub(u32::from('₀'))?;
+    char::from_digit(digit, 10)
+}
+
+pub(crate) fn is_name_start(c: char) -> bool {
+    c.is_ascii_alphabetic() || greek_name(c).is_some()
+}
+
+pub(crate) fn is_name_part(c: char) -> bool {
+    c.is_ascii_alphanumeric()
+        || matches!(c, '_' | '\'' | '′')
+        || (!c.is_ascii() && (greek_name(c).is_some() || subscript_digit(c).is_some()))
+}
+
+/// The spelling under which a name is known: Greek letters spelled out, plain primes and digits.
+///
+/// Two names with one canonical form are the same name: `μ'` and `mu'`, `v₀` and `v0`.
+#[must_use]
+pub fn canonical_name(name: &str) -> Cow<'_, str> {
+    if name.is_ascii() {
+        return Cow::Borrowed(name);
+    }
+    let mut spelled = String::with_capacity(name.len() + 8);
+    for c in name.chars() {
+        match (greek_name(c), subscript_digit(c)) {
+            (Some(letter), _) => spelled.push_str(letter),
+            (_, Some(digit)) => spelled.push(digit),
+            _ if c == '′' => spelled.push('\''),
+            _ => spelled.push(c),
+        }
+    }
+    Cow::Owned(spelled)
+}
+
+/// A name in LaTeX: `vx0` is `v_{x0}`, `v_px0` is `v_{px0}`, `mu'` is `\mu'`, `DeltaE` is
+/// `\Delta E`, `dE` is `dE`, and a word such as `slip` is `\mathrm{slip}`.
+///
+/// What follows an underscore is always a subscript. Without one, what follows the first letter
+/// is, unless it is a word of three or more small letters, which is set upright as a whole.
+#[must_use]
+pub fn latex_name(name: &str) -> String {
+    let canonical = canonical_name(name);
+    let primes: String = canonical.chars().filter(|c| *c == '\'').collect();
+    let bare: String = canonical.chars().filter(|c| *c != '\'').collect();
+    let (head, tail) = match bare.split_once('_') {
+        Some((head, tail)) => (head, tail),
+        None => (bare.as_str(), ""),
+    };
+    let (mut base, mut sub) = latex_head(head);
+    let tail = tail.split('_').filter(|part| !part.is_empty());
+    for part in tail {
+        if !sub.is_empty() {
+            sub.push(',');
+        }
+        sub.push_str(&latex_subscript(part));
+    }
+    if sub.chars().count() == 1 {
+        base.push('_');
+        base.push_str(&sub);
+    } else if !sub.is_empty() {
+        base.push_str("_{");
+        base.push_str(&sub);
+        base.push('}');
+    }
+    base + &primes
+}
+
+/// The longest Greek name at the start of `text`, and the rest.
+fn split_greek(text: &str) -> Option<(&'static str, &str)> {
+    GREEK
+        .iter()
+        .filter_map(|(name, _)| Some((*name, text.strip_prefix(name)?)))
+        .max_by_key(|(name, _)| name.len())
+}
+
+fn latex_letter(name: &str) -> String {
+    match name {
+        // the only Greek letters that LaTeX writes as Latin ones
+        "omicron" => "o".to_owned(),
+        "Omicron" => "O".to_owned(),
+        _ => format!("\\{name}"),
+    }
+}
+
+/// Base and subscript of the part of a name before any underscore.
+fn latex_head(head: &str) -> (String, String) {
+    if let Some((letter, rest)) = split_greek(head) {
+        if letter == "Delta" && !rest.is_empty() {
+            let (base, sub) = latex_head(rest);
+            return (format!("\\Delta {base}"), sub);
+        }
+        return (latex_letter(letter), latex_subscript(rest));
+    }
+    let rest = head.get(1..).unwrap_or_default();
+    let first = head.get(..1).unwrap_or_default();
+    if first == "d" && rest.starts_with(|c: char| c.is_ascii_uppercase()) {
+        let (base, sub) = latex_head(rest);
+        return (format!("d{base}"), sub);
+    }
+    let small_letters = rest.chars().take_while(char::is_ascii_lowercase).count();
+    if small_letters >= 3 {
+        let (word, number) = head.split_at(small_letters + 1);
+        return (format!("\\mathrm{{{word}}}"), number.to_owned());
+    }
+    (first.to_owned(), rest.to_owned())
+}
+
+fn latex_subscript(text: &str) -> String {
+    match split_greek(text) {
+        Some((letter, "")) => latex_letter(letter),
+        Some((letter, rest)) if !rest.starts_with(|c: char| c.is_ascii_lowercase()) => {
+            format!("{} {rest}", latex_letter(letter))
+        }
+        _ => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn greek_letters_equal_their_names() {
+        assert_eq!(canonical_name("μ'"), "mu'");
+        assert_eq!(canonical_name("µ′"), "mu'");
+        assert_eq!(canonical_name("Δe"), "Deltae");
+        assert_eq!(canonical_name("v₀"), "v0");
+    }
+
+    #[test]
+    fn names_read_well_in_latex() {
+        for (name, latex) in [
+            ("m", "m"),
+            ("vx0", "v_{x0}"),
+            ("v_px0", "v_{px0}"),
+            ("vpx0", "v_{px0}"),
+            ("w0", "w_0"),
+            ("Ix", "I_x"),
+            ("kW", "k_W"),
+            ("mu", "μ\u{b5}"),
+            ("μ", "\\mu"),
+            ("mu'", "\\mu'"),
+            ("v_x'", "v_x'"),
+            ("v'_x", "v_x'"),
+            ("mu_0", "\\mu_0"),
+            ("DeltaE", "\\Delta E"),
+            ("ΔEx", "\\Delta E_x"),
+            ("dE", "dE"),
+            ("dE_n", "dE_n"),
+            ("slip", "\\mathrm{slip}"),
+            ("k_alpha", "k_{\\alpha}"),
+            ("a_b_c", "a_{b,c}"),
+            ("eta", "\\eta"),
+            ("omicron", "o"),
+            ("kWSL", "k_{WSL}"),
+        ] {
+            assert_eq!(latex_name(name), latex, "name {name}");
+        }
+    }
+}

@@ -1,0 +1,651 @@
+//! From tokens to expressions: precedence climbing over one token of look-ahead.
+
+use std::ops::Range;
+
+use kane_kernel::{Expr, Relation, Sentence};
+use num_bigint::BigInt;
+use num_traits::{ToPrimitive, Zero};
+
+use super::error::{SyntaxError, SyntaxErrorKind};
+use super::lexer::{self, Token};
+use super::names::RESERVED;
+use super::number::parse_literal;
+use super::scope::{Scope, Symbol};
+
+/// Parentheses, calls, prefix signs and exponents within each other.
+pub const MAX_NESTING: usize = 256;
+/// Operations on top of each other, definitions expanded. Whoever walks an expression by
+/// recursion goes this deep and no deeper.
+pub const MAX_HEIGHT: usize = 1000;
+/// Magnitude of exponents.
+pub const MAX_EXPONENT: i32 = 10_000;
+/// Digits of a literal.
+pub const MAX_DIGITS: usize = 10_000;
+
+/// How tightly an operator binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Level {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
+
+/// An expression with its place and its height.
+pub(crate) struct Node {
+    pub(crate) expr: Expr,
+    pub(crate) span: Range<usize>,
+    pub(crate) height: usize,
+}
+
+/// A parser over one piece of text.
+///
+/// Faults that leave the structure clear (an unknown name, a zero denominator) are collected in
+/// [`Parser::errors`] and parsing goes on; the others end it as `Err`. The result counts only when
+/// there are neither.
+#[derive(Debug)]
+pub struct Parser<'a> {
+    text: &'a str,
+    offset: usize,
+    scope: &'a Scope,
+    token: Token,
+    span: Range<usize>,
+    last_end: usize,
+    nesting: usize,
+    /// a `+` or `-` may end the expression, as in `as x -> 0+`
+    pub(crate) side_may_follow: bool,
+    errors: Vec<SyntaxError>,
+}
+
+/// The expression that `text` is, whole.
+///
+/// # Errors
+/// All faults found, in the order of discovery.
+pub fn parse_expr(text: &str, scope: &Scope) -> Result<Expr, Vec<SyntaxError>> {
+    let mut parser = Parser::new(text, 0, scope);
+    let expr = parser.expr();
+    parser.finish(expr)
+}
+
+/// The comma list of relations that `text` is, whole; a chain counts as its links.
+///
+/// # Errors
+/// All faults found, in the order of discovery.
+pub fn parse_relations(text: &str, scope: &Scope) -> Result<Vec<Relation>, Vec<SyntaxError>> {
+    let mut parser = Parser::new(text, 0, scope);
+    let relations = parser.relations();
+    parser.finish(relations)
+}
+
+/// The sentence that `text` is, whole: `RELATION [as x -> a] [when RELATION]`.
+///
+/// # Errors
+/// All faults found, in the order of discovery.
+pub fn parse_sentence(text: &str, scope: &Scope) -> Result<Sentence, Vec<SyntaxError>> {
+    let mut parser = Parser::new(text, 0, scope);
+    let sentence = parser.sentence();
+    parser.finish(sentence)
+}
+
+impl<'a> Parser<'a> {
+    /// A parser at the start of `text`, whose first byte counts as byte `offset` in all spans.
+    #[must_use]
+    pub fn new(text: &'a str, offset: usize, scope: &'a Scope) -> Self {
+        let (token, span) = lexer::next(text, 0);
+        Self {
+            text,
+            offset,
+            scope,
+            token,
+            span,
+            last_end: 0,
+            nesting: 0,
+            side_may_follow: false,
+            errors: Vec::new(),
+        }
+    }
+
+    /// The collected faults, or the result if there are none and the text is used up.
+    ///
+    /// # Errors
+    /// All faults found, in the order of discovery.
+    pub fn finish<T>(mut self, result: Result<T, SyntaxError>) -> Result<T, Vec<SyntaxError>> {
+        let result = result.and_then(|value| self.expect_end().map(|()| value));
+        match result {
+            Ok(value) if self.errors.is_empty() => Ok(value),
+            Ok(_) => Err(self.errors),
+            Err(error) => {
+                self.errors.push(error);
+                Err(self.errors)
+            }
+        }
+    }
+
+    /// The names in force.
+    #[must_use]
+    pub fn scope(&self) -> &'a Scope {
+        self.scope
+    }
+
+    /// The token ahead.
+    #[must_use]
+    pub fn token(&self) -> Token {
+        self.token
+    }
+
+    /// The token ahead as written.
+    #[must_use]
+    pub fn lexeme(&self) -> &'a str {
+        self.text.get(self.span.clone()).unwrap_or_default()
+    }
+
+    /// Where the token ahead stands.
+    #[must_use]
+    pub fn span(&self) -> Range<usize> {
+        self.span.start + self.offset..self.span.end + self.offset
+    }
+
+    /// Where the last token that was passed ended.
+    #[must_use]
+    pub fn last_end(&self) -> usize {
+        self.last_end + self.offset
+    }
+
+    /// Whether the token ahead is this word.
+    #[must_use]
+    pub fn at_word(&self, word: &str) -> bool {
+        self.token == Token::Name && self.lexeme() == word
+    }
+
+    /// Passes the token ahead.
+    pub fn advance(&mut self) {
+        self.jump(self.span.end);
+    }
+
+    fn jump(&mut self, to: usize) {
+        self.last_end = to;
+        (self.token, self.span) = lexer::next(self.text, to);
+    }
+
+    /// Passes the token ahead if it is `token`.
+    pub fn accept(&mut self, token: Token) -> bool {
+        let found = self.token == token;
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Passes the token ahead if it is this word.
+    pub fn accept_word(&mut self, word: &str) -> bool {
+        let found = self.at_word(word);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Passes `token`.
+    ///
+    /// # Errors
+    /// When another token is ahead; `expected` says in words what was due.
+    pub fn expect(&mut self, token: Token, expected: &str) -> Result<(), SyntaxError> {
+        if self.accept(token) {
+            Ok(())
+        } else {
+            Err(self.unexpected(expected))
+        }
+    }
+
+    /// Passes a name that is no reserved word and returns it as written, with its place.
+    ///
+    /// # Errors
+    /// When there is no name ahead, or a reserved word.
+    pub fn name(&mut self) -> Result<(&'a str, Range<usize>), SyntaxError> {
+        let span = self.span();
+        match self.token {
+            Token::Name | Token::Infinity if RESERVED.contains(&self.lexeme()) => {
+                Err(self.fault(SyntaxErrorKind::ReservedWord(self.lexeme().to_owned())))
+            }
+            Token::Name => {
+                let name = self.lexeme();
+                self.advance();
+                Ok((name, span))
+            }
+            _ => Err(self.unexpected("a name")),
+        }
+    }
+
+    /// Passes the text from the token ahead up to and without byte `end` of the parser's own text,
+    /// for what is not made of tokens, such as labels. Returns it with its place.
+    pub fn take_until(&mut self, end: usize) -> (&'a str, Range<usize>) {
+        let start = self.span.start;
+        let end = end.max(start).min(self.text.len());
+        self.jump(end);
+        (
+            self.text.get(start..end).unwrap_or_default(),
+            start + self.offset..end + self.offset,
+        )
+    }
+
+    /// What is left of the text from the token ahead on, and the byte of the parser's own text at
+    /// which that begins.
+    #[must_use]
+    pub fn rest(&self) -> (&'a str, usize) {
+        let start = self.span.start;
+        (self.text.get(start..).unwrap_or_default(), start)
+    }
+
+    /// Records a fault that does not end the parse.
+    pub fn report(&mut self, kind: SyntaxErrorKind, span: Range<usize>) {
+        self.errors.push(SyntaxError { kind, span });
+    }
+
+    /// A fault at the token ahead.
+    #[must_use]
+    pub fn fault(&self, kind: SyntaxErrorKind) -> SyntaxError {
+        SyntaxError {
+            kind,
+            span: self.span(),
+        }
+    }
+
+    /// The fault that something other than the token ahead was due.
+    #[must_use]
+    pub fn unexpected(&self, expected: &str) -> SyntaxError {
+        let kind = match self.token {
+            Token::Stray(c) => SyntaxErrorKind::StrayCharacter(c),
+            Token::CloseParen if self.nesting == 0 => SyntaxErrorKind::Unopened(')'),
+            Token::CloseBrace if self.nesting == 0 => SyntaxErrorKind::Unopened('}'),
+            Token::BadNumber => SyntaxErrorKind::MalformedNumber(excerpt(self.lexeme())),
+            _ => SyntaxErrorKind::Expected {
+                expected: expected.to_owned(),
+                found: self.found(),
+            },
+        };
+        self.fault(kind)
+    }
+
+    fn found(&self) -> String {
+        match self.token {
+            Token::End => "the end of the statement".to_owned(),
+            _ => format!("`{}`", excerpt(self.lexeme())),
+        }
+    }
+
+    /// Makes sure that nothing is left.
+    ///
+    /// # Errors
+    /// At the first token that is left.
+    pub fn expect_end(&mut self) -> Result<(), SyntaxError> {
+        match self.token {
+            Token::End => Ok(()),
+            Token::Number | Token::Name | Token::OpenParen | Token::OpenBrace => {
+                let kind = if self.at_reserved() {
+                    SyntaxErrorKind::Expected {
+                        expected: "the end of the statement".to_owned(),
+                        found: self.found(),
+                    }
+                } else {
+                    SyntaxErrorKind::ImplicitProduct(self.found())
+                };
+                Err(self.fault(kind))
+            }
+            _ => Err(self.unexpected("an operator or the end")),
+        }
+    }
+
+    fn at_reserved(&self) -> bool {
+        self.token == Token::Name && RESERVED.contains(&self.lexeme())
+    }
+
+    /// Passes one expression.
+    ///
+    /// # Errors
+    /// On any fault after which the structure is unclear.
+    pub fn expr(&mut self) -> Result<Expr, SyntaxError> {
+        Ok(self.node()?.expr)
+    }
+
+    pub(crate) fn node(&mut self) -> Result<Node, SyntaxError> {
+        self.binary(Level::Sum)
+    }
+
+    /// Passes one expression and returns it with its place.
+    ///
+    /// # Errors
+    /// As [`Parser::expr`].
+    pub fn spanned_expr(&mut self) -> Result<(Expr, Range<usize>), SyntaxError> {
+        let node = self.node()?;
+        Ok((node.expr, node.span))
+    }
+
+    fn binary(&mut self, level: Level) -> Result<Node, SyntaxError> {
+        let mut left = self.prefix(level)?;
+        loop {
+            let (make, above): (Binary, Level) = match self.token {
+                Token::Plus if level == Level::Sum => (Expr::Add, Level::Product),
+                Token::Minus if level == Level::Sum => (Expr::Sub, Level::Product),
+                Token::Star if level <= Level::Product => (Expr::Mul, Level::Power),
+                Token::Slash if level <= Level::Product => (Expr::Div, Level::Power),
+                _ => return Ok(left),
+            };
+            if self.side_may_follow && above == Level::Product && !self.operand_follows() {
+                return Ok(left);
+            }
+            let divides = self.token == Token::Slash;
+            self.advance();
+            let right = self.binary(above)?;
+            if divides && is_literal_zero(&right.expr) {
+                self.report(SyntaxErrorKind::DivisionByLiteralZero, right.span.clone());
+            }
+            left = self.join(make, left, right)?;
+        }
+    }
+
+    /// Whether the token after the one ahead can begin an operand.
+    fn operand_follows(&self) -> bool {
+        let (token, span) = lexer::next(self.text, self.span.end);
+        let word = self.text.get(span).unwrap_or_default();
+        match token {
+            Token::Name => !["when", "from", "expect", "by", "as"].contains(&word),
+            Token::End | Token::Comma => false,
+            _ => true,
+        }
+    }
+
+    fn join(&self, make: Binary, left: Node, right: Node) -> Result<Node, SyntaxError> {
+        let span = left.span.start..right.span.end;
+        let height = left.height.max(right.height) + 1;
+        self.build(
+            make(Box::new(left.expr), Box::new(right.expr)),
+            span,
+            height,
+        )
+    }
+
+    fn build(&self, expr: Expr, span: Range<usize>, height: usize) -> Result<Node, SyntaxError> {
+        if height > MAX_HEIGHT {
+            return Err(SyntaxError {
+                kind: SyntaxErrorKind::TooTall,
+                span,
+            });
+        }
+        Ok(Node { expr, span, height })
+    }
+
+    /// Runs `parse` one level of nesting further in.
+    fn nested<T>(
+        &mut self,
+        parse: impl FnOnce(&mut Self) -> Result<T, SyntaxError>,
+    ) -> Result<T, SyntaxError> {
+        if self.nesting == MAX_NESTING {
+            return Err(self.fault(SyntaxErrorKind::TooNested));
+        }
+        self.nesting += 1;
+        // a side may follow only at the outermost level
+        let side = std::mem::take(&mut self.side_may_follow);
+        let result = parse(self);
+        self.side_may_follow = side;
+        self.nesting -= 1;
+        result
+    }
+
+    fn prefix(&mut self, level: Level) -> Result<Node, SyntaxError> {
+        if self.token != Token::Minus {
+            return self.power();
+        }
+        let start = self.span().start;
+        self.advance();
+        // a leading sign spans the product: -a*b is −(a·b); after * or / it does not
+        let inner = self.nested(|p| p.binary(level.max(Level::Product)))?;
+        self.build(
+            Expr::Neg(Box::new(inner.expr)),
+            start..inner.span.end,
+            inner.height + 1,
+        )
+    }
+
+    fn power(&mut self) -> Result<Node, SyntaxError> {
+        let base = self.atom()?;
+        if !self.accept(Token::Caret) {
+            return Ok(base);
+        }
+        let exponent = self.exponent()?;
+        let span = base.span.start..exponent.span.end;
+        let value = match exponent_value(&exponent.expr) {
+            Ok(value) => value,
+            Err(kind) => {
+                self.report(kind, exponent.span);
+                1
+            }
+        };
+        if value < 0 && is_literal_zero(&base.expr) {
+            self.report(SyntaxErrorKind::DivisionByLiteralZero, span.clone());
+        }
+        self.build(Expr::Pow(Box::new(base.expr), value), span, base.height + 1)
+    }
+
+    fn exponent(&mut self) -> Result<Node, SyntaxError> {
+        self.nested(|p| p.prefix(Level::Power))
+    }
+
+    fn atom(&mut self) -> Result<Node, SyntaxError> {
+        let span = self.span();
+        match self.token {
+            Token::Number => {
+                let text = self.lexeme();
+                self.advance();
+                if text.len() > MAX_DIGITS + 1 {
+                    self.report(SyntaxErrorKind::LiteralTooLong, span.clone());
+                    return self.build(Expr::Num(BigInt::from(1).into()), span, 1);
+                }
+                self.build(Expr::Num(parse_literal(text)), span, 1)
+            }
+            Token::OpenParen => {
+                self.advance();
+                let inner = self.nested(Self::node)?;
+                let end = self.close(Token::CloseParen, '(', &span)?;
+                Ok(Node {
+                    span: span.start..end,
+                    ..inner
+                })
+            }
+            Token::Name => self.word(),
+            Token::Infinity => Err(self.unexpected("a number or a name (`oo` is no number)")),
+            _ => Err(self.unexpected("an expression")),
+        }
+    }
+
+    /// Passes the closing token of a group that was opened at `open`, and returns where it ends.
+    fn close(
+        &mut self,
+        token: Token,
+        opener: char,
+        open: &Range<usize>,
+    ) -> Result<usize, SyntaxError> {
+        if self.accept(token) {
+            return Ok(self.last_end());
+        }
+        match self.token {
+            Token::Number | Token::OpenParen => {
+                Err(self.fault(SyntaxErrorKind::ImplicitProduct(self.found())))
+            }
+            Token::Name if !self.at_reserved() => {
+                Err(self.fault(SyntaxErrorKind::ImplicitProduct(self.found())))
+            }
+            Token::BadNumber | Token::Stray(_) => Err(self.unexpected("an operator")),
+            _ => Err(SyntaxError {
+                kind: SyntaxErrorKind::Unclosed(opener),
+                span: open.clone(),
+            }),
+        }
+    }
+
+    fn word(&mut self) -> Result<Node, SyntaxError> {
+        match self.lexeme() {
+            "abs" => self.call(|p| p.unary_call(Expr::Abs)),
+            "sqrt" => self.call(|p| p.unary_call(Expr::Sqrt)),
+            "min" => self.call(|p| p.binary_call(Expr::Min)),
+            "max" => self.call(|p| p.binary_call(Expr::Max)),
+            "d" => self.call(Self::derivative),
+            "cases" => self.cases(),
+            _ => {
+                let (name, span) = self.name()?;
+                let (expr, height) = match self.scope.resolve(name) {
+                    Some(Symbol::Var(index)) => (Expr::Var(index), 1),
+                    Some(Symbol::Let(index)) => {
+                        (Expr::Let(index), self.scope.height_of_let(index) + 1)
+                    }
+                    None => {
+                        let kind = SyntaxErrorKind::UnknownSymbol(excerpt(name));
+                        self.report(kind, span.clone());
+                        (Expr::Num(BigInt::from(1).into()), 1)
+                    }
+                };
+                self.build(expr, span, height)
+            }
+        }
+    }
+
+    fn call(
+        &mut self,
+        arguments: impl FnOnce(&mut Self) -> Result<(Expr, usize), SyntaxError>,
+    ) -> Result<Node, SyntaxError> {
+        let start = self.span().start;
+        self.advance();
+        let open = self.span();
+        self.expect(Token::OpenParen, "`(` after a function's name")?;
+        let (expr, height) = self.nested(arguments)?;
+        let end = self.close(Token::CloseParen, '(', &open)?;
+        self.build(expr, start..end, height)
+    }
+
+    fn unary_call(&mut self, make: fn(Box<Expr>) -> Expr) -> Result<(Expr, usize), SyntaxError> {
+        let a = self.node()?;
+        Ok((make(Box::new(a.expr)), a.height + 1))
+    }
+
+    fn binary_call(&mut self, make: Binary) -> Result<(Expr, usize), SyntaxError> {
+        let a = self.node()?;
+        self.expect(Token::Comma, "`,` and a second argument")?;
+        let b = self.node()?;
+        let height = a.height.max(b.height) + 1;
+        Ok((make(Box::new(a.expr), Box::new(b.expr)), height))
+    }
+
+    /// `f, x` of a derivative. f may contain x and constants, but no unknown function of x.
+    fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
+        let f = self.node()?;
+        self.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let (name, span) = self.name()?;
+        let vars = &self.scope.context().vars;
+        let x = match self.scope.resolve(name) {
+            Some(Symbol::Var(x)) if vars.get(x).is_some_and(|v| v.of.is_none()) => x,
+            found => {
+                let kind = match found {
+                    None => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
+                    Some(_) => SyntaxErrorKind::NotADerivativeVariable(excerpt(name)),
+                };
+                self.report(kind, span);
+                return Ok((f.expr, f.height));
+            }
+        };
+        let function = self
+            .scope
+            .symbols(&f.expr)
+            .into_iter()
+            .find_map(|y| vars.get(y).filter(|v| v.of == Some(x)));
+        if let Some(function) = function {
+            let kind = SyntaxErrorKind::NotExplicit {
+                function: function.name.clone(),
+                variable: name.to_owned(),
+            };
+            self.report(kind, f.span);
+        }
+        Ok((Expr::Deriv(Box::new(f.expr), x), f.height + 1))
+    }
+
+    fn cases(&mut self) -> Result<Node, SyntaxError> {
+        let start = self.span();
+        self.advance();
+        let open = self.span();
+        self.expect(Token::OpenBrace, "`{` after `cases`")?;
+        let (expr, height) = self.nested(Self::branches)?;
+        let end = self.close(Token::CloseBrace, '{', &open)?;
+        if expr == Expr::Cases(Vec::new(), None) {
+            self.report(SyntaxErrorKind::NoBranch, start.start..end);
+        }
+        self.build(expr, start.start..end, height)
+    }
+
+    fn branches(&mut self) -> Result<(Expr, usize), SyntaxError> {
+        let mut branches = Vec::new();
+        let mut otherwise = None;
+        let mut height = 0;
+        while self.token != Token::CloseBrace && self.token != Token::End {
+            if otherwise.is_some() {
+                return Err(self.fault(SyntaxErrorKind::ElseNotLast));
+            }
+            let guards = if self.accept_word("else") {
+                None
+            } else {
+                let links = self.guard_links()?;
+                height = links
+                    .iter()
+                    .map(|link| link.height)
+                    .max()
+                    .unwrap_or(0)
+                    .max(height);
+                Some(links.into_iter().map(|link| link.relation).collect())
+            };
+            self.expect(Token::Colon, "`:` after the guard")?;
+            let value = self.node()?;
+            height = height.max(value.height);
+            match guards {
+                Some(guards) => branches.push((guards, value.expr)),
+                None => otherwise = Some(Box::new(value.expr)),
+            }
+            if !self.accept(Token::Semicolon) {
+                break;
+            }
+        }
+        Ok((Expr::Cases(branches, otherwise), height + 1))
+    }
+}
+
+/// The start of a lexeme, so that no message grows with the input.
+pub(crate) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((cut, _)) => format!("{}…", text.get(..cut).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
+fn is_literal_zero(expr: &Expr) -> bool {
+    match expr {
+        Expr::Num(value) => value.is_zero(),
+        Expr::Neg(inner) => is_literal_zero(inner),
+        _ => false,
+    }
+}
+
+/// The value of a literal integer or a tower of them.
+fn exponent_value(expr: &Expr) -> Result<i32, SyntaxErrorKind> {
+    let value = match expr {
+        Expr::Num(value) if value.is_integer() => value.numer().to_i32(),
+        Expr::Neg(inner) => exponent_value(inner)?.checked_neg(),
+        Expr::Pow(base, exponent) => {
+            let exponent =
+                u32::try_from(*exponent).map_err(|_| SyntaxErrorKind::ExponentNotInteger)?;
+            exponent_value(base)?.checked_pow(exponent)
+        }
+        _ => return Err(SyntaxErrorKind::ExponentNotInteger),
+    };
+    value
+        .filter(|v| v.unsigned_abs() <= MAX_EXPONENT.unsigned_abs())
+        .ok_or(SyntaxErrorKind::ExponentTooLarge)
+}

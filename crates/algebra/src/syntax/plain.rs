@@ -1,0 +1,308 @@
+//! Plain text that reads back as the same syntax.
+
+use std::fmt::Write;
+
+use kane_kernel::{Approach, Context, Expr, Limit, Link, Rel, Relation, Sentence, Target};
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::latex;
+use super::number::decimal;
+use super::parser::Level;
+
+/// How something is written. The context gives the names; a name that it lacks becomes `?`.
+///
+/// Whatever the parser has read is printed by [`plain`](Self::plain) such that it reads back as the
+/// same syntax. What it cannot have read is printed with the same meaning: a negative number gets
+/// a sign, a number without a finite decimal expansion becomes a quotient.
+pub trait Notation {
+    /// In the notation of derivation documents, with as few parentheses as it takes.
+    fn plain(&self, context: &Context) -> String;
+    /// In LaTeX, for math mode.
+    fn latex(&self, context: &Context) -> String;
+}
+
+impl Notation for Expr {
+    fn plain(&self, context: &Context) -> String {
+        let mut out = String::new();
+        expr(&mut out, self, context, Level::Sum);
+        out
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        latex::whole_expr(self, context)
+    }
+}
+
+impl Notation for Relation {
+    fn plain(&self, context: &Context) -> String {
+        chain(std::slice::from_ref(self), context)
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        latex::relations(std::slice::from_ref(self), context)
+    }
+}
+
+impl Notation for [Relation] {
+    fn plain(&self, context: &Context) -> String {
+        chain(self, context)
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        latex::relations(self, context)
+    }
+}
+
+impl Notation for Limit {
+    fn plain(&self, context: &Context) -> String {
+        format!("{} as {}", tends(self, context), motion(self, context))
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        latex::limit(self, context)
+    }
+}
+
+impl Notation for Link {
+    fn plain(&self, context: &Context) -> String {
+        match self {
+            Self::Relation(relation) => relation.plain(context),
+            Self::Limit(limit) => limit.plain(context),
+        }
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        match self {
+            Self::Relation(relation) => relation.latex(context),
+            Self::Limit(limit) => limit.latex(context),
+        }
+    }
+}
+
+impl Notation for Sentence {
+    fn plain(&self, context: &Context) -> String {
+        let mut parts = Vec::new();
+        let mut moves = None;
+        for group in groups(&self.links) {
+            match group {
+                Group::Relations(relations) => parts.push(chain(&relations, context)),
+                Group::Limit(limit) => {
+                    parts.push(tends(limit, context));
+                    moves = Some(limit);
+                }
+            }
+        }
+        let mut out = parts.join(", ");
+        if let Some(limit) = moves {
+            out = format!("{out} as {}", motion(limit, context));
+        }
+        if !self.when.is_empty() {
+            out = format!("{out} when {}", chain(&self.when, context));
+        }
+        out
+    }
+
+    fn latex(&self, context: &Context) -> String {
+        let links: Vec<String> = groups(&self.links)
+            .iter()
+            .map(|group| match group {
+                Group::Relations(relations) => latex::relations(relations, context),
+                Group::Limit(limit) => latex::limit(limit, context),
+            })
+            .collect();
+        let links = links.join(",\\quad ");
+        if self.when.is_empty() {
+            links
+        } else {
+            format!(
+                "{links} \\quad\\text{{when }} {}",
+                latex::relations(&self.when, context)
+            )
+        }
+    }
+}
+
+/// Neighbouring relations, or one limit.
+enum Group<'a> {
+    Relations(Vec<Relation>),
+    Limit(&'a Limit),
+}
+
+fn groups(links: &[Link]) -> Vec<Group<'_>> {
+    let mut groups = Vec::new();
+    for link in links {
+        match (link, groups.last_mut()) {
+            (Link::Relation(relation), Some(Group::Relations(relations))) => {
+                relations.push(relation.clone());
+            }
+            (Link::Relation(relation), _) => {
+                groups.push(Group::Relations(vec![relation.clone()]));
+            }
+            (Link::Limit(limit), _) => groups.push(Group::Limit(limit)),
+        }
+    }
+    groups
+}
+
+/// Relations with commas between; those that share a side become a chain.
+fn chain(relations: &[Relation], context: &Context) -> String {
+    let mut out = String::new();
+    let mut last: Option<&Expr> = None;
+    for relation in relations {
+        if last != Some(&relation.lhs) {
+            if last.is_some() {
+                out.push_str(", ");
+            }
+            expr(&mut out, &relation.lhs, context, Level::Sum);
+        }
+        out.push(' ');
+        out.push_str(comparison(relation.rel));
+        out.push(' ');
+        expr(&mut out, &relation.rhs, context, Level::Sum);
+        last = Some(&relation.rhs);
+    }
+    out
+}
+
+fn comparison(rel: Rel) -> &'static str {
+    match rel {
+        Rel::Eq => "=",
+        Rel::Ne => "!=",
+        Rel::Lt => "<",
+        Rel::Le => "<=",
+        Rel::Gt => ">",
+        Rel::Ge => ">=",
+    }
+}
+
+fn tends(limit: &Limit, context: &Context) -> String {
+    let to = match &limit.to {
+        Target::Finite(value) => value.plain(context),
+        Target::PlusInf => "oo".to_owned(),
+        Target::MinusInf => "-oo".to_owned(),
+    };
+    format!("{} -> {to}", limit.expr.plain(context))
+}
+
+fn motion(limit: &Limit, context: &Context) -> String {
+    let point = match &limit.at {
+        Approach::To(a) => a.to_string(),
+        Approach::Above(a) => format!("{a}+"),
+        Approach::Below(a) => format!("{a}-"),
+        Approach::PlusInf => "oo".to_owned(),
+        Approach::MinusInf => "-oo".to_owned(),
+    };
+    format!("{} -> {point}", var_name(limit.var, context))
+}
+
+pub(crate) fn var_name(index: usize, context: &Context) -> &str {
+    context.vars.get(index).map_or("?", |var| &var.name)
+}
+
+pub(crate) fn let_name(index: usize, context: &Context) -> &str {
+    context
+        .lets
+        .get(index)
+        .map_or("?", |definition| &definition.name)
+}
+
+/// The loosest operator of what is printed for this expression.
+pub(crate) fn level(expr: &Expr) -> Level {
+    match expr {
+        Expr::Add(..) | Expr::Sub(..) | Expr::Neg(_) => Level::Sum,
+        Expr::Num(value) if value.is_negative() => Level::Sum,
+        Expr::Num(value) if decimal(value).is_none() => Level::Product,
+        Expr::Mul(..) | Expr::Div(..) => Level::Product,
+        Expr::Pow(..) => Level::Power,
+        _ => Level::Atom,
+    }
+}
+
+/// Writes `e` where an operand of at least `least` is due. A sum is due only at the head of a
+/// sum, so a sign never ends up inside one.
+fn expr(out: &mut String, e: &Expr, context: &Context, least: Level) {
+    if level(e) < least {
+        out.push('(');
+        bare(out, e, context);
+        out.push(')');
+    } else {
+        bare(out, e, context);
+    }
+}
+
+fn bare(out: &mut String, e: &Expr, context: &Context) {
+    let pair = |out: &mut String, a: &Expr, operator: &str, b: &Expr, left, right| {
+        expr(out, a, context, left);
+        out.push_str(operator);
+        expr(out, b, context, right);
+    };
+    let call = |out: &mut String, name: &str, arguments: &[&Expr]| {
+        out.push_str(name);
+        for (i, argument) in arguments.iter().enumerate() {
+            out.push_str(if i == 0 { "(" } else { ", " });
+            expr(out, argument, context, Level::Sum);
+        }
+        out.push(')');
+    };
+    match e {
+        Expr::Num(value) => number(out, value),
+        Expr::Var(index) => out.push_str(var_name(*index, context)),
+        Expr::Let(index) => out.push_str(let_name(*index, context)),
+        Expr::Neg(a) => {
+            out.push('-');
+            expr(out, a, context, Level::Product);
+        }
+        Expr::Add(a, b) => pair(out, a, " + ", b, Level::Sum, Level::Product),
+        Expr::Sub(a, b) => pair(out, a, " - ", b, Level::Sum, Level::Product),
+        Expr::Mul(a, b) => pair(out, a, "*", b, Level::Product, Level::Power),
+        Expr::Div(a, b) => pair(out, a, "/", b, Level::Product, Level::Power),
+        Expr::Pow(a, exponent) => {
+            expr(out, a, context, Level::Atom);
+            write_infallibly(out, format_args!("^{exponent}"));
+        }
+        Expr::Abs(a) => call(out, "abs", &[a]),
+        Expr::Sqrt(a) => call(out, "sqrt", &[a]),
+        Expr::Min(a, b) => call(out, "min", &[a, b]),
+        Expr::Max(a, b) => call(out, "max", &[a, b]),
+        Expr::Deriv(f, x) => call(out, "d", &[f, &Expr::Var(*x)]),
+        Expr::Cases(branches, otherwise) => {
+            out.push_str("cases { ");
+            for (i, (guards, value)) in branches.iter().enumerate() {
+                if i > 0 {
+                    out.push_str("; ");
+                }
+                out.push_str(&chain(guards, context));
+                out.push_str(": ");
+                expr(out, value, context, Level::Sum);
+            }
+            if let Some(value) = otherwise {
+                out.push_str(if branches.is_empty() {
+                    "else: "
+                } else {
+                    "; else: "
+                });
+                expr(out, value, context, Level::Sum);
+            }
+            out.push_str(" }");
+        }
+    }
+}
+
+fn number(out: &mut String, value: &BigRational) {
+    if value.is_negative() {
+        out.push('-');
+    }
+    match decimal(value) {
+        Some(digits) => out.push_str(&digits),
+        None => write_infallibly(
+            out,
+            format_args!("{}/{}", value.numer().magnitude(), value.denom()),
+        ),
+    }
+}
+
+fn write_infallibly(out: &mut String, arguments: std::fmt::Arguments<'_>) {
+    out.write_fmt(arguments)
+        .expect("a string takes every write");
+}

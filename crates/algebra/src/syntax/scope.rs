@@ -1,0 +1,236 @@
+//! What names mean at a place in a document.
+
+use std::cell::Cell;
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+use kane_kernel::{Context, Definition, Expr, Relation, Var};
+use thiserror::Error;
+
+use super::names::{RESERVED, canonical_name};
+
+/// Nodes that all visits of a scope may see together. Definitions that share others can make
+/// every visit as long as the document.
+const MAX_EFFORT: usize = 50_000_000;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    /// index of [`Context::vars`]
+    Var(usize),
+    /// index of [`Context::lets`]
+    Let(usize),
+}
+
+/// Why a name cannot be declared.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum DeclareError {
+    /// a word of the language
+    #[error("`{0}` is a reserved word and cannot be a name")]
+    ReservedWord(String),
+    /// the name is taken
+    #[error("`{name}` is already declared")]
+    Redeclared {
+        /// the name
+        name: String,
+        /// what it stands for already
+        first: Symbol,
+    },
+}
+
+/// The symbols and definitions known so far, by name.
+#[derive(Clone, Debug, Default)]
+pub struct Scope {
+    context: Context,
+    names: HashMap<String, Symbol>,
+    /// height of each definition, those that it uses expanded
+    heights: Vec<usize>,
+    /// nodes visited so far
+    effort: Cell<usize>,
+}
+
+impl Scope {
+    /// The scope of a finished context. Later entries under a name already taken stay unnamed.
+    #[must_use]
+    pub fn of(context: &Context) -> Self {
+        let mut scope = Self::default();
+        for var in &context.vars {
+            scope.enter(&var.name, Symbol::Var(scope.context.vars.len()));
+            scope.context.vars.push(var.clone());
+        }
+        for definition in &context.lets {
+            scope.enter(&definition.name, Symbol::Let(scope.context.lets.len()));
+            let height = scope.height(&definition.body);
+            scope.heights.push(height);
+            scope.context.lets.push(definition.clone());
+        }
+        scope
+    }
+
+    fn enter(&mut self, name: &str, symbol: Symbol) {
+        self.names
+            .entry(canonical_name(name).into_owned())
+            .or_insert(symbol);
+    }
+
+    /// The symbols and definitions.
+    #[must_use]
+    pub fn context(&self) -> &Context {
+        &self.context
+    }
+
+    /// The symbols and definitions, at the end of the text.
+    #[must_use]
+    pub fn into_context(self) -> Context {
+        self.context
+    }
+
+    /// What the name stands for, in either spelling.
+    #[must_use]
+    pub fn resolve(&self, name: &str) -> Option<Symbol> {
+        self.names.get(canonical_name(name).as_ref()).copied()
+    }
+
+    /// All names, in canonical spelling and no particular order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.keys().map(String::as_str)
+    }
+
+    fn check_free(&self, name: &str) -> Result<(), DeclareError> {
+        if RESERVED.contains(&canonical_name(name).as_ref()) {
+            return Err(DeclareError::ReservedWord(name.to_owned()));
+        }
+        match self.resolve(name) {
+            Some(first) => Err(DeclareError::Redeclared {
+                name: name.to_owned(),
+                first,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Declares a symbol and returns its index.
+    ///
+    /// # Errors
+    /// When the name is reserved or taken.
+    pub fn declare(&mut self, var: Var) -> Result<usize, DeclareError> {
+        self.check_free(&var.name)?;
+        let index = self.context.vars.len();
+        self.enter(&var.name, Symbol::Var(index));
+        self.context.vars.push(var);
+        Ok(index)
+    }
+
+    /// Adds a definition and returns its index.
+    ///
+    /// # Errors
+    /// When the name is reserved or taken.
+    pub fn define(&mut self, name: &str, body: Expr) -> Result<usize, DeclareError> {
+        self.check_free(name)?;
+        let index = self.context.lets.len();
+        self.enter(name, Symbol::Let(index));
+        self.heights.push(self.height(&body));
+        self.context.lets.push(Definition {
+            name: name.to_owned(),
+            body,
+        });
+        Ok(index)
+    }
+
+    /// Operations on the longest path from the root to a leaf, definitions expanded; a leaf has 1.
+    #[must_use]
+    pub fn height(&self, expr: &Expr) -> usize {
+        let mut deepest = match expr {
+            Expr::Let(index) => self.height_of_let(*index),
+            _ => 0,
+        };
+        for_each_child(expr, &mut |child| deepest = deepest.max(self.height(child)));
+        deepest + 1
+    }
+
+    pub(crate) fn height_of_let(&self, index: usize) -> usize {
+        self.heights.get(index).copied().unwrap_or(0)
+    }
+
+    /// Calls `see` on every node of the expression and of the definitions that it uses, each
+    /// definition once. Sees fewer when the scope [is exhausted](Self::is_exhausted).
+    pub fn visit<'a>(&'a self, expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
+        let mut seen = HashSet::new();
+        let mut pending = vec![expr];
+        while let Some(node) = pending.pop() {
+            if self.is_exhausted() {
+                return;
+            }
+            self.effort.set(self.effort.get() + 1);
+            see(node);
+            if let Expr::Let(index) = node
+                && seen.insert(*index)
+                && let Some(definition) = self.context.lets.get(*index)
+            {
+                pending.push(&definition.body);
+            }
+            for_each_child(node, &mut |child| pending.push(child));
+        }
+    }
+
+    /// Whether visits have seen more nodes than they may; then what they found is not to be
+    /// relied upon.
+    #[must_use]
+    pub fn is_exhausted(&self) -> bool {
+        self.effort.get() >= MAX_EFFORT
+    }
+
+    /// Indices of the symbols in the expression, definitions expanded.
+    #[must_use]
+    pub fn symbols(&self, expr: &Expr) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        self.visit(expr, &mut |node| {
+            if let Expr::Var(index) | Expr::Deriv(_, index) = node {
+                found.insert(*index);
+            }
+        });
+        found
+    }
+
+    /// Whether the value may vary with the symbol `x`: through x itself or a function of it,
+    /// definitions expanded.
+    #[must_use]
+    pub fn varies_with(&self, expr: &Expr, x: usize) -> bool {
+        let mut varies = false;
+        self.visit(expr, &mut |node| {
+            if let Expr::Var(index) = node {
+                varies |=
+                    *index == x || self.context.vars.get(*index).and_then(|v| v.of) == Some(x);
+            }
+        });
+        varies
+    }
+}
+
+/// Calls `see` on the direct sub-expressions, guards of cases included, in the order of the text.
+pub(crate) fn for_each_child<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
+    match expr {
+        Expr::Num(_) | Expr::Var(_) | Expr::Let(_) => {}
+        Expr::Neg(a) | Expr::Pow(a, _) | Expr::Abs(a) | Expr::Sqrt(a) | Expr::Deriv(a, _) => see(a),
+        Expr::Add(a, b)
+        | Expr::Sub(a, b)
+        | Expr::Mul(a, b)
+        | Expr::Div(a, b)
+        | Expr::Min(a, b)
+        | Expr::Max(a, b) => {
+            see(a);
+            see(b);
+        }
+        Expr::Cases(branches, otherwise) => {
+            for (guards, value) in branches {
+                for Relation { lhs, rhs, .. } in guards {
+                    see(lhs);
+                    see(rhs);
+                }
+                see(value);
+            }
+            if let Some(value) = otherwise {
+                see(value);
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! "Did you mean …?"
+
+/// The candidate nearest to `word` by edit distance, if it is near enough to be a slip of the pen:
+/// at most a third of the letters differ. Ties go to the first in alphabetical order.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let letters: Vec<char> = word.chars().collect();
+    let limit = letters.len().div_ceil(3);
+    candidates
+        .into_iter()
+        .filter(|candidate| candidate.chars().count().abs_diff(letters.len()) <= limit)
+        .map(|candidate| (distance(&letters, candidate), candidate))
+        .filter(|(d, _)| *d <= limit && *d < letters.len().max(1))
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
+/// Levenshtein's distance, a change of case counting as nothing but an insertion as one.
+fn distance(word: &[char], other: &str) -> usize {
+    let mut row: Vec<usize> = (0..=word.len()).collect();
+    for (i, c) in other.chars().enumerate() {
+        let mut diagonal = i;
+        let mut left = i + 1;
+        for (j, w) in word.iter().enumerate() {
+            let above = row.get(j + 1).copied().unwrap_or(usize::MAX);
+            let change = diagonal + usize::from(!w.eq_ignore_ascii_case(&c));
+            let best = change.min(left + 1).min(above + 1);
+            diagonal = above;
+            if let Some(cell) = row.get_mut(j) {
+                *cell = left;
+            }
+            left = best;
+        }
+        if let Some(cell) = row.last_mut() {
+            *cell = left;
+        }
+    }
+    row.last().copied().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_slip_of_the_pen_is_recognised() {
+        let names = ["alpha", "vx0", "vy0", "k"];
+        assert_eq!(nearest("alhpa", names), Some("alpha"));
+        assert_eq!(nearest("vx1", names), Some("vx0"));
+        assert_eq!(nearest("K", names), None);
+        assert_eq!(nearest("omega", names), None);
+        assert_eq!(nearest("", names), None);
+    }
+}

@@ -1,0 +1,190 @@
+//! From a Markdown document to statements, or to the list of everything wrong with it.
+//!
+//! Fenced blocks tagged `kane` hold statements. A statement begins at the margin of its block and
+//! goes on over the indented lines that follow; `#` starts a comment; the clauses of a claim come
+//! in the order `as`, `when`, `from`, `by`, `expect`. Three decisions that the language page leaves
+//! open:
+//!
+//! - A label is what stands between parentheses on one line, or a word of letters, digits and
+//!   `- _ ' .`; `(9)` and `9` are the same label. A `let` without a label goes by its name.
+//! - A definition may be cited, to no effect: definitions are known everywhere.
+//! - `contradiction` and `not implied` take a `when` too.
+
+mod blocks;
+mod citation;
+mod diagnostic;
+mod label;
+mod statement;
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use kane_algebra::syntax::{Scope, Symbol, canonical_name, nearest};
+
+use crate::Document;
+use citation::Draft;
+use diagnostic::Lines;
+
+pub use diagnostic::Diagnostic;
+
+/// Bytes of a file.
+pub const MAX_FILE_BYTES: usize = 16 << 20;
+/// Statements of a document.
+pub const MAX_STATEMENTS: usize = 100_000;
+/// Faults after which reading stops.
+const MAX_FAULTS: usize = 200;
+/// Names above which no nearest one is sought.
+const MAX_CANDIDATES: usize = 10_000;
+
+/// Reads the document `bytes`, which goes by the name `name` in messages.
+///
+/// Time grows with the length of the text; memory stays within a small multiple of it.
+///
+/// # Errors
+/// Everything that is wrong, in the order of the text, up to 200 faults.
+pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
+    if bytes.len() > MAX_FILE_BYTES {
+        let message = format!(
+            "the file has {} bytes; {MAX_FILE_BYTES} are the most",
+            bytes.len()
+        );
+        return Err(vec![Diagnostic::at_start(name, message)]);
+    }
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => return Err(vec![not_utf8(name, bytes, error.valid_up_to())]),
+    };
+    let mut reader = Reader::default();
+    let blocks = blocks::find(text, &mut reader.faults);
+    let mut lines = Lines::new(text);
+    for span in blocks.statements {
+        if reader.drafts.len() == MAX_STATEMENTS {
+            let message = format!("more than {MAX_STATEMENTS} statements");
+            reader.faults.push(Fault::new(span, message));
+            break;
+        }
+        if reader.faults.len() >= MAX_FAULTS {
+            break;
+        }
+        let line = lines.line_of(span.start);
+        reader.statement(&blocks.code, span, line);
+    }
+    let statements = if reader.faults.len() < MAX_FAULTS {
+        reader.resolve()
+    } else {
+        Vec::new()
+    };
+    if reader.scope.is_exhausted() {
+        let message = "definitions use each other too often to be checked".to_owned();
+        reader.faults.push(Fault::new(0..0, message));
+    }
+    if reader.faults.is_empty() {
+        return Ok(Document {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            title: blocks.title,
+            context: reader.scope.into_context(),
+            statements,
+        });
+    }
+    Err(reader.diagnostics(name, text))
+}
+
+fn not_utf8(name: &str, bytes: &[u8], valid: usize) -> Diagnostic {
+    let mut text = String::from_utf8_lossy(bytes.get(..valid).unwrap_or_default()).into_owned();
+    text.push(char::REPLACEMENT_CHARACTER);
+    let fault = Fault::new(valid..valid + 1, "the file is not UTF-8".to_owned());
+    Diagnostic::new(name, &text, &mut Lines::new(&text), fault)
+}
+
+/// Something wrong at a place in the text.
+#[derive(Debug)]
+struct Fault {
+    span: Range<usize>,
+    message: String,
+    note: Option<String>,
+    /// the name that nothing declares, to be compared with all names at the end
+    unknown: Option<String>,
+}
+
+impl Fault {
+    fn new(span: Range<usize>, message: String) -> Self {
+        Self {
+            span,
+            message,
+            note: None,
+            unknown: None,
+        }
+    }
+
+    fn with_note(self, note: impl Into<String>) -> Self {
+        Self {
+            note: Some(note.into()),
+            ..self
+        }
+    }
+}
+
+/// What has been read so far.
+#[derive(Debug, Default)]
+struct Reader {
+    scope: Scope,
+    drafts: Vec<Draft>,
+    /// statement by the key of its label
+    labels: HashMap<String, usize>,
+    /// where each symbol is declared
+    var_sites: Vec<usize>,
+    /// where each definition stands
+    let_sites: Vec<usize>,
+    faults: Vec<Fault>,
+}
+
+impl Reader {
+    fn diagnostics(mut self, name: &str, text: &str) -> Vec<Diagnostic> {
+        let mut faults = std::mem::take(&mut self.faults);
+        faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
+        let cut = faults.len() > MAX_FAULTS;
+        faults.truncate(MAX_FAULTS);
+        let mut lines = Lines::new(text);
+        let mut diagnostics: Vec<Diagnostic> = faults
+            .into_iter()
+            .map(|mut fault| {
+                if let Some(unknown) = &fault.unknown {
+                    fault.note = self.hint_at_name(unknown, text).or(fault.note);
+                }
+                Diagnostic::new(name, text, &mut lines, fault)
+            })
+            .collect();
+        if cut || diagnostics.len() == MAX_FAULTS {
+            let message = format!("{MAX_FAULTS} errors are shown; there may be more");
+            diagnostics.push(Diagnostic::at_start(name, message));
+        }
+        diagnostics
+    }
+
+    fn hint_at_name(&self, unknown: &str, text: &str) -> Option<String> {
+        let site = match self.scope.resolve(unknown) {
+            Some(Symbol::Var(index)) => self.var_sites.get(index),
+            Some(Symbol::Let(index)) => self.let_sites.get(index),
+            None => None,
+        };
+        if let Some(site) = site {
+            let line = Lines::new(text).line_of(*site);
+            return Some(format!("it is declared below its use, on line {line}"));
+        }
+        if self.var_sites.len() + self.let_sites.len() > MAX_CANDIDATES {
+            return None;
+        }
+        nearest(canonical_name(unknown).as_ref(), self.scope.names())
+            .map(|name| format!("did you mean `{name}`?"))
+    }
+
+    fn hint_at_label(&self, key: &str) -> Option<String> {
+        if self.labels.len() > MAX_CANDIDATES {
+            return None;
+        }
+        let key = nearest(key, self.labels.keys().map(String::as_str))?;
+        let draft = self.drafts.get(*self.labels.get(key)?)?;
+        Some(format!("did you mean `{}`?", draft.label))
+    }
+}

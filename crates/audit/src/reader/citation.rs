@@ -1,0 +1,242 @@
+//! What statements cite: labels become indices, and what cannot be cited is refused.
+
+use std::collections::{BTreeSet, HashSet};
+use std::ops::Range;
+
+use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Target};
+
+use super::{Fault, Reader, label};
+use crate::{Body, Claim, Content, Statement, Verdict};
+
+/// A statement before its citations are resolved.
+#[derive(Debug)]
+pub(super) struct Draft {
+    pub(super) label: String,
+    pub(super) label_span: Range<usize>,
+    pub(super) body: DraftBody,
+    pub(super) span: Range<usize>,
+    pub(super) line: usize,
+}
+
+#[derive(Debug)]
+pub(super) enum DraftBody {
+    Let(usize),
+    Given(Sentence),
+    Claim(DraftClaim),
+    /// a statement with a fault, kept for its label
+    Broken,
+}
+
+#[derive(Debug)]
+pub(super) struct DraftClaim {
+    pub(super) content: DraftContent,
+    pub(super) when: Vec<Relation>,
+    pub(super) from: Vec<Cited>,
+    pub(super) by: Vec<(usize, Expr)>,
+    pub(super) expect: Option<Verdict>,
+}
+
+#[derive(Debug)]
+pub(super) enum DraftContent {
+    Links(Vec<(Link, Range<usize>)>),
+    Contradiction,
+    NotImplied(Cited),
+}
+
+/// A label where it is cited.
+#[derive(Debug)]
+pub(super) struct Cited {
+    pub(super) label: String,
+    pub(super) span: Range<usize>,
+}
+
+/// The citations of a statement as indices.
+#[derive(Debug, Default)]
+struct Resolved {
+    from: Vec<usize>,
+    target: Option<usize>,
+}
+
+impl Reader {
+    /// The finished statements, once all labels are known; faults are noted.
+    pub(super) fn resolve(&mut self) -> Vec<Statement> {
+        let mut faults = Vec::new();
+        let resolved: Vec<Resolved> = (0..self.drafts.len())
+            .map(|index| self.citations(index, &mut faults))
+            .collect();
+        self.faults.extend(faults);
+        let drafts = std::mem::take(&mut self.drafts);
+        drafts
+            .into_iter()
+            .zip(resolved)
+            .filter_map(|(draft, resolved)| draft.finish(resolved))
+            .collect()
+    }
+
+    fn citations(&self, index: usize, faults: &mut Vec<Fault>) -> Resolved {
+        let Some(DraftBody::Claim(claim)) = self.drafts.get(index).map(|draft| &draft.body) else {
+            return Resolved::default();
+        };
+        let mut resolved = Resolved::default();
+        let mut seen = HashSet::new();
+        let mut derivatives = None;
+        for cited in &claim.from {
+            match self.cite(index, cited) {
+                Ok(premise) if seen.insert(premise) => {
+                    let derivatives = derivatives.get_or_insert_with(|| self.derivatives(claim));
+                    faults.extend(self.tie(derivatives, premise, cited));
+                    resolved.from.push(premise);
+                }
+                Ok(_) => {}
+                Err(fault) => faults.push(fault),
+            }
+        }
+        if let DraftContent::NotImplied(cited) = &claim.content {
+            match self.cite(index, cited) {
+                Ok(target) if self.is_definition(target) => {
+                    let message = format!("`{}` is a definition, which says nothing", cited.label);
+                    faults.push(Fault::new(cited.span.clone(), message));
+                }
+                Ok(target) => resolved.target = Some(target),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        resolved
+    }
+
+    fn is_definition(&self, index: usize) -> bool {
+        let draft = self.drafts.get(index);
+        draft.is_some_and(|draft| matches!(draft.body, DraftBody::Let(_)))
+    }
+
+    /// The index of the cited statement, if it can be cited there.
+    fn cite(&self, index: usize, cited: &Cited) -> Result<usize, Fault> {
+        let label = &cited.label;
+        let fault = |message| Fault::new(cited.span.clone(), message);
+        let key = label::key(label);
+        let Some(&premise) = self.labels.get(&key) else {
+            let mut fault = fault(format!("undeclared label `{label}`"));
+            fault.note = self.hint_at_label(&key);
+            return Err(fault);
+        };
+        if premise == index {
+            return Err(fault(format!("cycle: `{label}` cites itself")));
+        }
+        let Some(draft) = self.drafts.get(premise) else {
+            return Ok(premise);
+        };
+        if premise > index {
+            let note = format!("`{}` stands on line {}", draft.label, draft.line);
+            return Err(fault(format!("premise below its use: `{label}`")).with_note(note));
+        }
+        match &draft.body {
+            DraftBody::Claim(DraftClaim {
+                content: DraftContent::Contradiction | DraftContent::NotImplied(_),
+                ..
+            }) => Err(
+                fault(format!("`{label}` states nothing that could be used"))
+                    .with_note("it is a `contradiction` or a `not implied`"),
+            ),
+            _ => Ok(premise),
+        }
+    }
+
+    /// The derivatives in a claim: variable, and the other symbols of what is differentiated.
+    fn derivatives(&self, claim: &DraftClaim) -> Vec<(usize, BTreeSet<usize>)> {
+        let mut found = Vec::new();
+        let DraftContent::Links(links) = &claim.content else {
+            return found;
+        };
+        let sides = links.iter().flat_map(|(link, _)| sides_of(link));
+        let when = claim.when.iter().flat_map(|r| [&r.lhs, &r.rhs]);
+        for side in sides.chain(when) {
+            self.scope.visit(side, &mut |node| {
+                if let Expr::Deriv(f, x) = node {
+                    let mut others = self.scope.symbols(f);
+                    others.remove(x);
+                    found.push((*x, others));
+                }
+            });
+        }
+        found
+    }
+
+    /// The fault that an equation ties a symbol to the variable of differentiation.
+    fn tie(
+        &self,
+        derivatives: &[(usize, BTreeSet<usize>)],
+        premise: usize,
+        cited: &Cited,
+    ) -> Option<Fault> {
+        if derivatives.is_empty() {
+            return None;
+        }
+        let links: Vec<&Link> = match &self.drafts.get(premise)?.body {
+            DraftBody::Given(sentence) => sentence.links.iter().collect(),
+            DraftBody::Claim(DraftClaim {
+                content: DraftContent::Links(links),
+                ..
+            }) => links.iter().map(|(link, _)| link).collect(),
+            _ => return None,
+        };
+        let vars = &self.scope.context().vars;
+        for link in links {
+            let Link::Relation(relation) = link else {
+                continue;
+            };
+            if relation.rel != Rel::Eq {
+                continue;
+            }
+            let mut symbols = self.scope.symbols(&relation.lhs);
+            symbols.extend(self.scope.symbols(&relation.rhs));
+            for (x, others) in derivatives {
+                let tied = others.intersection(&symbols).next();
+                if let (true, Some(y)) = (symbols.contains(x), tied) {
+                    let (x, y) = (&vars.get(*x)?.name, &vars.get(*y)?.name);
+                    let message = format!("`{}` ties `{y}` to `{x}`", cited.label);
+                    let note = format!("a derivative by `{x}` in this claim holds `{y}` fixed");
+                    return Some(Fault::new(cited.span.clone(), message).with_note(note));
+                }
+            }
+        }
+        None
+    }
+}
+
+fn sides_of(link: &Link) -> Vec<&Expr> {
+    match link {
+        Link::Relation(relation) => vec![&relation.lhs, &relation.rhs],
+        Link::Limit(limit) => match &limit.to {
+            Target::Finite(value) => vec![&limit.expr, value],
+            Target::PlusInf | Target::MinusInf => vec![&limit.expr],
+        },
+    }
+}
+
+impl Draft {
+    /// The statement; `None` if it is broken.
+    fn finish(self, resolved: Resolved) -> Option<Statement> {
+        let body = match self.body {
+            DraftBody::Broken => return None,
+            DraftBody::Let(definition) => Body::Let(definition),
+            DraftBody::Given(sentence) => Body::Given(sentence),
+            DraftBody::Claim(claim) => Body::Claim(Claim {
+                content: match claim.content {
+                    DraftContent::Links(links) => Content::Links(links),
+                    DraftContent::Contradiction => Content::Contradiction,
+                    DraftContent::NotImplied(_) => Content::NotImplied(resolved.target?),
+                },
+                when: claim.when,
+                from: resolved.from,
+                by: claim.by,
+                expect: claim.expect,
+            }),
+        };
+        Some(Statement {
+            label: self.label,
+            body,
+            span: self.span,
+            line: self.line,
+        })
+    }
+}

@@ -1,0 +1,170 @@
+//! What is wrong with a document, for people: place, message, the line with a caret.
+
+use std::fmt;
+use std::ops::Range;
+
+use super::Fault;
+
+/// Characters of a line that are shown at most.
+const WINDOW: usize = 100;
+
+/// One fault of a document. Its `Display` is the whole report, with the line and a caret:
+///
+/// ```text
+/// error: unknown symbol `vx1`
+///   --> collision.md:12:9
+///    |
+/// 12 | given (2): vx1 = 3
+///    |            ^^^
+///    = did you mean `vx0`?
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// the file's name, as given
+    pub file: String,
+    /// line, from 1
+    pub line: usize,
+    /// column in characters, from 1
+    pub column: usize,
+    /// bytes of the text concerned
+    pub span: Range<usize>,
+    /// what is wrong
+    pub message: String,
+    /// a hint at the remedy
+    pub note: Option<String>,
+    excerpt: Excerpt,
+}
+
+/// The part of the line that is shown, and where in it the caret stands, in characters.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Excerpt {
+    text: String,
+    caret: usize,
+    width: usize,
+}
+
+impl Diagnostic {
+    pub(super) fn new(file: &str, text: &str, lines: &mut Lines<'_>, fault: Fault) -> Self {
+        let start = floor(text, fault.span.start);
+        let line = lines.line_of(start);
+        let line_start = text
+            .get(..start)
+            .and_then(|before| before.rfind('\n'))
+            .map_or(0, |newline| newline + 1);
+        let before = text.get(line_start..start).unwrap_or_default();
+        let after = text.get(start..).unwrap_or_default();
+        let after = after.lines().next().unwrap_or_default();
+        let column = before.chars().count() + 1;
+        let length = floor(text, fault.span.end).saturating_sub(start);
+        let marked = after.get(..length).unwrap_or(after);
+        Self {
+            file: file.to_owned(),
+            line,
+            column,
+            span: fault.span,
+            message: fault.message,
+            note: fault.note,
+            excerpt: Excerpt::new(before, after, marked.chars().count()),
+        }
+    }
+
+    /// A fault of the file as a whole.
+    pub(super) fn at_start(file: &str, message: String) -> Self {
+        Self {
+            file: file.to_owned(),
+            line: 1,
+            column: 1,
+            span: 0..0,
+            message,
+            note: None,
+            excerpt: Excerpt::default(),
+        }
+    }
+}
+
+impl Excerpt {
+    fn new(before: &str, after: &str, width: usize) -> Self {
+        // tabs and other control characters would put the caret out of place
+        let printable = |c: char| if c.is_control() { ' ' } else { c };
+        let kept = WINDOW / 2;
+        let skipped = before.chars().count().saturating_sub(kept);
+        let mut text = String::new();
+        let mut caret = 0;
+        if skipped > 0 {
+            text.push('…');
+            caret += 1;
+        }
+        for c in before.chars().skip(skipped) {
+            text.push(printable(c));
+            caret += 1;
+        }
+        let room = WINDOW - kept;
+        text.extend(after.chars().take(room).map(printable));
+        if after.chars().nth(room).is_some() {
+            text.push('…');
+        }
+        Self {
+            text: text.trim_end().to_owned(),
+            caret,
+            width: width.clamp(1, room),
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "error: {}", self.message)?;
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        writeln!(f, "{margin}--> {}:{}:{}", self.file, self.line, self.column)?;
+        if self.excerpt != Excerpt::default() {
+            let indent = " ".repeat(self.excerpt.caret);
+            let carets = "^".repeat(self.excerpt.width);
+            writeln!(f, "{margin} |")?;
+            writeln!(f, "{number} | {}", self.excerpt.text)?;
+            writeln!(f, "{margin} | {indent}{carets}")?;
+        }
+        if let Some(note) = &self.note {
+            writeln!(f, "{margin} = {note}")?;
+        }
+        Ok(())
+    }
+}
+
+/// The nearest character boundary at or before `at`.
+fn floor(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// Counts lines, in one pass as long as places are asked for in the order of the text.
+#[derive(Debug)]
+pub(super) struct Lines<'a> {
+    text: &'a str,
+    at: usize,
+    line: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            at: 0,
+            line: 1,
+        }
+    }
+
+    /// The line, from 1, of this byte.
+    pub(super) fn line_of(&mut self, at: usize) -> usize {
+        if at < self.at {
+            *self = Self::new(self.text);
+        }
+        let passed = self.text.as_bytes().get(self.at..at).unwrap_or_default();
+        self.line += passed.iter().filter(|byte| **byte == b'\n').count();
+        self.at = at;
+        self.line
+    }
+}

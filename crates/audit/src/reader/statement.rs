@@ -1,0 +1,543 @@
+//! The grammar of statements: `var`, `let`, `given`, `claim` and their clauses.
+
+use std::ops::Range;
+
+use kane_algebra::syntax::{
+    DeclareError, Endpoint, Parser, Symbol, SyntaxError, SyntaxErrorKind, Token,
+    canonical_name,
+};
+use kane_kernel::{Bound, Expr, Link, Rel, Relation, Sentence, Var};
+use num_rational::BigRational;
+
+use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
+use super::{Fault, Reader, label};
+use crate::Verdict;
+
+/// The words with which statements begin.
+pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
+
+/// Clauses in the order in which they must stand.
+const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
+
+impl Reader {
+    /// Reads the statement at `span` of `code`, which begins on line `line`.
+    pub(super) fn statement(&mut self, code: &str, span: Range<usize>, line: usize) {
+        let text = code.get(span.clone()).unwrap_or_default();
+        let scope = std::mem::take(&mut self.scope);
+        let mut parser = Parser::new(text, span.start, &scope);
+        let keyword = parser.lexeme();
+        if !KEYWORDS.contains(&keyword) {
+            let error = parser.unexpected("`var`, `let`, `given` or `claim`");
+            self.note_errors(vec![error], None);
+            self.scope = scope;
+            return;
+        }
+        parser.advance();
+        if keyword == "var" {
+            let (vars, errors, faults) = vars(parser);
+            self.note_errors(errors, None);
+            self.faults.extend(faults);
+            self.scope = scope;
+            self.declare(vars);
+            return;
+        }
+        let head = match keyword {
+            "let" => let_head(&mut parser),
+            _ => labelled_head(&mut parser),
+        };
+        let head = match head {
+            Ok(head) => head,
+            Err(error) => {
+                self.note_errors(vec![error], None);
+                self.scope = scope;
+                return;
+            }
+        };
+        let mut faults = Vec::new();
+        let outcome = match keyword {
+            "let" => body_of_let(parser).map(|(body, end)| (Parsed::Let(body), end)),
+            "given" => given(parser, &mut faults).map(|(body, end)| (Parsed::Body(body), end)),
+            _ => claim(parser, &mut faults).map(|(body, end)| (Parsed::Body(body), end)),
+        };
+        self.scope = scope;
+        self.faults.extend(faults);
+        let (parsed, end) = match outcome {
+            Ok(outcome) => outcome,
+            Err(errors) => {
+                self.note_errors(errors, head.name.as_ref().map(|(name, _)| name.as_str()));
+                (Parsed::Broken, span.end)
+            }
+        };
+        // a broken statement keeps its label and its name, lest every use of them be a fault too
+        let body = match (parsed, head.name) {
+            (Parsed::Let(body), Some((name, site))) => self.define(&name, site, body),
+            (Parsed::Broken, Some((name, site))) => {
+                self.define(&name, site, Expr::Num(BigRational::from_integer(1.into())))
+            }
+            (Parsed::Body(body), _) => body,
+            (Parsed::Broken | Parsed::Let(_), _) => DraftBody::Broken,
+        };
+        self.enter(Draft {
+            label: head.label,
+            label_span: head.label_span,
+            body,
+            span: span.start..end,
+            line,
+        });
+    }
+
+    fn note_errors(&mut self, errors: Vec<SyntaxError>, defined: Option<&str>) {
+        for SyntaxError { kind, span } in errors {
+            let mut fault = Fault::new(span, kind.to_string());
+            fault.note = kind.hint().map(str::to_owned);
+            if let SyntaxErrorKind::UnknownSymbol(name) = kind {
+                if defined.is_some_and(|own| canonical_name(own) == canonical_name(&name)) {
+                    fault.message = format!("cycle: `{name}` is defined in terms of itself");
+                } else {
+                    fault.unknown = Some(name);
+                }
+            }
+            self.faults.push(fault);
+        }
+    }
+
+    fn enter(&mut self, draft: Draft) {
+        let index = self.drafts.len();
+        let first = *self.labels.entry(label::key(&draft.label)).or_insert(index);
+        if let Some(first) = self.drafts.get(first) {
+            let message = format!("duplicate label `{}`", draft.label);
+            let note = format!("`{}` on line {} has it already", first.label, first.line);
+            self.faults
+                .push(Fault::new(draft.label_span.clone(), message).with_note(note));
+        }
+        self.drafts.push(draft);
+    }
+
+    fn define(&mut self, name: &str, site: Range<usize>, body: Expr) -> DraftBody {
+        match self.scope.define(name, body) {
+            Ok(index) => {
+                self.let_sites.push(site.start);
+                DraftBody::Let(index)
+            }
+            Err(error) => {
+                self.refuse(&error, site);
+                DraftBody::Broken
+            }
+        }
+    }
+
+    fn refuse(&mut self, error: &DeclareError, site: Range<usize>) {
+        let mut fault = Fault::new(site, error.to_string());
+        if let DeclareError::Redeclared { first, .. } = error {
+            fault.note = Some(match first {
+                Symbol::Var(_) => "as a `var`, above".to_owned(),
+                Symbol::Let(_) => "by a `let`, above".to_owned(),
+            });
+        }
+        self.faults.push(fault);
+    }
+
+    fn declare(&mut self, vars: Vec<VarItem>) {
+        for item in vars {
+            let of = item.of.and_then(|(name, span)| self.argument(&name, span));
+            if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
+                let message = format!("the domain of `{}` is empty", item.name);
+                self.faults.push(Fault::new(item.whole.clone(), message));
+            }
+            let var = Var {
+                name: item.name,
+                of,
+                lower: item.lower,
+                upper: item.upper,
+            };
+            match self.scope.declare(var) {
+                Ok(_) => self.var_sites.push(item.span.start),
+                Err(error) => self.refuse(&error, item.span),
+            }
+        }
+    }
+
+    /// The symbol of which a function is declared.
+    fn argument(&mut self, name: &str, span: Range<usize>) -> Option<usize> {
+        let fault = match self.scope.resolve(name) {
+            Some(Symbol::Var(x)) => {
+                let is_plain = |var: &Var| var.of.is_none();
+                if self.scope.context().vars.get(x).is_some_and(is_plain) {
+                    return Some(x);
+                }
+                Fault::new(span, format!("`{name}` is itself a function"))
+                    .with_note("a function varies with a plain `var`")
+            }
+            Some(Symbol::Let(_)) => Fault::new(span, format!("`{name}` is a definition"))
+                .with_note("a function varies with a plain `var`"),
+            None => {
+                let mut fault = Fault::new(span, format!("unknown symbol `{name}`"));
+                fault.unknown = Some(name.to_owned());
+                fault
+            }
+        };
+        self.faults.push(fault);
+        None
+    }
+}
+
+enum Parsed {
+    Let(Expr),
+    Body(DraftBody),
+    Broken,
+}
+
+/// What stands before the body of a `let`, `given` or `claim`.
+struct Head {
+    label: String,
+    label_span: Range<usize>,
+    /// the name that a `let` defines
+    name: Option<(String, Range<usize>)>,
+}
+
+/// `LABEL:`
+fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
+    let (label, label_span) = label::take(p)?;
+    p.expect(Token::Colon, "`:` after the label")?;
+    Ok(Head {
+        label: label.to_owned(),
+        label_span,
+        name: None,
+    })
+}
+
+/// `[LABEL] NAME :=`
+fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
+    let (rest, _) = p.rest();
+    let is_name = label::length(rest)
+        .and_then(|length| rest.get(length..))
+        .is_some_and(|after| after.trim_start().starts_with(":="));
+    let label = if is_name { None } else { Some(label::take(p)?) };
+    let (name, site) = p.name()?;
+    p.expect(Token::Define, "`:=` after the name")?;
+    let (label, label_span) = label.unwrap_or((name, site.clone()));
+    Ok(Head {
+        label: label.to_owned(),
+        label_span,
+        name: Some((name.to_owned(), site)),
+    })
+}
+
+type Outcome<T> = Result<(T, usize), Vec<SyntaxError>>;
+
+/// Ends the statement: its value and where it ends, or all its faults.
+fn finish<T>(p: Parser<'_>, result: Result<T, SyntaxError>) -> Outcome<T> {
+    let end = p.last_end();
+    p.finish(result).map(|value| (value, end))
+}
+
+fn body_of_let(mut p: Parser<'_>) -> Outcome<Expr> {
+    let body = p.expr();
+    finish(p, body)
+}
+
+/// `RELATION [as x -> a] [when RELATION]`
+fn given(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
+    let sentence = (|| {
+        let links = p.links()?;
+        let when = when(&mut p, &links, faults)?;
+        refuse_clauses(&p, &["when"])?;
+        let links = links.into_iter().map(|(link, _)| link).collect();
+        Ok(DraftBody::Given(Sentence { when, links }))
+    })();
+    finish(p, sentence)
+}
+
+/// `RELATION [as x -> a] | contradiction | not implied M`, then
+/// `[when RELATION] [from …] [by f := …, …] [expect VERDICT]`
+fn claim(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
+    let claim = (|| {
+        let content = if p.accept_word("contradiction") {
+            DraftContent::Contradiction
+        } else if p.accept_word("not") {
+            if !p.accept_word("implied") {
+                return Err(p.unexpected("`implied`"));
+            }
+            DraftContent::NotImplied(cited(&mut p)?)
+        } else {
+            DraftContent::Links(p.links()?)
+        };
+        let links = match &content {
+            DraftContent::Links(links) => links.as_slice(),
+            _ => &[],
+        };
+        let when = when(&mut p, links, faults)?;
+        let mut from = Vec::new();
+        if p.accept_word("from") {
+            from.push(cited(&mut p)?);
+            while p.accept(Token::Comma) {
+                from.push(cited(&mut p)?);
+            }
+        }
+        let mut allowed = vec!["when", "from", "expect"];
+        let mut by = Vec::new();
+        if matches!(content, DraftContent::NotImplied(_)) {
+            allowed.push("by");
+            if p.accept_word("by") {
+                by = witness(&mut p, faults)?;
+            }
+        }
+        let expect = if p.accept_word("expect") {
+            Some(verdict(&mut p)?)
+        } else {
+            None
+        };
+        refuse_clauses(&p, &allowed)?;
+        Ok(DraftBody::Claim(DraftClaim {
+            content,
+            when,
+            from,
+            by,
+            expect,
+        }))
+    })();
+    finish(p, claim)
+}
+
+/// Explains a clause that stands where it cannot.
+fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
+    let word = p.lexeme();
+    if p.token() != Token::Name || !CLAUSES.contains(&word) {
+        return Ok(());
+    }
+    Err(p.unexpected(if allowed.contains(&word) {
+        "the clauses once each and in the order `as`, `when`, `from`, `by`, `expect`"
+    } else if word == "by" {
+        "the end (only `not implied` takes `by`)"
+    } else if word == "as" {
+        "the end (`as` follows the limit)"
+    } else {
+        "the end (only a claim takes `from` and `expect`)"
+    }))
+}
+
+fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
+    let (label, span) = label::take(p)?;
+    Ok(Cited {
+        label: label.to_owned(),
+        span,
+    })
+}
+
+/// `[when RELATION]`. Beside a limit it must leave the limit variable free.
+fn when(
+    p: &mut Parser<'_>,
+    links: &[(Link, Range<usize>)],
+    faults: &mut Vec<Fault>,
+) -> Result<Vec<Relation>, SyntaxError> {
+    if !p.accept_word("when") {
+        return Ok(Vec::new());
+    }
+    let relations = p.spanned_relations()?;
+    let limit = links.iter().find_map(|(link, _)| match link {
+        Link::Limit(limit) => Some(limit),
+        Link::Relation(_) => None,
+    });
+    if let Some(limit) = limit {
+        let scope = p.scope();
+        let name = scope.context().vars.get(limit.var).map_or("", |v| &v.name);
+        for (relation, span) in &relations {
+            let varies = |side| scope.varies_with(side, limit.var);
+            if varies(&relation.lhs) || varies(&relation.rhs) {
+                let message = format!("the `when` of a limit must be free of `{name}`");
+                let note = format!("the limit is taken inside the domain of `{name}`");
+                faults.push(Fault::new(span.clone(), message).with_note(note));
+            }
+        }
+    }
+    Ok(relations
+        .into_iter()
+        .map(|(relation, _)| relation)
+        .collect())
+}
+
+/// `f := EXPR, …`
+fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Expr)>, SyntaxError> {
+    let mut by: Vec<(usize, Expr)> = Vec::new();
+    loop {
+        let (name, span) = p.name()?;
+        p.expect(Token::Define, "`:=` and a value or function")?;
+        let value = p.expr()?;
+        match p.scope().resolve(name) {
+            Some(Symbol::Var(index)) if by.iter().any(|(seen, _)| *seen == index) => {
+                faults.push(Fault::new(span, format!("`{name}` is given twice")));
+            }
+            Some(Symbol::Var(index)) => by.push((index, value)),
+            Some(Symbol::Let(_)) => {
+                let message = format!("`{name}` is a definition and has its value already");
+                faults.push(Fault::new(span, message));
+            }
+            None => p.report(SyntaxErrorKind::UnknownSymbol(name.to_owned()), span),
+        }
+        if !p.accept(Token::Comma) {
+            return Ok(by);
+        }
+    }
+}
+
+fn verdict(p: &mut Parser<'_>) -> Result<Verdict, SyntaxError> {
+    const WORDS: [Verdict; 6] = [
+        Verdict::Proved,
+        Verdict::Refuted,
+        Verdict::Vacuous,
+        Verdict::IllDefined,
+        Verdict::Unsupported,
+        Verdict::Undecided,
+    ];
+    let (rest, start) = p.rest();
+    let length = label::length(rest).unwrap_or(0);
+    let word = rest.get(..length).unwrap_or_default();
+    match WORDS.into_iter().find(|v| v.to_string() == word) {
+        Some(verdict) => {
+            p.take_until(start + length);
+            Ok(verdict)
+        }
+        None => Err(p.unexpected(
+            "`proved`, `refuted`, `vacuous`, `ill-defined`, `unsupported` or `undecided`",
+        )),
+    }
+}
+
+/// A symbol before it is entered.
+struct VarItem {
+    name: String,
+    span: Range<usize>,
+    /// name and bounds
+    whole: Range<usize>,
+    of: Option<(String, Range<usize>)>,
+    lower: Option<Bound>,
+    upper: Option<Bound>,
+}
+
+/// `[bound <] NAME[(x)] [< bound], …`; after a fault it goes on behind the next comma.
+fn vars(mut p: Parser<'_>) -> (Vec<VarItem>, Vec<SyntaxError>, Vec<Fault>) {
+    let mut items = Vec::new();
+    let mut errors = Vec::new();
+    let mut faults = Vec::new();
+    loop {
+        if let Err(error) = var(&mut p, &mut items, &mut faults) {
+            errors.push(error);
+            while !matches!(p.token(), Token::Comma | Token::End) {
+                p.advance();
+            }
+        }
+        if p.token() != Token::Comma && p.token() != Token::End {
+            errors.extend(p.expect_end().err());
+            while !matches!(p.token(), Token::Comma | Token::End) {
+                p.advance();
+            }
+        }
+        if !p.accept(Token::Comma) {
+            break;
+        }
+    }
+    errors.extend(p.finish(Ok(())).err().into_iter().flatten());
+    (items, errors, faults)
+}
+
+fn var(
+    p: &mut Parser<'_>,
+    items: &mut Vec<VarItem>,
+    faults: &mut Vec<Fault>,
+) -> Result<(), SyntaxError> {
+    let start = p.span().start;
+    let left = if p.token() == Token::Name {
+        None
+    } else {
+        let end = p.bound()?;
+        let rel = bound_relation(p)?;
+        end.map(|end| (mirrored(rel), end))
+    };
+    let (name, span) = p.name()?;
+    let mut of = None;
+    if p.accept(Token::OpenParen) {
+        let (x, x_span) = p.name()?;
+        of = Some((x.to_owned(), x_span));
+        p.expect(Token::CloseParen, "`)` after the one argument")?;
+    }
+    items.push(VarItem {
+        name: name.to_owned(),
+        span: span.clone(),
+        whole: start..p.last_end(),
+        of,
+        lower: None,
+        upper: None,
+    });
+    let right = if matches!(p.token(), Token::Rel(_)) {
+        let rel = bound_relation(p)?;
+        p.bound()?.map(|end| (rel, end))
+    } else {
+        None
+    };
+    let item = items.last_mut().expect("an item was pushed just now");
+    item.whole.end = p.last_end();
+    for (rel, end) in left.into_iter().chain(right) {
+        if let Err(message) = item.bind(rel, end) {
+            faults.push(Fault::new(item.whole.clone(), message));
+        }
+    }
+    Ok(())
+}
+
+/// `<`, `<=`, `>` or `>=`
+fn bound_relation(p: &mut Parser<'_>) -> Result<Rel, SyntaxError> {
+    match p.token() {
+        Token::Rel(rel @ (Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge)) => {
+            p.advance();
+            Ok(rel)
+        }
+        Token::Rel(_) => Err(p.unexpected("`<`, `<=`, `>` or `>=` (an equation is a `given`)")),
+        _ => Err(p.unexpected("`<`, `<=`, `>` or `>=`")),
+    }
+}
+
+/// b ⋈ x as x ⋈′ b
+fn mirrored(rel: Rel) -> Rel {
+    match rel {
+        Rel::Lt => Rel::Gt,
+        Rel::Le => Rel::Ge,
+        Rel::Gt => Rel::Lt,
+        Rel::Ge => Rel::Le,
+        Rel::Eq | Rel::Ne => rel,
+    }
+}
+
+impl VarItem {
+    /// Takes in `x ⋈ end`.
+    fn bind(&mut self, rel: Rel, end: Endpoint) -> Result<(), String> {
+        let is_lower = matches!(rel, Rel::Gt | Rel::Ge);
+        let value = match end {
+            Endpoint::Finite(value) => value,
+            Endpoint::MinusInf if is_lower => return Ok(()),
+            Endpoint::PlusInf if !is_lower => return Ok(()),
+            Endpoint::PlusInf | Endpoint::MinusInf => {
+                return Err(format!("the domain of `{}` is empty", self.name));
+            }
+        };
+        let bound = Bound {
+            value,
+            strict: matches!(rel, Rel::Lt | Rel::Gt),
+        };
+        let (slot, side) = if is_lower {
+            (&mut self.lower, "lower")
+        } else {
+            (&mut self.upper, "upper")
+        };
+        if slot.replace(bound).is_some() {
+            return Err(format!("`{}` has two {side} bounds", self.name));
+        }
+        Ok(())
+    }
+}
+
+fn is_empty(lower: Option<&Bound>, upper: Option<&Bound>) -> bool {
+    match (lower, upper) {
+        (Some(l), Some(u)) => l.value > u.value || (l.value == u.value && (l.strict || u.strict)),
+        _ => false,
+    }
+}
