@@ -38,7 +38,7 @@ impl ImpactLaw for WangSuLi {
     const ID: &'static str = "wang-su-li";
 
     fn statement(&self) -> &'static str {
-        "ix = (k + 1)/2"
+        "i_x = (k + 1)/2"
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

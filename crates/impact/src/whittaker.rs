@@ -28,7 +28,7 @@ impl ImpactLaw for WhittakerUncapped {
     const ID: &'static str = "whittaker-uncapped";
 
     fn statement(&self) -> &'static str {
-        "ix = 1"
+        "i_x = 1"
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
