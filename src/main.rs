@@ -1,3 +1,7 @@
-//! The program `kane`.
+//! The program `kane`: reads the command line, runs a verb, prints what it returns.
 
-fn main() {}
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run()
+}

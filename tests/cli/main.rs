@@ -1,1 +1,65 @@
-//! The program as its user meets it.
+//! The program as its user meets it: what it prints, where, and how it exits.
+
+mod errors; // what bad input gets
+mod exits; // exit codes
+mod files; // --out
+mod forms; // --format, --only, --explain, and that two runs agree
+mod readme; // the README shows what the program prints
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A run of the program that is over.
+struct Run {
+    code: i32,
+    stdout: String,
+    stderr: String,
+}
+
+/// The program with these arguments, in the root of the checkout.
+fn kane(arguments: &[&str]) -> Run {
+    finish(
+        command()
+            .args(arguments)
+            .output()
+            .expect("the program starts"),
+    )
+}
+
+/// The program, with nothing in its environment that changes what it prints.
+fn command() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kane"));
+    command
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env_remove("NO_COLOR")
+        .stdin(Stdio::null());
+    command
+}
+
+fn finish(output: Output) -> Run {
+    Run {
+        code: output.status.code().expect("the program is not killed"),
+        stdout: String::from_utf8(output.stdout).expect("reports are UTF-8"),
+        stderr: String::from_utf8(output.stderr).expect("messages are UTF-8"),
+    }
+}
+
+/// A directory of this test's own, empty, under the build directory.
+fn scratch(name: &str) -> PathBuf {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    if dir.exists() {
+        std::fs::remove_dir_all(&dir).expect("the last run's directory can be removed");
+    }
+    std::fs::create_dir_all(&dir).expect("the build directory is writable");
+    dir
+}
+
+/// Writes a document with these statements and returns its path.
+fn document(dir: &Path, name: &str, statements: &str) -> String {
+    let path = dir.join(name);
+    let text = format!("# Test\n\n```kane\n{statements}\n```\n");
+    std::fs::write(&path, text).expect("the scratch directory is writable");
+    path.to_str()
+        .expect("the build directory has a UTF-8 name")
+        .to_owned()
+}

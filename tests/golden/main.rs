@@ -1,6 +1,7 @@
 //! Snapshots of what the program prints: every file under `snapshots/` has one test here that owns it.
 
 mod fixture;
+mod laws; // what the impact laws return, over a range of states
 mod reports; // the report of a small audit, in every format
 
 /// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use kane_audit::LinkJudgement;
+use kane_algebra::syntax::{Notation as _, latex_name};
+use kane_audit::{Body, Content, LinkJudgement};
+use kane_kernel::{Context, Sentence};
 
 use crate::report::Entry;
 use crate::{Report, Summary};
@@ -46,11 +48,18 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     if let Some(remark) = entry.expectation() {
         let _ = write!(out, " · *{}*", escape(&remark));
     }
-    let _ = writeln!(out, "\n\n{}\n", code(&entry.source()));
+    out.push_str("\n\n");
+    if let Some(formula) = formula(entry) {
+        let _ = writeln!(out, "{}\n", math(&formula));
+    }
+    let _ = writeln!(out, "{}\n", code(&entry.source()));
     if let Some(support) = entry.support() {
         let _ = writeln!(out, "{}.\n", escape(&capitalised(&support)));
     }
     for link in &judgement.links {
+        if judgement.links.len() > 1 && !link.latex.is_empty() {
+            let _ = writeln!(out, "{}\n", math(&link.latex));
+        }
         write_link(out, entry, link);
     }
     let mut ground = Vec::new();
@@ -78,31 +87,46 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     }
 }
 
-/// One link: its formula, verdict and reason, with the steps folded away.
-fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
-    if !link.latex.is_empty() {
-        // a dollar sign inside would end the formula; blank lines would end the paragraph
-        let formula: Vec<_> = link.latex.split_whitespace().collect();
-        let _ = writeln!(out, "${}$\n", formula.join(" "));
+/// The whole statement as a formula, with its conditions; `None` for what is said in words.
+fn formula(entry: &Entry<'_>) -> Option<String> {
+    let context = entry.context();
+    match &entry.statement.body {
+        Body::Let(index) => context.lets.get(*index).map(|definition| {
+            format!(
+                "{} := {}",
+                latex_name(&definition.name),
+                definition.body.latex(context)
+            )
+        }),
+        Body::Given(sentence) => sentence_latex(sentence, context),
+        Body::Claim(claim) => match &claim.content {
+            Content::Links(links) => {
+                let links = links.iter().map(|(link, _)| link.clone()).collect();
+                sentence_latex(
+                    &Sentence {
+                        when: claim.when.clone(),
+                        links,
+                    },
+                    context,
+                )
+            }
+            Content::Contradiction | Content::NotImplied(_) => None,
+        },
     }
+}
+
+fn sentence_latex(sentence: &Sentence, context: &Context) -> Option<String> {
+    (!sentence.links.is_empty()).then(|| sentence.latex(context))
+}
+
+/// One link: its verdict and reason, with the steps folded away.
+fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     let _ = writeln!(
         out,
         "**{}**: {}\n",
         capitalised(&link.verdict.to_string()),
         escape(&link.reason)
     );
-    if link.steps.is_empty() {
-        return;
-    }
-    let _ = writeln!(out, "<details><summary>Step by step</summary>\n");
-    let mut steps = String::new();
-    for step in &link.steps {
-        for line in step.text.lines() {
-            let _ = writeln!(steps, "{:indent$}{line}", "", indent = 2 * step.depth);
-        }
-    }
-    let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);
-    let _ = writeln!(out, "{fence}text\n{steps}{fence}\n");
     let mut notes = Vec::new();
     if !link.used.is_empty() {
         notes.push(format!(
@@ -113,10 +137,36 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     if let Some(digest) = &link.certificate {
         notes.push(format!("Certificate {}.", code(digest)));
     }
+    if !link.steps.is_empty() {
+        let _ = writeln!(
+            out,
+            "<details><summary>Step by step</summary>\n\n{}\n</details>\n",
+            steps(link)
+        );
+    }
     if !notes.is_empty() {
         let _ = writeln!(out, "{}\n", notes.join(" "));
     }
-    let _ = writeln!(out, "</details>\n");
+}
+
+/// The steps, indented by their depth, in a fence that none of them can close.
+fn steps(link: &LinkJudgement) -> String {
+    let mut steps = String::new();
+    for step in &link.steps {
+        for line in step.text.lines() {
+            let _ = writeln!(steps, "{:indent$}{line}", "", indent = 2 * step.depth);
+        }
+    }
+    let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);
+    format!("{fence}text\n{steps}{fence}\n")
+}
+
+/// The formula in math mode, on one line: blank lines would end it.
+fn math(latex: &str) -> String {
+    format!(
+        "${}$",
+        latex.split_whitespace().collect::<Vec<_>>().join(" ")
+    )
 }
 
 /// The text as it is, also where it has characters that Markdown or HTML would read.

@@ -1,6 +1,7 @@
 //! What is shown of an audit.
 
 use kane_audit::{Audit, Body, Judgement, LinkJudgement, Statement, Verdict};
+use kane_kernel::Context;
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]
@@ -73,6 +74,11 @@ impl<'a> Entry<'a> {
             Body::Given(_) => "given",
             Body::Claim(_) => "claim",
         }
+    }
+
+    /// The symbols and definitions of the document.
+    pub(crate) fn context(&self) -> &'a Context {
+        &self.audit.document.context
     }
 
     pub(crate) fn is_claim(&self) -> bool {

@@ -16,6 +16,9 @@ const TOLD: [Verdict; 6] = [
     Verdict::Undecided,
 ];
 
+/// Surprises that are named in the news; the others are found in the list.
+const NAMED: usize = 10;
+
 /// Counts over the statements that a report shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
@@ -100,7 +103,15 @@ impl Summary {
         match (self.claims, self.surprises.len()) {
             (0, _) => "nothing to check".to_owned(),
             (_, 0) => "every verdict is as expected".to_owned(),
-            (_, n) => format!("{n} NOT AS EXPECTED: {}", self.surprises.join(", ")),
+            (_, n) => {
+                let named = self.surprises.iter().take(NAMED).map(String::as_str);
+                let more = n
+                    .checked_sub(NAMED)
+                    .filter(|more| *more > 0)
+                    .map(|more| format!("and {more} more"));
+                let list: Vec<_> = named.chain(more.as_deref()).collect();
+                format!("{n} NOT AS EXPECTED: {}", list.join(", "))
+            }
         }
     }
 }

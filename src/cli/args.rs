@@ -1,0 +1,78 @@
+//! The command line's grammar.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Checks the derivations of collision laws, line by line.
+#[derive(Debug, Parser)]
+#[command(name = "kane", version, arg_required_else_help = true, after_help = EXIT)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+}
+
+const EXIT: &str = "\
+Exit codes:
+  0  everything is as expected
+  1  a claim or a check is not
+  2  bad input or usage
+  3  nothing could be checked";
+
+const EXAMPLES: &str = "\
+Examples:
+  kane audit                              the paper, which the program carries with it
+  kane audit --only 9                     one statement of it, by its label
+  kane audit --explain 16                 its proof or witness, step by step
+  kane audit notes.md --out reports       writes reports/notes.md and reports/notes.json
+  kane audit a.md b.md --format json      two documents, for programs
+
+A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted,
+ill-defined, vacuous, unsupported or undecided; `expect` says what its author thinks.
+
+Exit codes:
+  0  everything is as expected
+  1  a claim is not
+  2  bad input or usage
+  3  no document has a claim";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Judge every statement of derivation documents
+    #[command(after_help = EXAMPLES)]
+    Audit(AuditArgs),
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct AuditArgs {
+    /// Documents to audit; without one, the paper on oblique collisions
+    #[arg(value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// Also write NAME.md and NAME.json for every document into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Show the statement with this label alone; may be repeated
+    #[arg(long, value_name = "LABEL")]
+    pub(crate) only: Vec<String>,
+
+    /// Print the proof or the witness of the statement with this label, step by step
+    #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
+    pub(crate) explain: Option<String>,
+}
+
+/// How a report is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// the news, then one line a statement
+    Text,
+    /// for programs; see docs/report-schema.md
+    Json,
+    /// for the web, with formulas and proofs
+    Markdown,
+}

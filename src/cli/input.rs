@@ -1,0 +1,84 @@
+//! The documents that the command line names.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::path::PathBuf;
+
+/// The paper, carried along so that an installed program needs no checkout.
+const PAPER: &str = include_str!("../../docs/derivations/oblique-collision.md");
+/// Where the paper stands in a checkout.
+const PAPER_NAME: &str = "oblique-collision.md";
+
+/// The bytes of a document and what to call it.
+pub(super) struct Input {
+    /// as the user wrote it
+    pub(super) name: String,
+    /// what its reports are called, without an ending
+    pub(super) stem: String,
+    /// the command that audits it
+    pub(super) command: String,
+    pub(super) bytes: Vec<u8>,
+}
+
+/// Reads every file, or takes the paper if there is none; with one message for every file that cannot be read.
+pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
+    if files.is_empty() {
+        let paper = Input {
+            name: PAPER_NAME.to_owned(),
+            stem: PAPER_NAME.trim_end_matches(".md").to_owned(),
+            command: "kane audit".to_owned(),
+            bytes: PAPER.as_bytes().to_vec(),
+        };
+        return (vec![paper], vec![]);
+    }
+    let mut inputs = Vec::new();
+    let mut errors = Vec::new();
+    for file in files {
+        match load(file) {
+            Ok(bytes) => inputs.push(Input {
+                name: file.display().to_string(),
+                stem: file
+                    .file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned(),
+                command: format!("kane audit {}", quoted(&file.display().to_string())),
+                bytes,
+            }),
+            Err(error) => errors.push(format!("cannot read {}: {error}", file.display())),
+        }
+    }
+    (inputs, errors)
+}
+
+/// The file's bytes, but at most one more than the reader accepts: a larger file is refused, not held in memory.
+fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let limit = u64::try_from(kane::audit::MAX_FILE_BYTES)
+        .unwrap_or(u64::MAX)
+        .saturating_add(1);
+    File::open(file)?.take(limit).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The word as a shell takes it.
+pub(super) fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./+:=@,%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn a_shell_reads_the_word_back() {
+        assert_eq!(quoted("docs/two-body.md"), "docs/two-body.md");
+        assert_eq!(quoted("(9)"), "'(9)'");
+        assert_eq!(quoted("it's"), r"'it'\''s'");
+    }
+}

@@ -1,0 +1,52 @@
+//! The command line: arguments in, exit code out.
+
+mod args;
+mod audit;
+mod input;
+mod labels;
+mod output;
+mod progress;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Verb};
+
+/// How a run ends; the codes are the same for every verb.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// everything is as expected
+    AsExpected,
+    /// a claim or a check is not
+    Unexpected,
+    /// bad input or usage, already reported on standard error
+    BadInput,
+    /// nothing could be checked
+    Nothing,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::AsExpected => 0,
+            Outcome::Unexpected => 1,
+            Outcome::BadInput => 2,
+            Outcome::Nothing => 3,
+        })
+    }
+}
+
+/// Runs the program.
+pub(crate) fn run() -> ExitCode {
+    let outcome = match Cli::parse().verb {
+        Verb::Audit(args) => audit::run(&args),
+    };
+    outcome.into()
+}
+
+/// Reports on standard error that the run cannot go on. A closed standard error leaves the exit code to speak.
+fn bad_input(message: &str) -> Outcome {
+    output::to_stderr(&format!("error: {message}\n"));
+    Outcome::BadInput
+}

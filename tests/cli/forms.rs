@@ -1,0 +1,129 @@
+//! What is printed: formats, selections, explanations; the same bytes every time.
+
+use serde_json::Value;
+
+use crate::{command, document, finish, kane, scratch};
+
+#[test]
+fn the_news_come_first() {
+    let run = kane(&["audit"]);
+    let news = run.stdout.lines().nth(1).expect("there is a second line");
+    assert!(news.starts_with("29 equations, "), "{news}");
+    assert!(news.contains("; refuted as printed: (1)"), "{news}");
+}
+
+#[test]
+fn there_is_no_colour_in_a_pipe() {
+    for arguments in [
+        &["audit"][..],
+        &["audit", "--explain", "16"],
+        &["audit", "--help"],
+    ] {
+        let mut command = command();
+        let output = command
+            .args(arguments)
+            .env("CLICOLOR", "1")
+            .output()
+            .expect("the program starts");
+        assert!(!finish(output).stdout.contains('\u{1b}'), "{arguments:?}");
+    }
+}
+
+#[test]
+fn json_follows_its_documented_schema() {
+    let run = kane(&["audit", "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    assert_eq!(report["schema"]["name"], "kane-audit");
+    assert_eq!(report["schema"]["version"], 1);
+    assert_eq!(report["documents"][0]["command"], "kane audit");
+
+    let schema = include_str!("../../docs/report-schema.md");
+    let mut undocumented = Vec::new();
+    fields(&report, &mut |field| {
+        // the verdicts are keys too, of the counts
+        if !schema.contains(&format!("`{field}`")) {
+            undocumented.push(field.to_owned());
+        }
+    });
+    assert!(
+        undocumented.is_empty(),
+        "not in docs/report-schema.md: {undocumented:?}"
+    );
+}
+
+/// Calls `see` with the name of every field, at any depth.
+fn fields(value: &Value, see: &mut impl FnMut(&str)) {
+    match value {
+        Value::Object(object) => object.iter().for_each(|(name, value)| {
+            see(name);
+            fields(value, see);
+        }),
+        Value::Array(array) => array.iter().for_each(|value| fields(value, see)),
+        _ => {}
+    }
+}
+
+#[test]
+fn several_documents_are_one_json_value() {
+    let dir = scratch("json");
+    let one = document(&dir, "one.md", "var x > 0\nclaim a: x > 0");
+    let two = document(&dir, "two.md", "var x > 0\nclaim b: x < 0");
+    let run = kane(&["audit", &one, &two, "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    assert_eq!(report["documents"].as_array().map(Vec::len), Some(2));
+    assert_eq!(report["as_expected"], false);
+    assert_eq!(report["documents"][0]["as_expected"], true);
+}
+
+#[test]
+fn a_number_finds_its_equation() {
+    let bare = kane(&["audit", "--only", "9", "--format", "json"]);
+    let full = kane(&["audit", "--only", "(9)", "--format", "json"]);
+    let label = |text: &str| {
+        let report: Value = serde_json::from_str(text).expect("it is JSON");
+        let statements = report["documents"][0]["statements"]
+            .as_array()
+            .cloned()
+            .unwrap_or_default();
+        statements
+            .iter()
+            .map(|s| s["label"].as_str().unwrap_or_default().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(bare.code, 0);
+    assert_eq!(label(&bare.stdout), ["(9)"]);
+    assert_eq!(label(&full.stdout), ["(9)"]);
+}
+
+#[test]
+fn several_statements_can_be_chosen() {
+    let run = kane(&["audit", "--only", "1", "--only", "(1r)"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("1 equation, 2 claims: 1 proved, 1 refuted"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn an_explanation_ends_in_what_the_kernel_accepted() {
+    let run = kane(&["audit", "--explain", "16"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    assert!(run.stdout.starts_with("claim (16): "), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("the kernel accepted certificate"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains("rests on"), "{}", run.stdout);
+}
+
+#[test]
+fn two_runs_print_the_same_bytes() {
+    for format in ["text", "json", "markdown"] {
+        let [first, second] = [0, 1].map(|_| kane(&["audit", "--format", format]).stdout);
+        assert!(first == second, "{format} differs between two runs");
+    }
+}
