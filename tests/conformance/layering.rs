@@ -1,0 +1,140 @@
+//! The order of the crates, and what the trusted one links.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
+
+/// Each crate with its level. An edge goes down by at least one level.
+const LEVELS: [(&str, u32); 7] = [
+    ("kane-number", 0),
+    ("kane-kernel", 0),
+    ("kane-algebra", 1),
+    ("kane-impact", 2),
+    ("kane-audit", 3),
+    ("kane-report", 4),
+    ("kane", 5),
+];
+
+/// All that the kernel may stand on.
+const GROUND: [&str; 4] = ["num-bigint", "num-integer", "num-rational", "num-traits"];
+
+/// Lines of code in the kernel: it must stay small enough to be read in an evening.
+const KERNEL_LINES: usize = 1_500;
+
+fn metadata() -> Metadata {
+    MetadataCommand::new()
+        .manifest_path(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
+        .exec()
+        .expect("cargo describes its own workspace")
+}
+
+#[test]
+fn a_lower_crate_never_knows_a_higher_one() {
+    let levels = BTreeMap::from(LEVELS);
+    let metadata = metadata();
+    let members = metadata.workspace_packages();
+    let names: BTreeSet<&str> = members
+        .iter()
+        .map(|package| package.name.as_str())
+        .collect();
+    assert_eq!(
+        names,
+        levels.keys().copied().collect(),
+        "every member of the workspace has a level"
+    );
+    for package in members {
+        // a crate may ask itself, in its tests, for features that are off by default
+        let others = package
+            .dependencies
+            .iter()
+            .filter(|dependency| dependency.name != *package.name);
+        for dependency in others {
+            let (Some(from), Some(to)) = (
+                levels.get(package.name.as_str()),
+                levels.get(dependency.name.as_str()),
+            ) else {
+                continue;
+            };
+            assert!(
+                from > to,
+                "{} must not know {}",
+                package.name,
+                dependency.name
+            );
+        }
+    }
+}
+
+#[test]
+fn the_kernel_links_the_num_family_alone() {
+    let metadata = metadata();
+    let resolve = metadata
+        .resolve
+        .as_ref()
+        .expect("dependencies are resolved");
+    let kernel = metadata
+        .packages
+        .iter()
+        .find(|package| package.name.as_str() == "kane-kernel");
+    let kernel = kernel.expect("the kernel is a member");
+
+    // what is linked: normal dependencies, and theirs; build scripts only look at the compiler
+    let mut linked: BTreeSet<&PackageId> = BTreeSet::new();
+    let mut todo = vec![&kernel.id];
+    while let Some(id) = todo.pop() {
+        let node = resolve
+            .nodes
+            .iter()
+            .find(|node| node.id == *id)
+            .expect("every package has a node");
+        for dependency in &node.deps {
+            let normal = dependency
+                .dep_kinds
+                .iter()
+                .any(|kind| kind.kind == DependencyKind::Normal);
+            if normal && linked.insert(&dependency.pkg) {
+                todo.push(&dependency.pkg);
+            }
+        }
+    }
+    let names: BTreeSet<&str> = linked
+        .iter()
+        .map(|id| metadata[*id].name.as_str())
+        .collect();
+    assert_eq!(names, BTreeSet::from(GROUND));
+}
+
+#[test]
+fn the_kernel_can_be_read_in_an_evening() {
+    let mut files: Vec<_> = Vec::new();
+    collect(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/kernel/src"),
+        &mut files,
+    );
+    let lines: usize = files.iter().map(|file| code_lines(file)).sum();
+    println!("the kernel has {lines} lines of code");
+    assert!(
+        lines > 0 && lines < KERNEL_LINES,
+        "the kernel has {lines} lines of code"
+    );
+}
+
+/// All Rust files under `dir`.
+fn collect(dir: &Path, files: &mut Vec<String>) {
+    for entry in std::fs::read_dir(dir).expect("the source is there") {
+        let path = entry.expect("the source is readable").path();
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(std::fs::read_to_string(&path).expect("the source is UTF-8"));
+        }
+    }
+}
+
+/// Lines that are neither blank nor comment, up to the tests at a file's end.
+fn code_lines(source: &str) -> usize {
+    let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+    let counts = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with("//");
+    code.lines().filter(counts).count()
+}
