@@ -80,7 +80,7 @@ fn within<F: Binary + Ordered>(alpha: F) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(cases(8000))]
+    #![proptest_config(cases(24_000))]
 
     #[test]
     fn exact_and_float_agree(alpha in alpha()) {
@@ -104,7 +104,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(1000))]
+    #![proptest_config(cases(3000))]
 
     /// Relative errors to first order: v_t u, I_y 3u, W_tt 3u; then μ·I_y 4u and W_tt·μ·I_y 8u;
     /// q/(q + p) is as good as p/q, 9u, and two roundings: 11u; the impulse 4 + 11 + 1 = 16u.

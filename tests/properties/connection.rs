@@ -6,7 +6,7 @@ use crate::strategies::positive;
 use crate::{cases, rational};
 
 proptest! {
-    #![proptest_config(cases(4000))]
+    #![proptest_config(cases(12_000))]
 
     /// Conditions (10) to (13) are limits; with a rate they can be tested at one point:
     /// k + 1 = 2/(1 + α), i_x = 1/(1 + α), 1 − k = 2α/(1 + α), 1 − i_x = α/(1 + α).

@@ -33,7 +33,7 @@ fn gains(sphere: &SphereOnPlane<Rational>) -> Result<bool, TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(cases(1500))]
+    #![proptest_config(cases(4500))]
 
     /// In the normal direction, in the tangential and rotational directions together, in total.
     #[test]

@@ -38,7 +38,7 @@ fn is_odd<L: ImpactLaw, N: Ordered + PartialEq>(
 }
 
 proptest! {
-    #![proptest_config(cases(1000))]
+    #![proptest_config(cases(3000))]
 
     #[test]
     fn odd_symmetry(sphere in sphere(), float in float_sphere()) {
@@ -71,7 +71,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(20_000))]
+    #![proptest_config(cases(60_000))]
 
     /// Whatever eight floats are given: an outcome of finite numbers, or an error that says why.
     #[test]
