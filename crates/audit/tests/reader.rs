@@ -1,7 +1,8 @@
 //! What the reader makes of documents, good and bad.
 
 use kane_algebra::syntax::Notation;
-use kane_audit::{Body, Content, Verdict, read};
+use kane_audit::{Body, Content, Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, Verdict, read};
+use proptest::prelude::*;
 
 const GOOD: &str = r"# Oblique *collision*
 
@@ -40,7 +41,10 @@ claim lim: kK -> 1 as alpha -> 0+ when m > 1 from (W)
 #[test]
 fn the_example_of_the_language_page_is_read() {
     let document = read("good.md", GOOD.as_bytes()).unwrap_or_else(|errors| {
-        panic!("{}", errors.iter().map(ToString::to_string).collect::<String>())
+        panic!(
+            "{}",
+            errors.iter().map(ToString::to_string).collect::<String>()
+        )
     });
     assert_eq!(document.title.as_deref(), Some("Oblique collision"));
     assert_eq!(document.statements.len(), 14);
@@ -67,4 +71,553 @@ fn the_example_of_the_language_page_is_read() {
     };
     assert_eq!(links.len(), 2);
     assert_eq!(&document.text[links[1].1.clone()], "k ≤ 1");
+}
+
+/// The declarations before every statement of the table below; the statement begins on line 7.
+const PRELUDE: &str = "```kane
+var alpha, 0 <= x <= 1, k(alpha), m, n
+let f := x^2
+given (1): x = m
+claim no: contradiction from (1)
+given dom: alpha > 0
+";
+
+/// All diagnostics of a document with this statement in a block after the prelude.
+fn faults(statement: &str) -> Vec<Diagnostic> {
+    let text = format!("{PRELUDE}{statement}\n```\n");
+    read("bad.md", text.as_bytes()).expect_err(statement)
+}
+
+#[test]
+fn each_bad_input_is_told_at_its_place() {
+    // statement, line from its first, column, start of the message
+    let table: &[(&str, usize, usize, &str)] = &[
+        // the list of the issue
+        ("claim (2): y = 1", 1, 12, "unknown symbol `y`"),
+        (
+            "claim (2): x = 1\n  from (1),\n  (9)",
+            3,
+            3,
+            "undeclared label `(9)`",
+        ),
+        (
+            "claim (2): x = 1 from (3)\ngiven (3): m = 1",
+            1,
+            23,
+            "premise below its use: `(3)`",
+        ),
+        (
+            "claim (2): x = 1 from (2)",
+            1,
+            23,
+            "cycle: `(2)` cites itself",
+        ),
+        (
+            "let g := 1 + g",
+            1,
+            14,
+            "cycle: `g` is defined in terms of itself",
+        ),
+        ("given (1): m = 1", 1, 7, "duplicate label `(1)`"),
+        ("given 1: m = 1", 1, 7, "duplicate label `1`"),
+        ("claim (2): x/0 = 1", 1, 14, "division by literal zero"),
+        (
+            "claim (2): (x = 1",
+            1,
+            12,
+            "unbalanced: `(` is never closed",
+        ),
+        ("claim (2): x) = 1", 1, 13, "unbalanced: `)` closes nothing"),
+        ("claim (2): 1.2.3 = x", 1, 12, "malformed number `1.2.3`"),
+        ("claim (2): x = 1e3", 1, 16, "malformed number `1e3`"),
+        ("claim (2): = x", 1, 12, "relation without a left side"),
+        (
+            "claim (2): x = from (1)",
+            1,
+            14,
+            "relation without a right side",
+        ),
+        (
+            "claim (2): x + 1",
+            1,
+            12,
+            "an expression alone is not a relation",
+        ),
+        (
+            "claim (2): x^0.5 = 1",
+            1,
+            14,
+            "the exponent is not an integer",
+        ),
+        (
+            "claim (2): x^m = 1",
+            1,
+            14,
+            "the exponent is not an integer",
+        ),
+        // names
+        ("var m", 1, 5, "`m` is already declared"),
+        ("var f", 1, 5, "`f` is already declared"),
+        ("let k := 1", 1, 5, "`k` is already declared"),
+        ("var μ, mu", 1, 8, "`mu` is already declared"),
+        ("var min", 1, 5, "`min` is a reserved word"),
+        ("let d := 1", 1, 5, "`d` is a reserved word"),
+        ("claim from: x = 1", 1, 7, "`from` is a reserved word"),
+        ("var 1a", 1, 5, "malformed number `1a`"),
+        ("var u(v)", 1, 7, "unknown symbol `v`"),
+        ("var u(k)", 1, 7, "`k` is itself a function"),
+        ("var u(f)", 1, 7, "`f` is a definition"),
+        // domains
+        ("var 1 <= u < 1", 1, 5, "the domain of `u` is empty"),
+        ("var u > 2, 3 < v <= 2", 1, 12, "the domain of `v` is empty"),
+        ("var u < -oo", 1, 5, "the domain of `u` is empty"),
+        ("var 0 < u > 1", 1, 5, "`u` has two lower bounds"),
+        ("var u = 1", 1, 7, "expected `<`, `<=`, `>` or `>=`"),
+        ("var u < m", 1, 9, "this must be a rational constant"),
+        ("var u w", 1, 7, "an operator is missing before `w`"),
+        // limits
+        ("claim (2): k -> 1", 1, 18, "a limit needs `as x -> a`"),
+        (
+            "claim (2): k -> 1 as f -> 0",
+            1,
+            22,
+            "`f` is not a plain `var`",
+        ),
+        (
+            "claim (2): k -> 1 as k -> 0",
+            1,
+            22,
+            "`k` is not a plain `var`",
+        ),
+        ("claim (2): k -> 1 as q -> 0", 1, 22, "unknown symbol `q`"),
+        (
+            "claim (2): k -> k as alpha -> 0",
+            1,
+            17,
+            "the limit must be free of `alpha`",
+        ),
+        (
+            "claim (2): x -> 2*f as x -> 0",
+            1,
+            17,
+            "the limit must be free of `x`",
+        ),
+        (
+            "claim (2): f -> 2 as x -> 2",
+            1,
+            27,
+            "the domain of `x` does not reach",
+        ),
+        (
+            "claim (2): f -> 2 as x -> 1+",
+            1,
+            27,
+            "the domain of `x` does not reach",
+        ),
+        (
+            "claim (2): f -> 2 as x -> 0-",
+            1,
+            27,
+            "the domain of `x` does not reach",
+        ),
+        (
+            "claim (2): f -> 2 as x -> oo",
+            1,
+            27,
+            "the domain of `x` does not reach",
+        ),
+        (
+            "claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0",
+            1,
+            45,
+            "the `when` of a limit",
+        ),
+        // derivatives
+        (
+            "claim (2): d(x*k, alpha) = 0",
+            1,
+            14,
+            "`k` is a function of `alpha`",
+        ),
+        ("claim (2): d(x, k) = 0", 1, 17, "`k` is not a plain `var`"),
+        (
+            "claim (2): d(x*m, x) = m from (1)",
+            1,
+            31,
+            "`(1)` ties `m` to `x`",
+        ),
+        // citations
+        (
+            "claim (2): x = 1 from no",
+            1,
+            23,
+            "`no` states nothing that could be used",
+        ),
+        (
+            "claim (2): not implied no from (1)",
+            1,
+            24,
+            "`no` states nothing",
+        ),
+        (
+            "claim (2): not implied f from (1)",
+            1,
+            24,
+            "`f` is a definition",
+        ),
+        (
+            "claim (2): not implied (1) by q := 1",
+            1,
+            31,
+            "unknown symbol `q`",
+        ),
+        (
+            "claim (2): not implied (1) by m := 1, m := 2",
+            1,
+            39,
+            "`m` is given twice",
+        ),
+        // clauses
+        (
+            "claim (2): x = 1 from (1) when m > 1",
+            1,
+            27,
+            "expected the clauses once each",
+        ),
+        (
+            "claim (2): x = 1 by m := 1",
+            1,
+            18,
+            "expected the end (only `not implied`",
+        ),
+        (
+            "given (2): x = 1 from (1)",
+            1,
+            18,
+            "expected the end (only a claim",
+        ),
+        (
+            "claim (2): x = 1 expect right",
+            1,
+            25,
+            "expected `proved`, `refuted`",
+        ),
+        ("claim (2) x = 1", 1, 11, "expected `:` after the label"),
+        ("claim : x = 1", 1, 7, "expected a label"),
+        ("let g = 1", 1, 5, "expected"),
+        (
+            "lemma (2): x = 1",
+            1,
+            1,
+            "expected `var`, `let`, `given` or `claim`",
+        ),
+    ];
+    for (statement, line, column, message) in table {
+        let found = faults(statement);
+        let first = &found[0];
+        assert!(first.message.starts_with(message), "{statement}: {first}");
+        assert_eq!(
+            (first.line, first.column),
+            (line + 6, *column),
+            "{statement}: {first}"
+        );
+        assert_eq!(found.len(), 1, "{statement}: {found:?}");
+    }
+}
+
+#[test]
+fn all_faults_of_a_document_are_told_at_once() {
+    let found = faults("claim (2): y/0 = z^0.5 from (7)\nvar m\nclaim (1): = 2");
+    let places: Vec<(usize, usize)> = found.iter().map(|f| (f.line, f.column)).collect();
+    assert_eq!(
+        places,
+        [(7, 12), (7, 14), (7, 18), (7, 20), (8, 5), (9, 7), (9, 12)]
+    );
+}
+
+#[test]
+fn a_fault_causes_no_others() {
+    // the label of a broken statement and the name of a broken definition stay known
+    let found = faults("let g := y\nclaim (2): = 1\nclaim (3): g = 1 from (2)");
+    assert_eq!(found.len(), 2, "{found:?}");
+}
+
+#[test]
+fn a_diagnostic_shows_the_line_with_a_caret() {
+    let found = faults("claim (2): Ω*alfa = 1   # comment");
+    let shown: String = found.iter().map(ToString::to_string).collect();
+    let expected = "\
+error: unknown symbol `Ω`
+ --> bad.md:7:12
+  |
+7 | claim (2): Ω*alfa = 1   # comment
+  |            ^
+error: unknown symbol `alfa`
+ --> bad.md:7:14
+  |
+7 | claim (2): Ω*alfa = 1   # comment
+  |              ^^^^
+  = did you mean `alpha`?
+";
+    assert_eq!(shown, expected);
+}
+
+#[test]
+fn hints_say_where_to_look() {
+    let note = |statement: &str| faults(statement)[0].note.clone().unwrap_or_default();
+    assert_eq!(
+        note("claim (2): q = 1\nvar q"),
+        "it is declared below its use, on line 8"
+    );
+    assert_eq!(note("claim (2): x = 1 from (dom1)"), "did you mean `dom`?");
+    assert_eq!(note("given (1): x = 1"), "`(1)` on line 4 has it already");
+    assert!(note("claim (2): 2x = 1").contains("a product needs its `*`"));
+}
+
+#[test]
+fn an_open_block_is_one_fault() {
+    let read_faults = |text: &str| read("bad.md", text.as_bytes()).expect_err("an open block");
+    let found = read_faults("# T\n\n```kane\nvar x\n\nprose goes on (and on\n");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!((found[0].line, found[0].column), (3, 1));
+    assert!(found[0].message.starts_with("unbalanced block"));
+    let found = read_faults("```kane\nvar x\n\nprose\n\n```kane\nvar y\n```\nmore\n");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(
+        found[0].note.as_deref(),
+        Some("another fence opens inside it, on line 6")
+    );
+    let found = read_faults("> ```kane\n> var x\n\nprose\n");
+    assert_eq!((found.len(), found[0].column), (1, 3), "{found:?}");
+    read("good.md", b"> ~~~ kane\n> var x\n>   , y\n> ~~~~~").expect("a closed block");
+    read(
+        "good.md",
+        b"- item\n\n  ```kane\n  var x\n    , y\n  ```\r\n",
+    )
+    .expect("a closed block");
+}
+
+#[test]
+fn indentation_continues_statements() {
+    let text = "```kane\n  # a remark\n\tvar x\n```\n";
+    let found = read("bad.md", text.as_bytes()).expect_err("nothing to continue");
+    assert!(
+        found[0].message.contains("continues a statement"),
+        "{}",
+        found[0]
+    );
+    let text = "```kane\r\nvar x,\r\n\r\n# remark\r\n    y\r\ngiven a: x\r\n  = y\r\n```\r\n";
+    let document = read("good.md", text.as_bytes()).expect("well-formed");
+    assert_eq!(document.context.vars.len(), 2);
+    assert_eq!(
+        document.source(&document.statements[0]),
+        "given a: x\r\n  = y"
+    );
+}
+
+#[test]
+fn other_bytes_than_utf8_are_refused_at_their_place() {
+    let found = read("bad.md", b"# T\n\n```kane\nvar \xff\n```\n").expect_err("not UTF-8");
+    assert_eq!((found[0].line, found[0].column), (4, 5));
+    assert_eq!(found[0].message, "the file is not UTF-8");
+    assert!(found[0].to_string().contains("4 | var \u{fffd}"));
+}
+
+#[test]
+fn documents_without_statements_are_read() {
+    for text in [
+        "",
+        "# Only prose\n",
+        "```rust\nvar\n```\n",
+        "```kane\n```\n",
+        "    var x\n",
+    ] {
+        let document = read("empty.md", text.as_bytes()).expect(text);
+        assert!(document.statements.is_empty());
+    }
+}
+
+#[test]
+fn size_limits_are_told() {
+    let found = read("big.md", &vec![b'a'; MAX_FILE_BYTES + 1]).expect_err("too big");
+    assert!(found[0].message.contains("16777217 bytes"), "{}", found[0]);
+    let mut text = "```kane\nvar x\n".to_owned();
+    for i in 0..=MAX_STATEMENTS {
+        text.push_str(&format!("given a{i}: x=1\n"));
+    }
+    text.push_str("```\n");
+    let found = read("long.md", text.as_bytes()).expect_err("too long");
+    assert_eq!(found[0].line, 3 + MAX_STATEMENTS);
+    assert_eq!(found[0].message, "more than 100000 statements");
+}
+
+#[test]
+fn a_flood_of_faults_is_cut_off() {
+    let text = format!("```kane\n{}```\n", "claim a: nope = nope\n".repeat(100_000));
+    let found = read("bad.md", text.as_bytes()).expect_err("many faults");
+    assert!(found.len() <= 201, "{}", found.len());
+    assert!(
+        found
+            .last()
+            .is_some_and(|f| f.message.contains("there may be more"))
+    );
+}
+
+/// Documents near the good one: pieces of it dropped, doubled, moved, and bytes changed.
+fn mutated() -> impl Strategy<Value = Vec<u8>> {
+    let edits = prop::collection::vec(
+        (
+            any::<prop::sample::Index>(),
+            0_usize..40,
+            0_u8..6,
+            any::<u8>(),
+        ),
+        1..8,
+    );
+    edits.prop_map(|edits| {
+        let mut bytes = GOOD.as_bytes().to_vec();
+        for (at, length, kind, byte) in edits {
+            let start = at.index(bytes.len().max(1)).min(bytes.len());
+            let end = (start + length).min(bytes.len());
+            match kind {
+                0 => drop(bytes.drain(start..end)),
+                1 => {
+                    let piece = bytes[start..end].to_vec();
+                    bytes.splice(start..start, piece);
+                }
+                2 => bytes[start..end].reverse(),
+                3 => bytes.insert(start, byte),
+                4 => bytes.insert(start, b"()`{}\n#=<>-^/*:,;~"[usize::from(byte) % 18]),
+                _ => bytes.truncate(end),
+            }
+        }
+        bytes
+    })
+}
+
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+/// Reads and renders: whatever comes in, the places are in the text and nothing panics.
+fn survives(bytes: &[u8]) {
+    match read("any.md", bytes) {
+        Ok(document) => {
+            for statement in &document.statements {
+                assert!(document.text.get(statement.span.clone()).is_some());
+                assert!(!document.source(statement).is_empty());
+            }
+        }
+        Err(found) => {
+            assert!(!found.is_empty());
+            for diagnostic in found {
+                assert!(diagnostic.line >= 1 && diagnostic.column >= 1);
+                assert!(diagnostic.to_string().len() < 4000, "{diagnostic}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(3000))]
+
+    #[test]
+    fn mutated_documents_never_panic(bytes in mutated()) {
+        survives(&bytes);
+    }
+
+    #[test]
+    fn raw_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        survives(&bytes);
+    }
+
+    #[test]
+    fn raw_text_in_a_block_never_panics(text in "\\PC{0,200}") {
+        survives(format!("```kane\n{text}\n```\n").as_bytes());
+    }
+
+    #[test]
+    fn statements_of_any_words_never_panic(
+        words in prop::collection::vec(prop::sample::select(vec![
+            "var", "let", "given", "claim", "\n", "\n  ", "(1)", "a-b", ":", ":=", "x", "k(x)", "k", "=", "->",
+            "oo", "as", "when", "from", "by", "expect", "proved", "not", "implied", "contradiction",
+            "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
+        ]), 0..60)
+    ) {
+        survives(format!("```kane\n{}\n```\n", words.join(" ")).as_bytes());
+    }
+}
+
+/// A document of about this many bytes, all of it statements.
+fn long_document(bytes: usize) -> String {
+    let mut text = "```kane\nvar x > 0, y, alpha, k(alpha)\ngiven g0: x = y\n".to_owned();
+    let terms = " + 3/4*x*y^2 - abs(x - 0.5)".repeat(6);
+    let mut i = 0;
+    while text.len() < bytes {
+        i += 1;
+        text.push_str(&format!("let f{i} := x{terms} # remark\n"));
+        text.push_str(&format!(
+            "claim g{i}: f{i} <= 0 when y > 1 from g0, g{}\n",
+            i - 1
+        ));
+    }
+    text.push_str("```\n");
+    text
+}
+
+#[test]
+fn ten_megabytes_are_read_in_seconds() {
+    let text = long_document(10_000_000);
+    let start = std::time::Instant::now();
+    let document = read("long.md", text.as_bytes()).expect("well-formed");
+    let time = start.elapsed();
+    println!(
+        "{} statements, {} bytes: {time:?}",
+        document.statements.len(),
+        text.len()
+    );
+    // a slow machine gets ten times what was measured
+    assert!(time.as_secs() < 15, "{time:?}");
+}
+
+#[test]
+fn hostile_documents_end_quickly() {
+    let entangled = {
+        let mut text = "```kane\nvar alpha, k(alpha)\nlet s0 := k\n".to_owned();
+        for i in 1..40_000 {
+            text.push_str(&format!(
+                "let s{i} := s{} + 1\n",
+                if i % 900 == 0 { 0 } else { i - 1 }
+            ));
+            text.push_str(&format!("claim c{i}: k -> s{i} as alpha -> oo\n"));
+        }
+        text + "```\n"
+    };
+    let block = |body: String| format!("```kane\nvar x\ngiven a: x = {body}\n```\n");
+    let hostile = [
+        block("(".repeat(9_000_000)),
+        block("x+".repeat(4_000_000)),
+        block("x^".repeat(4_000_000)),
+        block("-".repeat(9_000_000)),
+        block("9".repeat(9_000_000)),
+        block(format!("0.{}5+", "9".repeat(9_990)).repeat(900)),
+        block("x,x=".repeat(2_000_000)),
+        format!("```kane\nvar {}\n```\n", "a,".repeat(4_000_000)),
+        "`".repeat(9_000_000),
+        "```kane\n".repeat(1_000_000),
+        "> ".repeat(4_000_000),
+        entangled,
+    ];
+    for text in hostile {
+        let start = std::time::Instant::now();
+        let outcome = read("hostile.md", text.as_bytes());
+        let time = start.elapsed();
+        let head: String = text.chars().take(40).collect();
+        println!("{time:?} {} {head:?}", outcome.is_ok());
+        assert!(time.as_secs() < 15, "{time:?} for {head:?}");
+    }
 }

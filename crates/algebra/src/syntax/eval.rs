@@ -8,6 +8,7 @@ use std::collections::HashMap;
 
 use kane_kernel::{Context, Expr, Rel, Relation};
 use num_rational::BigRational;
+use num_traits::Zero;
 use thiserror::Error;
 
 use super::jet::Jet;
@@ -85,8 +86,10 @@ pub fn holds(
 pub struct Evaluator<'a> {
     context: &'a Context,
     point: &'a [BigRational],
-    /// values of definitions under the present `moved`
+    /// values of definitions at the point
     known: HashMap<usize, Result<Jet, NoValue>>,
+    /// values of definitions under the present `moved`
+    known_moved: HashMap<usize, Result<Jet, NoValue>>,
     /// symbols under differentiation, outermost first; the level is the position, from 1
     moved: Vec<(usize, Jet)>,
 }
@@ -99,6 +102,7 @@ impl<'a> Evaluator<'a> {
             context,
             point,
             known: HashMap::new(),
+            known_moved: HashMap::new(),
             moved: Vec::new(),
         }
     }
@@ -134,11 +138,18 @@ impl<'a> Evaluator<'a> {
         Ok(true)
     }
 
+    /// How two values at the point compare. Under a derivative they must differ: where they meet,
+    /// another branch may be taken within every neighbourhood.
     fn compare(&mut self, a: &Expr, b: &Expr) -> Result<Ordering, NoValue> {
-        let (a, b) = self.both(a, b)?;
-        let order = a.real().cmp(b.real());
-        // where a moving value meets its bound, the branch may change within every neighbourhood
-        if order.is_eq() && (a.is_dual() || b.is_dual()) {
+        let moved = std::mem::take(&mut self.moved);
+        let values = self.both(a, b);
+        self.moved = moved;
+        let (a, b) = values?;
+        self.apart(a.real().cmp(b.real()))
+    }
+
+    fn apart(&self, order: Ordering) -> Result<Ordering, NoValue> {
+        if order.is_eq() && !self.moved.is_empty() {
             return Err(NoValue::NotDifferentiable);
         }
         Ok(order)
@@ -168,7 +179,7 @@ impl<'a> Evaluator<'a> {
             Expr::Abs(a) => self.magnitude(a),
             Expr::Min(a, b) => self.choose(a, b, Ordering::Less),
             Expr::Max(a, b) => self.choose(a, b, Ordering::Greater),
-            Expr::Sqrt(a) => self.jet(a)?.sqrt(),
+            Expr::Sqrt(a) => self.root(a),
             Expr::Deriv(f, x) => self.derivative(f, *x),
             Expr::Cases(branches, otherwise) => self.cases(branches, otherwise.as_deref()),
         }
@@ -184,43 +195,56 @@ impl<'a> Evaluator<'a> {
     }
 
     fn definition(&mut self, index: usize) -> Result<Jet, NoValue> {
-        if let Some(known) = self.known.get(&index) {
+        let moving = !self.moved.is_empty();
+        let known = if moving {
+            &self.known_moved
+        } else {
+            &self.known
+        };
+        if let Some(known) = known.get(&index) {
             return known.clone();
         }
         let context = self.context;
         let definition = context.lets.get(index).ok_or(NoValue::Unassigned)?;
         let result = self.jet(&definition.body);
-        self.known.insert(index, result.clone());
+        let known = if moving {
+            &mut self.known_moved
+        } else {
+            &mut self.known
+        };
+        known.insert(index, result.clone());
         result
     }
 
     fn quotient(&mut self, a: &Expr, b: &Expr) -> Result<Jet, NoValue> {
-        let divisor = self.jet(b).and_then(Jet::reciprocal);
-        match (self.jet(a), divisor) {
-            (Ok(a), Ok(inverse)) => a.mul(inverse),
-            (Err(reason), Err(other)) if other.is_undefined() && !reason.is_undefined() => {
-                Err(other)
-            }
-            (Err(reason), _) | (_, Err(reason)) => Err(reason),
-        }
+        let inverse = self.jet(b).and_then(Jet::reciprocal);
+        let (a, inverse) = pair(self.jet(a), inverse)?;
+        a.mul(inverse)
     }
 
     fn magnitude(&mut self, a: &Expr) -> Result<Jet, NoValue> {
         let a = self.jet(a)?;
-        match a.real().cmp(&BigRational::from_integer(0.into())) {
-            Ordering::Equal if a.is_dual() => Err(NoValue::NotDifferentiable),
+        match self.apart(a.real().cmp(&BigRational::zero()))? {
             Ordering::Less => Ok(a.neg()),
-            _ => Ok(a),
+            Ordering::Equal | Ordering::Greater => Ok(a),
         }
     }
 
+    fn root(&mut self, a: &Expr) -> Result<Jet, NoValue> {
+        let a = self.jet(a)?;
+        self.apart(a.real().cmp(&BigRational::zero()))?;
+        a.sqrt()
+    }
+
     fn choose(&mut self, a: &Expr, b: &Expr, wanted: Ordering) -> Result<Jet, NoValue> {
-        let (a, b) = self.both(a, b)?;
-        let order = a.real().cmp(b.real());
-        if order.is_eq() && (a.is_dual() || b.is_dual()) {
-            return Err(NoValue::NotDifferentiable);
+        if self.moved.is_empty() {
+            let (a, b) = self.both(a, b)?;
+            let order = a.real().cmp(b.real());
+            return Ok(if order == wanted { a } else { b });
         }
-        Ok(if order == wanted { a } else { b })
+        // only the branch taken must have a derivative
+        let order = self.compare(a, b)?;
+        self.jet(if order == wanted { a } else { b })
     }
 
     fn cases(
@@ -243,11 +267,20 @@ impl<'a> Evaluator<'a> {
         let at = self.symbol(x)?;
         let level = self.moved.len() + 1;
         self.moved.push((x, Jet::dual(level, at, Jet::one())));
-        let known = std::mem::take(&mut self.known);
+        let known = std::mem::take(&mut self.known_moved);
         let result = self.jet(f);
-        self.known = known;
+        self.known_moved = known;
         self.moved.pop();
         Ok(result?.split(level).1.unwrap_or_else(Jet::zero))
+    }
+}
+
+/// Both, or the reason why not: that one is undefined outweighs that the other is out of reach.
+fn pair(a: Result<Jet, NoValue>, b: Result<Jet, NoValue>) -> Result<(Jet, Jet), NoValue> {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok((a, b)),
+        (Err(a), Err(b)) if b.is_undefined() && !a.is_undefined() => Err(b),
+        (Err(reason), _) | (_, Err(reason)) => Err(reason),
     }
 }
 

@@ -69,11 +69,6 @@ impl Jet {
         }
     }
 
-    /// Whether it carries any ε.
-    pub(crate) fn is_dual(&self) -> bool {
-        matches!(self, Self::Dual(_))
-    }
-
     pub(crate) fn neg(self) -> Self {
         match self {
             Self::Real(value) => Self::Real(-value),
@@ -154,7 +149,6 @@ impl Jet {
         match self {
             Self::Real(value) if value.is_negative() => Err(NoValue::NegativeRadicand),
             Self::Real(value) => exact_root(&value).map(Self::Real),
-            Self::Dual(dual) if dual.value.real().is_zero() => Err(NoValue::NotDifferentiable),
             Self::Dual(dual) => {
                 let root = dual.value.sqrt()?;
                 let twice = root.clone().add(root.clone())?;

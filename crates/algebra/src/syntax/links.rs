@@ -125,7 +125,9 @@ impl Parser<'_> {
                 kind: SyntaxErrorKind::NoRelation,
                 span: alone,
             }),
-            _ => Err(self.unexpected("a relation")),
+            _ => Err(self
+                .missing_operator()
+                .unwrap_or_else(|| self.unexpected("a relation"))),
         }
     }
 

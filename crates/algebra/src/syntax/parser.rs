@@ -280,25 +280,22 @@ impl<'a> Parser<'a> {
     /// # Errors
     /// At the first token that is left.
     pub fn expect_end(&mut self) -> Result<(), SyntaxError> {
-        match self.token {
-            Token::End => Ok(()),
-            Token::Number | Token::Name | Token::OpenParen | Token::OpenBrace => {
-                let kind = if self.at_reserved() {
-                    SyntaxErrorKind::Expected {
-                        expected: "the end of the statement".to_owned(),
-                        found: self.found(),
-                    }
-                } else {
-                    SyntaxErrorKind::ImplicitProduct(self.found())
-                };
-                Err(self.fault(kind))
-            }
-            _ => Err(self.unexpected("an operator or the end")),
+        if self.token == Token::End {
+            return Ok(());
         }
+        Err(self
+            .missing_operator()
+            .unwrap_or_else(|| self.unexpected("an operator or the end of the statement")))
     }
 
-    fn at_reserved(&self) -> bool {
-        self.token == Token::Name && RESERVED.contains(&self.lexeme())
+    /// The fault that two operands stand side by side, if an operand is ahead.
+    pub(crate) fn missing_operator(&self) -> Option<SyntaxError> {
+        let operand = match self.token {
+            Token::Number | Token::OpenParen => true,
+            Token::Name => !RESERVED.contains(&self.lexeme()),
+            _ => false,
+        };
+        operand.then(|| self.fault(SyntaxErrorKind::ImplicitProduct(self.found())))
     }
 
     /// Passes one expression.
@@ -438,7 +435,7 @@ impl<'a> Parser<'a> {
             Token::Number => {
                 let text = self.lexeme();
                 self.advance();
-                if text.len() > MAX_DIGITS + 1 {
+                if text.len() - usize::from(text.contains('.')) > MAX_DIGITS {
                     self.report(SyntaxErrorKind::LiteralTooLong, span.clone());
                     return self.build(Expr::Num(BigInt::from(1).into()), span, 1);
                 }
@@ -469,13 +466,10 @@ impl<'a> Parser<'a> {
         if self.accept(token) {
             return Ok(self.last_end());
         }
+        if let Some(error) = self.missing_operator() {
+            return Err(error);
+        }
         match self.token {
-            Token::Number | Token::OpenParen => {
-                Err(self.fault(SyntaxErrorKind::ImplicitProduct(self.found())))
-            }
-            Token::Name if !self.at_reserved() => {
-                Err(self.fault(SyntaxErrorKind::ImplicitProduct(self.found())))
-            }
             Token::BadNumber | Token::Stray(_) => Err(self.unexpected("an operator")),
             _ => Err(SyntaxError {
                 kind: SyntaxErrorKind::Unclosed(opener),

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use kane_kernel::{Context, Definition, Expr, Relation, Var};
+use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
 use super::names::{RESERVED, canonical_name};
@@ -139,12 +139,16 @@ impl Scope {
     /// Operations on the longest path from the root to a leaf, definitions expanded; a leaf has 1.
     #[must_use]
     pub fn height(&self, expr: &Expr) -> usize {
-        let mut deepest = match expr {
+        let below = match expr {
             Expr::Let(index) => self.height_of_let(*index),
-            _ => 0,
+            _ => expr
+                .children()
+                .iter()
+                .map(|child| self.height(child))
+                .max()
+                .unwrap_or(0),
         };
-        for_each_child(expr, &mut |child| deepest = deepest.max(self.height(child)));
-        deepest + 1
+        below + 1
     }
 
     pub(crate) fn height_of_let(&self, index: usize) -> usize {
@@ -168,7 +172,7 @@ impl Scope {
             {
                 pending.push(&definition.body);
             }
-            for_each_child(node, &mut |child| pending.push(child));
+            pending.extend(node.children());
         }
     }
 
@@ -203,34 +207,5 @@ impl Scope {
             }
         });
         varies
-    }
-}
-
-/// Calls `see` on the direct sub-expressions, guards of cases included, in the order of the text.
-pub(crate) fn for_each_child<'a>(expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
-    match expr {
-        Expr::Num(_) | Expr::Var(_) | Expr::Let(_) => {}
-        Expr::Neg(a) | Expr::Pow(a, _) | Expr::Abs(a) | Expr::Sqrt(a) | Expr::Deriv(a, _) => see(a),
-        Expr::Add(a, b)
-        | Expr::Sub(a, b)
-        | Expr::Mul(a, b)
-        | Expr::Div(a, b)
-        | Expr::Min(a, b)
-        | Expr::Max(a, b) => {
-            see(a);
-            see(b);
-        }
-        Expr::Cases(branches, otherwise) => {
-            for (guards, value) in branches {
-                for Relation { lhs, rhs, .. } in guards {
-                    see(lhs);
-                    see(rhs);
-                }
-                see(value);
-            }
-            if let Some(value) = otherwise {
-                see(value);
-            }
-        }
     }
 }

@@ -1,0 +1,183 @@
+use kane_algebra::syntax::{Notation, literal, parse_expr, parse_relations, parse_sentence};
+use kane_kernel::{Expr, Rel, Relation};
+use proptest::prelude::*;
+
+use super::{ratio, scope};
+
+/// All that the parser can produce over the test scope: non-negative decimals, any structure.
+fn expressions() -> impl Strategy<Value = Expr> {
+    let decimal = (0_i64..200, 0_u32..4).prop_map(|(n, places)| ratio(n, 10_i64.pow(places)));
+    let leaf = prop_oneof![
+        decimal.prop_map(Expr::Num),
+        (0_usize..4).prop_map(Expr::Var),
+        Just(Expr::Let(0)),
+    ];
+    leaf.prop_recursive(6, 40, 4, |inner| {
+        let two = (inner.clone(), inner.clone()).prop_map(|(a, b)| (Box::new(a), Box::new(b)));
+        let guards = prop::collection::vec(relations_of(inner.clone()), 1..3);
+        let branches = prop::collection::vec((guards, inner.clone()), 1..3);
+        prop_oneof![
+            inner.clone().prop_map(|a| Expr::Neg(a.into())),
+            two.clone().prop_map(|(a, b)| Expr::Add(a, b)),
+            two.clone().prop_map(|(a, b)| Expr::Sub(a, b)),
+            two.clone().prop_map(|(a, b)| Expr::Mul(a, b)),
+            two.clone().prop_map(|(a, b)| Expr::Div(a, b)),
+            two.clone().prop_map(|(a, b)| Expr::Min(a, b)),
+            two.prop_map(|(a, b)| Expr::Max(a, b)),
+            (inner.clone(), -4_i32..5).prop_map(|(a, n)| Expr::Pow(a.into(), n)),
+            inner.clone().prop_map(|a| Expr::Abs(a.into())),
+            inner.clone().prop_map(|a| Expr::Sqrt(a.into())),
+            (inner.clone(), 0_usize..4).prop_map(|(f, x)| Expr::Deriv(f.into(), x)),
+            (branches, prop::option::of(inner))
+                .prop_map(|(branches, last)| Expr::Cases(branches, last.map(Box::new))),
+        ]
+    })
+}
+
+fn relations_of(sides: impl Strategy<Value = Expr> + Clone) -> impl Strategy<Value = Relation> {
+    let rel = prop::sample::select(vec![Rel::Eq, Rel::Ne, Rel::Lt, Rel::Le, Rel::Gt, Rel::Ge]);
+    (sides.clone(), rel, sides).prop_map(|(lhs, rel, rhs)| Relation { lhs, rel, rhs })
+}
+
+/// Pieces of the language in any order, most of them nonsense.
+fn soup() -> impl Strategy<Value = String> {
+    let words = vec![
+        "x", "y", "mu", "μ", "alpha", "k", "f", "zz", "1", "0", "0.5", "12.", "+", "-", "−", "*",
+        "/", "^", "^2", "(", ")", "{", "}", ",", ";", ":", ":=", "->", "=", "<", "<=", "≠", "oo",
+        "∞", "abs(", "sqrt(", "min(", "d(", "cases {", "else", "when", "as", "from", "#", "\n",
+        "é",
+    ];
+    prop::collection::vec(prop::sample::select(words), 0..30).prop_map(|parts| parts.join(" "))
+}
+
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    #[test]
+    fn what_is_printed_reads_back_as_the_same(e in expressions()) {
+        let text = e.plain(scope().context());
+        match parse_expr(&text, &scope()) {
+            Ok(back) => prop_assert_eq!(back, e, "text {}", text),
+            // the only expressions here that the parser refuses
+            Err(errors) => {
+                for error in errors {
+                    prop_assert!(error.to_string().contains("literal zero"), "{text}: {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn printed_relations_read_back_as_the_same(
+        list in prop::collection::vec(relations_of((0_usize..4).prop_map(Expr::Var)), 1..6)
+    ) {
+        let text = list.plain(scope().context());
+        prop_assert_eq!(parse_relations(&text, &scope()), Ok(list));
+    }
+
+    #[test]
+    fn any_text_is_parsed_or_refused_and_prints_back(text in soup()) {
+        if let Ok(sentence) = parse_sentence(&text, &scope()) {
+            let printed = sentence.plain(scope().context());
+            prop_assert_eq!(parse_sentence(&printed, &scope()), Ok(sentence), "{}", printed);
+        }
+        if let Ok(e) = parse_expr(&text, &scope()) {
+            let printed = e.plain(scope().context());
+            prop_assert_eq!(parse_expr(&printed, &scope()), Ok(e), "{}", printed);
+        }
+    }
+
+    #[test]
+    fn latex_is_balanced(e in expressions()) {
+        let latex = e.latex(scope().context());
+        let count = |what: &str| latex.matches(what).count();
+        prop_assert_eq!(count("{"), count("}"));
+        prop_assert_eq!(count("\\left"), count("\\right"));
+        prop_assert_eq!(count("\\begin"), count("\\end"));
+    }
+}
+
+#[test]
+fn parentheses_are_as_few_as_it_takes() {
+    for text in [
+        "x + y - mu",
+        "x - (y - mu)",
+        "-x*y/mu",
+        "-(x + y)^2",
+        "(-x)^2",
+        "x^2*y^-3",
+        "x*(y/mu)",
+        "4/3*x",
+        "(x + 1)/(y*mu)",
+        "0.4*x",
+    ] {
+        let e = parse_expr(text, &scope()).expect(text);
+        assert_eq!(e.plain(scope().context()), text);
+    }
+}
+
+#[test]
+fn numbers_that_nobody_wrote_keep_their_meaning() {
+    let context = scope().into_context();
+    let plain = |n, d| Expr::Num(ratio(n, d)).plain(&context);
+    assert_eq!(plain(1, 3), "1/3");
+    assert_eq!(plain(-1, 3), "-1/3");
+    assert_eq!(plain(-2, 5), "-0.4");
+    assert_eq!(literal(&ratio(-2, 5)).plain(&context), "-2/5");
+    assert_eq!(literal(&ratio(7, 1)).plain(&context), "7");
+    let squared = Expr::Pow(Expr::Num(ratio(-1, 3)).into(), 2);
+    assert_eq!(squared.plain(&context), "(-1/3)^2");
+}
+
+#[test]
+fn sentences_print_whole() {
+    for text in [
+        "0 <= x < y, x = 1 when mu > 0",
+        "k -> -1, x*k -> oo as alpha -> 1/2+ when x != 0, y > 1",
+        "k -> x/2 as alpha -> -oo",
+    ] {
+        let sentence = parse_sentence(text, &scope()).expect(text);
+        assert_eq!(sentence.plain(scope().context()), text);
+    }
+}
+
+#[test]
+fn latex_reads_like_print() {
+    for (text, latex) in [
+        (
+            "(1 - alpha)/(1 + alpha) = k",
+            "\\frac{1 - \\alpha}{1 + \\alpha} = k",
+        ),
+        ("4/3*alpha >= 2*3", "\\frac{4}{3} \\alpha \\ge 2 \\cdot 3"),
+        ("(x/y)^2 != -x", "\\left(\\frac{x}{y}\\right)^{2} \\ne -x"),
+        (
+            "-(x + y) < abs(x)",
+            "-\\left(x + y\\right) < \\left|x\\right|",
+        ),
+        ("x*(x + y) = sqrt(2)", "x \\left(x + y\\right) = \\sqrt{2}"),
+        (
+            "d(x^2, x) = min(x, y)",
+            "\\frac{\\mathrm{d}}{\\mathrm{d}x}\\left(x^{2}\\right) = \\min\\left(x, y\\right)",
+        ),
+        (
+            "x = cases { x < 3/4: 1; else: 2 }",
+            "x = \\begin{cases} 1 & \\text{if } x < \\frac{3}{4} \\\\ 2 & \\text{otherwise} \\end{cases}",
+        ),
+        (
+            "k -> -1 as alpha -> 0+ when mu > 0",
+            "k \\to -1 \\text{ as } \\alpha \\to 0^{+} \\quad\\text{when } \\mu > 0",
+        ),
+        ("0 < x < 1, y = 1", "0 < x < 1,\\; y = 1"),
+    ] {
+        let sentence = parse_sentence(text, &scope()).expect(text);
+        assert_eq!(sentence.latex(scope().context()), latex);
+    }
+}
