@@ -76,9 +76,26 @@ pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
     if d.vars().iter().any(|v| d.degree(*v) > p.degree(*v)) {
         return None;
     }
+    if let (1, Some((m, c))) = (d.len(), d.terms().next()) {
+        return monomial_quotient(p, m, c.is_negative());
+    }
     let ring = Ring::of(&[p, d]);
     let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
     r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
+}
+
+fn monomial_quotient(p: &Poly, m: &Monomial, negative: bool) -> Option<Poly> {
+    let mut out = Poly::default();
+    for (n, c) in p.terms() {
+        let mut rest = n.clone();
+        for &(v, e) in m {
+            let have = rest.iter_mut().find(|x| x.0 == v)?;
+            have.1 = have.1.checked_sub(e)?;
+        }
+        rest.retain(|x| x.1 > 0);
+        out.add_term(rest, if negative { -c } else { c.clone() });
+    }
+    Some(out.primitive().1)
 }
 
 /// p/g and q/g for the greatest common divisor g, as primitive polynomials up to a common rational
@@ -130,4 +147,35 @@ pub fn univariate(p: &Poly, v: usize) -> Option<Vec<BigInt>> {
         coefficients.pop();
     }
     Some(coefficients)
+}
+
+/// A Gröbner basis of a few polynomials, with the way back to them.
+#[derive(Debug)]
+pub struct Ideal {
+    ring: Ring,
+    basis: groebner::LiftBasis<BigRational>,
+}
+
+impl Ideal {
+    /// The ideal of `generators` in a ring that also holds `others`. Nothing bounds the time of the
+    /// library: the caller bounds the size.
+    #[must_use]
+    pub fn new(generators: &[&Poly], others: &[&Poly]) -> Option<Self> {
+        let ring = Ring::of(&[generators, others].concat());
+        let outward: Vec<_> = generators.iter().map(|p| ring.outward(p)).collect();
+        let basis = groebner::LiftBasis::new(&outward).ok()?;
+        Some(Self { ring, basis })
+    }
+
+    /// Cofactors h and a positive integer c with c·p = Σ hᵢ·generatorᵢ, if p is in the ideal.
+    #[must_use]
+    pub fn lift(&self, p: &Poly) -> Option<(Vec<Poly>, BigInt)> {
+        let lift = self.basis.lift(&self.ring.outward(p)).ok()??;
+        let parts: Vec<(Poly, BigInt)> = lift.iter().map(|h| self.ring.inward(h)).collect();
+        let common = parts
+            .iter()
+            .fold(BigInt::one(), |l, (_, d)| num_integer::lcm(l, d.clone()));
+        let whole = parts.iter().map(|(p, d)| p.scale(&(&common / d)));
+        Some((whole.collect(), common))
+    }
 }

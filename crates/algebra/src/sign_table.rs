@@ -237,7 +237,7 @@ pub fn refine(root: &mut Root) {
             root.lo = mid.clone();
             root.hi = mid;
         }
-        (s, 0) => {
+        (_, 0) => {
             // Both ends may be other roots; Descartes' rule is exact on halves with one root or none.
             let plenty = Fuel::new(u64::MAX);
             match descartes(&root.poly, Some(&root.lo), Some(&mid), &plenty) {

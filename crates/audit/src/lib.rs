@@ -2,9 +2,14 @@
 #![deny(clippy::float_arithmetic)]
 
 mod document;
+mod explain;
+mod judge;
+mod prove;
 mod reader;
 mod verdict;
 
 pub use document::*;
+pub use judge::{Options, audit};
+pub use prove::Budget;
 pub use reader::{Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, read};
 pub use verdict::*;

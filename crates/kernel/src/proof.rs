@@ -82,10 +82,8 @@ pub enum Proof {
         atom: usize,
         /// indices of atoms > 0 or ≠ 0, with powers (even ones for ≠ 0 below an inequality)
         factors: Vec<(usize, u32)>,
-        /// what is left, times a positive integer
+        /// what is left, up to a positive factor
         quotient: Poly,
-        /// atom = content · quotient · factors
-        content: BigInt,
         /// the rest
         then: Box<Proof>,
     },

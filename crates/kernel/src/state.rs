@@ -64,9 +64,8 @@ impl<'s, 'g> State<'s, 'g> {
                 atom,
                 factors,
                 quotient,
-                content,
                 then,
-            } => self.cancel(*atom, factors, quotient, content)?.refute(then),
+            } => self.cancel(*atom, factors, quotient)?.refute(then),
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
             Proof::Nonzero { factors, cofactors } => {
                 let known = self.product(factors, false)?;
@@ -186,16 +185,16 @@ impl<'s, 'g> State<'s, 'g> {
         atom: usize,
         factors: &[(usize, u32)],
         quotient: &Poly,
-        content: &BigInt,
     ) -> Result<Self, Rejection> {
         let old = self.atom(atom)?;
         let order = matches!(old.sign, Sign::Positive | Sign::NonNegative);
-        if factors.iter().any(|f| f.0 == atom) || !content.is_positive() {
+        if factors.iter().any(|f| f.0 == atom) {
             return Err(Rejection::MayVanish);
         }
         let known = self.product(factors, order)?;
-        let product = known.mul(&quotient.scale(content), &self.scope.fuel)?;
-        if product != old.poly {
+        let product = known.mul(quotient, &self.scope.fuel)?;
+        // Equal up to a positive rational factor.
+        if product.primitive().1 != old.poly.primitive().1 {
             return Err(Rejection::NotAnIdentity);
         }
         let mut next = self.clone();

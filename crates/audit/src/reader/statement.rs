@@ -209,9 +209,11 @@ fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
 /// `[LABEL] NAME :=`
 fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (rest, _) = p.rest();
-    let is_name = label::length(rest)
-        .and_then(|length| rest.get(length..))
-        .is_some_and(|after| after.trim_start().starts_with(":="));
+    // two words in a row are a label and a name
+    let is_name = !rest.starts_with('(')
+        && label::length(rest)
+            .and_then(|length| rest.get(length..))
+            .is_some_and(|after| !after.trim_start().starts_with(char::is_alphabetic));
     let label = if is_name { None } else { Some(label::take(p)?) };
     let (name, site) = p.name()?;
     p.expect(Token::Define, "`:=` after the name")?;

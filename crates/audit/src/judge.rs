@@ -1,0 +1,249 @@
+//! Judging a document: goals out of statements, verdicts out of findings.
+
+use kane_algebra::syntax::Notation;
+use kane_kernel::{Conclusion, Evidence, Finding, Goal, Hypothesis, Model, Sentence};
+
+use crate::explain;
+use crate::prove::{Budget, Prover, Verdicts};
+use crate::{Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
+
+/// What to judge, and with how much effort.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// indices of the claims to judge, with all that they cite; `None` for all
+    pub only: Option<Vec<usize>>,
+    /// effort a link
+    pub budget: Budget,
+}
+
+/// Judges a document. `progress` is told, before each statement, its index and their number.
+pub fn audit(
+    document: Document,
+    options: &Options,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Audit {
+    let count = document.statements.len();
+    let wanted = wanted(&document, options);
+    let mut judgements: Vec<Judgement> = Vec::with_capacity(count);
+    for (i, wanted) in wanted.into_iter().enumerate() {
+        progress(i, count);
+        let judgement = match &document.statements[i].body {
+            Body::Let(_) => plain_verdict(Verdict::Defined, Vec::new()),
+            Body::Given(_) => plain_verdict(Verdict::Assumed, vec![i]),
+            Body::Claim(claim) if wanted => judge(&document, claim, &judgements, options),
+            Body::Claim(_) => plain_verdict(Verdict::Undecided, Vec::new()),
+        };
+        judgements.push(judgement);
+    }
+    Audit { document, judgements }
+}
+
+/// The statements that are asked for and all that they cite.
+fn wanted(document: &Document, options: &Options) -> Vec<bool> {
+    let count = document.statements.len();
+    let Some(only) = &options.only else {
+        return vec![true; count];
+    };
+    let mut wanted = vec![false; count];
+    let mut todo = only.clone();
+    while let Some(i) = todo.pop() {
+        if i < count && !std::mem::replace(&mut wanted[i], true) {
+            if let Body::Claim(claim) = &document.statements[i].body {
+                todo.extend(&claim.from);
+                if let Content::NotImplied(m) = claim.content {
+                    todo.push(m);
+                }
+            }
+        }
+    }
+    wanted
+}
+
+fn plain_verdict(verdict: Verdict, rests_on: Vec<usize>) -> Judgement {
+    Judgement {
+        verdict,
+        conditional: verdict,
+        links: Vec::new(),
+        unproved: Vec::new(),
+        rests_on,
+        model: None,
+        expect: None,
+    }
+}
+
+/// A statement as a premise.
+fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
+    match &document.statements[i].body {
+        Body::Let(_) => None,
+        Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
+        Body::Claim(claim) => Some(Hypothesis { sentence: sentence(claim)?, given: false }),
+    }
+}
+
+/// A claim's sentence; `None` for a claim that says nothing pointwise.
+fn sentence(claim: &Claim) -> Option<Sentence> {
+    match &claim.content {
+        Content::Links(links) => Some(Sentence {
+            when: claim.when.clone(),
+            links: links.iter().map(|(l, _)| l.clone()).collect(),
+        }),
+        Content::Contradiction | Content::NotImplied(_) => None,
+    }
+}
+
+fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Options) -> Judgement {
+    let unproved: Vec<usize> = claim
+        .from
+        .iter()
+        .copied()
+        .filter(|&i| !matches!(done[i].verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined))
+        .collect();
+    let mut rests_on: Vec<usize> =
+        claim.from.iter().flat_map(|&i| done[i].rests_on.iter().copied()).collect();
+    rests_on.sort_unstable();
+    rests_on.dedup();
+
+    let cited: Vec<usize> =
+        claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect();
+    let hypotheses: Vec<Hypothesis> =
+        cited.iter().filter_map(|&i| hypothesis(document, i)).collect();
+    let behind = rests_on.iter().filter(|i| !cited.contains(i));
+    let behind: Vec<Hypothesis> = behind.filter_map(|&i| hypothesis(document, i)).collect();
+
+    let conclusions: Vec<(Conclusion, String, String)> = match &claim.content {
+        Content::Links(links) => links
+            .iter()
+            .map(|(l, _)| {
+                let text = l.plain(&document.context);
+                (Conclusion::Link(l.clone()), text, l.latex(&document.context))
+            })
+            .collect(),
+        Content::Contradiction => {
+            let text = "contradiction".to_string();
+            vec![(Conclusion::Contradiction, text.clone(), format!("\\text{{{text}}}"))]
+        }
+        Content::NotImplied(m) => match premise_sentence(document, *m) {
+            Some(sentence) => {
+                let label = &document.statements[*m].label;
+                let text = format!("not implied {label}");
+                let latex = format!("\\text{{not implied }}{label}");
+                vec![(Conclusion::NotImplied(sentence), text, latex)]
+            }
+            None => Vec::new(),
+        },
+    };
+    let mut links = Vec::new();
+    let mut model = None;
+    for (conclusion, text, latex) in conclusions {
+        let goal = Goal {
+            context: document.context.clone(),
+            hypotheses: hypotheses.clone(),
+            when: claim.when.clone(),
+            conclusion,
+        };
+        let resting = Goal {
+            hypotheses: [&hypotheses[..], &behind[..]].concat(),
+            ..goal.clone()
+        };
+        let prover = Prover { budget: options.budget, by: &claim.by, resting: &resting };
+        let found = prover.judge(&goal);
+        if model.is_none() {
+            model = found.model.as_ref().map(|m| explain::model(&goal, m));
+        }
+        links.push(link_judgement(document, &goal, &resting, &cited, found, text, latex));
+    }
+    let worst = links.iter().map(|l| rank(l.verdict)).max().map_or(Verdict::Undecided, |r| r.1);
+    Judgement {
+        verdict: if unproved.is_empty() { worst } else { Verdict::Unsupported },
+        conditional: worst,
+        links,
+        unproved,
+        rests_on,
+        model,
+        expect: claim.expect,
+    }
+}
+
+fn premise_sentence(document: &Document, i: usize) -> Option<Sentence> {
+    hypothesis(document, i).map(|h| h.sentence)
+}
+
+/// Worse is larger.
+fn rank(v: Verdict) -> (u8, Verdict) {
+    let rank = match v {
+        Verdict::Vacuous => 5,
+        Verdict::IllDefined => 4,
+        Verdict::Refuted => 3,
+        Verdict::Undecided => 2,
+        _ => 1,
+    };
+    (rank, v)
+}
+
+fn link_judgement(
+    document: &Document,
+    goal: &Goal,
+    resting: &Goal,
+    cited: &[usize],
+    found: Verdicts,
+    text: String,
+    latex: String,
+) -> LinkJudgement {
+    let verdict = match found.decided.as_ref().map(|c| c.finding) {
+        Some(Finding::Proved) => Verdict::Proved,
+        Some(Finding::Refuted) => Verdict::Refuted,
+        Some(Finding::IllDefined) => Verdict::IllDefined,
+        Some(Finding::Vacuous) => Verdict::Vacuous,
+        Some(Finding::Consistent) | None => Verdict::Undecided,
+    };
+    let labels: Vec<&str> = cited.iter().map(|&i| document.statements[i].label.as_str()).collect();
+    let (reason, steps, used) = match &found.decided {
+        Some(certificate) => {
+            let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
+            let told = explain::certificate(whose, certificate, &labels);
+            let holds = matches!(certificate.evidence, Evidence::Model(_))
+                .then(|| also_holds(goal, resting, certificate))
+                .flatten();
+            let reason = match holds {
+                Some(note) => format!("{}{note}", told.reason),
+                None => told.reason,
+            };
+            let used = told.used.iter().filter_map(|&i| cited.get(i).copied()).collect();
+            (reason, told.steps, used)
+        }
+        None => (found.reason, Vec::new(), Vec::new()),
+    };
+    LinkJudgement {
+        text,
+        latex,
+        verdict,
+        reason,
+        certificate: found.decided.as_ref().map(|c| format!("{:032x}", kane_kernel::digest(c))),
+        used,
+        steps,
+        cost: found.cost,
+    }
+}
+
+/// Whether a point against a claim also satisfies the givens behind what it cites.
+fn also_holds(
+    goal: &Goal,
+    resting: &Goal,
+    certificate: &kane_kernel::Certificate,
+) -> Option<&'static str> {
+    if goal.hypotheses.len() == resting.hypotheses.len() {
+        return None;
+    }
+    let Evidence::Model(Model::Point(_)) = &certificate.evidence else {
+        return None;
+    };
+    let again = kane_kernel::Certificate {
+        goal: kane_kernel::digest(resting),
+        ..certificate.clone()
+    };
+    let fuel = kane_kernel::Fuel::new(10_000_000);
+    match kane_kernel::check(resting, &again, fuel) {
+        Ok(()) => None,
+        Err(_) => Some(" (it does not follow from what is cited; the givens behind it are not all met there)"),
+    }
+}

@@ -1,0 +1,416 @@
+//! Models by explicit functions: for goals with limits, where a point says too little.
+
+use std::rc::Rc;
+
+use kane_algebra::ring::cancelled;
+use kane_kernel::{
+    Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis, Limit,
+    Link, Poly, Proof, Sentence, State, claim_state, constants, range_premise, scope, sides,
+};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::limits;
+use super::search::{Elimination, Outcome, Search};
+
+type Q = BigRational;
+
+/// Sizes of the search.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    pub(crate) steps: u64,
+    pub(crate) fuel: u64,
+    pub(crate) candidates: usize,
+}
+
+/// Functions that satisfy the premises and against which the conclusion fails as `finding` says.
+pub(crate) fn model(
+    goal: &Goal,
+    finding: Finding,
+    x: usize,
+    by: &[(usize, Expr)],
+    effort: Effort,
+) -> Option<Functions> {
+    let scope = scope(goal, Fuel::new(effort.fuel)).ok()?;
+    // What the premises determine, off the limits.
+    let formulas = kane_kernel::at_point(&scope, goal, None).ok()?;
+    let count = goal.hypotheses.len();
+    let mut atoms = Vec::new();
+    for v in 0..goal.context.vars.len() {
+        atoms.extend(scope.range(v));
+    }
+    let state = State { scope: &scope, goal, atoms, formulas: Rc::new(formulas[..count].to_vec()) };
+    let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
+    let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();
+    let search = Search::new(effort.steps, &may, false);
+    let (rest, trail) = search.reduced(&state)?;
+    let free: Vec<usize> = (0..goal.context.vars.len())
+        .filter(|v| !fixed.contains(v) && !trail.iter().any(|e| e.var == *v))
+        .collect();
+    // Only symbols that the premises or the conclusion mention are worth varying.
+    let mut used: Vec<usize> = rest.atoms.iter().filter(|a| a.poly.vars().len() > 1).flat_map(|a| a.poly.vars()).collect();
+    used.extend(trail.iter().flat_map(|e| [e.d.vars(), e.e.vars()].concat()));
+    used.extend(mentioned(goal));
+    let lists: Vec<Vec<Expr>> = free
+        .iter()
+        .map(|v| candidates(&goal.context, *v, x, used.contains(v)))
+        .collect();
+    let tries = super::search::diagonal(&lists, effort.candidates);
+    for choice in tries {
+        let mut values: Vec<(usize, Expr)> = by.to_vec();
+        values.extend(free.iter().copied().zip(choice));
+        if let Some(values) = determined(&state, x, values, &trail) {
+            if let Some(functions) = certified(goal, finding, x, values, effort) {
+                return Some(functions);
+            }
+        }
+    }
+    None
+}
+
+/// Symbols in the conclusion and in the `when`.
+fn mentioned(goal: &Goal) -> Vec<usize> {
+    let mut todo: Vec<&Expr> = goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]).collect();
+    let links: &[Link] = match &goal.conclusion {
+        Conclusion::Link(l) => std::slice::from_ref(l),
+        Conclusion::NotImplied(s) => &s.links,
+        Conclusion::Contradiction => &[],
+    };
+    for link in links.iter().chain(goal.hypotheses.iter().flat_map(|h| &h.sentence.links)) {
+        match link {
+            Link::Relation(r) => todo.extend([&r.lhs, &r.rhs]),
+            Link::Limit(l) => todo.push(&l.expr),
+        }
+    }
+    let (mut out, mut lets) = (Vec::new(), Vec::new());
+    while let Some(e) = todo.pop() {
+        match e {
+            Expr::Var(v) if !out.contains(v) => out.push(*v),
+            Expr::Let(i) if !lets.contains(i) => {
+                lets.push(*i);
+                todo.extend(goal.context.lets.get(*i).map(|d| &d.body));
+            }
+            _ => {}
+        }
+        todo.extend(e.children());
+    }
+    out
+}
+
+fn rational(n: i64, d: i64) -> Expr {
+    Expr::Num(Q::new(n.into(), d.into()))
+}
+
+/// Simple expressions for a free symbol: constants in its range, then Möbius and quadratic
+/// functions of x with small coefficients.
+fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> {
+    let var = &context.vars[v];
+    let inside = |q: &Q| {
+        let above = |b: &kane_kernel::Bound| if b.strict { *q > b.value } else { *q >= b.value };
+        let below = |b: &kane_kernel::Bound| if b.strict { *q < b.value } else { *q <= b.value };
+        var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
+    };
+    let numbers = [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
+    let mut out: Vec<Expr> = numbers
+        .iter()
+        .filter(|(n, d)| inside(&Q::new((*n).into(), (*d).into())))
+        .map(|&(n, d)| rational(n, d))
+        .collect();
+    if out.is_empty() {
+        let ends = (var.lower.as_ref(), var.upper.as_ref());
+        let middle = kane_algebra::sign_table::simplest_between(
+            ends.0.map(|b| &b.value),
+            ends.1.map(|b| &b.value),
+        );
+        out.push(Expr::Num(middle));
+    }
+    if !varied {
+        out.truncate(1);
+        return out;
+    }
+    if var.of == Some(x) {
+        let p = Poly::var(x);
+        let linear = |a: i64, b: i64| p.scale(&b.into()).add(&Poly::constant(a.into()));
+        let mut push = |num: Poly, den: Poly| {
+            let e = ratio(&num, &den);
+            if !out.contains(&e) {
+                out.push(e);
+            }
+        };
+        let one = Poly::one();
+        push(linear(0, 1), one.clone());
+        for (a, b, c, d) in [
+            (1, 0, 1, 1), (1, -1, 1, 1), (1, 0, 1, 2), (1, -2, 1, 2), (0, 1, 1, 1), (2, 0, 2, 1),
+            (1, -3, 1, 3), (1, 0, 1, 3), (2, -1, 2, 1), (1, -2, 1, 0), (0, -1, 1, 1), (0, 2, 1, 1),
+        ] {
+            push(linear(a, b), linear(c, d));
+        }
+        let square = |a: i64, b: i64, c: i64| {
+            let mut q = linear(a, b);
+            q.add_term(vec![(x, 2)], c.into());
+            q
+        };
+        for (num, den) in [
+            ((1, 0, -1), (1, 0, 1)), ((1, 0, 0), (1, 0, 1)), ((1, 1, 0), (1, 1, 1)),
+            ((1, 0, -1), (1, 1, 1)), ((1, -1, -1), (1, 1, 1)), ((1, 2, 0), (1, 2, 2)),
+        ] {
+            push(square(num.0, num.1, num.2), square(den.0, den.1, den.2));
+        }
+    }
+    out
+}
+
+/// A polynomial as an expression.
+pub(crate) fn expression(p: &Poly) -> Expr {
+    let mut sum: Option<Expr> = None;
+    for (m, c) in p.terms() {
+        let mut product: Option<Expr> = None;
+        let negative = num_traits::Signed::is_negative(c);
+        let size = num_traits::Signed::abs(c);
+        if !size.is_one() || m.is_empty() {
+            product = Some(Expr::Num(Q::from_integer(size)));
+        }
+        for &(v, n) in m {
+            let power = if n == 1 {
+                Expr::Var(v)
+            } else {
+                Expr::Pow(Expr::Var(v).into(), i32::try_from(n).unwrap_or(i32::MAX))
+            };
+            product = Some(match product {
+                Some(p) => Expr::Mul(p.into(), power.into()),
+                None => power,
+            });
+        }
+        let term = product.unwrap_or_else(|| rational(1, 1));
+        sum = Some(match (sum, negative) {
+            (None, false) => term,
+            (None, true) => Expr::Neg(term.into()),
+            (Some(s), false) => Expr::Add(s.into(), term.into()),
+            (Some(s), true) => Expr::Sub(s.into(), term.into()),
+        });
+    }
+    sum.unwrap_or_else(|| rational(0, 1))
+}
+
+/// num/den as an expression.
+pub(crate) fn ratio(num: &Poly, den: &Poly) -> Expr {
+    match den.as_constant() {
+        Some(c) if c.is_one() => expression(num),
+        Some(c) => match num.as_constant() {
+            Some(n) => Expr::Num(Q::new(n, c)),
+            None => Expr::Div(expression(num).into(), expression(den).into()),
+        },
+        None => Expr::Div(expression(num).into(), expression(den).into()),
+    }
+}
+
+/// Values for the symbols that the premises determine, from those of the free ones.
+fn determined(
+    state: &State<'_, '_>,
+    x: usize,
+    mut values: Vec<(usize, Expr)>,
+    trail: &[Elimination],
+) -> Option<Vec<(usize, Expr)>> {
+    let fuel = &state.scope.fuel;
+    // As fractions in x where possible, so that common factors cancel.
+    let fraction = |e: &Expr| -> Option<Fraction> {
+        match &state.scope.pieces(e).ok()?[..] {
+            [one] => one.value.clone(),
+            [a, b] => a.value.clone().or_else(|| b.value.clone()).filter(|_| a.value.is_none() || b.value.is_none()),
+            _ => None,
+        }
+    };
+    let mut known: Vec<(usize, Option<Fraction>)> =
+        values.iter().map(|(v, e)| (*v, fraction(e))).collect();
+    known.push((x, Some(Fraction::whole(Poly::var(x)))));
+    let value = |p: &Poly, known: &[(usize, Option<Fraction>)]| -> Option<Fraction> {
+        let mut sum = Fraction::rational(&Q::zero());
+        for (m, c) in p.terms() {
+            let mut product = Fraction::rational(&Q::from_integer(c.clone()));
+            for (v, n) in m {
+                let f = known.iter().find(|k| k.0 == *v)?.1.as_ref()?;
+                for _ in 0..*n {
+                    product = product.mul(f, fuel).ok()?;
+                }
+            }
+            sum = sum.add(&product, fuel).ok()?;
+            let (num, den) = cancelled(&sum.num, &sum.den);
+            sum = Fraction { num, den };
+        }
+        Some(sum)
+    };
+    for e in trail.iter().rev() {
+        let exact = value(&e.e, &known).zip(value(&e.d, &known));
+        let (expr, f) = match exact {
+            Some((n, d)) => {
+                if d.num.is_empty() {
+                    return None;
+                }
+                let num = n.num.mul(&d.den, fuel).ok()?.neg();
+                let den = n.den.mul(&d.num, fuel).ok()?;
+                let (mut num, mut den) = cancelled(&num, &den);
+                if den.as_constant().is_some_and(|c| num_traits::Signed::is_negative(&c)) {
+                    (num, den) = (num.neg(), den.neg());
+                }
+                (ratio(&num, &den), Some(Fraction { num, den }))
+            }
+            None => {
+                let put = |p: &Poly| replaced(&expression(p), &values);
+                (Expr::Div(Expr::Neg(put(&e.e).into()).into(), put(&e.d).into()), None)
+            }
+        };
+        values.push((e.var, expr));
+        known.push((e.var, f));
+    }
+    values.sort_by_key(|v| v.0);
+    Some(values)
+}
+
+/// An expression with symbols replaced.
+fn replaced(e: &Expr, values: &[(usize, Expr)]) -> Expr {
+    let carrier = Goal {
+        context: Context::default(),
+        hypotheses: Vec::new(),
+        when: Vec::new(),
+        conclusion: Conclusion::Link(Link::Relation(kane_kernel::Relation {
+            lhs: e.clone(),
+            rel: kane_kernel::Rel::Eq,
+            rhs: rational(0, 1),
+        })),
+    };
+    match kane_kernel::substituted(&carrier, values).conclusion {
+        Conclusion::Link(Link::Relation(r)) => r.lhs,
+        _ => e.clone(),
+    }
+}
+
+/// Proofs of all that explicit functions must satisfy, if they do.
+fn certified(
+    goal: &Goal,
+    finding: Finding,
+    x: usize,
+    values: Vec<(usize, Expr)>,
+    effort: Effort,
+) -> Option<Functions> {
+    let constant = |v: usize, e: &Expr| goal.context.vars[v].of == Some(x) || !mentions(e, x);
+    if !values.iter().all(|(v, e)| constant(*v, e)) {
+        return None;
+    }
+    let explicit = kane_kernel::substituted(goal, &values);
+    let bare = |conclusion, when| Goal {
+        context: explicit.context.clone(),
+        hypotheses: Vec::new(),
+        when,
+        conclusion,
+    };
+    let any = |_: usize, _: &Poly| true;
+    let search = || Search::new(effort.steps, &any, false);
+    let premise = |h: &Hypothesis| -> Option<Proof> {
+        let alone = bare(Conclusion::Contradiction, Vec::new());
+        let carrier = Goal { hypotheses: vec![h.clone()], ..alone.clone() };
+        let scope = scope(&carrier, Fuel::new(effort.fuel)).ok()?;
+        let state = State {
+            scope: &scope,
+            goal: &alone,
+            atoms: scope.range(x),
+            formulas: Rc::new(vec![scope.premise_fails(&h.sentence, h.given).ok()?]),
+        };
+        match search().solve(&state) {
+            Outcome::Closed(proof) => Some(proof),
+            _ => None,
+        }
+    };
+    let limit = |l: &Limit| {
+        let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        limits::prove(&goal, &scope, l, effort.steps)
+    };
+    let mut premises = Vec::new();
+    for h in &explicit.hypotheses {
+        let proof = premise(h)?;
+        let proofs: Option<Vec<_>> = limits_of(&h.sentence).map(limit).collect();
+        premises.push((proof, proofs?));
+    }
+    let ranges: Option<Vec<Proof>> =
+        values.iter().map(|(v, e)| premise(&range_premise(goal, *v, e))).collect();
+    let failure = failure(&explicit, finding, x, &bare, effort)?;
+    Some(Functions { var: x, values, ranges: ranges?, premises, failure })
+}
+
+fn limits_of(s: &Sentence) -> impl Iterator<Item = &Limit> {
+    s.links.iter().filter_map(|l| match l {
+        Link::Limit(l) => Some(l),
+        Link::Relation(_) => None,
+    })
+}
+
+fn mentions(e: &Expr, x: usize) -> bool {
+    let mut todo = vec![e];
+    while let Some(e) = todo.pop() {
+        if *e == Expr::Var(x) {
+            return true;
+        }
+        todo.extend(e.children());
+    }
+    false
+}
+
+/// How the conclusion fails for explicit functions.
+fn failure(
+    explicit: &Goal,
+    finding: Finding,
+    x: usize,
+    bare: &dyn Fn(Conclusion, Vec<kane_kernel::Relation>) -> Goal,
+    effort: Effort,
+) -> Option<Failure> {
+    let links: &[Link] = match &explicit.conclusion {
+        Conclusion::Link(l) => std::slice::from_ref(l),
+        Conclusion::NotImplied(s) => &s.links,
+        Conclusion::Contradiction => &[],
+    };
+    let limit = links.iter().position(|l| matches!(l, Link::Limit(_)));
+    if let (Some(index), true) = (limit, finding != Finding::Consistent) {
+        let Link::Limit(claimed) = &links[index] else {
+            return None;
+        };
+        let goal = bare(Conclusion::Link(Link::Limit(claimed.clone())), Vec::new());
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let state = constants(&scope, &goal, claimed.var).ok()?;
+        for (side, at) in sides(&scope, claimed).iter().enumerate() {
+            let Some(target) = limits::value(&state, claimed, at, effort.steps) else {
+                continue;
+            };
+            if target == claimed.to {
+                continue;
+            }
+            let found = Limit { to: target.clone(), ..claimed.clone() };
+            let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
+            let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
+            let state = constants(&scope, &goal, found.var).ok()?;
+            let proof = limits::one_side(&goal, &state, &found, at, effort.steps)?;
+            return Some(Failure::Limit { link: index, target, side, proof });
+        }
+        return None;
+    }
+    if finding == Finding::Consistent && explicit.when.is_empty() {
+        return Some(Failure::Nothing);
+    }
+    if finding == Finding::Refuted
+        && explicit.when.is_empty()
+        && explicit.conclusion == Conclusion::Contradiction
+    {
+        return Some(Failure::Nothing);
+    }
+    let goal = bare(explicit.conclusion.clone(), explicit.when.clone());
+    let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+    let mut state = claim_state(&scope, &goal, finding).ok()?;
+    state.atoms = scope.range(x);
+    let any = |_: usize, _: &Poly| true;
+    match Search::new(effort.steps, &any, true).solve(&state) {
+        Outcome::Model(mut point) => {
+            point.values.retain(|(v, _)| *v == x || *v >= goal.context.vars.len());
+            Some(Failure::At(point))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,296 @@
+//! Limits: finding what an expression tends to, and what premised limits say about constants.
+
+use kane_algebra::ring::cancelled;
+use kane_kernel::{
+    Atom, Fraction, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State, Target,
+    constants, differs, exponent, misses, premised, sides,
+};
+use num_bigint::BigInt;
+use num_traits::One;
+use std::rc::Rc;
+
+use super::search::{Elimination, Outcome, Search};
+
+/// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    pub(crate) num: Poly,
+    pub(crate) den: Poly,
+    pub(crate) order: u32,
+}
+
+/// Radii to try, as 1/2ᵏ.
+const RADII: [u32; 4] = [0, 3, 7, 20];
+
+/// A germ of constant radius 1/2ᵏ.
+fn germ(side: &Side, k: u32) -> Germ {
+    let absurd = vec![Proof::Absurd, Proof::Absurd];
+    Germ {
+        side: side.clone(),
+        radius: (Poly::one(), Poly::constant(BigInt::one() << k)),
+        positive: Box::new(Proof::Assume { formula: 0, cases: absurd }),
+    }
+}
+
+/// Whether a variable may go along a germ in x: functions of x, x itself, and constants that an
+/// equation among constants determines.
+pub(crate) fn varies(state: &State<'_, '_>, x: usize) -> impl Fn(usize, &Poly) -> bool + use<> {
+    let vars = &state.scope.context.vars;
+    let of_x: Vec<bool> = (0..vars.len()).map(|v| v == x || vars[v].of == Some(x)).collect();
+    move |v, equation| {
+        let constant = |w: &usize| of_x.get(*w) == Some(&false);
+        of_x.get(v) == Some(&true) || (constant(&v) && equation.vars().iter().all(constant))
+    }
+}
+
+/// A fraction after the eliminations.
+pub(crate) fn substituted(
+    state: &State<'_, '_>,
+    value: &Fraction,
+    trail: &[Elimination],
+) -> Result<(Poly, Poly), Rejection> {
+    let fuel = &state.scope.fuel;
+    let (mut num, mut den) = (value.num.clone(), value.den.clone());
+    for e in trail {
+        let parts = (&e.d, &e.e);
+        let (a, b) = (num.degree(e.var), den.degree(e.var));
+        if a == 0 && b == 0 {
+            continue;
+        }
+        num = num.substitute(e.var, parts, true, fuel)?.mul(&e.d.pow(b, fuel)?, fuel)?;
+        den = den.substitute(e.var, parts, true, fuel)?.mul(&e.d.pow(a, fuel)?, fuel)?;
+        (num, den) = cancelled(&num, &den);
+    }
+    Ok(cancelled(&num, &den))
+}
+
+/// Constants' state of a limit claim, after what premised limits add; and the steps to wrap.
+type Pass = (Germ, Atom, Proof);
+
+/// What the premised limits on the given sides imply for constants: one atom a pass.
+pub(crate) fn passes<'s, 'g>(
+    state: &State<'s, 'g>,
+    sides: &[Side],
+    steps: u64,
+) -> (State<'s, 'g>, Vec<Pass>) {
+    let (mut state, mut found) = (state.clone(), Vec::new());
+    for _ in 0..3 {
+        let before = found.len();
+        for side in sides {
+            let germ = germ(side, 0);
+            let Ok(along) = state.along(&germ) else {
+                continue;
+            };
+            let may = varies(&state, side.var);
+            let search = Search::new(steps, &may, false);
+            // A germ on which nothing can hold: the premises pin x.
+            let nothing = Atom::new(Poly::one(), Sign::Zero);
+            if let Outcome::Closed(proof) = search.solve(&along) {
+                state = state.with(nothing.clone());
+                found.push((germ, nothing, proof));
+                return (state, found);
+            }
+            let Some((rest, _)) = search.reduced(&along) else {
+                continue;
+            };
+            let t = state.scope.germ();
+            for atom in &rest.atoms {
+                let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
+                let vars = atom.poly.vars();
+                if vars.is_empty() || atom.sign == Sign::NonZero || (order && !vars.iter().any(|v| *v > t)) {
+                    continue;
+                }
+                let sign = if order { Sign::NonNegative } else { Sign::Zero };
+                let atom = Atom::new(atom.poly.clone(), sign);
+                let Ok(at_zero) = state.at_zero(&germ, &atom) else {
+                    continue;
+                };
+                if at_zero.decided() == Some(true) || state.atoms.contains(&at_zero) {
+                    continue;
+                }
+                if let Outcome::Closed(proof) = search.solve(&along.with(atom.not())) {
+                    state = state.with(at_zero);
+                    found.push((germ.clone(), atom, proof));
+                }
+            }
+        }
+        if found.len() == before {
+            break;
+        }
+    }
+    (state, found)
+}
+
+/// Wraps a proof in the passes that it rests on.
+pub(crate) fn wrap(passes: Vec<Pass>, proof: Proof) -> Proof {
+    passes.into_iter().rev().fold(proof, |then, (germ, atom, along)| Proof::Pass {
+        germ,
+        atom,
+        along: Box::new(along),
+        then: Box::new(then),
+    })
+}
+
+/// All sides from which limits are premised.
+pub(crate) fn premised_sides(state: &State<'_, '_>, goal: &Goal) -> Vec<Side> {
+    let mut out = Vec::new();
+    for (_, l) in premised(goal) {
+        for side in sides(state.scope, l) {
+            if !out.contains(&side) {
+                out.push(side);
+            }
+        }
+    }
+    out
+}
+
+/// What an expression tends to, read off a germ without proof.
+pub(crate) fn found(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    steps: u64,
+) -> Vec<(Germ, Found)> {
+    let mut out = Vec::new();
+    for k in RADII {
+        let germ = germ(side, k);
+        let Ok(along) = state.along(&germ) else {
+            return out;
+        };
+        let may = varies(state, side.var);
+        let search = Search::new(steps, &may, false);
+        let Ok(pieces) = state.scope.pieces(&limit.expr) else {
+            return out;
+        };
+        for piece in pieces {
+            let Some(value) = &piece.value else {
+                continue;
+            };
+            let mut state = along.clone();
+            let formulas = [&state.formulas[..], &[vec![piece.atoms.clone()]]].concat();
+            state.formulas = Rc::new(formulas);
+            let Some((rest, trail)) = search.reduced(&state) else {
+                continue;
+            };
+            if super::tactics::quick(&rest).is_some() {
+                continue;
+            }
+            let Ok((num, den)) = substituted(&state, value, &trail) else {
+                continue;
+            };
+            let t = state.scope.germ();
+            let order = den.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
+            out.push((germ.clone(), Found { num, den, order }));
+        }
+    }
+    out
+}
+
+/// A proof of a limit from one side.
+pub(crate) fn one_side(
+    goal: &Goal,
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    steps: u64,
+) -> Option<SideProof> {
+    let any = |_: usize, _: &Poly| true;
+    for (germ, found) in found(state, limit, side, steps) {
+        let parts = (&found.num, &found.den, found.order);
+        let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
+        let Ok(missed) = misses(state, side, parts, &limit.to) else {
+            continue;
+        };
+        let mut at_zero = state.clone();
+        at_zero.formulas = with(state, missed);
+        let Outcome::Closed(at_zero) = Search::new(steps, &any, false).solve(&at_zero) else {
+            continue;
+        };
+        let Ok(mut along) = state.along(&germ) else {
+            continue;
+        };
+        let Ok(cases) = differs(state.scope, &limit.expr, (&found.num, &found.den)) else {
+            continue;
+        };
+        along.formulas = with(&along, cases);
+        let may = varies(state, side.var);
+        let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
+            continue;
+        };
+        let _ = goal;
+        return Some(SideProof {
+            germ,
+            num: found.num,
+            den: found.den,
+            order: found.order,
+            along: Box::new(along),
+            at_zero: Box::new(at_zero),
+        });
+    }
+    None
+}
+
+/// A proof of a limit from all its sides.
+pub(crate) fn prove(
+    goal: &Goal,
+    scope: &kane_kernel::Scope<'_>,
+    limit: &Limit,
+    steps: u64,
+) -> Option<Vec<SideProof>>
+where
+{
+    let goal = goal.clone();
+    let inner = kane_kernel::scope(&goal, kane_kernel::Fuel::new(scope.fuel.left())).ok()?;
+    let state = constants(&inner, &goal, limit.var).ok()?;
+    let sides = sides(&inner, limit);
+    if sides.is_empty() {
+        return None;
+    }
+    sides.iter().map(|side| one_side(&goal, &state, limit, side, steps)).collect()
+}
+
+/// The limit of a closed expression of x, as a target, if it is rational or infinite.
+pub(crate) fn value(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    steps: u64,
+) -> Option<Target> {
+    use num_rational::BigRational as Q;
+    use num_traits::{Signed, Zero};
+    for (_, found) in found(state, limit, side, steps) {
+        let t = state.scope.germ();
+        let at_zero = |p: &Poly, order: u32| -> Option<BigInt> {
+            let mut sum = BigInt::zero();
+            for (m, c) in p.terms() {
+                match &m[..] {
+                    [] if order == 0 => sum += c,
+                    [(v, e)] if *v == t => {
+                        if *e == order {
+                            sum += c;
+                        }
+                    }
+                    [] => {}
+                    _ => return None,
+                }
+            }
+            Some(sum)
+        };
+        let (Some(n), Some(d)) = (at_zero(&found.num, 0), at_zero(&found.den, found.order)) else {
+            continue;
+        };
+        if d.is_zero() {
+            continue;
+        }
+        return Some(if found.order == 0 {
+            Target::Finite(kane_kernel::Expr::Num(Q::new(n, d)))
+        } else if n.is_zero() {
+            continue;
+        } else if n.is_negative() == d.is_negative() {
+            Target::PlusInf
+        } else {
+            Target::MinusInf
+        });
+    }
+    None
+}

@@ -1,0 +1,294 @@
+//! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
+//! kernel, and what the kernel does not accept is not reported.
+
+mod functions;
+mod limits;
+mod search;
+mod tactics;
+
+use kane_kernel::{
+    Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
+    check, claim_state, constants, digest, premised, scope, sides,
+};
+
+use functions::Effort;
+use search::{Outcome, Search};
+
+pub(crate) use functions::expression;
+
+/// How much work one link may take. All numbers count steps, none of them time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// states that one search may visit
+    pub steps: u64,
+    /// coefficient operations of one search
+    pub fuel: u64,
+    /// coefficient operations of one check
+    pub check: u64,
+    /// tuples of functions that are tried as a model
+    pub functions: usize,
+    /// whether ideals may be computed where substitution does not close
+    pub ideals: bool,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { steps: 4_000, fuel: 40_000_000, check: 400_000_000, functions: 60, ideals: true }
+    }
+}
+
+/// What was found about a goal.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Verdicts {
+    /// accepted certificates; at most one that decides
+    pub(crate) decided: Option<Certificate>,
+    /// a model of the hypotheses, accepted too
+    pub(crate) model: Option<Model>,
+    /// why nothing decides
+    pub(crate) reason: String,
+    /// search steps spent
+    pub(crate) cost: u64,
+}
+
+/// A question to the search and the budget for it.
+pub(crate) struct Prover<'a> {
+    pub(crate) budget: Budget,
+    /// proposed values or functions
+    pub(crate) by: &'a [(usize, Expr)],
+    /// the goal with all givens on which it finally rests as further hypotheses
+    pub(crate) resting: &'a Goal,
+}
+
+impl Prover<'_> {
+    fn fuel(&self) -> Fuel {
+        Fuel::new(self.budget.fuel)
+    }
+
+    fn effort(&self, candidates: usize) -> Effort {
+        Effort { steps: self.budget.steps, fuel: self.budget.fuel, candidates }
+    }
+
+    /// Accepts a finding only through the kernel.
+    fn accept(&self, goal: &Goal, finding: Finding, evidence: Evidence) -> Result<Certificate, String> {
+        let certificate = Certificate { goal: digest(goal), finding, evidence };
+        match check(goal, &certificate, Fuel::new(self.budget.check)) {
+            Ok(()) => Ok(certificate),
+            Err(why) => Err(format!("a certificate was found but not accepted: {why}")),
+        }
+    }
+
+    /// Judges a goal.
+    pub(crate) fn judge(&self, goal: &Goal) -> Verdicts {
+        let mut out = Verdicts::default();
+        if let Err(why) = scope(goal, self.fuel()) {
+            out.reason = format!("its normal form does not fit the budget ({why})");
+            return out;
+        }
+        match &goal.conclusion {
+            Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, &mut out),
+            _ => self.judge_pointwise(goal, &mut out),
+        }
+        if out.decided.is_none() && out.reason.is_empty() {
+            out.reason = format!("neither proof nor witness within {} steps", self.budget.steps);
+        }
+        out
+    }
+
+    fn decide(&self, goal: &Goal, finding: Finding, evidence: Evidence, out: &mut Verdicts) -> bool {
+        match self.accept(goal, finding, evidence) {
+            Ok(certificate) => {
+                out.decided = Some(certificate);
+                true
+            }
+            Err(why) => {
+                out.reason = why;
+                false
+            }
+        }
+    }
+
+    /// Searches the state of a finding, premised limits passed first.
+    fn search(&self, goal: &Goal, finding: Finding, models: bool, out: &mut Verdicts) -> Outcome {
+        let Ok(scope) = scope(goal, self.fuel()) else {
+            return Outcome::Open;
+        };
+        let Ok(state) = claim_state(&scope, goal, finding) else {
+            return Outcome::Open;
+        };
+        let mut germs = limits::premised_sides(&state, goal);
+        if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
+            germs.extend(sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>());
+        }
+        let any = |_: usize, _: &kane_kernel::Poly| true;
+        let mut search = Search::new(self.budget.steps, &any, models && germs.is_empty());
+        search.ideals = self.budget.ideals;
+        // Without the limits first: most claims do not need them.
+        let mut outcome = search.solve(&state);
+        if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
+            let (state, found) = limits::passes(&state, &germs, self.budget.steps);
+            if !found.is_empty() {
+                let search = Search::new(self.budget.steps, &any, false);
+                outcome = match search.solve(&state) {
+                    Outcome::Closed(proof) => Outcome::Closed(limits::wrap(found, proof)),
+                    other => other,
+                };
+            }
+        }
+        out.cost += self.budget.steps - search.left();
+        outcome
+    }
+
+    /// A model of a finding: a point, or functions where limits are involved.
+    fn model(&self, goal: &Goal, finding: Finding, candidates: usize, out: &mut Verdicts) -> Option<Model> {
+        match limit_variable(goal, finding) {
+            None => match self.search(goal, finding, true, out) {
+                Outcome::Model(point) => Some(Model::Point(point)),
+                _ => None,
+            },
+            Some(x) => functions::model(goal, finding, x, self.by, self.effort(candidates))
+                .map(|f: Functions| Model::Functions(Box::new(f))),
+        }
+    }
+
+    /// A model for the goal, preferably one that satisfies all givens behind it.
+    fn witness(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> bool {
+        for source in [self.resting, goal] {
+            if let Some(model) = self.model(source, finding, self.budget.functions, out) {
+                let model = restricted(model, goal, source);
+                if self.decide(goal, finding, Evidence::Model(model), out) {
+                    return true;
+                }
+            }
+            if self.resting == goal {
+                break;
+            }
+        }
+        false
+    }
+
+    /// Looks for a model of the hypotheses; `true` if they are contradictory instead.
+    fn consistent(&self, goal: &Goal, out: &mut Verdicts) -> bool {
+        for source in [self.resting, goal] {
+            let found = self.model(source, Finding::Consistent, self.budget.functions / 4 + 1, out);
+            if let Some(model) = found {
+                let model = restricted(model, goal, source);
+                let evidence = Evidence::Model(model.clone());
+                if self.accept(goal, Finding::Consistent, evidence).is_ok() {
+                    out.model = Some(model);
+                    return false;
+                }
+            }
+            if self.resting == goal {
+                break;
+            }
+        }
+        // A limit claim is vacuous also if the givens far behind it pin its variable.
+        let source = if matches!(goal.conclusion, Conclusion::Link(Link::Limit(_))) {
+            self.resting
+        } else {
+            goal
+        };
+        match self.search(source, Finding::Vacuous, false, out) {
+            Outcome::Closed(proof) => {
+                self.decide(source, Finding::Vacuous, Evidence::Contradiction(proof), out)
+            }
+            _ => false,
+        }
+    }
+
+    fn judge_pointwise(&self, goal: &Goal, out: &mut Verdicts) {
+        if goal.conclusion == Conclusion::Contradiction {
+            match self.search(goal, Finding::Proved, true, out) {
+                Outcome::Closed(proof) => {
+                    self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out);
+                }
+                _ => {
+                    self.witness(goal, Finding::Refuted, out);
+                }
+            }
+            return;
+        }
+        if self.consistent(goal, out) {
+            return;
+        }
+        if let Conclusion::NotImplied(_) = goal.conclusion {
+            if self.witness(goal, Finding::Proved, out) {
+                return;
+            }
+            let limit = limit_variable(goal, Finding::Proved).is_some()
+                && premised(goal).next().is_none();
+            if !limit {
+                if let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out) {
+                    self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
+                }
+            }
+            return;
+        }
+        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, out) {
+            if self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out) {
+                return;
+            }
+        }
+        if !self.witness(goal, Finding::IllDefined, out) {
+            self.witness(goal, Finding::Refuted, out);
+        }
+    }
+
+    fn judge_limit(&self, goal: &Goal, limit: &Limit, out: &mut Verdicts) {
+        if self.consistent(goal, out) {
+            return;
+        }
+        let Ok(scope) = scope(goal, self.fuel()) else {
+            return;
+        };
+        if let Some(proofs) = limits::prove(goal, &scope, limit, self.budget.steps) {
+            if self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out) {
+                return;
+            }
+        }
+        let Ok(_) = constants(&scope, goal, limit.var) else {
+            return;
+        };
+        self.witness(goal, Finding::Refuted, out);
+    }
+}
+
+/// The variable in which functions have to be chosen, if a point is not enough.
+fn limit_variable(goal: &Goal, finding: Finding) -> Option<usize> {
+    if let Some((_, l)) = premised(goal).next() {
+        return Some(l.var);
+    }
+    let links: &[Link] = match &goal.conclusion {
+        Conclusion::Link(l) => std::slice::from_ref(l),
+        Conclusion::NotImplied(s) => &s.links,
+        Conclusion::Contradiction => &[],
+    };
+    let _ = finding;
+    links.iter().find_map(|l| match l {
+        Link::Limit(l) => Some(l.var),
+        Link::Relation(_) => None,
+    })
+}
+
+/// A model of a goal with more hypotheses, as a model of the goal.
+fn restricted(model: Model, goal: &Goal, source: &Goal) -> Model {
+    match model {
+        Model::Functions(mut f) if goal != source => {
+            f.premises.truncate(goal.hypotheses.len());
+            Model::Functions(f)
+        }
+        // Variables of roots and limits are numbered by the goal.
+        Model::Point(mut p) if goal != source => {
+            let symbols = goal.context.vars.len();
+            if goal_roots(goal) != goal_roots(source) {
+                p.values.retain(|(v, _)| *v < symbols);
+            }
+            Model::Point(p)
+        }
+        other => other,
+    }
+}
+
+fn goal_roots(goal: &Goal) -> usize {
+    scope(goal, Fuel::new(1_000_000)).map_or(0, |s| s.germ() - goal.context.vars.len())
+}

@@ -1,0 +1,573 @@
+//! The search: assume what is given, solve equations, look at what is left.
+
+use std::cell::Cell;
+
+use kane_algebra::point::{Partial, specialised, theta};
+use kane_algebra::ring::{common_sign, content_in, exact_quotient};
+use kane_algebra::sign_table::Cell as LineCell;
+use kane_kernel::{Atom, Point, Poly, Proof, Sign, State};
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::tactics;
+
+type Q = BigRational;
+
+/// How a search ends.
+#[derive(Clone, Debug)]
+pub(crate) enum Outcome {
+    /// no point satisfies the state
+    Closed(Proof),
+    /// this point does
+    Model(Point),
+    /// neither was found
+    Open,
+}
+
+/// v = −e/d, found on the way.
+#[derive(Clone, Debug)]
+pub(crate) struct Elimination {
+    pub(crate) var: usize,
+    pub(crate) d: Poly,
+    pub(crate) e: Poly,
+}
+
+/// A step that has one successor.
+#[derive(Clone, Debug)]
+pub(crate) enum Step {
+    Cancel { atom: usize, factors: Vec<(usize, u32)>, quotient: Poly },
+    Substitute { equation: usize, var: usize, lead: Option<usize> },
+}
+
+impl Step {
+    pub(crate) fn wrap(self, then: Proof) -> Proof {
+        let then = Box::new(then);
+        match self {
+            Self::Cancel { atom, factors, quotient } => {
+                Proof::Cancel { atom, factors, quotient, then }
+            }
+            Self::Substitute { equation, var, lead } => {
+                Proof::Substitute { equation, var, lead, then }
+            }
+        }
+    }
+}
+
+/// A bounded search. Budgets count steps, so the outcome does not depend on the machine.
+pub(crate) struct Search<'a> {
+    steps: Cell<u64>,
+    /// whether a variable may be eliminated by an equation
+    pub(crate) may_eliminate: &'a dyn Fn(usize, &Poly) -> bool,
+    /// whether points are looked for
+    pub(crate) models: bool,
+    /// whether ideals may be computed
+    pub(crate) ideals: bool,
+}
+
+/// Case distinctions on the sign of a polynomial along one branch.
+const MAX_SPLITS: u32 = 10;
+
+impl<'a> Search<'a> {
+    pub(crate) fn new(steps: u64, may_eliminate: &'a dyn Fn(usize, &Poly) -> bool, models: bool) -> Self {
+        Self { steps: Cell::new(steps), may_eliminate, models, ideals: true }
+    }
+
+    pub(crate) fn left(&self) -> u64 {
+        self.steps.get()
+    }
+
+    fn spend(&self) -> bool {
+        let left = self.steps.get();
+        self.steps.set(left.saturating_sub(1));
+        left > 0
+    }
+
+    /// Searches from a state with all its formulas still to be assumed.
+    pub(crate) fn solve(&self, state: &State<'_, '_>) -> Outcome {
+        let pending = (0..state.formulas.len()).collect();
+        self.run(state, 0, pending, &[], 0)
+    }
+
+    /// Assumes all formulas of which one case survives, and solves what can be solved.
+    pub(crate) fn reduced<'s, 'g>(
+        &self,
+        state: &State<'s, 'g>,
+    ) -> Option<(State<'s, 'g>, Vec<Elimination>)> {
+        let (mut state, mut trail) = (state.clone(), Vec::new());
+        for formula in 0..state.formulas.len() {
+            let fresh = state.atoms.len();
+            let mut open = state.assume(formula).ok()?.into_iter().filter(|s| {
+                self.spend();
+                tactics::quick_from(s, fresh).is_none()
+            });
+            state = open.next()?;
+        }
+        while let Some((_, next, elimination)) = self.simplify(&state) {
+            if !self.spend() || next.atoms.iter().any(|a| a.decided() == Some(false)) {
+                return None;
+            }
+            trail.extend(elimination);
+            state = next;
+        }
+        Some((state, trail))
+    }
+
+    fn run(
+        &self,
+        state: &State<'_, '_>,
+        fresh: usize,
+        mut pending: Vec<usize>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        if !self.spend() {
+            return Outcome::Open;
+        }
+        if let Some(proof) = tactics::quick_from(state, fresh) {
+            return Outcome::Closed(proof);
+        }
+        if !pending.is_empty() {
+            let size = |f: &usize| state.formulas[*f].len();
+            let at = (0..pending.len()).min_by_key(|&i| size(&pending[i])).unwrap_or(0);
+            let formula = pending.remove(at);
+            let Ok(states) = state.assume(formula) else {
+                return Outcome::Open;
+            };
+            let fresh = state.atoms.len();
+            let next = |s: &State<'_, '_>| self.run(s, fresh, pending.clone(), trail, splits);
+            return all(states.iter().map(next), |cases| Proof::Assume { formula, cases });
+        }
+        if let Some((step, next, elimination)) = self.simplify(state) {
+            let mut trail = trail.to_vec();
+            trail.extend(elimination);
+            return match self.run(&next, 0, pending, &trail, splits) {
+                Outcome::Closed(proof) => Outcome::Closed(step.wrap(proof)),
+                other => other,
+            };
+        }
+        if splits < MAX_SPLITS {
+            if let Some(poly) = self.lead_to_split(state).or_else(|| content_to_split(state)) {
+                return self.split(state, poly, trail, splits + 1);
+            }
+        }
+        self.leaf(state, trail, splits)
+    }
+
+    /// One branch a sign of a polynomial.
+    fn split(&self, state: &State<'_, '_>, poly: Poly, trail: &[Elimination], splits: u32) -> Outcome {
+        let fresh = state.atoms.len();
+        let branch = |sign, p: &Poly| {
+            self.run(&state.with(Atom::new(p.clone(), sign)), fresh, Vec::new(), trail, splits)
+        };
+        let signs = [
+            (Sign::Positive, poly.clone()),
+            (Sign::Zero, poly.clone()),
+            (Sign::Positive, poly.neg()),
+        ];
+        all(signs.iter().map(|(s, p)| branch(*s, p)), |proofs| {
+            let mut proofs = proofs.into_iter().map(Box::new);
+            let mut next = || proofs.next().unwrap_or_else(|| Box::new(Proof::Absurd));
+            let (positive, zero, negative) = (next(), next(), next());
+            Proof::Split { poly, zero, positive, negative }
+        })
+    }
+
+    /// A cancellation or a substitution that needs no case distinction.
+    pub(crate) fn simplify<'s, 'g>(
+        &self,
+        state: &State<'s, 'g>,
+    ) -> Option<(Step, State<'s, 'g>, Option<Elimination>)> {
+        if let Some((atom, factors, quotient)) = cancellation(state) {
+            let next = state.cancel(atom, &factors, &quotient).ok()?;
+            return Some((Step::Cancel { atom, factors, quotient }, next, None));
+        }
+        let mut best: Option<((usize, usize, usize), usize, usize, Option<usize>)> = None;
+        for (i, v, d, size) in self.linear(state) {
+            let lead = if d.as_constant().is_some() { None } else { Some(leading(state, &d)) };
+            let class = match lead {
+                None => 0,
+                Some(Some(_)) => 1,
+                Some(None) => continue,
+            };
+            let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
+            let score = (class, usize::from(!is_function), size);
+            if best.as_ref().is_none_or(|b| score < b.0) {
+                best = Some((score, i, v, lead.flatten()));
+            }
+        }
+        let (_, equation, var, lead) = best?;
+        let next = state.substitute(equation, var, lead).ok()?;
+        let mut parts = state.atoms[equation].poly.coefficients(var).into_iter();
+        let (e, d) = (parts.next()?, parts.next()?);
+        let elimination = Elimination { var, d, e };
+        Some((Step::Substitute { equation, var, lead }, next, Some(elimination)))
+    }
+
+    /// Equations linear in a variable that may go: (equation, variable, coefficient, size).
+    fn linear(&self, state: &State<'_, '_>) -> Vec<(usize, usize, Poly, usize)> {
+        let mut out = Vec::new();
+        for (i, a) in state.atoms.iter().enumerate() {
+            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+                continue;
+            }
+            for v in a.poly.vars() {
+                if a.poly.degree(v) == 1 && (self.may_eliminate)(v, &a.poly) {
+                    let d = a.poly.coefficients(v).swap_remove(1);
+                    let size = a.poly.len() + 3 * d.len();
+                    out.push((i, v, d, size));
+                }
+            }
+        }
+        out
+    }
+
+    /// A leading coefficient worth a case distinction: first one that cannot vanish.
+    fn lead_to_split(&self, state: &State<'_, '_>) -> Option<Poly> {
+        let candidates = self.linear(state);
+        let sure = candidates.iter().filter(|(.., d, _)| cannot_vanish(state, d));
+        let any = sure.min_by_key(|c| c.3).or_else(|| candidates.iter().min_by_key(|c| c.3));
+        any.map(|(.., d, _)| d.primitive().1)
+    }
+
+    fn leaf(&self, state: &State<'_, '_>, trail: &[Elimination], splits: u32) -> Outcome {
+        let vars = open_vars(state);
+        for &v in &vars {
+            if let Some(proof) = tactics::sign_table(state, v) {
+                return Outcome::Closed(proof);
+            }
+        }
+        if let Some(proof) = tactics::multiple_of_premise(state) {
+            return Outcome::Closed(proof);
+        }
+        if self.models {
+            if let Some(point) = self.sample(state, trail, &vars) {
+                return Outcome::Model(point);
+            }
+        }
+        if vars.len() > 1 {
+            let ideal = || if self.ideals { tactics::ideal(state) } else { None };
+            let proof = tactics::products(state, 1)
+                .or_else(|| tactics::products(state, 2))
+                .or_else(ideal)
+                .or_else(|| self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits)))
+                .or_else(|| tactics::products(state, 3));
+            if let Some(proof) = proof {
+                return Outcome::Closed(proof);
+            }
+        }
+        Outcome::Open
+    }
+
+    /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
+    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Proof> {
+        if let Some(proof) = tactics::quick(state) {
+            return Some(proof);
+        }
+        if depth == 0 || vars.len() > 4 || !self.spend() || self.left() < 50 {
+            return None;
+        }
+        // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.
+        let at = |v: usize| {
+            let (lower, upper) = tactics::bounds(state, v);
+            let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+            (value(lower), value(upper))
+        };
+        let width = |v: usize| match at(v) {
+            (Some(a), Some(b)) => b - a,
+            (None, None) => Q::from_integer(1000.into()),
+            _ => Q::from_integer(100.into()),
+        };
+        let v = vars.iter().copied().max_by(|a, b| width(*a).cmp(&width(*b)).then(b.cmp(a)))?;
+        let cut = match at(v) {
+            (Some(a), Some(b)) if a < b => (a + b) / Q::from_integer(2.into()),
+            (Some(a), None) => if a.is_positive() { a * Q::from_integer(2.into()) } else { a + Q::one() },
+            (None, Some(b)) => b - Q::one(),
+            (None, None) => Q::zero(),
+            _ => return None,
+        };
+        let poly = Poly::var(v).scale(cut.denom()).sub(&Poly::constant(cut.numer().clone()));
+        let branch = |p: &Poly| {
+            let next = state.with(Atom::new(p.clone(), Sign::Positive));
+            self.boxes(&next, vars, depth - 1)
+        };
+        let positive = Box::new(branch(&poly)?);
+        let negative = Box::new(branch(&poly.neg())?);
+        let on = state.with(Atom::new(poly.clone(), Sign::Zero));
+        let equation = on.atoms.len() - 1;
+        let next = on.substitute(equation, v, None).ok()?;
+        let rest: Vec<usize> = open_vars(&next);
+        let inner = if rest.len() <= 1 {
+            tactics::quick(&next).or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
+        } else {
+            self.boxes(&next, &rest, depth - 1)?
+        };
+        let step = Step::Substitute { equation, var: v, lead: None };
+        let zero = Box::new(step.wrap(inner));
+        Some(Proof::Split { poly, zero, positive, negative })
+    }
+
+    /// A point that satisfies a state without solvable equations: simple rationals for all
+    /// variables but one, and the sign table of that one.
+    fn sample(&self, state: &State<'_, '_>, trail: &[Elimination], vars: &[usize]) -> Option<Point> {
+        if vars.is_empty() {
+            return complete(state, Partial::default(), trail);
+        }
+        let in_equation = |v: usize| {
+            let uses = |a: &&Atom| a.sign == Sign::Zero && a.poly.degree(v) > 0;
+            state.atoms.iter().filter(uses).count()
+        };
+        let mut order = vars.to_vec();
+        order.sort_by_key(|&v| (std::cmp::Reverse(in_equation(v)), std::cmp::Reverse(v)));
+        for &last in order.iter().take(3) {
+            let others: Vec<usize> = vars.iter().copied().filter(|v| *v != last).collect();
+            let lists: Vec<Vec<Q>> = others.iter().map(|&v| candidates(state, v)).collect();
+            for values in diagonal(&lists, 400) {
+                if !self.spend() {
+                    return None;
+                }
+                let assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
+                let mut special = state.clone();
+                let mut fits = true;
+                for a in &mut special.atoms {
+                    a.poly = specialised(&a.poly, &assignment);
+                    fits = fits && a.decided() != Some(false);
+                }
+                if !fits {
+                    continue;
+                }
+                let mut partial = Partial::default();
+                match tactics::line(&special, last) {
+                    None => {
+                        let simple = candidates(&special, last).into_iter().next();
+                        partial.set(last, simple.unwrap_or_else(Q::one));
+                    }
+                    Some((table, indices)) => {
+                        let Some(cell) = tactics::open_cell(&special, &table, &indices) else {
+                            continue;
+                        };
+                        match cell {
+                            LineCell::Root(i) if !table.roots[i].is_exact() => {
+                                partial.generator = Some(table.roots[i].clone());
+                                partial.values.insert(last, theta());
+                            }
+                            _ => partial.set(last, table.sample(cell)),
+                        }
+                    }
+                }
+                for (v, q) in assignment {
+                    partial.set(v, q);
+                }
+                if let Some(point) = complete(state, partial, trail) {
+                    return Some(point);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Closed if all are closed; the first model otherwise.
+fn all(outcomes: impl Iterator<Item = Outcome>, wrap: impl FnOnce(Vec<Proof>) -> Proof) -> Outcome {
+    let (mut proofs, mut open) = (Vec::new(), false);
+    for outcome in outcomes {
+        match outcome {
+            Outcome::Closed(proof) => proofs.push(proof),
+            Outcome::Model(point) => return Outcome::Model(point),
+            Outcome::Open => open = true,
+        }
+    }
+    if open { Outcome::Open } else { Outcome::Closed(wrap(proofs)) }
+}
+
+/// Variables of the atoms that are not decided.
+pub(crate) fn open_vars(state: &State<'_, '_>) -> Vec<usize> {
+    let mut vars: Vec<usize> = state.atoms.iter().flat_map(|a| a.poly.vars()).collect();
+    vars.sort_unstable();
+    vars.dedup();
+    vars
+}
+
+/// An atom that is known not to vanish and is ±d up to a factor.
+fn leading(state: &State<'_, '_>, d: &Poly) -> Option<usize> {
+    let d = d.primitive().1;
+    let minus = d.neg();
+    state.atoms.iter().position(|a| {
+        matches!(a.sign, Sign::Positive | Sign::NonZero) && {
+            let p = a.poly.primitive().1;
+            p == d || p == minus
+        }
+    })
+}
+
+/// Whether a polynomial visibly cannot vanish: known factors times a sum of positive terms.
+fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
+    let mut rest = d.clone();
+    for a in &state.atoms {
+        if matches!(a.sign, Sign::Positive | Sign::NonZero) && a.poly.as_constant().is_none() {
+            while let Some(q) = exact_quotient(&rest, &a.poly) {
+                rest = q;
+            }
+        }
+    }
+    if rest.as_constant().is_some() {
+        return true;
+    }
+    let trial = state.with(Atom::new(rest.clone(), Sign::Zero));
+    common_sign(&rest).is_some() && tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
+}
+
+/// An atom with factors that are known not to vanish, and what is left of it.
+fn cancellation(state: &State<'_, '_>) -> Option<(usize, Vec<(usize, u32)>, Poly)> {
+    let known: Vec<usize> = (0..state.atoms.len())
+        .filter(|&j| {
+            let a = &state.atoms[j];
+            matches!(a.sign, Sign::Positive | Sign::NonZero) && a.poly.as_constant().is_none()
+        })
+        .collect();
+    for (i, atom) in state.atoms.iter().enumerate() {
+        if atom.poly.as_constant().is_some() {
+            continue;
+        }
+        let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
+        let (mut rest, mut factors) = (atom.poly.clone(), Vec::new());
+        for &j in known.iter().filter(|&&j| j != i) {
+            let by = &state.atoms[j].poly;
+            if !may_divide(by, &rest) {
+                continue;
+            }
+            let mut n = 0;
+            let mut before = rest.clone();
+            while let Some(q) = exact_quotient(&rest, by) {
+                before = std::mem::replace(&mut rest, q);
+                n += 1;
+            }
+            if order && state.atoms[j].sign == Sign::NonZero && n % 2 == 1 {
+                rest = before;
+                n -= 1;
+            }
+            if n > 0 {
+                factors.push((j, n));
+            }
+        }
+        if !factors.is_empty() {
+            return Some((i, factors, rest));
+        }
+    }
+    None
+}
+
+/// Whether every variable of d occurs in p with at least the same degree.
+fn may_divide(d: &Poly, p: &Poly) -> bool {
+    d.terms().all(|(m, _)| m.iter().all(|&(v, e)| p.degree(v) >= e))
+}
+
+/// A factor of an atom that depends on fewer variables, worth a case distinction.
+fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
+    for a in &state.atoms {
+        let vars = a.poly.vars();
+        if vars.len() < 2 || a.poly.len() < 2 || a.poly.len() > 60 || a.sign == Sign::NonZero {
+            continue;
+        }
+        for &v in &vars {
+            let content = content_in(&a.poly, v);
+            if content.as_constant().is_none() {
+                return Some(content);
+            }
+        }
+    }
+    None
+}
+
+/// Simple values for a variable, inside its visible bounds.
+fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
+    const SIMPLE: [(i64, i64); 25] = [
+        (1, 1), (2, 1), (1, 2), (3, 1), (0, 1), (-1, 1), (1, 3), (4, 1), (3, 2), (-2, 1), (1, 4),
+        (2, 3), (-1, 2), (3, 4), (5, 1), (10, 1), (1, 10), (-3, 1), (9, 10), (1, 100), (100, 1),
+        (-10, 1), (11, 10), (1000, 1), (1, 1000),
+    ];
+    let tests: Vec<&Atom> = state.atoms.iter().filter(|a| a.poly.vars() == [v]).collect();
+    let admits = |q: &Q| {
+        tests.iter().all(|a| {
+            kane_algebra::ring::univariate(&a.poly, v)
+                .is_none_or(|p| a.sign.admits(kane_kernel::sign_at(&p, q)))
+        })
+    };
+    let simple = SIMPLE.iter().map(|&(n, d)| Q::new(n.into(), d.into()));
+    let mut out: Vec<Q> = simple.filter(admits).collect();
+    if out.len() < 8 {
+        // A narrow range: points inside it.
+        let (lower, upper) = tactics::bounds(state, v);
+        let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+        if let (Some(a), Some(b)) = (value(lower), value(upper)) {
+            for k in 1..8i64 {
+                let q = &a + (&b - &a) * Q::new(k.into(), 8.into());
+                if admits(&q) && !out.contains(&q) {
+                    out.push(q);
+                }
+            }
+            out.extend([a, b].into_iter().filter(|q| admits(q)));
+        }
+    }
+    out
+}
+
+/// Choices of one value a list, small positions first, at most `most` of them.
+pub(crate) fn diagonal<T: Clone>(lists: &[Vec<T>], most: usize) -> Vec<Vec<T>> {
+    if lists.is_empty() {
+        return vec![Vec::new()];
+    }
+    if lists.iter().any(Vec::is_empty) {
+        return Vec::new();
+    }
+    let mut out = Vec::new();
+    let deepest: usize = lists.iter().map(|l| l.len() - 1).sum();
+    for sum in 0..=deepest {
+        fill(lists, sum, &mut Vec::new(), &mut out, most);
+        if out.len() >= most {
+            break;
+        }
+    }
+    out
+}
+
+fn fill<T: Clone>(
+    lists: &[Vec<T>],
+    sum: usize,
+    chosen: &mut Vec<T>,
+    out: &mut Vec<Vec<T>>,
+    most: usize,
+) {
+    if out.len() >= most {
+        return;
+    }
+    let Some((list, rest)) = lists.split_first() else {
+        if sum == 0 {
+            out.push(chosen.clone());
+        }
+        return;
+    };
+    let room: usize = rest.iter().map(|l| l.len() - 1).sum();
+    for i in sum.saturating_sub(room)..=sum.min(list.len() - 1) {
+        chosen.push(list[i].clone());
+        fill(rest, sum - i, chosen, out, most);
+        chosen.pop();
+    }
+}
+
+/// Gives every other variable a simple value in its range and the eliminated ones theirs.
+fn complete(state: &State<'_, '_>, mut partial: Partial, trail: &[Elimination]) -> Option<Point> {
+    let count = state.scope.germ() + 1 + kane_kernel::premised(state.goal).count();
+    for v in 0..count {
+        let eliminated = trail.iter().any(|e| e.var == v);
+        if partial.values.contains_key(&v) || eliminated {
+            continue;
+        }
+        let range = State { atoms: state.scope.range(v), ..state.clone() };
+        partial.set(v, candidates(&range, v).into_iter().next().unwrap_or_else(Q::zero));
+    }
+    for e in trail.iter().rev() {
+        let value = partial.quotient(&e.e, &e.d)?;
+        partial.values.insert(e.var, value);
+    }
+    Some(partial.finish())
+}

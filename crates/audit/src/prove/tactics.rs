@@ -1,0 +1,555 @@
+//! Ways to close a state without branching: conflicts, signs, sign tables, products, ideals.
+//!
+//! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
+
+use kane_algebra::linear_program::{feasible, whole};
+use kane_algebra::ring::{Ideal, Ring, exact_quotient};
+use kane_algebra::sign_table::{Cell, SignTable};
+use kane_kernel::{Monomial, Poly, Proof, Sign, State, Term};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+type Q = BigRational;
+
+fn order(sign: Sign) -> bool {
+    matches!(sign, Sign::Positive | Sign::NonNegative)
+}
+
+/// A state that is visibly contradictory: false constants, atoms against each other, wrong signs.
+pub(crate) fn quick(state: &State<'_, '_>) -> Option<Proof> {
+    quick_from(state, 0)
+}
+
+/// The same, if only atoms from `fresh` on are new.
+pub(crate) fn quick_from(state: &State<'_, '_>, fresh: usize) -> Option<Proof> {
+    if state.atoms.iter().any(|a| a.decided() == Some(false)) {
+        return Some(Proof::Absurd);
+    }
+    let undecided = |i: &usize| state.atoms[*i].decided().is_none();
+    let new = fresh..state.atoms.len();
+    conflict(state).or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
+}
+
+/// Two or three atoms about the same polynomial that cannot all hold.
+fn conflict(state: &State<'_, '_>) -> Option<Proof> {
+    let keyed: Vec<(Poly, bool, BigInt, Sign)> = state
+        .atoms
+        .iter()
+        .map(|a| {
+            let (content, p) = a.poly.primitive();
+            let negative = p.terms().next().is_some_and(|(_, c)| c.is_negative());
+            (if negative { p.neg() } else { p }, negative, content, a.sign)
+        })
+        .collect();
+    let factor = |i: usize, n: u32| (i, n);
+    for (j, b) in keyed.iter().enumerate() {
+        if b.0.as_constant().is_some() {
+            continue;
+        }
+        for (i, a) in keyed[..j].iter().enumerate() {
+            if a.0 != b.0 {
+                continue;
+            }
+            let one = Poly::one();
+            let term = |weight: &BigInt, factors| Term {
+                weight: weight.clone(),
+                square: one.clone(),
+                factors,
+            };
+            let proof = match (a.3, b.3) {
+                (Sign::Zero, Sign::Positive | Sign::NonZero) => cancel_to_constant(state, i, j),
+                (Sign::Positive | Sign::NonZero, Sign::Zero) => cancel_to_constant(state, j, i),
+                (x, y) if order(x) && order(y) && a.1 != b.1 => {
+                    let opposed = vec![
+                        term(&b.2, vec![factor(i, 1)]),
+                        term(&a.2, vec![factor(j, 1)]),
+                    ];
+                    if x == Sign::Positive || y == Sign::Positive {
+                        Some(Proof::Positive { terms: opposed, cofactors: Vec::new() })
+                    } else {
+                        // ≥ and ≤ leave only 0, which a third atom may exclude.
+                        let third = keyed.iter().position(|c| c.0 == b.0 && c.3 == Sign::NonZero);
+                        third.map(|k| Proof::Positive {
+                            terms: vec![
+                                term(&(&keyed[k].2 * &keyed[k].2), vec![factor(i, 1), factor(j, 1)]),
+                                term(&(&a.2 * &b.2), vec![factor(k, 2)]),
+                            ],
+                            cofactors: Vec::new(),
+                        })
+                    }
+                }
+                _ => None,
+            };
+            if proof.is_some() {
+                return proof;
+            }
+        }
+    }
+    None
+}
+
+/// Equation i divided by the non-vanishing atom j that it is a multiple of.
+fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
+    let quotient = exact_quotient(&state.atoms[i].poly, &state.atoms[j].poly)?;
+    let proof = Proof::Cancel {
+        atom: i,
+        factors: vec![(j, 1)],
+        quotient,
+        then: Box::new(Proof::Absurd),
+    };
+    state.refute(&proof).is_ok().then_some(proof)
+}
+
+/// Indices of the tightest lower and upper bounds of a variable.
+pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<usize>) {
+    let (mut lower, mut upper): (Option<(Q, usize)>, Option<(Q, usize)>) = (None, None);
+    for (i, a) in state.atoms.iter().enumerate() {
+        if !order(a.sign) || a.poly.len() > 2 {
+            continue;
+        }
+        let Some([c, k]) = a.poly.univariate(v).map(|p| <[BigInt; 2]>::try_from(p).ok()).flatten()
+        else {
+            continue;
+        };
+        if k.is_zero() {
+            continue;
+        }
+        let at = Q::new(-c, k.clone());
+        // Of equal bounds the strict one is tighter.
+        let strict = a.sign == Sign::Positive;
+        if k.is_positive() {
+            if lower.as_ref().is_none_or(|(b, _)| at > *b || (at == *b && strict)) {
+                lower = Some((at, i));
+            }
+        } else if upper.as_ref().is_none_or(|(b, _)| at < *b || (at == *b && strict)) {
+            upper = Some((at, i));
+        }
+    }
+    (lower.map(|b| b.1), upper.map(|b| b.1))
+}
+
+/// The value of a bound.
+pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
+    match state.atoms[i].poly.univariate(v).as_deref() {
+        Some([c, k]) => Q::new(-c, k.clone()),
+        _ => Q::zero(),
+    }
+}
+
+/// Atom i contradicts the bounds of its variables, seen from the signs of coefficients.
+pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Proof> {
+    let atom = &state.atoms[i];
+    if atom.sign == Sign::NonZero || atom.poly.len() > 3000 {
+        return None;
+    }
+    let vars = atom.poly.vars();
+    let bounds: Vec<_> = vars.iter().map(|&v| (v, bounds(state, v))).collect();
+    if bounds.iter().all(|(_, b)| b.0.is_some() || b.1.is_some()) {
+        let mut bounds: Vec<_> = bounds.iter().map(|&(v, (l, u))| (v, l, u)).collect();
+        // The bound itself says nothing about itself.
+        for b in &mut bounds {
+            if b.1 == Some(i) {
+                b.1 = None;
+            }
+            if b.2 == Some(i) {
+                b.2 = None;
+            }
+        }
+        if bounds.iter().all(|b| b.1.is_some() || b.2.is_some()) {
+            let proof = Proof::Orthant { atom: i, bounds };
+            if state.refute(&proof).is_ok() {
+                return Some(proof);
+            }
+        }
+    }
+    even_powers(state, i)
+}
+
+/// Atom i is a sum of monomials of the wrong sign: even powers, and variables bounded by zero.
+fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Proof> {
+    let atom = &state.atoms[i];
+    let half_line = |v: usize| {
+        state.atoms.iter().enumerate().find_map(|(j, a)| {
+            let (m, c) = a.poly.terms().next()?;
+            let alone = a.poly.len() == 1 && m[..] == [(v, 1)] && order(a.sign) && j != i;
+            alone.then(|| (j, c.clone(), a.sign == Sign::Positive))
+        })
+    };
+    let signs: &[i8] = if atom.sign == Sign::Zero { &[1, -1] } else { &[-1] };
+    for &sign in signs {
+        // atom·(−sign) + Σ terms = 0 with every term ≥ 0.
+        let mut terms = Vec::new();
+        let mut fits = true;
+        let mut scale = BigInt::one();
+        for (m, c) in atom.poly.terms() {
+            let mut weight = if sign > 0 { c.clone() } else { -c };
+            let (mut square, mut factors): (Monomial, Vec<(usize, u32)>) = (Vec::new(), Vec::new());
+            for &(v, n) in m {
+                let known = half_line(v);
+                match known {
+                    // Strict bounds keep the term visibly positive.
+                    Some((j, k, true)) if k.is_one() => factors.push((j, n)),
+                    _ if n % 2 == 0 => square.push((v, n / 2)),
+                    Some((j, k, _)) if k.abs().is_one() => {
+                        if k.is_negative() {
+                            weight = -weight;
+                        }
+                        factors.push((j, 1));
+                        if n > 1 {
+                            square.push((v, n / 2));
+                        }
+                    }
+                    _ => fits = false,
+                }
+            }
+            fits = fits && weight.is_positive();
+            terms.push(Term { weight, square: Poly::term(square, BigInt::one()), factors });
+        }
+        if !fits {
+            continue;
+        }
+        let proof = if atom.sign == Sign::Zero {
+            let cofactor = Poly::constant(if sign > 0 { -&scale } else { scale.clone() });
+            Proof::Positive { terms, cofactors: vec![(i, cofactor)] }
+        } else {
+            scale = BigInt::one();
+            terms.push(Term { weight: scale, square: Poly::one(), factors: vec![(i, 1)] });
+            Proof::Positive { terms, cofactors: Vec::new() }
+        };
+        if state.refute(&proof).is_ok() {
+            return Some(proof);
+        }
+    }
+    None
+}
+
+/// A target atom that is a product of another order atom and a factor of known sign.
+pub(crate) fn multiple_of_premise(state: &State<'_, '_>) -> Option<Proof> {
+    for (i, target) in state.atoms.iter().enumerate().rev() {
+        if !order(target.sign) || target.poly.len() < 2 {
+            continue;
+        }
+        for (j, h) in state.atoms.iter().enumerate() {
+            if i == j || !order(h.sign) || h.poly.len() < 2 {
+                continue;
+            }
+            let Some(q) = exact_quotient(&target.poly, &h.poly) else {
+                continue;
+            };
+            if q.as_constant().is_some() {
+                continue;
+            }
+            // target = w·q·h: with h > 0 and q < 0 it cannot be ≥ 0.
+            let negative = state.with(kane_kernel::Atom::new(q.clone(), Sign::NonNegative));
+            if let Some(p) = wrong_sign(&negative, negative.atoms.len() - 1) {
+                // Split on q: q ≥ 0 is refuted; q < 0 makes target and h conflict.
+                let minus = state.with(kane_kernel::Atom::new(q.neg(), Sign::Positive));
+                let index = minus.atoms.len() - 1;
+                let cancelled = minus.cancel(i, &[(index, 1)], &h.poly.neg()).ok()?;
+                let then = conflict(&cancelled)?;
+                let zero = wrong_sign(&state.with(kane_kernel::Atom::new(q.clone(), Sign::Zero)), index)?;
+                let positive =
+                    wrong_sign(&state.with(kane_kernel::Atom::new(q.clone(), Sign::Positive)), index)?;
+                let _ = p;
+                return Some(Proof::Split {
+                    zero: Box::new(zero),
+                    positive: Box::new(positive),
+                    negative: Box::new(Proof::Cancel {
+                        atom: i,
+                        factors: vec![(index, 1)],
+                        quotient: h.poly.neg(),
+                        then: Box::new(then),
+                    }),
+                    poly: q,
+                });
+            }
+        }
+    }
+    None
+}
+
+/// Atoms in the variable v alone: the sign table of the line, with the atoms' indices.
+pub(crate) fn line(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<usize>)> {
+    let mut polys = Vec::new();
+    let mut indices = Vec::new();
+    for (i, a) in state.atoms.iter().enumerate() {
+        if a.poly.vars() == [v] {
+            polys.push(kane_algebra::ring::univariate(&a.poly, v)?);
+            indices.push(i);
+        }
+    }
+    if polys.is_empty() {
+        return None;
+    }
+    let table = SignTable::new(&polys, &state.scope.fuel).ok()?;
+    Some((table, indices))
+}
+
+/// The first cell, gaps before roots, on which all atoms of a line hold.
+pub(crate) fn open_cell(
+    state: &State<'_, '_>,
+    table: &SignTable,
+    indices: &[usize],
+) -> Option<Cell> {
+    let holds = |cell: &Cell| {
+        let admits = |(k, i): (usize, &usize)| state.atoms[*i].sign.admits(table.sign(k, *cell));
+        indices.iter().enumerate().all(admits)
+    };
+    let mut cells: Vec<Cell> = table.cells().filter(holds).collect();
+    // Simplest first: small rationals, then exact roots, then irrational ones.
+    cells.sort_by_key(|c| match c {
+        Cell::Root(i) if !table.roots[*i].is_exact() => (2u8, BigInt::zero(), 0u8),
+        Cell::Root(_) => weight(&table.sample(*c), 1),
+        Cell::Gap(_) => weight(&table.sample(*c), 0),
+    });
+    cells.into_iter().next()
+}
+
+/// Orders rationals by simplicity: 1 before −1 before 2 before 1/2; 0 comes after 1.
+fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
+    let size: BigInt = q.numer().abs() + q.denom() * 2;
+    let zero = if q.is_zero() { BigInt::from(2) } else { BigInt::zero() };
+    (0, size * 2 + zero + i32::from(q.is_negative()), kind)
+}
+
+/// The sign table of v as a proof, if no cell is open.
+pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Proof> {
+    let (table, indices) = line(state, v)?;
+    if open_cell(state, &table, &indices).is_some() {
+        return None;
+    }
+    let atoms = indices
+        .iter()
+        .zip(&table.factored)
+        .map(|(i, (c, powers))| (*i, c.clone(), powers.clone()))
+        .collect();
+    let proof = Proof::SignTable { var: v, bases: table.bases, roots: table.roots, atoms };
+    state.refute(&proof).is_ok().then_some(proof)
+}
+
+/// Linear programming over products of atoms and squares of binomials (Handelman 1988; diagonally
+/// dominant sums of squares). Small systems only.
+pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
+    let fuel = &state.scope.fuel;
+    let live: Vec<usize> = (0..state.atoms.len())
+        .filter(|&i| state.atoms[i].decided().is_none())
+        .collect();
+    let total = |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
+    let known: Vec<usize> = live.iter().copied().filter(|&i| order(state.atoms[i].sign)).collect();
+    let equations: Vec<usize> =
+        live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::Zero).collect();
+    let distinct: Vec<usize> = live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
+    let ring = Ring::of(&live.iter().map(|&i| &state.atoms[i].poly).collect::<Vec<_>>());
+    let top = live.iter().map(|&i| total(&state.atoms[i].poly)).max()?;
+    if ring.len() > 5 || known.len() > 14 || top > 8 || live.is_empty() {
+        return None;
+    }
+    let limit = top.max(degree);
+    // Products of at most `degree` atoms, no larger than the largest atom allows.
+    let mut generators: Vec<(Vec<(usize, u32)>, Poly, bool)> = vec![(Vec::new(), Poly::one(), true)];
+    let mut layer = generators.clone();
+    for _ in 0..degree {
+        let mut next = Vec::new();
+        for (factors, p, strict) in &layer {
+            let from = factors.last().map_or(0, |f| f.0);
+            for &i in known.iter().filter(|&&i| i >= from) {
+                let q = p.mul(&state.atoms[i].poly, fuel).ok()?;
+                if total(&q) > limit {
+                    continue;
+                }
+                let mut factors = factors.clone();
+                match factors.last_mut() {
+                    Some(last) if last.0 == i => last.1 += 1,
+                    _ => factors.push((i, 1)),
+                }
+                next.push((factors, q, *strict && state.atoms[i].sign == Sign::Positive));
+            }
+        }
+        generators.extend(next.iter().cloned());
+        layer = next;
+    }
+    for &i in &distinct {
+        let square = state.atoms[i].poly.pow(2, fuel).ok()?;
+        generators.push((vec![(i, 2)], square, true));
+    }
+    if generators.len() > 400 {
+        return None;
+    }
+    // Squares: monomials and binomials up to half the degree.
+    let vars: Vec<usize> = {
+        let mut v: Vec<usize> = live.iter().flat_map(|&i| state.atoms[i].poly.vars()).collect();
+        v.sort_unstable();
+        v.dedup();
+        v
+    };
+    let mut monomials: Vec<Monomial> = vec![Vec::new()];
+    for _ in 0..(limit / 2).min(3) {
+        let mut next = Vec::new();
+        for m in &monomials {
+            for &v in &vars {
+                let mut n = m.clone();
+                match n.iter_mut().find(|x| x.0 == v) {
+                    Some(x) => x.1 += 1,
+                    None => {
+                        n.push((v, 1));
+                        n.sort_unstable();
+                    }
+                }
+                next.push(n);
+            }
+        }
+        monomials.extend(next);
+        monomials.sort();
+        monomials.dedup();
+        if monomials.len() > 36 {
+            break;
+        }
+    }
+    let mut squares: Vec<Poly> = Vec::new();
+    for (i, a) in monomials.iter().enumerate() {
+        let a = Poly::term(a.clone(), BigInt::one());
+        for b in &monomials[..i] {
+            let b = Poly::term(b.clone(), BigInt::one());
+            squares.push(a.add(&b));
+            squares.push(a.sub(&b));
+        }
+        squares.push(a);
+    }
+    let mut columns: Vec<(Term, Poly, bool)> = Vec::new();
+    let mut add = |square: Poly, g: &(Vec<(usize, u32)>, Poly, bool)| -> Option<()> {
+        let p = square.pow(2, fuel).ok()?.mul(&g.1, fuel).ok()?;
+        if total(&p) <= limit && columns.len() < 1500 {
+            let strict = g.2 && square.as_constant().is_some();
+            let term = Term { weight: BigInt::one(), square, factors: g.0.clone() };
+            columns.push((term, p, strict));
+        }
+        Some(())
+    };
+    for g in &generators {
+        add(Poly::one(), g)?;
+    }
+    for g in generators.iter().filter(|g| g.0.len() <= 1) {
+        for s in &squares {
+            if s.as_constant().is_none() {
+                add(s.clone(), g)?;
+            }
+        }
+    }
+    let mut multiples: Vec<(usize, Poly, Poly)> = Vec::new();
+    for &i in &equations {
+        for m in &monomials {
+            let m = Poly::term(m.clone(), BigInt::one());
+            let p = m.mul(&state.atoms[i].poly, fuel).ok()?;
+            if total(&p) <= limit {
+                multiples.push((i, m.clone(), p.clone()));
+                multiples.push((i, m.neg(), p.neg()));
+            }
+        }
+    }
+    let mut rows: std::collections::BTreeMap<&Monomial, usize> = std::collections::BTreeMap::new();
+    for p in columns.iter().map(|c| &c.1).chain(multiples.iter().map(|m| &m.2)) {
+        for (m, _) in p.terms() {
+            let next = rows.len();
+            rows.entry(m).or_insert(next);
+        }
+    }
+    let height = rows.len();
+    if height > 130 || columns.len() + multiples.len() > 1500 {
+        return None;
+    }
+    let entries = |p: &Poly| -> Vec<(usize, Q)> {
+        p.terms().map(|(m, c)| (rows[m], Q::from_integer(c.clone()))).collect()
+    };
+    let mut matrix: Vec<Vec<(usize, Q)>> = Vec::new();
+    for (_, p, strict) in &columns {
+        let mut column = entries(p);
+        if *strict {
+            column.push((height, Q::one()));
+        }
+        matrix.push(column);
+    }
+    matrix.extend(multiples.iter().map(|m| entries(&m.2)));
+    let mut b = vec![Q::zero(); height];
+    b.push(Q::one());
+    let solution = feasible(&matrix, &b, 400)?;
+    let weights = whole(&solution);
+    let terms = columns
+        .into_iter()
+        .zip(&weights)
+        .filter(|(_, w)| w.is_positive())
+        .map(|((t, ..), w)| Term { weight: w.clone(), ..t })
+        .collect::<Vec<_>>();
+    let count = weights.len() - multiples.len();
+    let cofactors = multiples
+        .into_iter()
+        .zip(&weights[count..])
+        .filter(|(_, w)| w.is_positive())
+        .map(|((i, m, _), w)| (i, m.scale(w)))
+        .collect();
+    let proof = Proof::Positive { terms, cofactors };
+    state.refute(&proof).is_ok().then_some(proof)
+}
+
+/// Size below which an ideal is handed to the Gröbner library: equations, variables, total degree,
+/// terms, coefficient bits. Measured worst case: see docs/decisions.
+const IDEAL_GATE: (usize, usize, u32, usize, u64) = (4, 5, 4, 12, 32);
+
+/// 1, or a product of atoms that do not vanish, in the ideal of the equations.
+pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
+    let equations: Vec<usize> = (0..state.atoms.len())
+        .filter(|&i| state.atoms[i].sign == Sign::Zero && state.atoms[i].decided().is_none())
+        .collect();
+    let polys: Vec<&Poly> = equations.iter().map(|&i| &state.atoms[i].poly).collect();
+    let distinct: Vec<usize> = (0..state.atoms.len())
+        .filter(|&i| {
+            let a = &state.atoms[i];
+            matches!(a.sign, Sign::NonZero | Sign::Positive) && a.decided().is_none()
+        })
+        .collect();
+    let targets: Vec<usize> =
+        distinct.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
+    let everything: Vec<&Poly> =
+        polys.iter().copied().chain(targets.iter().map(|&i| &state.atoms[i].poly)).collect();
+    let ring = Ring::of(&everything);
+    let (max_equations, max_vars, max_degree, max_terms, max_bits) = IDEAL_GATE;
+    let degree = |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
+    if polys.is_empty()
+        || polys.len() > max_equations
+        || ring.len() > max_vars
+        || everything.iter().any(|p| degree(p) > max_degree || p.len() > max_terms || p.bits() > max_bits)
+    {
+        return None;
+    }
+    let others: Vec<&Poly> = targets.iter().map(|&i| &state.atoms[i].poly).collect();
+    let ideal = Ideal::new(&polys, &others)?;
+    let powers: Vec<Vec<(usize, u32)>> = std::iter::once(Vec::new())
+        .chain((1..=2).flat_map(|n| targets.iter().map(move |&i| vec![(i, n)])))
+        .collect();
+    for factors in powers {
+        let mut product = Poly::one();
+        for (i, n) in &factors {
+            product = product.mul(&state.atoms[*i].poly.pow(*n, &state.scope.fuel).ok()?, &state.scope.fuel).ok()?;
+        }
+        let Some((lift, common)) = ideal.lift(&product) else {
+            continue;
+        };
+        let cofactors: Vec<(usize, Poly)> = equations.iter().copied().zip(lift).collect();
+        let scaled = if common.is_one() {
+            Proof::Nonzero { factors, cofactors }
+        } else {
+            // common · Π = Σ …; multiply once more by Π to get a positive square.
+            let square: Vec<_> = factors.iter().map(|(i, n)| (*i, 2 * n)).collect();
+            let cofactors = cofactors
+                .into_iter()
+                .map(|(i, c)| Some((i, c.mul(&product.neg(), &state.scope.fuel).ok()?)))
+                .collect::<Option<Vec<_>>>()?;
+            let term = Term { weight: common, square: Poly::one(), factors: square };
+            Proof::Positive { terms: vec![term], cofactors }
+        };
+        if state.refute(&scaled).is_ok() {
+            return Some(scaled);
+        }
+    }
+    None
+}
