@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use kane::audit::{Audit, Body, Document};
+use kane::audit::{Audit, Body, Document, Options};
 use kane::report::{self, Report};
 
 use super::args::{AuditArgs, Format};
@@ -96,48 +96,16 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
     (documents, faults)
 }
 
-/// Judges the document, or of it only what is asked for. Until the prover lands, every claim is undecided.
-fn judge(document: Document, _chosen: Option<&[usize]>) -> Audit {
-    use kane::audit::{Judgement, LinkJudgement, Verdict};
+/// Judges the document, or of it only what is asked for and what that cites.
+fn judge(document: Document, chosen: Option<&[usize]>) -> Audit {
+    let options = Options {
+        only: chosen.map(<[usize]>::to_vec),
+        ..Options::default()
+    };
     let mut progress = Progress::new();
-    let all = document.statements.len();
-    let mut judgements = Vec::new();
-    for (done, statement) in document.statements.iter().enumerate() {
-        progress.update(done, all);
-        let (verdict, expect) = match &statement.body {
-            Body::Let(_) => (Verdict::Defined, None),
-            Body::Given(_) => (Verdict::Assumed, None),
-            Body::Claim(claim) => (Verdict::Undecided, claim.expect),
-        };
-        let link = LinkJudgement {
-            text: String::new(),
-            latex: String::new(),
-            verdict,
-            reason: "there is no prover yet".to_owned(),
-            certificate: None,
-            used: vec![],
-            steps: vec![],
-            cost: 0,
-        };
-        let links = if verdict == Verdict::Undecided {
-            vec![link]
-        } else {
-            vec![]
-        };
-        judgements.push(Judgement {
-            verdict,
-            conditional: verdict,
-            links,
-            unproved: vec![],
-            rests_on: vec![],
-            model: None,
-            expect,
-        });
-    }
-    Audit {
-        document,
-        judgements,
-    }
+    kane::audit::audit(document, &options, &mut |done, all| {
+        progress.update(done, all)
+    })
 }
 
 /// The command that prints one document's report again.

@@ -40,7 +40,6 @@ fn json_follows_its_documented_schema() {
     let schema = include_str!("../../docs/report-schema.md");
     let mut undocumented = Vec::new();
     fields(&report, &mut |field| {
-        // the verdicts are keys too, of the counts
         if !schema.contains(&format!("`{field}`")) {
             undocumented.push(field.to_owned());
         }
@@ -56,7 +55,10 @@ fn fields(value: &Value, see: &mut impl FnMut(&str)) {
     match value {
         Value::Object(object) => object.iter().for_each(|(name, value)| {
             see(name);
-            fields(value, see);
+            // the counts by verdict are a table: its keys are verdicts, not fields
+            if name != "verdicts" {
+                fields(value, see);
+            }
         }),
         Value::Array(array) => array.iter().for_each(|value| fields(value, see)),
         _ => {}

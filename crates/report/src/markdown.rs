@@ -63,7 +63,7 @@ fn section(out: &mut String, entry: &Entry<'_>) {
         write_link(out, entry, link);
     }
     let mut ground = Vec::new();
-    if !judgement.rests_on.is_empty() {
+    if entry.is_claim() && !judgement.rests_on.is_empty() {
         ground.push(format!(
             "Rests on {}.",
             escape(&entry.labels(&judgement.rests_on).join(", "))

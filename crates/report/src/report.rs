@@ -170,6 +170,7 @@ impl<'a> Entry<'a> {
     /// How the verdict stands to what the author expects; `None` where that goes without saying.
     pub(crate) fn expectation(&self) -> Option<String> {
         match self.judgement.expect {
+            // only a claim can surprise
             _ if !self.is_claim() => None,
             Some(Verdict::Proved) | None if self.judgement.as_expected() => None,
             Some(_) if self.judgement.as_expected() => Some("expected".to_owned()),
