@@ -562,7 +562,7 @@ impl Teller<'_> {
             self.say(1, format!("{} holds for all {x}{how}{limits}.", self.labels[i]));
         }
         let end = match &f.failure {
-            Failure::Nothing => "all hypotheses hold".to_string(),
+            Failure::Reaches(_) => "all hypotheses hold".to_string(),
             Failure::At(point) => match value(point, f.var) {
                 Some(at) => format!("it fails at {x} = {at}"),
                 None => "it fails".to_string(),

@@ -31,6 +31,8 @@ pub use diagnostic::Diagnostic;
 pub const MAX_FILE_BYTES: usize = 16 << 20;
 /// Statements of a document.
 pub const MAX_STATEMENTS: usize = 100_000;
+/// Symbols of a document.
+const MAX_SYMBOLS: usize = 100_000;
 /// Faults after which reading stops.
 const MAX_FAULTS: usize = 200;
 /// Names above which no nearest one is sought.
@@ -57,8 +59,8 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
     let mut reader = Reader::default();
     let blocks = blocks::find(text, &mut reader.faults);
     let mut lines = Lines::new(text);
-    for span in blocks.statements {
-        if reader.drafts.len() == MAX_STATEMENTS {
+    for (count, span) in blocks.statements.into_iter().enumerate() {
+        if count == MAX_STATEMENTS {
             let message = format!("more than {MAX_STATEMENTS} statements");
             reader.faults.push(Fault::new(span, message));
             break;
@@ -66,7 +68,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         if reader.faults.len() >= MAX_FAULTS {
             break;
         }
-        let line = lines.line_of(span.start);
+        let line = lines.place(span.start).line;
         reader.statement(&blocks.code, span, line);
     }
     let statements = if reader.faults.len() < MAX_FAULTS {
@@ -169,7 +171,7 @@ impl Reader {
             None => None,
         };
         if let Some(site) = site {
-            let line = Lines::new(text).line_of(*site);
+            let line = Lines::new(text).place(*site).line;
             return Some(format!("it is declared below its use, on line {line}"));
         }
         if self.var_sites.len() + self.let_sites.len() > MAX_CANDIDATES {

@@ -134,7 +134,8 @@ pub fn claim_state<'s, 'g>(
     finding: Finding,
 ) -> Result<State<'s, 'g>, Rejection> {
     if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
-        return constants(scope, goal, l.var);
+        let state = constants(scope, goal, l.var)?;
+        return Ok(State { reaching: true, ..state });
     }
     let mut formulas = at_point(scope, goal, None)?;
     formulas.extend(failure(scope, &goal.conclusion, finding)?);
@@ -143,6 +144,7 @@ pub fn claim_state<'s, 'g>(
         goal,
         atoms: ranges(scope),
         formulas: Rc::new(formulas),
+        reaching: false,
     })
 }
 
@@ -355,27 +357,44 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
         return Err(Rejection::CaseCount(context.vars.len(), f.values.len()));
     }
     let explicit = crate::substituted(goal, &f.values);
-    let bare = |conclusion, when| Goal {
+    let outer = scope(goal, Fuel::new(fuel.left()))?;
+    // Premises about x alone narrow its domain; all others are proved on that domain.
+    let narrow: Vec<bool> = goal
+        .hypotheses
+        .iter()
+        .map(|h| crate::limit::narrows(&outer, &h.sentence, f.var))
+        .collect();
+    let domain: Vec<Hypothesis> = explicit
+        .hypotheses
+        .iter()
+        .zip(&narrow)
+        .filter(|(_, narrow)| **narrow)
+        .map(|(h, _)| h.clone())
+        .collect();
+    let on_domain = |conclusion, when| Goal {
         context: explicit.context.clone(),
-        hypotheses: Vec::new(),
+        hypotheses: domain.clone(),
         when,
         conclusion,
     };
-    let limit_goal = |l: &Limit| bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
+    let limit_goal = |l: &Limit| on_domain(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
     let left = || Fuel::new(fuel.left());
     let prove = |h: &Hypothesis, proof: &crate::Proof| {
-        let alone = bare(Conclusion::Contradiction, Vec::new());
+        let alone = on_domain(Conclusion::Contradiction, Vec::new());
+        // The premise is only named here so that its roots are known; it may not prove itself.
         let carrier = Goal {
-            hypotheses: vec![h.clone()],
+            conclusion: Conclusion::NotImplied(h.sentence.clone()),
             ..alone.clone()
         };
         let scope = scope(&carrier, left())?;
+        let mut formulas = at_point(&scope, &alone, None)?;
+        formulas.push(scope.premise_fails(&h.sentence, h.given)?);
         let state = State {
             scope: &scope,
-            // No premise may help to prove a premise.
             goal: &alone,
             atoms: scope.range(f.var),
-            formulas: Rc::new(vec![scope.premise_fails(&h.sentence, h.given)?]),
+            formulas: Rc::new(formulas),
+            reaching: false,
         };
         let outcome = state.refute(proof);
         fuel.spend(fuel.left().saturating_sub(scope.fuel.left()))?;
@@ -384,7 +403,10 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
     for ((v, e), proof) in f.values.iter().zip(&f.ranges) {
         prove(&range_premise(goal, *v, e), proof)?;
     }
-    for (h, (proof, limits)) in explicit.hypotheses.iter().zip(&f.premises) {
+    for ((h, narrow), (proof, limits)) in explicit.hypotheses.iter().zip(narrow).zip(&f.premises) {
+        if narrow {
+            continue;
+        }
         prove(h, proof)?;
         let wanted = h.sentence.links.iter().filter_map(|l| match l {
             Link::Limit(l) => Some(l),
@@ -400,36 +422,34 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
             limit_holds(&constants(&scope, &goal, limit.var)?, limit, proofs)?;
         }
     }
-    let point_fails = |point: &Point| {
-        let goal = bare(explicit.conclusion.clone(), explicit.when.clone());
-        let scope = scope(&goal, left())?;
-        let mut state = claim_state(&scope, &goal, finding)?;
-        state.atoms = scope.range(f.var);
-        satisfies(&state, point)
-    };
     match (&f.failure, &explicit.conclusion, finding) {
-        (Failure::Nothing, _, Finding::Consistent) => Ok(()),
-        (Failure::At(point), _, Finding::Consistent) => point_fails(point),
-        (Failure::Nothing, Conclusion::Contradiction, Finding::Refuted) if goal.when.is_empty() => {
-            Ok(())
+        (Failure::At(point), conclusion, _)
+            if finding == Finding::Consistent || !is_limit(conclusion) =>
+        {
+            let goal = on_domain(explicit.conclusion.clone(), explicit.when.clone());
+            let scope = scope(&goal, left())?;
+            let mut state = claim_state(&scope, &goal, finding)?;
+            state.atoms = scope.range(f.var);
+            satisfies(&state, point)
         }
-        (
-            Failure::At(point),
-            Conclusion::Link(Link::Relation(_))
-            | Conclusion::NotImplied(_)
-            | Conclusion::Contradiction,
-            _,
-        ) => point_fails(point),
-        (
-            Failure::Limit {
-                link,
-                target,
-                side,
-                proof,
-            },
-            conclusion,
-            _,
-        ) => {
+        (Failure::Reaches(proof), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
+            let zero = Expr::int(0);
+            let trivial = Limit {
+                expr: zero.clone(),
+                to: Target::Finite(zero),
+                ..l.clone()
+            };
+            let goal = on_domain(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when);
+            let scope = scope(&goal, left())?;
+            let state = constants(&scope, &goal, l.var)?;
+            let sides = sides(&scope, &trivial);
+            let side = sides.iter().find(|s| **s == proof.germ.side);
+            let side = side.ok_or(Rejection::OutsideDomain)?;
+            crate::limit::check(&state, &trivial, side, proof)
+        }
+        (Failure::Limit { link, target, side, proof }, conclusion, _)
+            if finding != Finding::Consistent =>
+        {
             let when: &[Relation] = match conclusion {
                 Conclusion::NotImplied(s) => &s.when,
                 _ => &[],
@@ -452,12 +472,14 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
                 .all(explicit.when.iter().chain(when))?
                 .holds
                 .contains(&Atoms::new());
-            (differs && applies)
-                .then_some(())
-                .ok_or(Rejection::NotAModel(None))
+            (differs && applies).then_some(()).ok_or(Rejection::NotAModel(None))
         }
         _ => Err(Rejection::WrongEvidence),
     }
+}
+
+fn is_limit(conclusion: &Conclusion) -> bool {
+    claimed(conclusion).iter().any(|l| matches!(l, Link::Limit(_)))
 }
 
 /// «e is defined and within the range of v» as a premise.

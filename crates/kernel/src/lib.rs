@@ -20,7 +20,9 @@ mod univariate;
 pub use ast::*;
 pub use check::{check, claim_state, digest, range_premise, satisfies, scope};
 pub use derivative::derivative;
-pub use limit::{along, at_point, constants, differs, misses, premised, sides, start};
+pub use limit::{
+    along, at_point, constants, differs, leaves, misses, narrows, premised, sides, start,
+};
 pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign, Truth};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;

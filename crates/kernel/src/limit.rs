@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::state::depends;
+use crate::state::{depends, varies};
 use crate::{
     Approach, Atom, Atoms, Cases, Expr, Fuel, Goal, Limit, Link, Poly, Rejection, Relation, Scope,
     Sentence, Side, SideProof, Sign, State, Target, exponent,
@@ -84,6 +84,32 @@ fn has_value(scope: &Scope<'_>, s: &Sentence, l: &Limit) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether a premise speaks of x without any function of x: it narrows the domain of x.
+#[must_use]
+pub fn narrows(scope: &Scope<'_>, s: &Sentence, x: usize) -> bool {
+    let relations: Vec<_> = s.when.iter().chain(crate::normal::relations(s)).collect();
+    let limits = s.links.iter().any(|l| matches!(l, Link::Limit(_)));
+    let any = |test: &dyn Fn(&Expr) -> bool| relations.iter().any(|r| test(&r.lhs) || test(&r.rhs));
+    !limits && any(&|e| depends(scope, e, x)) && !any(&|e| varies(scope, e, x))
+}
+
+/// Formulas that hold where a germ leaves the narrowed domain: what is known of constants, and one
+/// of the narrowing premises fails.
+///
+/// # Errors
+/// [`Rejection::Budget`].
+pub fn leaves(scope: &Scope<'_>, goal: &Goal, x: usize) -> Result<Vec<Cases>, Rejection> {
+    let mut formulas = at_point(scope, goal, Some(x))?;
+    let mut outside = Cases::new();
+    for h in &goal.hypotheses {
+        if narrows(scope, &h.sentence, x) {
+            outside.extend(scope.premise_fails(&h.sentence, h.given)?);
+        }
+    }
+    formulas.push(outside);
+    Ok(formulas)
 }
 
 /// A formula that says nothing.
@@ -205,6 +231,7 @@ pub fn constants<'s, 'g>(
         goal,
         atoms: Atoms::new(),
         formulas: Rc::new(at_point(scope, goal, Some(x))?),
+        reaching: false,
     };
     for v in 0..scope.context.vars.len() {
         if state.is_constant(v, x) {
@@ -291,7 +318,7 @@ pub fn misses(
 ///
 /// # Errors
 /// [`Rejection`] naming what does not hold.
-pub fn check(
+pub(crate) fn check(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,

@@ -174,6 +174,8 @@ pub struct Germ {
     pub radius: (Poly, Poly),
     /// proof that both are positive
     pub positive: Box<Proof>,
+    /// proof that the premises about x alone hold along the germ: it lies in the narrowed domain
+    pub inside: Box<Proof>,
 }
 
 /// Proof of a limit f → L from one side: den·f = num along the germ, and both ends at t = 0.
@@ -226,13 +228,14 @@ pub struct Functions {
     pub failure: Failure,
 }
 
-/// How a conclusion fails for explicit functions.
+/// How a conclusion fails for explicit functions. Premises about x alone narrow the domain: they
+/// need not hold for all x, but at the point, or along the side, where the conclusion is judged.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Failure {
-    /// nothing has to fail: the hypotheses are consistent
-    Nothing,
-    /// at a point x
+    /// at a point x (where nothing has to fail for mere consistency)
     At(Point),
+    /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along a side
+    Reaches(SideProof),
     /// the limit at this link is another one; a proof a side of which one is enough
     Limit {
         /// index of the link in a sentence; 0 for a single link

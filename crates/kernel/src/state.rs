@@ -22,6 +22,8 @@ pub struct State<'s, 'g> {
     pub atoms: Atoms,
     /// the formulas
     pub formulas: Rc<Vec<Cases>>,
+    /// whether it is being refuted that the domain, as the premises narrow it, reaches a limit
+    pub reaching: bool,
 }
 
 impl<'s, 'g> State<'s, 'g> {
@@ -431,6 +433,24 @@ impl<'s, 'g> State<'s, 'g> {
     /// # Errors
     /// [`Rejection`] if the side does not lie in the domain or the radius may not be positive.
     pub fn along(&self, germ: &Germ) -> Result<Self, Rejection> {
+        let along = self.along_unproved(germ)?;
+        if !self.reaching {
+            let leaves = crate::limit::leaves(self.scope, self.goal, germ.side.var)?;
+            let inside = Self {
+                formulas: Rc::new(leaves),
+                ..along.clone()
+            };
+            inside.refute(&germ.inside)?;
+        }
+        Ok(along)
+    }
+
+    /// The state along a germ, without the proof that the germ lies in the narrowed domain: for
+    /// those who look for that proof.
+    ///
+    /// # Errors
+    /// As [`State::along`].
+    pub fn along_unproved(&self, germ: &Germ) -> Result<Self, Rejection> {
         let x = germ.side.var;
         let (num, den) = &germ.radius;
         if !germ.side.is_inside(self.scope) {
@@ -463,6 +483,7 @@ impl<'s, 'g> State<'s, 'g> {
             goal: self.goal,
             atoms,
             formulas: Rc::new(crate::limit::along(self.scope, self.goal, &germ.side)?),
+            reaching: self.reaching,
         })
     }
 
@@ -570,17 +591,15 @@ impl Root {
     }
 }
 
-/// Whether an expression depends on x or on a function of x, through definitions too.
+/// Whether an expression mentions a symbol with a property, through definitions too.
 #[must_use]
-pub fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
+fn mentions(scope: &Scope<'_>, e: &Expr, wanted: impl Fn(usize) -> bool) -> bool {
     let mut seen = std::collections::HashSet::new();
     let mut todo = vec![e];
     while let Some(e) = todo.pop() {
         match e {
-            Expr::Var(v) if *v == x => return true,
-            Expr::Var(v) if scope.context.vars.get(*v).is_none_or(|w| w.of == Some(x)) => {
-                return true;
-            }
+            Expr::Var(v) if wanted(*v) => return true,
+            Expr::Deriv(_, x) if wanted(*x) => return true,
             Expr::Let(i) if seen.insert(*i) => {
                 todo.extend(scope.context.lets.get(*i).map(|d| &d.body));
             }
@@ -589,4 +608,16 @@ pub fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
         todo.extend(e.children());
     }
     false
+}
+
+/// Whether an expression depends on a function of x.
+#[must_use]
+pub(crate) fn varies(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
+    mentions(scope, e, |v| scope.context.vars.get(v).is_none_or(|w| w.of == Some(x)))
+}
+
+/// Whether an expression depends on x or on a function of x.
+#[must_use]
+pub fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
+    mentions(scope, e, |v| v == x) || varies(scope, e, x)
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::parser::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_NESTING};
+use super::parser::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 
 /// A fault in the text and the bytes that it concerns.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -64,6 +64,9 @@ pub enum SyntaxErrorKind {
     /// too many operators on top of each other
     #[error("the expression is more than {MAX_HEIGHT} operations deep, definitions included")]
     TooTall,
+    /// a list that is too long
+    #[error("a list of more than {MAX_ITEMS} items")]
+    TooManyItems,
     /// two operands without an operator between them
     #[error("an operator is missing before {0}")]
     ImplicitProduct(String),

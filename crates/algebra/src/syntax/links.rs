@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
 use super::lexer::Token;
-use super::parser::{Node, Parser, excerpt};
+use super::parser::{MAX_ITEMS, Node, Parser, excerpt};
 use super::scope::Symbol;
 
 /// A relation with its place and the height of its taller side.
@@ -51,7 +51,7 @@ impl Parser<'_> {
         loop {
             let first = self.left_side()?;
             self.chain(first, &mut links)?;
-            if !self.accept(Token::Comma) {
+            if !self.next_item(links.len())? {
                 return Ok(links);
             }
         }
@@ -90,6 +90,9 @@ impl Parser<'_> {
         let mut left = left;
         let mut linked = false;
         while let Token::Rel(rel) = self.token() {
+            if links.len() >= MAX_ITEMS {
+                return Err(self.fault(SyntaxErrorKind::TooManyItems));
+            }
             linked = true;
             let operator = self.span();
             self.advance();
@@ -150,7 +153,7 @@ impl Parser<'_> {
                         .map(|l| (Open::Relation(l.relation), l.span)),
                 );
             }
-            if !self.accept(Token::Comma) {
+            if !self.next_item(open.len())? {
                 break;
             }
         }

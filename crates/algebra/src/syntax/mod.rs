@@ -36,8 +36,8 @@ pub use links::Endpoint;
 pub use names::{RESERVED, canonical_name, latex_name};
 pub use number::literal;
 pub use parser::{
-    MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_NESTING, Parser, parse_expr, parse_relations,
-    parse_sentence,
+    MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING, Parser, parse_expr,
+    parse_relations, parse_sentence,
 };
 pub use plain::Notation;
 pub use scope::{DeclareError, Scope, Symbol};

@@ -22,6 +22,11 @@ pub const MAX_EXPONENT: i32 = 10_000;
 /// Digits of a literal.
 pub const MAX_DIGITS: usize = 10_000;
 
+/// Items of a comma list and branches of `cases`.
+pub const MAX_ITEMS: usize = 10_000;
+/// Faults of one text that are kept.
+const MAX_ERRORS: usize = 1000;
+
 /// How tightly an operator binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Level {
@@ -238,9 +243,26 @@ impl<'a> Parser<'a> {
         (self.text.get(start..).unwrap_or_default(), start)
     }
 
-    /// Records a fault that does not end the parse.
+    /// Records a fault that does not end the parse; after a thousand it records no more.
     pub fn report(&mut self, kind: SyntaxErrorKind, span: Range<usize>) {
-        self.errors.push(SyntaxError { kind, span });
+        if self.errors.len() < MAX_ERRORS {
+            self.errors.push(SyntaxError { kind, span });
+        }
+    }
+
+    /// Passes a comma and tells whether another item of a list is due.
+    ///
+    /// # Errors
+    /// When the list, which has `items` so far, becomes too long.
+    pub fn next_item(&mut self, items: usize) -> Result<bool, SyntaxError> {
+        if self.token != Token::Comma {
+            return Ok(false);
+        }
+        if items >= MAX_ITEMS {
+            return Err(self.fault(SyntaxErrorKind::TooManyItems));
+        }
+        self.advance();
+        Ok(true)
     }
 
     /// A fault at the token ahead.
@@ -582,6 +604,9 @@ impl<'a> Parser<'a> {
         while self.token != Token::CloseBrace && self.token != Token::End {
             if otherwise.is_some() {
                 return Err(self.fault(SyntaxErrorKind::ElseNotLast));
+            }
+            if branches.len() >= MAX_ITEMS {
+                return Err(self.fault(SyntaxErrorKind::TooManyItems));
             }
             let guards = if self.accept_word("else") {
                 None

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis, Limit,
-    Link, Poly, Proof, Sentence, State, claim_state, constants, range_premise, scope, sides,
+    Link, Poly, Proof, Sentence, State, Target, claim_state, constants, narrows, range_premise, scope, sides,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -39,7 +39,7 @@ pub(crate) fn model(
     for v in 0..goal.context.vars.len() {
         atoms.extend(scope.range(v));
     }
-    let state = State { scope: &scope, goal, atoms, formulas: Rc::new(formulas[..count].to_vec()) };
+    let state = State { scope: &scope, goal, atoms, formulas: Rc::new(formulas[..count].to_vec()), reaching: false };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();
     let search = Search::new(effort.steps, &may, false);
@@ -59,9 +59,12 @@ pub(crate) fn model(
     for choice in tries {
         let mut values: Vec<(usize, Expr)> = by.to_vec();
         values.extend(free.iter().copied().zip(choice));
-        if let Some(values) = determined(&state, x, values, &trail) {
-            if let Some(functions) = certified(goal, finding, x, values, effort) {
-                return Some(functions);
+        // A quotient may have poles where the premises are silent: there any value will do.
+        for total in [false, true] {
+            let values = determined(&state, x, values.clone(), &trail, total);
+            let found = values.and_then(|v| certified(goal, finding, x, v, effort));
+            if found.is_some() {
+                return found;
             }
         }
     }
@@ -210,6 +213,7 @@ fn determined(
     x: usize,
     mut values: Vec<(usize, Expr)>,
     trail: &[Elimination],
+    total: bool,
 ) -> Option<Vec<(usize, Expr)>> {
     let fuel = &state.scope.fuel;
     // As fractions in x where possible, so that common factors cancel.
@@ -252,7 +256,16 @@ fn determined(
                 if den.as_constant().is_some_and(|c| num_traits::Signed::is_negative(&c)) {
                     (num, den) = (num.neg(), den.neg());
                 }
-                (ratio(&num, &den), Some(Fraction { num, den }))
+                let mut value = ratio(&num, &den);
+                if total && den.as_constant().is_none() {
+                    let pole = kane_kernel::Relation {
+                        lhs: expression(&den),
+                        rel: kane_kernel::Rel::Eq,
+                        rhs: rational(0, 1),
+                    };
+                    value = Expr::Cases(vec![(vec![pole], rational(0, 1))], Some(value.into()));
+                }
+                (value, Some(Fraction { num, den }))
             }
             None => {
                 let put = |p: &Poly| replaced(&expression(p), &values);
@@ -297,9 +310,19 @@ fn certified(
         return None;
     }
     let explicit = kane_kernel::substituted(goal, &values);
+    let outer = scope(goal, Fuel::new(effort.fuel)).ok()?;
+    let narrow: Vec<bool> =
+        goal.hypotheses.iter().map(|h| narrows(&outer, &h.sentence, x)).collect();
+    let domain: Vec<Hypothesis> = explicit
+        .hypotheses
+        .iter()
+        .zip(&narrow)
+        .filter(|(_, narrow)| **narrow)
+        .map(|(h, _)| h.clone())
+        .collect();
     let bare = |conclusion, when| Goal {
         context: explicit.context.clone(),
-        hypotheses: Vec::new(),
+        hypotheses: domain.clone(),
         when,
         conclusion,
     };
@@ -307,13 +330,17 @@ fn certified(
     let search = || Search::new(effort.steps, &any, false);
     let premise = |h: &Hypothesis| -> Option<Proof> {
         let alone = bare(Conclusion::Contradiction, Vec::new());
-        let carrier = Goal { hypotheses: vec![h.clone()], ..alone.clone() };
+        let conclusion = Conclusion::NotImplied(h.sentence.clone());
+        let carrier = Goal { conclusion, ..alone.clone() };
         let scope = scope(&carrier, Fuel::new(effort.fuel)).ok()?;
+        let mut formulas = kane_kernel::at_point(&scope, &alone, None).ok()?;
+        formulas.push(scope.premise_fails(&h.sentence, h.given).ok()?);
         let state = State {
             scope: &scope,
             goal: &alone,
             atoms: scope.range(x),
-            formulas: Rc::new(vec![scope.premise_fails(&h.sentence, h.given).ok()?]),
+            formulas: Rc::new(formulas),
+            reaching: false,
         };
         match search().solve(&state) {
             Outcome::Closed(proof) => Some(proof),
@@ -322,11 +349,14 @@ fn certified(
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
-        limits::prove(&goal, &scope, l, effort.steps)
+        limits::prove(&goal, l, effort.steps, effort.fuel)
     };
     let mut premises = Vec::new();
-    for h in &explicit.hypotheses {
+    for (h, narrow) in explicit.hypotheses.iter().zip(narrow) {
+        if narrow {
+            premises.push((Proof::Absurd, Vec::new()));
+            continue;
+        }
         let proof = premise(h)?;
         let proofs: Option<Vec<_>> = limits_of(&h.sentence).map(limit).collect();
         premises.push((proof, proofs?));
@@ -387,19 +417,20 @@ fn failure(
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
             let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
-            let proof = limits::one_side(&goal, &state, &found, at, effort.steps)?;
+            let proof = limits::one_side(&state, &found, at, effort.steps)?;
             return Some(Failure::Limit { link: index, target, side, proof });
         }
         return None;
     }
-    if finding == Finding::Consistent && explicit.when.is_empty() {
-        return Some(Failure::Nothing);
-    }
-    if finding == Finding::Refuted
-        && explicit.when.is_empty()
-        && explicit.conclusion == Conclusion::Contradiction
-    {
-        return Some(Failure::Nothing);
+    if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &explicit.conclusion) {
+        let zero = rational(0, 1);
+        let trivial = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
+        let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when.clone());
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let state = constants(&scope, &goal, l.var).ok()?;
+        let mut sides = sides(&scope, &trivial).into_iter();
+        let proof = sides.find_map(|s| limits::one_side(&state, &trivial, &s, effort.steps))?;
+        return Some(Failure::Reaches(proof));
     }
     let goal = bare(explicit.conclusion.clone(), explicit.when.clone());
     let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;

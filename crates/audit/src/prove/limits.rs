@@ -3,7 +3,7 @@
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Atom, Fraction, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State, Target,
-    constants, differs, exponent, misses, premised, sides,
+    constants, differs, exponent, leaves, misses, premised, sides,
 };
 use num_bigint::BigInt;
 use num_traits::One;
@@ -22,13 +22,27 @@ pub(crate) struct Found {
 /// Radii to try, as 1/2ᵏ.
 const RADII: [u32; 4] = [0, 3, 7, 20];
 
-/// A germ of constant radius 1/2ᵏ.
-fn germ(side: &Side, k: u32) -> Germ {
+/// A germ of constant radius 1/2ᵏ inside the narrowed domain, if it visibly is.
+fn germ(state: &State<'_, '_>, side: &Side, k: u32, steps: u64) -> Option<Germ> {
     let absurd = vec![Proof::Absurd, Proof::Absurd];
-    Germ {
+    let mut germ = Germ {
         side: side.clone(),
         radius: (Poly::one(), Poly::constant(BigInt::one() << k)),
         positive: Box::new(Proof::Assume { formula: 0, cases: absurd }),
+        inside: Box::new(Proof::Absurd),
+    };
+    if state.reaching {
+        return Some(germ);
+    }
+    let mut along = state.along_unproved(&germ).ok()?;
+    along.formulas = Rc::new(leaves(state.scope, state.goal, side.var).ok()?);
+    let may = varies(state, side.var);
+    match Search::new(steps, &may, false).solve(&along) {
+        Outcome::Closed(proof) => {
+            germ.inside = Box::new(proof);
+            Some(germ)
+        }
+        _ => None,
     }
 }
 
@@ -77,7 +91,10 @@ pub(crate) fn passes<'s, 'g>(
     for _ in 0..3 {
         let before = found.len();
         for side in sides {
-            let germ = germ(side, 0);
+            let found_germ = RADII.iter().find_map(|&k| germ(&state, side, k, steps));
+            let Some(germ) = found_germ else {
+                continue;
+            };
             let Ok(along) = state.along(&germ) else {
                 continue;
             };
@@ -153,7 +170,9 @@ pub(crate) fn found(
 ) -> Vec<(Germ, Found)> {
     let mut out = Vec::new();
     for k in RADII {
-        let germ = germ(side, k);
+        let Some(germ) = germ(state, side, k, steps) else {
+            continue;
+        };
         let Ok(along) = state.along(&germ) else {
             return out;
         };
@@ -188,7 +207,6 @@ pub(crate) fn found(
 
 /// A proof of a limit from one side.
 pub(crate) fn one_side(
-    goal: &Goal,
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
@@ -217,7 +235,6 @@ pub(crate) fn one_side(
         let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
             continue;
         };
-        let _ = goal;
         return Some(SideProof {
             germ,
             num: found.num,
@@ -231,22 +248,14 @@ pub(crate) fn one_side(
 }
 
 /// A proof of a limit from all its sides.
-pub(crate) fn prove(
-    goal: &Goal,
-    scope: &kane_kernel::Scope<'_>,
-    limit: &Limit,
-    steps: u64,
-) -> Option<Vec<SideProof>>
-where
-{
-    let goal = goal.clone();
-    let inner = kane_kernel::scope(&goal, kane_kernel::Fuel::new(scope.fuel.left())).ok()?;
-    let state = constants(&inner, &goal, limit.var).ok()?;
-    let sides = sides(&inner, limit);
+pub(crate) fn prove(goal: &Goal, limit: &Limit, steps: u64, fuel: u64) -> Option<Vec<SideProof>> {
+    let scope = kane_kernel::scope(goal, kane_kernel::Fuel::new(fuel)).ok()?;
+    let state = constants(&scope, goal, limit.var).ok()?;
+    let sides = sides(&scope, limit);
     if sides.is_empty() {
         return None;
     }
-    sides.iter().map(|side| one_side(&goal, &state, limit, side, steps)).collect()
+    sides.iter().map(|side| one_side(&state, limit, side, steps)).collect()
 }
 
 /// The limit of a closed expression of x, as a target, if it is rational or infinite.

@@ -8,7 +8,7 @@ mod tactics;
 
 use kane_kernel::{
     Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
-    check, claim_state, constants, digest, premised, scope, sides,
+    check, claim_state, digest, premised, scope, sides,
 };
 
 use functions::Effort;
@@ -215,9 +215,7 @@ impl Prover<'_> {
             if self.witness(goal, Finding::Proved, out) {
                 return;
             }
-            let limit = limit_variable(goal, Finding::Proved).is_some()
-                && premised(goal).next().is_none();
-            if !limit {
+            if !speaks_of_limits(&goal.conclusion) {
                 if let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out) {
                     self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
                 }
@@ -238,17 +236,11 @@ impl Prover<'_> {
         if self.consistent(goal, out) {
             return;
         }
-        let Ok(scope) = scope(goal, self.fuel()) else {
-            return;
-        };
-        if let Some(proofs) = limits::prove(goal, &scope, limit, self.budget.steps) {
+        if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel) {
             if self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out) {
                 return;
             }
         }
-        let Ok(_) = constants(&scope, goal, limit.var) else {
-            return;
-        };
         self.witness(goal, Finding::Refuted, out);
     }
 }
@@ -268,6 +260,15 @@ fn limit_variable(goal: &Goal, finding: Finding) -> Option<usize> {
         Link::Limit(l) => Some(l.var),
         Link::Relation(_) => None,
     })
+}
+
+fn speaks_of_limits(conclusion: &Conclusion) -> bool {
+    let links: &[Link] = match conclusion {
+        Conclusion::Link(l) => std::slice::from_ref(l),
+        Conclusion::NotImplied(s) => &s.links,
+        Conclusion::Contradiction => &[],
+    };
+    links.iter().any(|l| matches!(l, Link::Limit(_)))
 }
 
 /// A model of a goal with more hypotheses, as a model of the goal.

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
-use super::Fault;
 use super::statement::KEYWORDS;
+use super::{Fault, MAX_FAULTS, MAX_STATEMENTS};
 
 /// The statements of a document, not yet parsed.
 pub(super) struct Blocks {
@@ -116,6 +116,10 @@ impl Block<'_> {
         let closed = self.is_closed(faults);
         let first = statements.len();
         for line in &self.lines {
+            // either is reported as too many, so what follows does not count
+            if statements.len() > MAX_STATEMENTS || faults.len() > MAX_FAULTS {
+                return;
+            }
             let content = self.line(line);
             let bare = content.trim();
             if bare.is_empty() || bare.starts_with('#') {

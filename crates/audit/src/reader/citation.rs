@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Target};
 
-use super::{Fault, Reader, label};
+use super::{Fault, MAX_FAULTS, Reader, label};
 use crate::{Body, Claim, Content, Statement, Verdict};
 
 /// A statement before its citations are resolved.
@@ -81,6 +81,9 @@ impl Reader {
         let mut seen = HashSet::new();
         let mut derivatives = None;
         for cited in &claim.from {
+            if faults.len() > MAX_FAULTS {
+                break;
+            }
             match self.cite(index, cited) {
                 Ok(premise) if seen.insert(premise) => {
                     let derivatives = derivatives.get_or_insert_with(|| self.derivatives(claim));

@@ -46,15 +46,14 @@ struct Excerpt {
 impl Diagnostic {
     pub(super) fn new(file: &str, text: &str, lines: &mut Lines<'_>, fault: Fault) -> Self {
         let start = floor(text, fault.span.start);
-        let line = lines.line_of(start);
-        let line_start = text
-            .get(..start)
-            .and_then(|before| before.rfind('\n'))
-            .map_or(0, |newline| newline + 1);
+        let Place {
+            line,
+            column,
+            line_start,
+        } = lines.place(start);
         let before = text.get(line_start..start).unwrap_or_default();
         let after = text.get(start..).unwrap_or_default();
         let after = after.lines().next().unwrap_or_default();
-        let column = before.chars().count() + 1;
         let length = floor(text, fault.span.end).saturating_sub(start);
         let marked = after.get(..length).unwrap_or(after);
         Self {
@@ -87,17 +86,14 @@ impl Excerpt {
         // tabs and other control characters would put the caret out of place
         let printable = |c: char| if c.is_control() { ' ' } else { c };
         let kept = WINDOW / 2;
-        let skipped = before.chars().count().saturating_sub(kept);
+        let cut = before.char_indices().rev().nth(kept - 1);
+        let cut = cut.map_or(0, |(cut, _)| cut);
         let mut text = String::new();
-        let mut caret = 0;
-        if skipped > 0 {
+        if cut > 0 {
             text.push('…');
-            caret += 1;
         }
-        for c in before.chars().skip(skipped) {
-            text.push(printable(c));
-            caret += 1;
-        }
+        text.extend(before.get(cut..).unwrap_or_default().chars().map(printable));
+        let caret = text.chars().count();
         let room = WINDOW - kept;
         text.extend(after.chars().take(room).map(printable));
         if after.chars().nth(room).is_some() {
@@ -140,31 +136,53 @@ fn floor(text: &str, at: usize) -> usize {
     at
 }
 
-/// Counts lines, in one pass as long as places are asked for in the order of the text.
+/// Where a byte of the text is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// from 1
+    pub(super) line: usize,
+    /// in characters, from 1
+    pub(super) column: usize,
+    /// the first byte of the line
+    pub(super) line_start: usize,
+}
+
+/// Counts lines and columns, in one pass as long as places are asked for in the order of the text.
 #[derive(Debug)]
 pub(super) struct Lines<'a> {
     text: &'a str,
     at: usize,
-    line: usize,
+    place: Place,
 }
 
 impl<'a> Lines<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        Self {
-            text,
-            at: 0,
+        let place = Place {
             line: 1,
-        }
+            column: 1,
+            line_start: 0,
+        };
+        Self { text, at: 0, place }
     }
 
-    /// The line, from 1, of this byte.
-    pub(super) fn line_of(&mut self, at: usize) -> usize {
+    /// The place of this byte, which begins a character.
+    pub(super) fn place(&mut self, at: usize) -> Place {
         if at < self.at {
             *self = Self::new(self.text);
         }
-        let passed = self.text.as_bytes().get(self.at..at).unwrap_or_default();
-        self.line += passed.iter().filter(|byte| **byte == b'\n').count();
+        let passed = self.text.get(self.at..at).unwrap_or_default();
+        let newlines = passed.bytes().filter(|byte| *byte == b'\n').count();
+        let tail = match passed.rfind('\n') {
+            Some(newline) => {
+                self.place.line_start = self.at + newline + 1;
+                self.place.column = 1;
+                passed.get(newline + 1..).unwrap_or_default()
+            }
+            None => passed,
+        };
+        self.place.line += newlines;
+        self.place.column += tail.chars().count();
         self.at = at;
-        self.line
+        self.place
     }
 }

@@ -3,14 +3,13 @@
 use std::ops::Range;
 
 use kane_algebra::syntax::{
-    DeclareError, Endpoint, Parser, Symbol, SyntaxError, SyntaxErrorKind, Token,
-    canonical_name,
+    DeclareError, Endpoint, Parser, Symbol, SyntaxError, SyntaxErrorKind, Token, canonical_name,
 };
 use kane_kernel::{Bound, Expr, Link, Rel, Relation, Sentence, Var};
 use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
-use super::{Fault, Reader, label};
+use super::{Fault, MAX_SYMBOLS, Reader, label};
 use crate::Verdict;
 
 /// The words with which statements begin.
@@ -139,6 +138,11 @@ impl Reader {
 
     fn declare(&mut self, vars: Vec<VarItem>) {
         for item in vars {
+            if self.var_sites.len() == MAX_SYMBOLS {
+                let message = format!("more than {MAX_SYMBOLS} symbols");
+                self.faults.push(Fault::new(item.span, message));
+                return;
+            }
             let of = item.of.and_then(|(name, span)| self.argument(&name, span));
             if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
                 let message = format!("the domain of `{}` is empty", item.name);
@@ -272,7 +276,7 @@ fn claim(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
         let mut from = Vec::new();
         if p.accept_word("from") {
             from.push(cited(&mut p)?);
-            while p.accept(Token::Comma) {
+            while p.next_item(from.len())? {
                 from.push(cited(&mut p)?);
             }
         }
@@ -376,7 +380,7 @@ fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Ex
             }
             None => p.report(SyntaxErrorKind::UnknownSymbol(name.to_owned()), span),
         }
-        if !p.accept(Token::Comma) {
+        if !p.next_item(by.len())? {
             return Ok(by);
         }
     }
@@ -434,8 +438,13 @@ fn vars(mut p: Parser<'_>) -> (Vec<VarItem>, Vec<SyntaxError>, Vec<Fault>) {
                 p.advance();
             }
         }
-        if !p.accept(Token::Comma) {
-            break;
+        match p.next_item(items.len()) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(error) => {
+                errors.push(error);
+                return (items, errors, faults);
+            }
         }
     }
     errors.extend(p.finish(Ok(())).err().into_iter().flatten());
