@@ -6,7 +6,7 @@ use super::{ratio, scope};
 /// The value at x, y = 3, mu = 1/2, alpha = 2, k = -1.
 fn at(x: i64, text: &str) -> Result<BigRational, NoValue> {
     let scope = scope();
-    let e = parse_expr(text, &scope).unwrap_or_else(|e| panic!("{text}: {e:?}"));
+    let e = parse_expr(text, &scope).expect(text);
     let point = [
         ratio(x, 1),
         ratio(3, 1),

@@ -5,11 +5,13 @@ use kane_kernel::Expr;
 
 use super::{ratio, scope};
 
+/// The greatest height as a value.
+const HEIGHT: i64 = 1000;
+
+/// The first fault; the text itself is too long to be shown.
 fn first_error(text: &str) -> SyntaxErrorKind {
-    match parse_expr(text, &scope()) {
-        Ok(_) => panic!("{} bytes are accepted", text.len()),
-        Err(mut errors) => errors.swap_remove(0).kind,
-    }
+    let outcome = parse_expr(text, &scope()).map(|_| "accepted");
+    outcome.expect_err("beyond a limit").swap_remove(0).kind
 }
 
 #[test]
@@ -46,13 +48,14 @@ fn the_tallest_expression_survives_every_walk() {
     let scope = scope();
     let e = parse_expr(&tall, &scope).expect("just tall enough");
     assert_eq!(scope.height(&e), MAX_HEIGHT);
+    assert_eq!(i64::try_from(MAX_HEIGHT), Ok(HEIGHT));
     let context = scope.context();
     assert_eq!(e.plain(context), tall);
     assert!(e.latex(context).len() >= tall.len());
     let copy = e.clone();
     assert_eq!(copy, e);
     let value = eval(&e, context, &[ratio(0, 1)]);
-    assert_eq!(value, Ok(ratio(MAX_HEIGHT as i64 - 1, 1)));
+    assert_eq!(value, Ok(ratio(HEIGHT - 1, 1)));
     assert_eq!(
         first_error(&format!("{tall} + 1")),
         SyntaxErrorKind::TooTall
@@ -85,10 +88,7 @@ fn definitions_count_for_the_height() {
         scope.define(&last, body).expect("a new name");
     }
     let top = parse_expr(&last, &scope).expect("just tall enough");
-    assert_eq!(
-        eval(&top, scope.context(), &[]),
-        Ok(ratio(MAX_HEIGHT as i64 / 2, 1))
-    );
+    assert_eq!(eval(&top, scope.context(), &[]), Ok(ratio(HEIGHT / 2, 1)));
     let errors = parse_expr(&format!("({last} + 1)*2 + 1"), &scope).expect_err("too tall");
     assert_eq!(errors[0].kind, SyntaxErrorKind::TooTall);
 }
