@@ -15,6 +15,7 @@ mod citation;
 mod diagnostic;
 mod label;
 mod statement;
+mod symbol;
 
 use std::collections::HashMap;
 use std::ops::Range;

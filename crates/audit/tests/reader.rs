@@ -1,7 +1,8 @@
 //! What the reader makes of documents, good and bad.
 
-use kane_algebra::syntax::Notation;
+use kane_algebra::syntax::{Notation, Scope, parse_sentence};
 use kane_audit::{Body, Content, Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, Verdict, read};
+use kane_kernel::Sentence;
 use proptest::prelude::*;
 
 const GOOD: &str = r"# Oblique *collision*
@@ -627,4 +628,39 @@ fn hostile_documents_end_quickly() {
         println!("{time:?} {} {head:?}", outcome.is_ok());
         assert!(time.as_secs() < 15, "{time:?} for {head:?}");
     }
+}
+
+#[test]
+fn shipped_documents_print_back_as_they_were_read() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/derivations");
+    let mut sentences = 0;
+    for entry in std::fs::read_dir(folder).expect("the documents are in the checkout") {
+        let path = entry.expect("a readable folder").path();
+        let bytes = std::fs::read(&path).expect("a readable file");
+        let document = read(&path.to_string_lossy(), &bytes).unwrap_or_else(|errors| {
+            panic!(
+                "{}",
+                errors.iter().map(ToString::to_string).collect::<String>()
+            )
+        });
+        let scope = Scope::of(&document.context);
+        for statement in &document.statements {
+            let sentence = match &statement.body {
+                Body::Given(sentence) => sentence.clone(),
+                Body::Claim(claim) => {
+                    let Content::Links(links) = &claim.content else {
+                        continue;
+                    };
+                    let links = links.iter().map(|(link, _)| link.clone()).collect();
+                    let when = claim.when.clone();
+                    Sentence { when, links }
+                }
+                Body::Let(_) => continue,
+            };
+            sentences += 1;
+            let text = sentence.plain(&document.context);
+            assert_eq!(parse_sentence(&text, &scope), Ok(sentence), "{text}");
+        }
+    }
+    assert!(sentences > 100, "{sentences}");
 }

@@ -28,6 +28,7 @@ mod parser;
 mod plain;
 mod scope;
 mod suggest;
+mod words;
 
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, NoValue, eval, holds};

@@ -10,7 +10,7 @@ use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::names::RESERVED;
 use super::number::parse_literal;
-use super::scope::{Scope, Symbol};
+use super::scope::Scope;
 
 /// Parentheses, calls, prefix signs and exponents within each other.
 pub const MAX_NESTING: usize = 256;
@@ -36,7 +36,8 @@ pub(crate) enum Level {
     Atom,
 }
 
-type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
+/// Makes an expression of two.
+pub(crate) type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
 
 /// An expression with its place and its height.
 pub(crate) struct Node {
@@ -47,8 +48,8 @@ pub(crate) struct Node {
 
 /// A parser over one piece of text.
 ///
-/// Faults that leave the structure clear (an unknown name, a zero denominator) are collected in
-/// [`Parser::errors`] and parsing goes on; the others end it as `Err`. The result counts only when
+/// Faults that leave the structure clear (an unknown name, a zero denominator) are collected
+/// and parsing goes on; the others end it as `Err`. The result counts only when
 /// there are neither.
 #[derive(Debug)]
 pub struct Parser<'a> {
@@ -385,7 +386,12 @@ impl<'a> Parser<'a> {
         )
     }
 
-    fn build(&self, expr: Expr, span: Range<usize>, height: usize) -> Result<Node, SyntaxError> {
+    pub(crate) fn build(
+        &self,
+        expr: Expr,
+        span: Range<usize>,
+        height: usize,
+    ) -> Result<Node, SyntaxError> {
         if height > MAX_HEIGHT {
             return Err(SyntaxError {
                 kind: SyntaxErrorKind::TooTall,
@@ -396,7 +402,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Runs `parse` one level of nesting further in.
-    fn nested<T>(
+    pub(crate) fn nested<T>(
         &mut self,
         parse: impl FnOnce(&mut Self) -> Result<T, SyntaxError>,
     ) -> Result<T, SyntaxError> {
@@ -479,7 +485,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Passes the closing token of a group that was opened at `open`, and returns where it ends.
-    fn close(
+    pub(crate) fn close(
         &mut self,
         token: Token,
         opener: char,
@@ -498,140 +504,6 @@ impl<'a> Parser<'a> {
                 span: open.clone(),
             }),
         }
-    }
-
-    fn word(&mut self) -> Result<Node, SyntaxError> {
-        match self.lexeme() {
-            "abs" => self.call(|p| p.unary_call(Expr::Abs)),
-            "sqrt" => self.call(|p| p.unary_call(Expr::Sqrt)),
-            "min" => self.call(|p| p.binary_call(Expr::Min)),
-            "max" => self.call(|p| p.binary_call(Expr::Max)),
-            "d" => self.call(Self::derivative),
-            "cases" => self.cases(),
-            _ => {
-                let (name, span) = self.name()?;
-                let (expr, height) = match self.scope.resolve(name) {
-                    Some(Symbol::Var(index)) => (Expr::Var(index), 1),
-                    Some(Symbol::Let(index)) => {
-                        (Expr::Let(index), self.scope.height_of_let(index) + 1)
-                    }
-                    None => {
-                        let kind = SyntaxErrorKind::UnknownSymbol(excerpt(name));
-                        self.report(kind, span.clone());
-                        (Expr::Num(BigInt::from(1).into()), 1)
-                    }
-                };
-                self.build(expr, span, height)
-            }
-        }
-    }
-
-    fn call(
-        &mut self,
-        arguments: impl FnOnce(&mut Self) -> Result<(Expr, usize), SyntaxError>,
-    ) -> Result<Node, SyntaxError> {
-        let start = self.span().start;
-        self.advance();
-        let open = self.span();
-        self.expect(Token::OpenParen, "`(` after a function's name")?;
-        let (expr, height) = self.nested(arguments)?;
-        let end = self.close(Token::CloseParen, '(', &open)?;
-        self.build(expr, start..end, height)
-    }
-
-    fn unary_call(&mut self, make: fn(Box<Expr>) -> Expr) -> Result<(Expr, usize), SyntaxError> {
-        let a = self.node()?;
-        Ok((make(Box::new(a.expr)), a.height + 1))
-    }
-
-    fn binary_call(&mut self, make: Binary) -> Result<(Expr, usize), SyntaxError> {
-        let a = self.node()?;
-        self.expect(Token::Comma, "`,` and a second argument")?;
-        let b = self.node()?;
-        let height = a.height.max(b.height) + 1;
-        Ok((make(Box::new(a.expr), Box::new(b.expr)), height))
-    }
-
-    /// `f, x` of a derivative. f may contain x and constants, but no unknown function of x.
-    fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
-        let f = self.node()?;
-        self.expect(Token::Comma, "`,` and the variable of differentiation")?;
-        let (name, span) = self.name()?;
-        let vars = &self.scope.context().vars;
-        let x = match self.scope.resolve(name) {
-            Some(Symbol::Var(x)) if vars.get(x).is_some_and(|v| v.of.is_none()) => x,
-            found => {
-                let kind = match found {
-                    None => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
-                    Some(_) => SyntaxErrorKind::NotADerivativeVariable(excerpt(name)),
-                };
-                self.report(kind, span);
-                return Ok((f.expr, f.height));
-            }
-        };
-        let function = self
-            .scope
-            .symbols(&f.expr)
-            .into_iter()
-            .find_map(|y| vars.get(y).filter(|v| v.of == Some(x)));
-        if let Some(function) = function {
-            let kind = SyntaxErrorKind::NotExplicit {
-                function: function.name.clone(),
-                variable: name.to_owned(),
-            };
-            self.report(kind, f.span);
-        }
-        Ok((Expr::Deriv(Box::new(f.expr), x), f.height + 1))
-    }
-
-    fn cases(&mut self) -> Result<Node, SyntaxError> {
-        let start = self.span();
-        self.advance();
-        let open = self.span();
-        self.expect(Token::OpenBrace, "`{` after `cases`")?;
-        let (expr, height) = self.nested(Self::branches)?;
-        let end = self.close(Token::CloseBrace, '{', &open)?;
-        if expr == Expr::Cases(Vec::new(), None) {
-            self.report(SyntaxErrorKind::NoBranch, start.start..end);
-        }
-        self.build(expr, start.start..end, height)
-    }
-
-    fn branches(&mut self) -> Result<(Expr, usize), SyntaxError> {
-        let mut branches = Vec::new();
-        let mut otherwise = None;
-        let mut height = 0;
-        while self.token != Token::CloseBrace && self.token != Token::End {
-            if otherwise.is_some() {
-                return Err(self.fault(SyntaxErrorKind::ElseNotLast));
-            }
-            if branches.len() >= MAX_ITEMS {
-                return Err(self.fault(SyntaxErrorKind::TooManyItems));
-            }
-            let guards = if self.accept_word("else") {
-                None
-            } else {
-                let links = self.guard_links()?;
-                height = links
-                    .iter()
-                    .map(|link| link.height)
-                    .max()
-                    .unwrap_or(0)
-                    .max(height);
-                Some(links.into_iter().map(|link| link.relation).collect())
-            };
-            self.expect(Token::Colon, "`:` after the guard")?;
-            let value = self.node()?;
-            height = height.max(value.height);
-            match guards {
-                Some(guards) => branches.push((guards, value.expr)),
-                None => otherwise = Some(Box::new(value.expr)),
-            }
-            if !self.accept(Token::Semicolon) {
-                break;
-            }
-        }
-        Ok((Expr::Cases(branches, otherwise), height + 1))
     }
 }
 

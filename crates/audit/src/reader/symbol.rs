@@ -1,0 +1,203 @@
+//! `var`: symbols and their domains.
+
+use std::ops::Range;
+
+use kane_algebra::syntax::{Endpoint, Parser, Symbol, SyntaxError, Token};
+use kane_kernel::{Bound, Rel, Var};
+
+use super::{Fault, MAX_SYMBOLS, Reader};
+
+impl Reader {
+    /// Enters the symbols.
+    pub(super) fn declare(&mut self, vars: Vec<Item>) {
+        for item in vars {
+            if self.var_sites.len() == MAX_SYMBOLS {
+                let message = format!("more than {MAX_SYMBOLS} symbols");
+                self.faults.push(Fault::new(item.span, message));
+                return;
+            }
+            let of = item.of.and_then(|(name, span)| self.argument(&name, span));
+            if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
+                let message = format!("the domain of `{}` is empty", item.name);
+                self.faults.push(Fault::new(item.whole.clone(), message));
+            }
+            let var = Var {
+                name: item.name,
+                of,
+                lower: item.lower,
+                upper: item.upper,
+            };
+            match self.scope.declare(var) {
+                Ok(_) => self.var_sites.push(item.span.start),
+                Err(error) => self.refuse(&error, item.span),
+            }
+        }
+    }
+
+    /// The symbol of which a function is declared.
+    fn argument(&mut self, name: &str, span: Range<usize>) -> Option<usize> {
+        let fault = match self.scope.resolve(name) {
+            Some(Symbol::Var(x)) => {
+                let is_plain = |var: &Var| var.of.is_none();
+                if self.scope.context().vars.get(x).is_some_and(is_plain) {
+                    return Some(x);
+                }
+                Fault::new(span, format!("`{name}` is itself a function"))
+                    .with_note("a function varies with a plain `var`")
+            }
+            Some(Symbol::Let(_)) => Fault::new(span, format!("`{name}` is a definition"))
+                .with_note("a function varies with a plain `var`"),
+            None => {
+                let mut fault = Fault::new(span, format!("unknown symbol `{name}`"));
+                fault.unknown = Some(name.to_owned());
+                fault
+            }
+        };
+        self.faults.push(fault);
+        None
+    }
+}
+
+/// A symbol before it is entered.
+pub(super) struct Item {
+    name: String,
+    span: Range<usize>,
+    /// name and bounds
+    whole: Range<usize>,
+    of: Option<(String, Range<usize>)>,
+    lower: Option<Bound>,
+    upper: Option<Bound>,
+}
+
+/// `[bound <] NAME[(x)] [< bound], …`; after a fault it goes on behind the next comma.
+pub(super) fn list(mut p: Parser<'_>) -> (Vec<Item>, Vec<SyntaxError>, Vec<Fault>) {
+    let mut items = Vec::new();
+    let mut errors = Vec::new();
+    let mut faults = Vec::new();
+    loop {
+        if let Err(error) = item(&mut p, &mut items, &mut faults) {
+            errors.push(error);
+            while !matches!(p.token(), Token::Comma | Token::End) {
+                p.advance();
+            }
+        }
+        if p.token() != Token::Comma && p.token() != Token::End {
+            errors.extend(p.expect_end().err());
+            while !matches!(p.token(), Token::Comma | Token::End) {
+                p.advance();
+            }
+        }
+        match p.next_item(items.len()) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(error) => {
+                errors.push(error);
+                return (items, errors, faults);
+            }
+        }
+    }
+    errors.extend(p.finish(Ok(())).err().into_iter().flatten());
+    (items, errors, faults)
+}
+
+fn item(
+    p: &mut Parser<'_>,
+    items: &mut Vec<Item>,
+    faults: &mut Vec<Fault>,
+) -> Result<(), SyntaxError> {
+    let start = p.span().start;
+    let left = if p.token() == Token::Name {
+        None
+    } else {
+        let end = p.bound()?;
+        let rel = bound_relation(p)?;
+        end.map(|end| (mirrored(rel), end))
+    };
+    let (name, span) = p.name()?;
+    let mut of = None;
+    if p.accept(Token::OpenParen) {
+        let (x, x_span) = p.name()?;
+        of = Some((x.to_owned(), x_span));
+        p.expect(Token::CloseParen, "`)` after the one argument")?;
+    }
+    items.push(Item {
+        name: name.to_owned(),
+        span: span.clone(),
+        whole: start..p.last_end(),
+        of,
+        lower: None,
+        upper: None,
+    });
+    let right = if matches!(p.token(), Token::Rel(_)) {
+        let rel = bound_relation(p)?;
+        p.bound()?.map(|end| (rel, end))
+    } else {
+        None
+    };
+    let item = items.last_mut().expect("an item was pushed just now");
+    item.whole.end = p.last_end();
+    for (rel, end) in left.into_iter().chain(right) {
+        if let Err(message) = item.bind(rel, end) {
+            faults.push(Fault::new(item.whole.clone(), message));
+        }
+    }
+    Ok(())
+}
+
+/// `<`, `<=`, `>` or `>=`
+fn bound_relation(p: &mut Parser<'_>) -> Result<Rel, SyntaxError> {
+    match p.token() {
+        Token::Rel(rel @ (Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge)) => {
+            p.advance();
+            Ok(rel)
+        }
+        Token::Rel(_) => Err(p.unexpected("`<`, `<=`, `>` or `>=` (an equation is a `given`)")),
+        _ => Err(p.unexpected("`<`, `<=`, `>` or `>=`")),
+    }
+}
+
+/// b ⋈ x as x ⋈′ b
+fn mirrored(rel: Rel) -> Rel {
+    match rel {
+        Rel::Lt => Rel::Gt,
+        Rel::Le => Rel::Ge,
+        Rel::Gt => Rel::Lt,
+        Rel::Ge => Rel::Le,
+        Rel::Eq | Rel::Ne => rel,
+    }
+}
+
+impl Item {
+    /// Takes in `x ⋈ end`.
+    fn bind(&mut self, rel: Rel, end: Endpoint) -> Result<(), String> {
+        let is_lower = matches!(rel, Rel::Gt | Rel::Ge);
+        let value = match end {
+            Endpoint::Finite(value) => value,
+            Endpoint::MinusInf if is_lower => return Ok(()),
+            Endpoint::PlusInf if !is_lower => return Ok(()),
+            Endpoint::PlusInf | Endpoint::MinusInf => {
+                return Err(format!("the domain of `{}` is empty", self.name));
+            }
+        };
+        let bound = Bound {
+            value,
+            strict: matches!(rel, Rel::Lt | Rel::Gt),
+        };
+        let (slot, side) = if is_lower {
+            (&mut self.lower, "lower")
+        } else {
+            (&mut self.upper, "upper")
+        };
+        if slot.replace(bound).is_some() {
+            return Err(format!("`{}` has two {side} bounds", self.name));
+        }
+        Ok(())
+    }
+}
+
+fn is_empty(lower: Option<&Bound>, upper: Option<&Bound>) -> bool {
+    match (lower, upper) {
+        (Some(l), Some(u)) => l.value > u.value || (l.value == u.value && (l.strict || u.strict)),
+        _ => false,
+    }
+}
