@@ -146,7 +146,11 @@ impl<'a> Search<'a> {
             };
         }
         if splits < MAX_SPLITS {
-            if let Some(poly) = self.lead_to_split(state).or_else(|| content_to_split(state)) {
+            let poly = self
+                .lead_to_split(state)
+                .or_else(|| pinched(state))
+                .or_else(|| content_to_split(state));
+            if let Some(poly) = poly {
                 return self.split(state, poly, trail, splits + 1);
             }
         }
@@ -449,7 +453,9 @@ fn cancellation(state: &State<'_, '_>) -> Option<(usize, Vec<(usize, u32)>, Poly
                 factors.push((j, n));
             }
         }
-        if !factors.is_empty() {
+        // What would only become trivially true may still serve as a leading coefficient.
+        let trivial = Atom::new(rest.clone(), atom.sign).decided() == Some(true);
+        if !factors.is_empty() && !trivial {
             return Some((i, factors, rest));
         }
     }
@@ -459,6 +465,19 @@ fn cancellation(state: &State<'_, '_>) -> Option<(usize, Vec<(usize, u32)>, Poly
 /// Whether every variable of d occurs in p with at least the same degree.
 fn may_divide(d: &Poly, p: &Poly) -> bool {
     d.terms().all(|(m, _)| m.iter().all(|&(v, e)| p.degree(v) >= e))
+}
+
+/// A polynomial that two atoms allow to be nothing but 0.
+fn pinched(state: &State<'_, '_>) -> Option<Poly> {
+    let weak: Vec<Poly> = state
+        .atoms
+        .iter()
+        .filter(|a| a.sign == Sign::NonNegative && a.poly.as_constant().is_none())
+        .map(|a| a.poly.primitive().1)
+        .collect();
+    let pair = weak.iter().enumerate().find(|(i, p)| weak[..*i].contains(&p.neg()));
+    let known = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly.primitive().1 == *p);
+    pair.map(|(_, p)| p.clone()).filter(|p| !known(p) && !known(&p.neg()))
 }
 
 /// A factor of an atom that depends on fewer variables, worth a case distinction.
@@ -471,7 +490,9 @@ fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
         for &v in &vars {
             let content = content_in(&a.poly, v);
             if content.as_constant().is_none() {
-                return Some(content);
+                // A power splits like its base.
+                let base = content.vars()[0];
+                return Some(if content.len() == 1 { Poly::var(base) } else { content });
             }
         }
     }

@@ -28,7 +28,7 @@ pub(crate) fn quick_from(state: &State<'_, '_>, fresh: usize) -> Option<Proof> {
     }
     let undecided = |i: &usize| state.atoms[*i].decided().is_none();
     let new = fresh..state.atoms.len();
-    conflict(state).or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
+    conflict(state).or_else(|| multiple_of_equation(state)).or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
 }
 
 /// Two or three atoms about the same polynomial that cannot all hold.
@@ -83,6 +83,40 @@ fn conflict(state: &State<'_, '_>) -> Option<Proof> {
             };
             if proof.is_some() {
                 return proof;
+            }
+        }
+    }
+    None
+}
+
+/// An atom that must not vanish but is a multiple of an equation.
+fn multiple_of_equation(state: &State<'_, '_>) -> Option<Proof> {
+    for (j, eq) in state.atoms.iter().enumerate() {
+        if eq.sign != Sign::Zero || eq.poly.as_constant().is_some() {
+            continue;
+        }
+        for (i, a) in state.atoms.iter().enumerate() {
+            if !matches!(a.sign, Sign::Positive | Sign::NonZero) || a.poly.as_constant().is_some() {
+                continue;
+            }
+            let Some(q) = exact_quotient(&a.poly, &eq.poly) else {
+                continue;
+            };
+            // a·den = q·eq·num for positive integers num, den.
+            let product = q.mul(&eq.poly, &state.scope.fuel).ok()?;
+            let (_, top) = a.poly.terms().next()?;
+            let (_, low) = product.terms().next()?;
+            let ratio = Q::new(top.clone(), low.clone());
+            let power = if a.sign == Sign::Positive { 1 } else { 2 };
+            let mut cofactor = q.scale(&-ratio.numer());
+            if power == 2 {
+                cofactor = cofactor.mul(&a.poly, &state.scope.fuel).ok()?;
+            }
+            let weight = ratio.denom().clone();
+            let term = Term { weight, square: Poly::one(), factors: vec![(i, power)] };
+            let proof = Proof::Positive { terms: vec![term], cofactors: vec![(j, cofactor)] };
+            if state.refute(&proof).is_ok() {
+                return Some(proof);
             }
         }
     }
