@@ -122,6 +122,7 @@ impl Prover<'_> {
         let any = |_: usize, _: &kane_kernel::Poly| true;
         let mut search = Search::new(self.budget.steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
+        search.keep = kept(goal);
         // Without the limits first: most claims do not need them.
         let mut outcome = search.solve(&state);
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
@@ -243,6 +244,32 @@ impl Prover<'_> {
         }
         self.witness(goal, Finding::Refuted, out);
     }
+}
+
+/// Symbols that the claim itself writes, those of its conditions above those of its conclusion.
+fn kept(goal: &Goal) -> Vec<(usize, u32)> {
+    let mut out: Vec<(usize, u32)> = Vec::new();
+    let mut add = |e: &Expr, weight: u32| {
+        let mut todo = vec![e];
+        while let Some(e) = todo.pop() {
+            if let Expr::Var(v) = e {
+                match out.iter_mut().find(|k| k.0 == *v) {
+                    Some(k) => k.1 = k.1.max(weight),
+                    None => out.push((*v, weight)),
+                }
+            }
+            todo.extend(e.children());
+        }
+    };
+    for r in &goal.when {
+        add(&r.lhs, 2);
+        add(&r.rhs, 2);
+    }
+    if let Conclusion::Link(Link::Relation(r)) = &goal.conclusion {
+        add(&r.lhs, 1);
+        add(&r.rhs, 1);
+    }
+    out
 }
 
 /// The variable in which functions have to be chosen, if a point is not enough.

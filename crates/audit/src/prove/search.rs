@@ -60,6 +60,8 @@ pub(crate) struct Search<'a> {
     pub(crate) may_eliminate: &'a dyn Fn(usize, &Poly) -> bool,
     /// whether points are looked for
     pub(crate) models: bool,
+    /// variables better kept, with a weight: those that the claim is about
+    pub(crate) keep: Vec<(usize, u32)>,
     /// whether ideals may be computed
     pub(crate) ideals: bool,
 }
@@ -69,7 +71,7 @@ const MAX_SPLITS: u32 = 10;
 
 impl<'a> Search<'a> {
     pub(crate) fn new(steps: u64, may_eliminate: &'a dyn Fn(usize, &Poly) -> bool, models: bool) -> Self {
-        Self { steps: Cell::new(steps), may_eliminate, models, ideals: true }
+        Self { steps: Cell::new(steps), may_eliminate, models, keep: Vec::new(), ideals: true }
     }
 
     pub(crate) fn left(&self) -> u64 {
@@ -96,11 +98,16 @@ impl<'a> Search<'a> {
         let (mut state, mut trail) = (state.clone(), Vec::new());
         for formula in 0..state.formulas.len() {
             let fresh = state.atoms.len();
-            let mut open = state.assume(formula).ok()?.into_iter().filter(|s| {
-                self.spend();
-                tactics::quick_from(s, fresh).is_none()
-            });
-            state = open.next()?;
+            let mut open: Vec<State<'s, 'g>> = state.assume(formula).ok()?;
+            open.retain(|s| self.spend() && tactics::quick_from(s, fresh).is_none());
+            if open.len() > 1 {
+                // Which case it is may take more than a look.
+                let refuted = |s: &State<'s, 'g>| {
+                    matches!(self.run(s, fresh, Vec::new(), &[], MAX_SPLITS), Outcome::Closed(_))
+                };
+                open.retain(|s| !refuted(s));
+            }
+            state = open.into_iter().next()?;
         }
         while let Some((_, next, elimination)) = self.simplify(&state) {
             if !self.spend() || next.atoms.iter().any(|a| a.decided() == Some(false)) {
@@ -185,7 +192,7 @@ impl<'a> Search<'a> {
             let next = state.cancel(atom, &factors, &quotient).ok()?;
             return Some((Step::Cancel { atom, factors, quotient }, next, None));
         }
-        let mut best: Option<((usize, usize, usize), usize, usize, Option<usize>)> = None;
+        let mut best: Option<((u32, usize, usize, usize), usize, usize, Option<usize>)> = None;
         for (i, v, d, size) in self.linear(state) {
             let lead = if d.as_constant().is_some() { None } else { Some(leading(state, &d)) };
             let class = match lead {
@@ -194,7 +201,8 @@ impl<'a> Search<'a> {
                 Some(None) => continue,
             };
             let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
-            let score = (class, usize::from(!is_function), size);
+            let kept = self.keep.iter().find(|k| k.0 == v).map_or(0, |k| k.1);
+            let score = (kept, class, usize::from(!is_function), size);
             if best.as_ref().is_none_or(|b| score < b.0) {
                 best = Some((score, i, v, lead.flatten()));
             }
