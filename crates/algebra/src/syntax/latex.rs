@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::names::latex_name;
-use super::number::decimal;
+use super::number::{decimal, literal};
 use super::parser::Level;
 use super::plain::{let_name, level, var_name};
 
@@ -40,6 +40,7 @@ pub(crate) fn limit(limit: &Limit, context: &Context) -> String {
         Target::PlusInf => "\\infty".to_owned(),
         Target::MinusInf => "-\\infty".to_owned(),
     };
+    let number = |a| whole_expr(&literal(a), context);
     let point = match &limit.at {
         Approach::To(a) => number(a),
         Approach::Above(a) => format!("{}^{{+}}", number(a)),

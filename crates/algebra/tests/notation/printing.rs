@@ -175,6 +175,10 @@ fn latex_reads_like_print() {
             "k -> -1 as alpha -> 0+ when mu > 0",
             "k \\to -1 \\text{ as } \\alpha \\to 0^{+} \\quad\\text{when } \\mu > 0",
         ),
+        (
+            "k -> 0.5 as alpha -> 3/4-",
+            "k \\to 0.5 \\text{ as } \\alpha \\to \\frac{3}{4}^{-}",
+        ),
         ("0 < x < 1, y = 1", "0 < x < 1,\\; y = 1"),
     ] {
         let sentence = parse_sentence(text, &scope()).expect(text);
