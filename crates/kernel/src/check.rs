@@ -142,16 +142,10 @@ pub fn claim_state<'s, 'g>(
     Ok(State {
         scope,
         goal,
-        atoms: ranges(scope),
+        atoms: scope.ranges(),
         formulas: Rc::new(formulas),
         reaching: false,
     })
-}
-
-fn ranges(scope: &Scope<'_>) -> Atoms {
-    (0..scope.context.vars.len())
-        .flat_map(|v| scope.range(v))
-        .collect()
 }
 
 /// The cases in which the conclusion fails in the way that the finding speaks of.

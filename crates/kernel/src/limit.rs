@@ -233,7 +233,7 @@ pub fn constants<'s, 'g>(
         formulas: Rc::new(at_point(scope, goal, Some(x))?),
         reaching: false,
     };
-    for v in 0..scope.context.vars.len() {
+    for &v in &scope.mentioned {
         if state.is_constant(v, x) {
             state.atoms.extend(scope.range(v));
         }

@@ -119,6 +119,8 @@ pub struct Scope<'c> {
     pub context: &'c Context,
     /// the budget
     pub fuel: Fuel,
+    /// symbols that the subjects mention
+    pub mentioned: std::collections::BTreeSet<usize>,
     roots: Vec<&'c Expr>,
     lets: RefCell<HashMap<usize, Pieces>>,
 }
@@ -130,7 +132,14 @@ impl<'c> Scope<'c> {
     /// [`Rejection::Budget`] if the definitions behind them do not fit in the budget.
     pub fn new(context: &'c Context, subjects: &[&'c Expr], fuel: Fuel) -> Result<Self, Rejection> {
         let mut needed = std::collections::BTreeSet::new();
-        let mut roots = Vec::new();
+        for (v, var) in context.vars.iter().enumerate() {
+            if let (Some(a), Some(b)) = (&var.lower, &var.upper) {
+                if a.value > b.value || (a.value == b.value && (a.strict || b.strict)) {
+                    return Err(Rejection::EmptyRange(v));
+                }
+            }
+        }
+        let (mut roots, mut mentioned) = (Vec::new(), std::collections::BTreeSet::new());
         let mut todo: Vec<&Expr> = subjects.iter().rev().copied().collect();
         while let Some(e) = todo.pop() {
             fuel.spend(1)?;
@@ -138,6 +147,9 @@ impl<'c> Scope<'c> {
                 Expr::Let(i) if needed.insert(*i) => {
                     let definition = context.lets.get(*i).ok_or(Rejection::UnknownSymbol)?;
                     todo.push(&definition.body);
+                }
+                Expr::Var(v) | Expr::Deriv(_, v) => {
+                    mentioned.insert(*v);
                 }
                 Expr::Sqrt(_) if !roots.contains(&e) => roots.push(e),
                 _ => {}
@@ -147,6 +159,7 @@ impl<'c> Scope<'c> {
         let scope = Self {
             context,
             fuel,
+            mentioned,
             roots,
             lets: RefCell::default(),
         };
@@ -171,6 +184,12 @@ impl<'c> Scope<'c> {
         self.roots
             .get(var.checked_sub(self.context.vars.len())?)
             .copied()
+    }
+
+    /// The ranges of all mentioned symbols.
+    #[must_use]
+    pub fn ranges(&self) -> Atoms {
+        self.mentioned.iter().flat_map(|&v| self.range(v)).collect()
     }
 
     /// The declared range of a symbol as atoms.

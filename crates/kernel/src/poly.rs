@@ -245,33 +245,44 @@ impl Poly {
         self.coefficients(v).iter().map(Self::as_constant).collect()
     }
 
-    /// Dⁿ·p(v := −E/D) for n even (n ≥ deg), or n = deg where `exact` says that D > 0 or that only
-    /// the zeros matter; also whether D was raised to an odd power.
+    /// Remainder of leadⁿ·p by an equation Σ eqᵢ·vⁱ of degree d ≥ 1 in v: degree below d, zero where
+    /// p and the equation are. With `even`, n is even, so that the sign survives.
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn substitute(
+    pub fn remainder(
         &self,
         v: usize,
-        (d, e): (&Self, &Self),
-        exact: bool,
+        equation: &[Self],
+        even: bool,
         fuel: &Fuel,
     ) -> Result<Self, Rejection> {
-        let coefficients = self.coefficients(v);
-        if coefficients.len() == 1 {
+        let Some((lead, lower)) = equation.split_last() else {
             return Ok(self.clone());
+        };
+        let mut parts = self.coefficients(v);
+        let mut odd = false;
+        while parts.len() > lower.len() {
+            // lead·p − top·v^k·equation loses the top power.
+            let top = parts.pop().unwrap_or_default();
+            if top.is_empty() {
+                continue;
+            }
+            let shift = parts.len() - lower.len();
+            for (i, part) in parts.iter_mut().enumerate() {
+                *part = part.mul(lead, fuel)?;
+                if let Some(c) = i.checked_sub(shift).and_then(|j| lower.get(j)) {
+                    *part = part.sub(&top.mul(c, fuel)?);
+                }
+            }
+            odd = !odd;
         }
-        let minus_e = e.neg();
-        // Horner in −E, the powers of D filled in from the top.
-        let (mut sum, mut power) = (Self::default(), Self::one());
-        for c in coefficients.iter().rev() {
-            sum = sum.mul(&minus_e, fuel)?.add(&c.mul(&power, fuel)?);
-            power = power.mul(d, fuel)?;
+        let mut sum = Self::default();
+        for (n, part) in (0u32..).zip(&parts) {
+            let power = Self::term(if n == 0 { Vec::new() } else { vec![(v, n)] }, BigInt::one());
+            sum = sum.add(&part.mul(&power, fuel)?);
         }
-        if !exact && coefficients.len().is_multiple_of(2) {
-            sum = sum.mul(d, fuel)?;
-        }
-        Ok(sum)
+        if even && odd { sum.mul(lead, fuel) } else { Ok(sum) }
     }
 }
 

@@ -65,7 +65,8 @@ pub enum Proof {
         /// proof if it is < 0
         negative: Box<Proof>,
     },
-    /// An equation D·v + E = 0 with D a non-zero constant, or known not to vanish, eliminates v.
+    /// An equation D·vⁿ + … = 0 with D a non-zero constant, or known not to vanish, reduces the
+    /// degree in v of all other atoms below n; if n = 1, v is gone, and the equation too.
     Substitute {
         /// index of the equation
         equation: usize,

@@ -22,8 +22,6 @@ pub enum Rejection {
     NoSuchAtom(usize),
     /// no formula with this index
     NoSuchFormula(usize),
-    /// the atom is no equation linear in the variable
-    NotLinear,
     /// a factor is not known to be non-zero
     MayVanish,
     /// the two sides do not expand to the same polynomial
@@ -48,6 +46,8 @@ pub enum Rejection {
     WrongOrder,
     /// the point violates the formula with this index; `None`: a range
     NotAModel(Option<usize>),
+    /// a symbol's range is empty
+    EmptyRange(usize),
     /// a symbol or definition that the context does not have
     UnknownSymbol,
     /// a derivative of something without a definition

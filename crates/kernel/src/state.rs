@@ -123,7 +123,8 @@ impl<'s, 'g> State<'s, 'g> {
         Ok(cases.iter().map(next).collect())
     }
 
-    /// Eliminates a variable by an equation that is linear in it.
+    /// Reduces all other atoms by an equation, as polynomials in a variable; one that is linear in
+    /// it eliminates it, and goes.
     ///
     /// # Errors
     /// [`Rejection`] if it is no such equation or its leading coefficient may vanish.
@@ -135,44 +136,44 @@ impl<'s, 'g> State<'s, 'g> {
     ) -> Result<Self, Rejection> {
         let eq = self.atom(equation)?;
         let parts = eq.poly.coefficients(var);
-        let ([e, d], Sign::Zero) = (&parts[..], eq.sign) else {
-            return Err(Rejection::NotLinear);
+        let Some(top) = parts.last().filter(|_| parts.len() > 1 && eq.sign == Sign::Zero) else {
+            return Err(Rejection::NotAnEquation(equation));
         };
-        // The sign of D decides whether odd powers of it may stand below an inequality.
-        let (d, e, positive) = match lead {
+        // The sign of the leading coefficient decides whether odd powers of it may stand below an
+        // inequality.
+        let (flip, positive) = match lead {
             Some(i) => {
                 let known = self.atom(i)?;
-                let (_, want) = known.poly.primitive();
-                let (_, have) = d.primitive();
+                let (want, have) = (known.poly.primitive().1, top.primitive().1);
                 let opposite = have == want.neg();
                 if !(have == want || opposite)
                     || !matches!(known.sign, Sign::Positive | Sign::NonZero)
                 {
                     return Err(Rejection::MayVanish);
                 }
-                let (d, e) = if opposite {
-                    (d.neg(), e.neg())
-                } else {
-                    (d.clone(), e.clone())
-                };
-                (d, e, known.sign == Sign::Positive)
+                (opposite, known.sign == Sign::Positive)
             }
-            None => match d.as_constant() {
-                Some(c) if c.is_negative() => (d.neg(), e.neg(), true),
-                Some(c) if !c.is_zero() => (d.clone(), e.clone(), true),
+            None => match top.as_constant() {
+                Some(c) if !c.is_zero() => (c.is_negative(), true),
                 _ => return Err(Rejection::MayVanish),
             },
+        };
+        let parts: Vec<Poly> = if flip {
+            parts.iter().map(Poly::neg).collect()
+        } else {
+            parts
         };
         let mut next = self.clone();
         for (i, atom) in next.atoms.iter_mut().enumerate() {
             if i == equation {
-                *atom = Atom::new(Poly::default(), Sign::Zero);
+                if parts.len() == 2 {
+                    *atom = Atom::new(Poly::default(), Sign::Zero);
+                }
                 continue;
             }
-            let exact = positive || matches!(atom.sign, Sign::Zero | Sign::NonZero);
-            let poly = atom
-                .poly
-                .substitute(var, (&d, &e), exact, &self.scope.fuel)?;
+            let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
+            let even = order && !positive;
+            let poly = atom.poly.remainder(var, &parts, even, &self.scope.fuel)?;
             atom.poly = poly.primitive().1;
         }
         Ok(next)
@@ -470,9 +471,10 @@ impl<'s, 'g> State<'s, 'g> {
         radius.refute(&germ.positive)?;
         let t = self.scope.germ();
         let gap = num.sub(&den.mul(&Poly::var(t), &self.scope.fuel)?);
-        let mut atoms: Atoms = (0..self.scope.context.vars.len())
-            .flat_map(|v| self.scope.range(v))
-            .collect();
+        let mut atoms = self.scope.ranges();
+        if !self.scope.mentioned.contains(&x) {
+            atoms.extend(self.scope.range(x));
+        }
         let constant = |a: &&Atom| a.poly.vars().iter().all(|&v| self.is_constant(v, x));
         atoms.extend(self.atoms.iter().filter(constant).cloned());
         atoms.push(Atom::new(Poly::var(t), Sign::Positive));

@@ -35,10 +35,7 @@ pub(crate) fn model(
     // What the premises determine, off the limits.
     let formulas = kane_kernel::at_point(&scope, goal, None).ok()?;
     let count = goal.hypotheses.len();
-    let mut atoms = Vec::new();
-    for v in 0..goal.context.vars.len() {
-        atoms.extend(scope.range(v));
-    }
+    let atoms = scope.ranges();
     let state = State { scope: &scope, goal, atoms, formulas: Rc::new(formulas[..count].to_vec()), reaching: false };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();

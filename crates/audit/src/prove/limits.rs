@@ -2,7 +2,7 @@
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State, Target,
+    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State, Target,
     constants, differs, exponent, leaves, misses, premised, sides,
 };
 use num_bigint::BigInt;
@@ -19,16 +19,34 @@ pub(crate) struct Found {
     pub(crate) order: u32,
 }
 
-/// Radii to try, as 1/2ᵏ.
-const RADII: [u32; 4] = [0, 3, 7, 20];
+/// Radii to try: 1/2ᵏ, or 1/(2ᵏ·(1 + Σc²)) over the constants c around.
+const RADII: [(u32, bool); 6] = [(0, false), (1, true), (3, false), (7, false), (7, true), (20, false)];
 
-/// A germ of constant radius 1/2ᵏ inside the narrowed domain, if it visibly is.
-fn germ(state: &State<'_, '_>, side: &Side, k: u32, steps: u64) -> Option<Germ> {
-    let absurd = vec![Proof::Absurd, Proof::Absurd];
+/// A germ of such a radius inside the narrowed domain, if it visibly is.
+fn germ(state: &State<'_, '_>, side: &Side, (k, wide): (u32, bool), steps: u64) -> Option<Germ> {
+    let mut size = Poly::one();
+    if wide {
+        for &v in &state.scope.mentioned {
+            if state.is_constant(v, side.var) {
+                size.add_term(vec![(v, 2)], BigInt::one());
+            }
+        }
+        if size == Poly::one() {
+            return None;
+        }
+    }
+    let any = |_: usize, _: &Poly| true;
+    let den = size.scale(&(BigInt::one() << k));
+    let mut positive = state.clone();
+    let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
+    positive.formulas = Rc::new(vec![vec![not(&Poly::one()), not(&den)]]);
+    let Outcome::Closed(proof) = Search::new(steps, &any, false).solve(&positive) else {
+        return None;
+    };
     let mut germ = Germ {
         side: side.clone(),
-        radius: (Poly::one(), Poly::constant(BigInt::one() << k)),
-        positive: Box::new(Proof::Assume { formula: 0, cases: absurd }),
+        radius: (Poly::one(), den),
+        positive: Box::new(proof),
         inside: Box::new(Proof::Absurd),
     };
     if state.reaching {
@@ -57,6 +75,17 @@ pub(crate) fn varies(state: &State<'_, '_>, x: usize) -> impl Fn(usize, &Poly) -
     }
 }
 
+/// dⁿ·p(v := −e/d) for n the degree of p in v.
+fn homogeneous(p: &Poly, v: usize, (d, e): (&Poly, &Poly), fuel: &Fuel) -> Result<Poly, Rejection> {
+    let minus_e = e.neg();
+    let (mut sum, mut power) = (Poly::default(), Poly::one());
+    for c in p.coefficients(v).iter().rev() {
+        sum = sum.mul(&minus_e, fuel)?.add(&c.mul(&power, fuel)?);
+        power = power.mul(d, fuel)?;
+    }
+    Ok(sum)
+}
+
 /// A fraction after the eliminations.
 pub(crate) fn substituted(
     state: &State<'_, '_>,
@@ -71,8 +100,8 @@ pub(crate) fn substituted(
         if a == 0 && b == 0 {
             continue;
         }
-        num = num.substitute(e.var, parts, true, fuel)?.mul(&e.d.pow(b, fuel)?, fuel)?;
-        den = den.substitute(e.var, parts, true, fuel)?.mul(&e.d.pow(a, fuel)?, fuel)?;
+        num = homogeneous(&num, e.var, parts, fuel)?.mul(&e.d.pow(b, fuel)?, fuel)?;
+        den = homogeneous(&den, e.var, parts, fuel)?.mul(&e.d.pow(a, fuel)?, fuel)?;
         (num, den) = cancelled(&num, &den);
     }
     Ok(cancelled(&num, &den))

@@ -109,7 +109,7 @@ impl<'a> Search<'a> {
             }
             state = open.into_iter().next()?;
         }
-        while let Some((_, next, elimination)) = self.simplify(&state) {
+        while let Some((_, next, elimination)) = self.simplify(&state).or_else(|| self.assumed(&state)) {
             if !self.spend() || next.atoms.iter().any(|a| a.decided() == Some(false)) {
                 return None;
             }
@@ -207,12 +207,59 @@ impl<'a> Search<'a> {
                 best = Some((score, i, v, lead.flatten()));
             }
         }
-        let (_, equation, var, lead) = best?;
+        let Some((_, equation, var, lead)) = best else {
+            return self.reduction(state);
+        };
         let next = state.substitute(equation, var, lead).ok()?;
         let mut parts = state.atoms[equation].poly.coefficients(var).into_iter();
         let (e, d) = (parts.next()?, parts.next()?);
         let elimination = Elimination { var, d, e };
         Some((Step::Substitute { equation, var, lead }, next, Some(elimination)))
+    }
+
+    /// An elimination that takes it that the leading coefficient does not vanish: to see where
+    /// things tend, not to prove it.
+    fn assumed<'s, 'g>(
+        &self,
+        state: &State<'s, 'g>,
+    ) -> Option<(Step, State<'s, 'g>, Option<Elimination>)> {
+        let (equation, var, d, _) = self.linear(state).into_iter().min_by_key(|c| c.3)?;
+        let e = state.atoms[equation].poly.coefficients(var).swap_remove(0);
+        let supposed = state.with(Atom::new(d.clone(), Sign::NonZero));
+        let lead = Some(supposed.atoms.len() - 1);
+        let next = supposed.substitute(equation, var, lead).ok()?;
+        let step = Step::Substitute { equation, var, lead };
+        Some((step, next, Some(Elimination { var, d, e })))
+    }
+
+    /// A reduction of the degree in a variable by an equation of degree two or more in it.
+    fn reduction<'s, 'g>(
+        &self,
+        state: &State<'s, 'g>,
+    ) -> Option<(Step, State<'s, 'g>, Option<Elimination>)> {
+        for (equation, a) in state.atoms.iter().enumerate() {
+            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+                continue;
+            }
+            for var in a.poly.vars() {
+                let degree = a.poly.degree(var);
+                let reducible = |(i, b): (usize, &Atom)| i != equation && b.poly.degree(var) >= degree;
+                if degree < 2 || !state.atoms.iter().enumerate().any(reducible) {
+                    continue;
+                }
+                let top = a.poly.coefficients(var).pop()?;
+                let lead = match top.as_constant() {
+                    Some(_) => None,
+                    None => match leading(state, &top) {
+                        Some(i) => Some(i),
+                        None => continue,
+                    },
+                };
+                let next = state.substitute(equation, var, lead).ok()?;
+                return Some((Step::Substitute { equation, var, lead }, next, None));
+            }
+        }
+        None
     }
 
     /// Equations linear in a variable that may go: (equation, variable, coefficient, size).
@@ -233,12 +280,49 @@ impl<'a> Search<'a> {
         out
     }
 
+    /// The same for equations in a square, where other atoms have it too; only sure leads.
+    fn quadratic(&self, state: &State<'_, '_>) -> Vec<(usize, usize, Poly, usize)> {
+        let mut out = Vec::new();
+        for (i, a) in state.atoms.iter().enumerate() {
+            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+                continue;
+            }
+            for v in a.poly.vars() {
+                let degree = a.poly.degree(v);
+                let others = state.atoms.iter().enumerate().any(|(j, b)| j != i && b.poly.degree(v) >= degree);
+                if degree < 2 || !others {
+                    continue;
+                }
+                if let Some(d) = a.poly.coefficients(v).pop() {
+                    if d.as_constant().is_none() && cannot_vanish(state, &d) {
+                        out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
+                    }
+                }
+            }
+        }
+        out
+    }
+
     /// A leading coefficient worth a case distinction: first one that cannot vanish.
     fn lead_to_split(&self, state: &State<'_, '_>) -> Option<Poly> {
-        let candidates = self.linear(state);
+        let known = |d: &Poly| {
+            let d = d.primitive().1;
+            let same = |p: &Poly| *p == d || *p == d.neg();
+            state.atoms.iter().any(|a| a.sign != Sign::NonNegative && same(&a.poly.primitive().1))
+        };
+        let mut candidates = self.linear(state);
+        candidates.extend(self.quadratic(state));
+        candidates.retain(|(.., d, _)| !known(d));
         let sure = candidates.iter().filter(|(.., d, _)| cannot_vanish(state, d));
-        let any = sure.min_by_key(|c| c.3).or_else(|| candidates.iter().min_by_key(|c| c.3));
-        any.map(|(.., d, _)| d.primitive().1)
+        let single = candidates.iter().filter(|(.., d, _)| d.len() == 1);
+        let any = sure
+            .min_by_key(|c| c.3)
+            .or_else(|| single.min_by_key(|c| c.3))
+            .or_else(|| candidates.iter().min_by_key(|c| c.3));
+        any.map(|(.., d, _)| match (d.len(), d.vars().first()) {
+            (1, Some(v)) => Poly::var(*v),
+            _ => d.primitive().1,
+        })
     }
 
     fn leaf(&self, state: &State<'_, '_>, trail: &[Elimination], splits: u32) -> Outcome {
@@ -258,7 +342,8 @@ impl<'a> Search<'a> {
         }
         if vars.len() > 1 {
             let ideal = || if self.ideals { tactics::ideal(state) } else { None };
-            let proof = tactics::products(state, 1)
+            let proof = tactics::combination(state)
+                .or_else(|| tactics::products(state, 1))
                 .or_else(|| tactics::products(state, 2))
                 .or_else(ideal)
                 .or_else(|| self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits)))
@@ -324,20 +409,43 @@ impl<'a> Search<'a> {
         if vars.is_empty() {
             return complete(state, Partial::default(), trail);
         }
-        let in_equation = |v: usize| {
-            let uses = |a: &&Atom| a.sign == Sign::Zero && a.poly.degree(v) > 0;
-            state.atoms.iter().filter(uses).count()
+        // Variables on their own take any value that suits them; the others depend on each other.
+        let coupled: Vec<usize> = vars
+            .iter()
+            .copied()
+            .filter(|v| state.atoms.iter().any(|a| a.poly.vars().len() > 1 && a.poly.degree(*v) > 0))
+            .collect();
+        let mut alone = Vec::new();
+        let mut order = coupled.clone();
+        for &v in vars.iter().filter(|v| !coupled.contains(v)) {
+            match candidates(state, v).into_iter().next() {
+                Some(q) => alone.push((v, q)),
+                // Perhaps an irrational value only.
+                None => order.push(v),
+            }
+        }
+        let uses = |v: usize| {
+            let count = |sign: &dyn Fn(Sign) -> bool| {
+                state.atoms.iter().filter(|a| sign(a.sign) && a.poly.degree(v) > 0).count()
+            };
+            (count(&|s| s == Sign::Zero), count(&|_| true))
         };
-        let mut order = vars.to_vec();
-        order.sort_by_key(|&v| (std::cmp::Reverse(in_equation(v)), std::cmp::Reverse(v)));
-        for &last in order.iter().take(3) {
-            let others: Vec<usize> = vars.iter().copied().filter(|v| *v != last).collect();
+        if order.is_empty() {
+            let mut partial = Partial::default();
+            alone.into_iter().for_each(|(v, q)| partial.set(v, q));
+            return complete(state, partial, trail);
+        }
+        let all = order.clone();
+        order.sort_by_key(|&v| (std::cmp::Reverse(uses(v)), std::cmp::Reverse(v)));
+        for &last in order.iter().take(5) {
+            let others: Vec<usize> = all.iter().copied().filter(|v| *v != last).collect();
             let lists: Vec<Vec<Q>> = others.iter().map(|&v| candidates(state, v)).collect();
-            for values in diagonal(&lists, 400) {
+            for values in diagonal(&lists, 200) {
                 if !self.spend() {
                     return None;
                 }
-                let assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
+                let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
+                assignment.extend(alone.iter().cloned());
                 let mut special = state.clone();
                 let mut fits = true;
                 for a in &mut special.atoms {
