@@ -62,10 +62,10 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         })
         .collect();
 
-    if let Some(dir) = &args.out {
-        if let Err(error) = write(dir, &reports) {
-            return bad_input(&format!("cannot write into {}: {error}", dir.display()));
-        }
+    if let Some(dir) = &args.out
+        && let Err(error) = write(dir, &reports)
+    {
+        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
     }
     let reports: Vec<Report<'_>> = reports.into_iter().map(|(_, report)| report).collect();
     let shown = match args.explain {
