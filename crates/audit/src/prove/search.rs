@@ -319,9 +319,11 @@ impl<'a> Search<'a> {
             .min_by_key(|c| c.3)
             .or_else(|| single.min_by_key(|c| c.3))
             .or_else(|| candidates.iter().min_by_key(|c| c.3));
-        any.map(|(.., d, _)| match (d.len(), d.vars().first()) {
-            (1, Some(v)) => Poly::var(*v),
-            _ => d.primitive().1,
+        any.map(|(.., d, _)| {
+            // A product of powers splits at the first variable that may vanish.
+            let mut vars = d.vars().into_iter().map(Poly::var);
+            let open = if d.len() == 1 { vars.find(|v| !known(v)) } else { None };
+            open.unwrap_or_else(|| d.primitive().1)
         })
     }
 
