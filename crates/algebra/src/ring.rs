@@ -84,6 +84,20 @@ pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
     r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
 }
 
+/// Division with remainder in graded reverse lexicographic order: q, r and a positive integer c with
+/// c·p = q·d + r.
+#[must_use]
+pub fn division(p: &Poly, d: &Poly) -> Option<(Poly, Poly, BigInt)> {
+    if d.is_empty() {
+        return None;
+    }
+    let ring = Ring::of(&[p, d]);
+    let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
+    let ((q, a), (r, b)) = (ring.inward(&q.swap_remove(0)), ring.inward(&r));
+    let common = num_integer::lcm(a.clone(), b.clone());
+    Some((q.scale(&(&common / a)), r.scale(&(&common / b)), common))
+}
+
 fn monomial_quotient(p: &Poly, m: &Monomial, negative: bool) -> Option<Poly> {
     let mut out = Poly::default();
     for (n, c) in p.terms() {

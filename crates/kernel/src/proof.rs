@@ -173,7 +173,7 @@ pub struct Germ {
     pub side: Side,
     /// 0 < t < numerator/denominator, polynomials in constants
     pub radius: (Poly, Poly),
-    /// proof that both are positive
+    /// proof that both are positive (its last formula: one of them is not)
     pub positive: Box<Proof>,
     /// proof that the premises about x alone hold along the germ: it lies in the narrowed domain
     pub inside: Box<Proof>,

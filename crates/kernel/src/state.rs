@@ -464,10 +464,9 @@ impl<'s, 'g> State<'s, 'g> {
             return Err(Rejection::NotConstant);
         }
         let positive = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-        let radius = Self {
-            formulas: Rc::new(vec![vec![positive(num), positive(den)]]),
-            ..self.clone()
-        };
+        let mut radius = self.clone();
+        let vanishing = vec![positive(num), positive(den)];
+        radius.formulas = Rc::new([&self.formulas[..], &[vanishing]].concat());
         radius.refute(&germ.positive)?;
         let t = self.scope.germ();
         let gap = num.sub(&den.mul(&Poly::var(t), &self.scope.fuel)?);

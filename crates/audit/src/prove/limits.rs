@@ -19,33 +19,63 @@ pub(crate) struct Found {
     pub(crate) order: u32,
 }
 
-/// Radii to try: 1/2ᵏ, or 1/(2ᵏ·(1 + Σc²)) over the constants c around.
-const RADII: [(u32, bool); 6] = [(0, false), (1, true), (3, false), (7, false), (7, true), (20, false)];
+/// Radii to try, for constants c around and a leading coefficient D that must not vanish.
+#[derive(Clone, Debug)]
+enum Radius {
+    /// 1/2ᵏ
+    Fixed(u32),
+    /// 1/(2ᵏ·(1 + Σc²))
+    Constants(u32),
+    /// D²/((1 + D²)·2ᵏ·(1 + Σc²))
+    Lead(Poly, u32),
+}
 
-/// A germ of such a radius inside the narrowed domain, if it visibly is.
-fn germ(state: &State<'_, '_>, side: &Side, (k, wide): (u32, bool), steps: u64) -> Option<Germ> {
-    let mut size = Poly::one();
-    if wide {
+const RADII: [Radius; 6] = [
+    Radius::Fixed(0),
+    Radius::Constants(1),
+    Radius::Fixed(3),
+    Radius::Fixed(7),
+    Radius::Constants(7),
+    Radius::Fixed(20),
+];
+
+impl Radius {
+    /// Numerator and denominator; `None` if it is none of its own.
+    fn fraction(&self, state: &State<'_, '_>, x: usize) -> Option<(Poly, Poly)> {
+        let power = |k: u32| BigInt::one() << k;
+        let mut size = Poly::one();
         for &v in &state.scope.mentioned {
-            if state.is_constant(v, side.var) {
+            if state.is_constant(v, x) {
                 size.add_term(vec![(v, 2)], BigInt::one());
             }
         }
-        if size == Poly::one() {
-            return None;
+        match self {
+            Self::Fixed(k) => Some((Poly::one(), Poly::constant(power(*k)))),
+            Self::Constants(k) => (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k)))),
+            Self::Lead(d, k) => {
+                let fuel = &state.scope.fuel;
+                let square = d.mul(d, fuel).ok()?;
+                let den = square.add(&Poly::one()).mul(&size, fuel).ok()?.scale(&power(*k));
+                Some((square, den))
+            }
         }
     }
+}
+
+/// A germ of such a radius inside the narrowed domain, if it visibly is.
+fn germ(state: &State<'_, '_>, side: &Side, radius: &Radius, steps: u64) -> Option<Germ> {
+    let (num, den) = radius.fraction(state, side.var)?;
     let any = |_: usize, _: &Poly| true;
-    let den = size.scale(&(BigInt::one() << k));
     let mut positive = state.clone();
     let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-    positive.formulas = Rc::new(vec![vec![not(&Poly::one()), not(&den)]]);
+    let vanishing = vec![not(&num), not(&den)];
+    positive.formulas = Rc::new([&state.formulas[..], &[vanishing]].concat());
     let Outcome::Closed(proof) = Search::new(steps, &any, false).solve(&positive) else {
         return None;
     };
     let mut germ = Germ {
         side: side.clone(),
-        radius: (Poly::one(), den),
+        radius: (num, den),
         positive: Box::new(proof),
         inside: Box::new(Proof::Absurd),
     };
@@ -120,7 +150,7 @@ pub(crate) fn passes<'s, 'g>(
     for _ in 0..3 {
         let before = found.len();
         for side in sides {
-            let found_germ = RADII.iter().find_map(|&k| germ(&state, side, k, steps));
+            let found_germ = RADII.iter().find_map(|r| germ(&state, side, r, steps));
             let Some(germ) = found_germ else {
                 continue;
             };
@@ -198,8 +228,8 @@ pub(crate) fn found(
     steps: u64,
 ) -> Vec<(Germ, Found)> {
     let mut out = Vec::new();
-    for k in RADII {
-        let Some(germ) = germ(state, side, k, steps) else {
+    for radius in RADII {
+        let Some(germ) = germ(state, side, &radius, steps) else {
             continue;
         };
         let Ok(along) = state.along(&germ) else {
@@ -241,39 +271,58 @@ pub(crate) fn one_side(
     side: &Side,
     steps: u64,
 ) -> Option<SideProof> {
-    let any = |_: usize, _: &Poly| true;
-    for (germ, found) in found(state, limit, side, steps) {
-        let parts = (&found.num, &found.den, found.order);
-        let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
-        let Ok(missed) = misses(state, side, parts, &limit.to) else {
+    let t = state.scope.germ();
+    let mut tried: Vec<Poly> = Vec::new();
+    for (at, found) in found(state, limit, side, steps) {
+        if let Some(proof) = along(state, limit, side, at, &found, steps) {
+            return Some(proof);
+        }
+        // Perhaps the radius has to shrink with what the denominator starts from.
+        let start = found.den.coefficients(t).into_iter().find(|c| !c.is_empty())?;
+        if start.as_constant().is_some() || tried.contains(&start) {
             continue;
-        };
-        let mut at_zero = state.clone();
-        at_zero.formulas = with(state, missed);
-        let Outcome::Closed(at_zero) = Search::new(steps, &any, false).solve(&at_zero) else {
-            continue;
-        };
-        let Ok(mut along) = state.along(&germ) else {
-            continue;
-        };
-        let Ok(cases) = differs(state.scope, &limit.expr, (&found.num, &found.den)) else {
-            continue;
-        };
-        along.formulas = with(&along, cases);
-        let may = varies(state, side.var);
-        let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
-            continue;
-        };
-        return Some(SideProof {
-            germ,
-            num: found.num,
-            den: found.den,
-            order: found.order,
-            along: Box::new(along),
-            at_zero: Box::new(at_zero),
-        });
+        }
+        tried.push(start.clone());
+        let at = germ(state, side, &Radius::Lead(start, 1), steps);
+        if let Some(proof) = at.and_then(|g| along(state, limit, side, g, &found, steps)) {
+            return Some(proof);
+        }
     }
     None
+}
+
+/// The proof along a germ, of what was found there.
+fn along(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    germ: Germ,
+    found: &Found,
+    steps: u64,
+) -> Option<SideProof> {
+    let any = |_: usize, _: &Poly| true;
+    let parts = (&found.num, &found.den, found.order);
+    let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
+    let mut at_zero = state.clone();
+    at_zero.formulas = with(state, misses(state, side, parts, &limit.to).ok()?);
+    let Outcome::Closed(at_zero) = Search::new(steps, &any, false).solve(&at_zero) else {
+        return None;
+    };
+    let mut along = state.along(&germ).ok()?;
+    let cases = differs(state.scope, &limit.expr, (&found.num, &found.den)).ok()?;
+    along.formulas = with(&along, cases);
+    let may = varies(state, side.var);
+    let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
+        return None;
+    };
+    Some(SideProof {
+        germ,
+        num: found.num.clone(),
+        den: found.den.clone(),
+        order: found.order,
+        along: Box::new(along),
+        at_zero: Box::new(at_zero),
+    })
 }
 
 /// A proof of a limit from all its sides.

@@ -334,7 +334,7 @@ impl<'a> Search<'a> {
                 return Outcome::Closed(proof);
             }
         }
-        if let Some(proof) = tactics::multiple_of_premise(state) {
+        if let Some(proof) = tactics::division_by_premise(state) {
             return Outcome::Closed(proof);
         }
         if self.models {

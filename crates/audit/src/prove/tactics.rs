@@ -5,7 +5,7 @@
 use kane_algebra::linear_program::{feasible, whole};
 use kane_algebra::ring::{Ideal, Ring, exact_quotient};
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Monomial, Poly, Proof, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Proof, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -258,8 +258,8 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Proof> {
     None
 }
 
-/// A target atom that is a product of another order atom and a factor of known sign.
-pub(crate) fn multiple_of_premise(state: &State<'_, '_>) -> Option<Proof> {
+/// A target divided by a premise, target = q·h + r with q < 0 and r ≤ 0 visibly: a contradiction.
+pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Proof> {
     for (i, target) in state.atoms.iter().enumerate().rev() {
         if !order(target.sign) || target.poly.len() < 2 {
             continue;
@@ -268,39 +268,52 @@ pub(crate) fn multiple_of_premise(state: &State<'_, '_>) -> Option<Proof> {
             if i == j || !order(h.sign) || h.poly.len() < 2 {
                 continue;
             }
-            let Some(q) = exact_quotient(&target.poly, &h.poly) else {
-                continue;
-            };
-            if q.as_constant().is_some() {
-                continue;
-            }
-            // target = w·q·h: with h > 0 and q < 0 it cannot be ≥ 0.
-            let negative = state.with(kane_kernel::Atom::new(q.clone(), Sign::NonNegative));
-            if let Some(p) = wrong_sign(&negative, negative.atoms.len() - 1) {
-                // Split on q: q ≥ 0 is refuted; q < 0 makes target and h conflict.
-                let minus = state.with(kane_kernel::Atom::new(q.neg(), Sign::Positive));
-                let index = minus.atoms.len() - 1;
-                let cancelled = minus.cancel(i, &[(index, 1)], &h.poly.neg()).ok()?;
-                let then = conflict(&cancelled)?;
-                let zero = wrong_sign(&state.with(kane_kernel::Atom::new(q.clone(), Sign::Zero)), index)?;
-                let positive =
-                    wrong_sign(&state.with(kane_kernel::Atom::new(q.clone(), Sign::Positive)), index)?;
-                let _ = p;
-                return Some(Proof::Split {
-                    zero: Box::new(zero),
-                    positive: Box::new(positive),
-                    negative: Box::new(Proof::Cancel {
-                        atom: i,
-                        factors: vec![(index, 1)],
-                        quotient: h.poly.neg(),
-                        then: Box::new(then),
-                    }),
-                    poly: q,
-                });
+            if let Some(proof) = divided(state, i, j) {
+                return Some(proof);
             }
         }
     }
     None
+}
+
+fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
+    let (target, h) = (&state.atoms[i], &state.atoms[j]);
+    let (q, r, scale) = kane_algebra::ring::division(&target.poly, &h.poly)?;
+    if q.as_constant().is_some() {
+        return None;
+    }
+    let end = state.atoms.len();
+    let refuted = |state: &State<'_, '_>, p: &Poly, sign| {
+        let next = state.with(Atom::new(p.clone(), sign));
+        wrong_sign(&next, next.atoms.len() - 1).map(Box::new)
+    };
+    let (zero, positive) = (refuted(state, &q, Sign::Zero)?, refuted(state, &q, Sign::Positive)?);
+    let negative = state.with(Atom::new(q.neg(), Sign::Positive));
+    // scale·target + (−q)·h + (−r) = 0
+    let term = |weight: &BigInt, factors| Term { weight: weight.clone(), square: Poly::one(), factors };
+    let one = BigInt::one();
+    let both = vec![term(&scale, vec![(i, 1)]), term(&one, vec![(end, 1), (j, 1)])];
+    let then = if r.is_empty() {
+        Proof::Positive { terms: both, cofactors: Vec::new() }
+    } else {
+        let vanishing = Proof::Positive {
+            terms: both.clone(),
+            cofactors: vec![(end + 1, Poly::one().neg())],
+        };
+        let zero = match refuted(&negative, &r, Sign::Zero) {
+            Some(proof) => proof,
+            None => Box::new(vanishing),
+        };
+        let terms = [&both[..], &[term(&one, vec![(end + 1, 1)])]].concat();
+        Proof::Split {
+            zero,
+            positive: refuted(&negative, &r, Sign::Positive)?,
+            negative: Box::new(Proof::Positive { terms, cofactors: Vec::new() }),
+            poly: r,
+        }
+    };
+    let proof = Proof::Split { poly: q, zero, positive, negative: Box::new(then) };
+    state.refute(&proof).is_ok().then_some(proof)
 }
 
 /// Atoms in the variable v alone: the sign table of the line, with the atoms' indices.
