@@ -279,6 +279,13 @@ pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Proof> {
 fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
     let (target, h) = (&state.atoms[i], &state.atoms[j]);
     let (q, r, scale) = kane_algebra::ring::division(&target.poly, &h.poly)?;
+    // Only the part of q that helps; the rest goes back into r.
+    let mut helpful = Poly::default();
+    for (m, c) in q.terms().filter(|(_, c)| c.is_negative()) {
+        helpful.add_term(m.clone(), c.clone());
+    }
+    let surplus = q.sub(&helpful).mul(&h.poly, &state.scope.fuel).ok()?;
+    let (q, r) = (helpful, r.add(&surplus));
     if q.as_constant().is_some() {
         return None;
     }
