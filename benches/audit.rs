@@ -25,12 +25,12 @@ fn judge(document: Document, only: Option<Vec<usize>>) -> Audit {
     audit(document, &options, &mut |_, _| {})
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 20)]
 fn reading(bencher: Bencher<'_, '_>) {
     bencher.bench(document);
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 20)]
 fn paper(bencher: Bencher<'_, '_>) {
     let document = document();
     bencher
@@ -38,7 +38,7 @@ fn paper(bencher: Bencher<'_, '_>) {
         .bench_values(|document| judge(document, None));
 }
 
-#[divan::bench(args = [Verdict::Proved, Verdict::Refuted, Verdict::IllDefined, Verdict::Vacuous, Verdict::Unsupported])]
+#[divan::bench(sample_count = 20, args = [Verdict::Proved, Verdict::Refuted, Verdict::IllDefined, Verdict::Vacuous, Verdict::Unsupported])]
 fn by_verdict(bencher: Bencher<'_, '_>, verdict: &Verdict) {
     let whole = judge(document(), None);
     let chosen: Vec<usize> = (0..whole.judgements.len())
