@@ -1,7 +1,7 @@
 //! Judging a document: goals out of statements, verdicts out of findings.
 
 use kane_algebra::syntax::Notation;
-use kane_kernel::{Conclusion, Evidence, Finding, Goal, Hypothesis, Model, Sentence};
+use kane_kernel::{Conclusion, Evidence, Finding, Goal, Hypothesis, Link, Model, Sentence};
 
 use crate::explain;
 use crate::prove::{Budget, Prover, Verdicts};
@@ -80,6 +80,18 @@ fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
     }
 }
 
+/// Whether a claim or a premise that it cites is about a limit.
+fn of_limits(claim: &Claim, hypotheses: &[Hypothesis]) -> bool {
+    let limit = |l: &Link| matches!(l, Link::Limit(_));
+    let claimed = match &claim.content {
+        Content::Links(links) => links.iter().any(|(l, _)| limit(l)),
+        Content::Contradiction => false,
+        // What M says is seen when it is judged; functions are chosen for it anyway.
+        Content::NotImplied(_) => true,
+    };
+    claimed || hypotheses.iter().any(|h| h.sentence.links.iter().any(limit))
+}
+
 /// A claim's sentence; `None` for a claim that says nothing pointwise.
 fn sentence(claim: &Claim) -> Option<Sentence> {
     match &claim.content {
@@ -108,7 +120,11 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
     let hypotheses: Vec<Hypothesis> =
         cited.iter().filter_map(|&i| hypothesis(document, i)).collect();
     let behind = rests_on.iter().filter(|i| !cited.contains(i));
-    let behind: Vec<Hypothesis> = behind.filter_map(|&i| hypothesis(document, i)).collect();
+    let mut behind: Vec<Hypothesis> = behind.filter_map(|&i| hypothesis(document, i)).collect();
+    if !of_limits(claim, &hypotheses) {
+        // A point can be held against premises at a point only.
+        behind.retain(|h| !h.sentence.links.iter().any(|l| matches!(l, Link::Limit(_))));
+    }
 
     let conclusions: Vec<(Conclusion, String, String)> = match &claim.content {
         Content::Links(links) => links
@@ -133,7 +149,7 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
         },
     };
     let mut links = Vec::new();
-    let mut model = None;
+    let (mut model, mut vacuous) = (None, false);
     for (conclusion, text, latex) in conclusions {
         let goal = Goal {
             context: document.context.clone(),
@@ -146,7 +162,9 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
             ..goal.clone()
         };
         let prover = Prover { budget: options.budget, by: &claim.by, resting: &resting };
-        let found = prover.judge(&goal);
+        // The hypotheses are the same for all links: whether they can hold is found once.
+        let found = prover.judge(&goal, links.is_empty() || vacuous);
+        vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);
         if model.is_none() {
             model = found.model.as_ref().map(|m| explain::model(&goal, m));
         }

@@ -235,8 +235,6 @@ fn determined(
                 }
             }
             sum = sum.add(&product, fuel).ok()?;
-            let (num, den) = cancelled(&sum.num, &sum.den);
-            sum = Fraction { num, den };
         }
         Some(sum)
     };

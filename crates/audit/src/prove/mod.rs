@@ -77,16 +77,16 @@ impl Prover<'_> {
         }
     }
 
-    /// Judges a goal.
-    pub(crate) fn judge(&self, goal: &Goal) -> Verdicts {
+    /// Judges a goal; with `doubt`, also whether its hypotheses can hold at all.
+    pub(crate) fn judge(&self, goal: &Goal, doubt: bool) -> Verdicts {
         let mut out = Verdicts::default();
         if let Err(why) = scope(goal, self.fuel()) {
             out.reason = format!("its normal form does not fit the budget ({why})");
             return out;
         }
         match &goal.conclusion {
-            Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, &mut out),
-            _ => self.judge_pointwise(goal, &mut out),
+            Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, doubt, &mut out),
+            _ => self.judge_pointwise(goal, doubt, &mut out),
         }
         if out.decided.is_none() && out.reason.is_empty() {
             out.reason = format!("neither proof nor witness within {} steps", self.budget.steps);
@@ -197,7 +197,7 @@ impl Prover<'_> {
         }
     }
 
-    fn judge_pointwise(&self, goal: &Goal, out: &mut Verdicts) {
+    fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {
         if goal.conclusion == Conclusion::Contradiction {
             match self.search(goal, Finding::Proved, true, out) {
                 Outcome::Closed(proof) => {
@@ -209,7 +209,7 @@ impl Prover<'_> {
             }
             return;
         }
-        if self.consistent(goal, out) {
+        if doubt && self.consistent(goal, out) {
             return;
         }
         if let Conclusion::NotImplied(_) = goal.conclusion {
@@ -233,8 +233,8 @@ impl Prover<'_> {
         }
     }
 
-    fn judge_limit(&self, goal: &Goal, limit: &Limit, out: &mut Verdicts) {
-        if self.consistent(goal, out) {
+    fn judge_limit(&self, goal: &Goal, limit: &Limit, doubt: bool, out: &mut Verdicts) {
+        if doubt && self.consistent(goal, out) {
             return;
         }
         if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel) {
