@@ -18,10 +18,7 @@ fn document() -> Document {
 }
 
 fn judge(document: Document, only: Option<Vec<usize>>) -> Audit {
-    let options = Options {
-        only,
-        ..Options::default()
-    };
+    let options = Options { only, ..Options::default() };
     audit(document, &options, &mut |_, _| {})
 }
 
@@ -33,9 +30,7 @@ fn reading(bencher: Bencher<'_, '_>) {
 #[divan::bench(sample_count = 20)]
 fn paper(bencher: Bencher<'_, '_>) {
     let document = document();
-    bencher
-        .with_inputs(|| document.clone())
-        .bench_values(|document| judge(document, None));
+    bencher.with_inputs(|| document.clone()).bench_values(|document| judge(document, None));
 }
 
 #[divan::bench(sample_count = 20, args = [Verdict::Proved, Verdict::Refuted, Verdict::IllDefined, Verdict::Vacuous, Verdict::Unsupported])]

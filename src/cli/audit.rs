@@ -30,10 +30,7 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
     }
     let wanted: Vec<&String> = args.only.iter().chain(&args.explain).collect();
     for label in &wanted {
-        if documents
-            .iter()
-            .all(|document| labels::find(document, label).is_empty())
-        {
+        if documents.iter().all(|document| labels::find(document, label).is_empty()) {
             return bad_input(&labels::unknown(&documents, label));
         }
     }
@@ -41,10 +38,7 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
     let mut audits = Vec::new();
     for (input, document) in inputs.iter().zip(documents) {
         let chosen = (!wanted.is_empty()).then(|| {
-            wanted
-                .iter()
-                .flat_map(|label| labels::find(&document, label))
-                .collect::<Vec<_>>()
+            wanted.iter().flat_map(|label| labels::find(&document, label)).collect::<Vec<_>>()
         });
         audits.push((input, judge(document, chosen.as_deref()), chosen));
     }
@@ -53,12 +47,7 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
             let report = Report::new(audit, command(input, &args.only));
-            (
-                *input,
-                chosen
-                    .iter()
-                    .fold(report, |report, indices| report.only(indices)),
-            )
+            (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
         .collect();
 
@@ -98,14 +87,9 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 
 /// Judges the document, or of it only what is asked for and what that cites.
 fn judge(document: Document, chosen: Option<&[usize]>) -> Audit {
-    let options = Options {
-        only: chosen.map(<[usize]>::to_vec),
-        ..Options::default()
-    };
+    let options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
     let mut progress = Progress::new();
-    kane::audit::audit(document, &options, &mut |done, all| {
-        progress.update(done, all)
-    })
+    kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
 }
 
 /// The command that prints one document's report again.
@@ -136,10 +120,7 @@ fn print(reports: &[Report<'_>], format: Format) -> String {
 /// The chosen statements in full.
 fn explanations(reports: &[Report<'_>]) -> String {
     let each = reports.iter().flat_map(|report| {
-        report
-            .shown
-            .iter()
-            .filter_map(|&index| report::explain(report.audit, index))
+        report.shown.iter().filter_map(|&index| report::explain(report.audit, index))
     });
     each.collect::<Vec<_>>().join("\n")
 }
@@ -148,10 +129,7 @@ fn explanations(reports: &[Report<'_>]) -> String {
 fn write(dir: &Path, reports: &[(&Input, Report<'_>)]) -> std::io::Result<()> {
     fs::create_dir_all(dir)?;
     for (input, report) in reports {
-        output::to_file(
-            &dir.join(format!("{}.md", input.stem)),
-            &report::markdown(report),
-        )?;
+        output::to_file(&dir.join(format!("{}.md", input.stem)), &report::markdown(report))?;
         let json = report::json(std::slice::from_ref(report));
         output::to_file(&dir.join(format!("{}.json", input.stem)), &json)?;
     }
@@ -161,18 +139,13 @@ fn write(dir: &Path, reports: &[(&Input, Report<'_>)]) -> std::io::Result<()> {
 /// A name that two documents share.
 fn twin(inputs: &[Input]) -> Option<&str> {
     let mut seen = BTreeSet::new();
-    inputs
-        .iter()
-        .map(|input| input.stem.as_str())
-        .find(|stem| !seen.insert(*stem))
+    inputs.iter().map(|input| input.stem.as_str()).find(|stem| !seen.insert(*stem))
 }
 
 /// How the run ends.
 fn outcome(reports: &[Report<'_>]) -> Outcome {
     let is_claim = |body: &Body| matches!(body, Body::Claim(_));
-    let mut statements = reports
-        .iter()
-        .flat_map(|report| &report.audit.document.statements);
+    let mut statements = reports.iter().flat_map(|report| &report.audit.document.statements);
     if !reports.iter().all(Report::as_expected) {
         Outcome::Unexpected
     } else if statements.any(|statement| is_claim(&statement.body)) {

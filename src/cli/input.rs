@@ -37,11 +37,7 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
         match load(file) {
             Ok(bytes) => inputs.push(Input {
                 name: file.display().to_string(),
-                stem: file
-                    .file_stem()
-                    .unwrap_or_default()
-                    .to_string_lossy()
-                    .into_owned(),
+                stem: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
                 command: format!("kane audit {}", quoted(&file.display().to_string())),
                 bytes,
             }),
@@ -54,9 +50,7 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
 /// The file's bytes, but at most one more than the reader accepts: a larger file is refused, not held in memory.
 fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let limit = u64::try_from(kane::audit::MAX_FILE_BYTES)
-        .unwrap_or(u64::MAX)
-        .saturating_add(1);
+    let limit = u64::try_from(kane::audit::MAX_FILE_BYTES).unwrap_or(u64::MAX).saturating_add(1);
     File::open(file)?.take(limit).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

@@ -7,17 +7,10 @@ use kane::audit::Document;
 pub(super) fn find(document: &Document, wanted: &str) -> Vec<usize> {
     let called = |name: &str| {
         let statements = document.statements.iter().enumerate();
-        statements
-            .filter(|(_, s)| s.label == name)
-            .map(|(index, _)| index)
-            .collect::<Vec<_>>()
+        statements.filter(|(_, s)| s.label == name).map(|(index, _)| index).collect::<Vec<_>>()
     };
     let exact = called(wanted);
-    if exact.is_empty() {
-        called(&format!("({wanted})"))
-    } else {
-        exact
-    }
+    if exact.is_empty() { called(&format!("({wanted})")) } else { exact }
 }
 
 /// What to say when no document has the label.
@@ -25,11 +18,8 @@ pub(super) fn unknown<'a>(
     documents: impl IntoIterator<Item = &'a Document>,
     wanted: &str,
 ) -> String {
-    let labels: Vec<&str> = documents
-        .into_iter()
-        .flat_map(|d| &d.statements)
-        .map(|s| s.label.as_str())
-        .collect();
+    let labels: Vec<&str> =
+        documents.into_iter().flat_map(|d| &d.statements).map(|s| s.label.as_str()).collect();
     let inner = |label: &'a str| label.trim_start_matches('(').trim_end_matches(')');
     let bare = wanted.trim_start_matches('(').trim_end_matches(')');
     let near = nearest(bare, labels.iter().map(|label| inner(label)));

@@ -12,10 +12,7 @@ pub(super) fn page() -> Page {
         return Page::default();
     }
     let (_, columns) = console::Term::stdout().size();
-    Page {
-        width: Some(usize::from(columns)),
-        colour: colours_wanted(),
-    }
+    Page { width: Some(usize::from(columns)), colour: colours_wanted() }
 }
 
 /// Whether a terminal may be sent colours: not if `NO_COLOR` is set to anything, or the terminal is dumb.
@@ -31,10 +28,7 @@ fn colours_wanted() -> bool {
 /// Everything else that keeps the text from being written.
 pub(super) fn to_stdout(text: &str) -> io::Result<()> {
     let mut stdout = io::stdout().lock();
-    match stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-    {
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }

@@ -17,11 +17,7 @@ pub(super) struct Progress {
 
 impl Progress {
     pub(super) fn new() -> Self {
-        Self {
-            start: Instant::now(),
-            listens: io::stderr().is_terminal(),
-            bar: None,
-        }
+        Self { start: Instant::now(), listens: io::stderr().is_terminal(), bar: None }
     }
 
     /// Takes note that `done` of `all` statements are judged.

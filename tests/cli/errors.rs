@@ -4,55 +4,15 @@ use crate::{document, kane, scratch};
 
 /// Each kind of fault: its name, the statements, what the message says, and the marked text.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
-    (
-        "unknown-symbol",
-        "var alpha\ngiven a: alhpa = 1",
-        "unknown symbol `alhpa`",
-        "alhpa",
-    ),
-    (
-        "unknown-label",
-        "var x\nclaim b: x = 1 from nowhere",
-        "nowhere",
-        "nowhere",
-    ),
-    (
-        "below",
-        "var x\nclaim a: x = 1 from b\nclaim b: x = 1",
-        "b",
-        "b",
-    ),
-    (
-        "duplicate",
-        "var x\ngiven a: x = 1\ngiven a: x = 2",
-        "a",
-        "a",
-    ),
-    (
-        "zero",
-        "var x\ngiven a: x/0 = 1",
-        "division by literal zero",
-        "",
-    ),
+    ("unknown-symbol", "var alpha\ngiven a: alhpa = 1", "unknown symbol `alhpa`", "alhpa"),
+    ("unknown-label", "var x\nclaim b: x = 1 from nowhere", "nowhere", "nowhere"),
+    ("below", "var x\nclaim a: x = 1 from b\nclaim b: x = 1", "b", "b"),
+    ("duplicate", "var x\ngiven a: x = 1\ngiven a: x = 2", "a", "a"),
+    ("zero", "var x\ngiven a: x/0 = 1", "division by literal zero", ""),
     ("open", "var x\ngiven a: (x = 1", "never closed", "("),
-    (
-        "number",
-        "var x\ngiven a: x = 1.2.3",
-        "malformed number `1.2.3`",
-        "1.2.3",
-    ),
-    (
-        "no-side",
-        "var x\ngiven a: x =",
-        "relation without a right side",
-        "",
-    ),
-    (
-        "exponent",
-        "var x\ngiven a: x^(1/2) = 1",
-        "the exponent is not an integer",
-        "",
-    ),
+    ("number", "var x\ngiven a: x = 1.2.3", "malformed number `1.2.3`", "1.2.3"),
+    ("no-side", "var x\ngiven a: x =", "relation without a right side", ""),
+    ("exponent", "var x\ngiven a: x^(1/2) = 1", "the exponent is not an integer", ""),
 ];
 
 #[test]
@@ -65,26 +25,15 @@ fn every_kind_of_fault_is_named_and_marked() {
         assert!(run.stdout.is_empty(), "{name}: {}", run.stdout);
         assert!(run.stderr.starts_with("error: "), "{name}: {}", run.stderr);
         assert!(run.stderr.contains(message), "{name}: {}", run.stderr);
-        assert!(
-            run.stderr.contains(&format!("{path}:")),
-            "{name}: {}",
-            run.stderr
-        );
-        assert!(
-            caret_of(&run.stderr).contains(marked),
-            "{name}: {}",
-            run.stderr
-        );
+        assert!(run.stderr.contains(&format!("{path}:")), "{name}: {}", run.stderr);
+        assert!(caret_of(&run.stderr).contains(marked), "{name}: {}", run.stderr);
     }
 }
 
 /// The text over the first row of carets.
 fn caret_of(message: &str) -> String {
     let lines: Vec<&str> = message.lines().collect();
-    let row = lines
-        .iter()
-        .position(|line| line.contains('^'))
-        .expect("there is a caret");
+    let row = lines.iter().position(|line| line.contains('^')).expect("there is a caret");
     let from = lines[row].find('^').expect("found above");
     let count = lines[row].matches('^').count();
     lines[row - 1].chars().skip(from).take(count).collect()
@@ -92,17 +41,9 @@ fn caret_of(message: &str) -> String {
 
 #[test]
 fn a_misspelt_symbol_gets_a_suggestion() {
-    let path = document(
-        &scratch("misspelt"),
-        "a.md",
-        "var alpha\ngiven a: alhpa = 1",
-    );
+    let path = document(&scratch("misspelt"), "a.md", "var alpha\ngiven a: alhpa = 1");
     let run = kane(&["audit", &path]);
-    assert!(
-        run.stderr.contains("did you mean `alpha`?"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("did you mean `alpha`?"), "{}", run.stderr);
     assert!(run.stderr.contains("a.md:5:10"), "{}", run.stderr);
 }
 

@@ -22,26 +22,14 @@ fn a_true_claim_exits_0_and_a_false_one_1() {
 #[test]
 fn an_expected_refutation_exits_0_and_a_proof_against_expectation_1() {
     let dir = scratch("expectations");
-    let refuted = document(
-        &dir,
-        "refuted.md",
-        "var x > 0\nclaim neg: x < 0  expect refuted",
-    );
-    let proved = document(
-        &dir,
-        "proved.md",
-        "var x > 0\nclaim pos: x > 0  expect refuted",
-    );
+    let refuted = document(&dir, "refuted.md", "var x > 0\nclaim neg: x < 0  expect refuted");
+    let proved = document(&dir, "proved.md", "var x > 0\nclaim pos: x > 0  expect refuted");
     let run = kane(&["audit", &refuted]);
     assert_eq!(run.code, 0);
     assert!(run.stdout.contains("expected"), "{}", run.stdout);
     let run = kane(&["audit", &proved]);
     assert_eq!(run.code, 1);
-    assert!(
-        run.stdout.contains("NOT EXPECTED (should be refuted)"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("NOT EXPECTED (should be refuted)"), "{}", run.stdout);
 }
 
 #[test]
@@ -77,11 +65,7 @@ fn help_shows_examples_and_exit_codes() {
     let run = kane(&["audit", "--help"]);
     assert_eq!(run.code, 0);
     for part in ["--only 9", "--explain 16", "--out reports", "Exit codes:"] {
-        assert!(
-            run.stdout.contains(part),
-            "{part} is missing from\n{}",
-            run.stdout
-        );
+        assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
     }
 }
 

@@ -13,21 +13,11 @@ fn every_document_becomes_a_markdown_and_a_json_file() {
     let target = reports.to_str().expect("UTF-8");
     let run = kane(&["audit", &one, &two, "--out", target]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    assert!(
-        run.stdout.contains("1 claim"),
-        "the report is printed as well: {}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("1 claim"), "the report is printed as well: {}", run.stdout);
 
     let mut names: Vec<_> = fs::read_dir(&reports)
         .expect("the directory was made")
-        .map(|entry| {
-            entry
-                .expect("readable")
-                .file_name()
-                .into_string()
-                .expect("UTF-8")
-        })
+        .map(|entry| entry.expect("readable").file_name().into_string().expect("UTF-8"))
         .collect();
     names.sort();
     assert_eq!(
@@ -39,10 +29,7 @@ fn every_document_becomes_a_markdown_and_a_json_file() {
     let json = fs::read_to_string(reports.join("two.json")).expect("it was written");
     assert_eq!(json, kane(&["audit", &two, "--format", "json"]).stdout);
     let markdown = fs::read_to_string(reports.join("two.md")).expect("it was written");
-    assert_eq!(
-        markdown,
-        kane(&["audit", &two, "--format", "markdown"]).stdout
-    );
+    assert_eq!(markdown, kane(&["audit", &two, "--format", "markdown"]).stdout);
 }
 
 #[test]
@@ -59,13 +46,7 @@ fn two_documents_of_one_name_are_not_written_over_each_other() {
     fs::create_dir(dir.join("sub")).expect("the scratch directory is writable");
     let one = document(&dir, "same.md", "var x > 0\nclaim a: x > 0");
     let two = document(&dir.join("sub"), "same.md", "var x > 0\nclaim a: x > 0");
-    let run = kane(&[
-        "audit",
-        &one,
-        &two,
-        "--out",
-        dir.join("out").to_str().expect("UTF-8"),
-    ]);
+    let run = kane(&["audit", &one, &two, "--out", dir.join("out").to_str().expect("UTF-8")]);
     assert_eq!(run.code, 2);
     assert!(run.stderr.contains("`same`"), "{}", run.stderr);
     assert!(!dir.join("out").exists());

@@ -14,17 +14,10 @@ fn the_news_come_first() {
 
 #[test]
 fn there_is_no_colour_in_a_pipe() {
-    for arguments in [
-        &["audit"][..],
-        &["audit", "--explain", "16"],
-        &["audit", "--help"],
-    ] {
+    for arguments in [&["audit"][..], &["audit", "--explain", "16"], &["audit", "--help"]] {
         let mut command = command();
-        let output = command
-            .args(arguments)
-            .env("CLICOLOR", "1")
-            .output()
-            .expect("the program starts");
+        let output =
+            command.args(arguments).env("CLICOLOR", "1").output().expect("the program starts");
         assert!(!finish(output).stdout.contains('\u{1b}'), "{arguments:?}");
     }
 }
@@ -44,10 +37,7 @@ fn json_follows_its_documented_schema() {
             undocumented.push(field.to_owned());
         }
     });
-    assert!(
-        undocumented.is_empty(),
-        "not in docs/report-schema.md: {undocumented:?}"
-    );
+    assert!(undocumented.is_empty(), "not in docs/report-schema.md: {undocumented:?}");
 }
 
 /// Calls `see` with the name of every field, at any depth.
@@ -83,10 +73,8 @@ fn a_number_finds_its_equation() {
     let full = kane(&["audit", "--only", "(9)", "--format", "json"]);
     let label = |text: &str| {
         let report: Value = serde_json::from_str(text).expect("it is JSON");
-        let statements = report["documents"][0]["statements"]
-            .as_array()
-            .cloned()
-            .unwrap_or_default();
+        let statements =
+            report["documents"][0]["statements"].as_array().cloned().unwrap_or_default();
         statements
             .iter()
             .map(|s| s["label"].as_str().unwrap_or_default().to_owned())
@@ -101,12 +89,7 @@ fn a_number_finds_its_equation() {
 fn several_statements_can_be_chosen() {
     let run = kane(&["audit", "--only", "1", "--only", "(1r)"]);
     assert_eq!(run.code, 0, "{}", run.stdout);
-    assert!(
-        run.stdout
-            .contains("1 equation, 2 claims: 1 proved, 1 refuted"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("1 equation, 2 claims: 1 proved, 1 refuted"), "{}", run.stdout);
 }
 
 #[test]
@@ -114,11 +97,7 @@ fn an_explanation_ends_in_what_the_kernel_accepted() {
     let run = kane(&["audit", "--explain", "16"]);
     assert_eq!(run.code, 0, "{}", run.stdout);
     assert!(run.stdout.starts_with("claim (16): "), "{}", run.stdout);
-    assert!(
-        run.stdout.contains("the kernel accepted certificate"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("the kernel accepted certificate"), "{}", run.stdout);
     assert!(run.stdout.contains("rests on"), "{}", run.stdout);
 }
 

@@ -18,21 +18,13 @@ struct Run {
 
 /// The program with these arguments, in the root of the checkout.
 fn kane(arguments: &[&str]) -> Run {
-    finish(
-        command()
-            .args(arguments)
-            .output()
-            .expect("the program starts"),
-    )
+    finish(command().args(arguments).output().expect("the program starts"))
 }
 
 /// The program, with nothing in its environment that changes what it prints.
 fn command() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kane"));
-    command
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .env_remove("NO_COLOR")
-        .stdin(Stdio::null());
+    command.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("NO_COLOR").stdin(Stdio::null());
     command
 }
 
@@ -59,7 +51,5 @@ fn document(dir: &Path, name: &str, statements: &str) -> String {
     let path = dir.join(name);
     let text = format!("# Test\n\n```kane\n{statements}\n```\n");
     std::fs::write(&path, text).expect("the scratch directory is writable");
-    path.to_str()
-        .expect("the build directory has a UTF-8 name")
-        .to_owned()
+    path.to_str().expect("the build directory has a UTF-8 name").to_owned()
 }

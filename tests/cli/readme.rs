@@ -36,15 +36,8 @@ fn compare(shown: &str, printed: &str) {
             Some(start) => actual.starts_with(start),
             None => actual == line,
         };
-        let found = if skipping {
-            printed.any(fits)
-        } else {
-            printed.next().is_some_and(fits)
-        };
-        assert!(
-            found,
-            "the README shows, but the program does not print:\n{line}"
-        );
+        let found = if skipping { printed.any(fits) } else { printed.next().is_some_and(fits) };
+        assert!(found, "the README shows, but the program does not print:\n{line}");
         skipping = false;
     }
     assert!(
@@ -56,10 +49,7 @@ fn compare(shown: &str, printed: &str) {
 #[test]
 fn the_readme_is_short_and_gives_two_commands() {
     assert!(README.lines().count() < 120);
-    let commands: Vec<_> = README
-        .lines()
-        .filter(|line| line.starts_with("cargo "))
-        .collect();
+    let commands: Vec<_> = README.lines().filter(|line| line.starts_with("cargo ")).collect();
     assert_eq!(commands, ["cargo run --release -- audit", "cargo test"]);
 }
 

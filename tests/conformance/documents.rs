@@ -27,49 +27,30 @@ fn every_shipped_document_audits_as_expected() {
     assert!(documents.len() >= 4, "the paper and three small ones");
     let mut surprises = Vec::new();
     for path in documents {
-        let name = path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let bytes = fs::read(&path).expect("the document is readable");
         let document = match read(&name, &bytes) {
             Ok(document) => document,
-            Err(faults) => panic!(
-                "{}",
-                faults.iter().map(ToString::to_string).collect::<String>()
-            ),
+            Err(faults) => panic!("{}", faults.iter().map(ToString::to_string).collect::<String>()),
         };
         let audit = audit(document, &Options::default(), &mut |_, _| {});
         let summary = Summary::of(&Report::new(&audit, "kane audit"));
         println!("{name}: {}", summary.headline());
-        surprises.extend(
-            summary
-                .surprises
-                .iter()
-                .map(|label| format!("{name}: {label}")),
-        );
+        surprises.extend(summary.surprises.iter().map(|label| format!("{name}: {label}")));
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
             if judgement.verdict == Verdict::Undecided {
                 surprises.push(format!("{name}: {} is undecided", statement.label));
             }
         }
     }
-    assert!(
-        surprises.is_empty(),
-        "not as expected:\n{}",
-        surprises.join("\n")
-    );
+    assert!(surprises.is_empty(), "not as expected:\n{}", surprises.join("\n"));
 }
 
 /// Links of the form `](target)` to files of this repository.
 #[test]
 fn no_page_links_to_nowhere() {
     let mut dead = Vec::new();
-    for page in ["", "docs", "docs/derivations", "docs/decisions"]
-        .into_iter()
-        .flat_map(pages)
-    {
+    for page in ["", "docs", "docs/derivations", "docs/decisions"].into_iter().flat_map(pages) {
         let text = fs::read_to_string(&page).expect("the page is UTF-8");
         for rest in text.split("](").skip(1) {
             let target = rest.split([')', '#']).next().unwrap_or_default();

@@ -34,10 +34,7 @@ fn a_lower_crate_never_knows_a_higher_one() {
     let levels = BTreeMap::from(LEVELS);
     let metadata = metadata();
     let members = metadata.workspace_packages();
-    let names: BTreeSet<&str> = members
-        .iter()
-        .map(|package| package.name.as_str())
-        .collect();
+    let names: BTreeSet<&str> = members.iter().map(|package| package.name.as_str()).collect();
     assert_eq!(
         names,
         levels.keys().copied().collect(),
@@ -45,23 +42,15 @@ fn a_lower_crate_never_knows_a_higher_one() {
     );
     for package in members {
         // a crate may ask itself, in its tests, for features that are off by default
-        let others = package
-            .dependencies
-            .iter()
-            .filter(|dependency| dependency.name != *package.name);
+        let others =
+            package.dependencies.iter().filter(|dependency| dependency.name != *package.name);
         for dependency in others {
-            let (Some(from), Some(to)) = (
-                levels.get(package.name.as_str()),
-                levels.get(dependency.name.as_str()),
-            ) else {
+            let (Some(from), Some(to)) =
+                (levels.get(package.name.as_str()), levels.get(dependency.name.as_str()))
+            else {
                 continue;
             };
-            assert!(
-                from > to,
-                "{} must not know {}",
-                package.name,
-                dependency.name
-            );
+            assert!(from > to, "{} must not know {}", package.name, dependency.name);
         }
     }
 }
@@ -69,55 +58,35 @@ fn a_lower_crate_never_knows_a_higher_one() {
 #[test]
 fn the_kernel_links_the_num_family_alone() {
     let metadata = metadata();
-    let resolve = metadata
-        .resolve
-        .as_ref()
-        .expect("dependencies are resolved");
-    let kernel = metadata
-        .packages
-        .iter()
-        .find(|package| package.name.as_str() == "kane-kernel");
+    let resolve = metadata.resolve.as_ref().expect("dependencies are resolved");
+    let kernel = metadata.packages.iter().find(|package| package.name.as_str() == "kane-kernel");
     let kernel = kernel.expect("the kernel is a member");
 
     // what is linked: normal dependencies, and theirs; build scripts only look at the compiler
     let mut linked: BTreeSet<&PackageId> = BTreeSet::new();
     let mut todo = vec![&kernel.id];
     while let Some(id) = todo.pop() {
-        let node = resolve
-            .nodes
-            .iter()
-            .find(|node| node.id == *id)
-            .expect("every package has a node");
+        let node =
+            resolve.nodes.iter().find(|node| node.id == *id).expect("every package has a node");
         for dependency in &node.deps {
-            let normal = dependency
-                .dep_kinds
-                .iter()
-                .any(|kind| kind.kind == DependencyKind::Normal);
+            let normal =
+                dependency.dep_kinds.iter().any(|kind| kind.kind == DependencyKind::Normal);
             if normal && linked.insert(&dependency.pkg) {
                 todo.push(&dependency.pkg);
             }
         }
     }
-    let names: BTreeSet<&str> = linked
-        .iter()
-        .map(|id| metadata[*id].name.as_str())
-        .collect();
+    let names: BTreeSet<&str> = linked.iter().map(|id| metadata[*id].name.as_str()).collect();
     assert_eq!(names, BTreeSet::from(GROUND));
 }
 
 #[test]
 fn the_kernel_can_be_read_in_an_evening() {
     let mut files: Vec<_> = Vec::new();
-    collect(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/kernel/src"),
-        &mut files,
-    );
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/kernel/src"), &mut files);
     let lines: usize = files.iter().map(|file| code_lines(file)).sum();
     println!("the kernel has {lines} lines of code");
-    assert!(
-        lines > 0 && lines < KERNEL_LINES,
-        "the kernel has {lines} lines of code"
-    );
+    assert!(lines > 0 && lines < KERNEL_LINES, "the kernel has {lines} lines of code");
 }
 
 /// All Rust files under `dir`.

@@ -30,32 +30,19 @@ claim μ-lim: k -> -1 as alpha -> oo  from (16)
 /// A judged document with every verdict, expected and not.
 pub(crate) fn audit() -> Audit {
     let document = kane::audit::read("wall.md", TEXT.as_bytes()).expect("the text is well formed");
-    let judgements = document
-        .statements
-        .iter()
-        .map(|statement| judgement(&statement.label))
-        .collect();
-    Audit {
-        document,
-        judgements,
-    }
+    let judgements =
+        document.statements.iter().map(|statement| judgement(&statement.label)).collect();
+    Audit { document, judgements }
 }
 
 /// What the prover could have said of the statement.
 fn judgement(label: &str) -> Judgement {
     use Verdict::{Assumed, Defined, IllDefined, Proved, Refuted, Undecided, Unsupported, Vacuous};
     let one = |verdict, text: &str| judged(verdict, vec![link(text, verdict)]);
-    let expected = |judgement: Judgement| Judgement {
-        expect: Some(judgement.verdict),
-        ..judgement
-    };
+    let expected =
+        |judgement: Judgement| Judgement { expect: Some(judgement.verdict), ..judgement };
     let at = |pairs: &[(&str, &str)]| {
-        Some(
-            pairs
-                .iter()
-                .map(|&(name, value)| (name.to_owned(), value.to_owned()))
-                .collect(),
-        )
+        Some(pairs.iter().map(|&(name, value)| (name.to_owned(), value.to_owned())).collect())
     };
     match label {
         "k_W" => judged(Defined, vec![]),
@@ -75,10 +62,7 @@ fn judgement(label: &str) -> Judgement {
             ..judged(Proved, vec![link("-1 < k", Proved), link("k < 1", Proved)])
         },
         "wrong" => one(Refuted, "k > 1"),
-        "half" => expected(judged(
-            Refuted,
-            vec![link("k = 1/2", Refuted), link("k < 1", Proved)],
-        )),
+        "half" => expected(judged(Refuted, vec![link("k = 1/2", Refuted), link("k < 1", Proved)])),
         "lost" => Judgement {
             conditional: Proved,
             unproved: vec![6],
@@ -87,15 +71,9 @@ fn judgement(label: &str) -> Judgement {
         },
         "empty" => expected(one(Refuted, "contradiction")),
         "nothing" => expected(one(Vacuous, "r_0/r_0*m = m")),
-        "pole" => Judgement {
-            model: at(&[]),
-            ..expected(one(IllDefined, "m/(k - 1) > 0"))
-        },
+        "pole" => Judgement { model: at(&[]), ..expected(one(IllDefined, "m/(k - 1) > 0")) },
         "open" => one(Undecided, "m^4 + mu^4 > m*mu - 1"),
-        "μ-lim" => Judgement {
-            model: at(&[]),
-            ..one(Proved, "k -> -1 as alpha -> oo")
-        },
+        "μ-lim" => Judgement { model: at(&[]), ..one(Proved, "k -> -1 as alpha -> oo") },
         other => unreachable!("no judgement of {other} was made up"),
     }
 }
@@ -114,10 +92,7 @@ fn judged(verdict: Verdict, links: Vec<LinkJudgement>) -> Judgement {
 
 /// A link with a reason, a certificate and steps that fit its verdict.
 fn link(text: &str, verdict: Verdict) -> LinkJudgement {
-    let step = |depth, text: &str| Step {
-        depth,
-        text: text.to_owned(),
-    };
+    let step = |depth, text: &str| Step { depth, text: text.to_owned() };
     let (reason, steps) = match verdict {
         Verdict::Proved => (
             "an identity after substitution of (2)",
@@ -128,17 +103,11 @@ fn link(text: &str, verdict: Verdict) -> LinkJudgement {
         ),
         Verdict::Refuted => (
             "at m = 1, v_y0 = -1/2 the sides are -1/2 and 3/2",
-            vec![
-                step(0, "m = 1, v_y0 = -1/2"),
-                step(0, "left -1/2, right 3/2"),
-            ],
+            vec![step(0, "m = 1, v_y0 = -1/2"), step(0, "left -1/2, right 3/2")],
         ),
         Verdict::IllDefined => ("at k = 1 the denominator k - 1 is zero", vec![]),
         Verdict::Vacuous => ("(2) and `when` contradict each other: 0 = 1 + m^2", vec![]),
-        _ => (
-            "no proof of degree <= 4 and no witness within 10000 steps",
-            vec![],
-        ),
+        _ => ("no proof of degree <= 4 and no witness within 10000 steps", vec![]),
     };
     LinkJudgement {
         text: text.to_owned(),
@@ -147,11 +116,7 @@ fn link(text: &str, verdict: Verdict) -> LinkJudgement {
         reason: reason.to_owned(),
         certificate: (verdict != Verdict::Undecided)
             .then(|| "0123456789abcdef0123456789abcdef".to_owned()),
-        used: if verdict == Verdict::Proved {
-            vec![1]
-        } else {
-            vec![]
-        },
+        used: if verdict == Verdict::Proved { vec![1] } else { vec![] },
         steps,
         cost: 12,
     }

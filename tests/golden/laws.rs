@@ -44,9 +44,7 @@ fn table<L: ImpactLaw>(law: &L) -> String {
     for alpha in alphas() {
         let exact = Alpha::Finite(decode(alpha).expect("a finite α"));
         let exact = law.ratios(&exact).expect("finite α");
-        let float = law
-            .ratios(&Alpha::new(alpha).expect("α ≥ 0"))
-            .expect("finite α");
+        let float = law.ratios(&Alpha::new(alpha).expect("α ≥ 0")).expect("finite α");
         row(&mut table, &format!("α = {alpha:?}"), &float, Some(&exact));
     }
     if let Some(limit) = law.ratios(&Alpha::Infinite) {
@@ -65,11 +63,8 @@ fn row(table: &mut String, alpha: &str, float: &Ratios<f64>, exact: Option<&Rati
     ] {
         let truth = exact.map_or_else(|| format!("{float}"), fraction);
         let error = exact.map_or_else(|| "0".into(), |exact| ulps(float, exact));
-        writeln!(
-            table,
-            "  {name} = {truth:<37} f64 {float:<25?} error {error} ulp"
-        )
-        .expect("a string takes all");
+        writeln!(table, "  {name} = {truth:<37} f64 {float:<25?} error {error} ulp")
+            .expect("a string takes all");
     }
 }
 
@@ -80,11 +75,7 @@ fn fraction(exact: &Rational) -> String {
         return text;
     }
     let bits = |n: &kane_number::Integer| n.bits();
-    format!(
-        "({} bits)/({} bits)",
-        bits(exact.numer()),
-        bits(exact.denom())
-    )
+    format!("({} bits)/({} bits)", bits(exact.numer()), bits(exact.denom()))
 }
 
 /// The error in ulps to three decimals, rounded towards zero by integer arithmetic.

@@ -14,9 +14,7 @@ fn settings() -> insta::Settings {
     let folder = caller.file_stem().expect("a source file has a name");
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("snapshots")
-            .join(folder),
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots").join(folder),
     );
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);

@@ -13,19 +13,13 @@ fn assert_report(name: &str, shown: &str) {
 #[test]
 fn text_in_a_file_lets_reasons_run_on() {
     let audit = audit();
-    assert_report(
-        "text_file",
-        &text(&Report::new(&audit, "kane audit wall.md"), Page::default()),
-    );
+    assert_report("text_file", &text(&Report::new(&audit, "kane audit wall.md"), Page::default()));
 }
 
 #[test]
 fn text_on_a_terminal_fits_it_and_shows_surprises_in_red() {
     let audit = audit();
-    let page = Page {
-        width: Some(90),
-        colour: true,
-    };
+    let page = Page { width: Some(90), colour: true };
     let shown = text(&Report::new(&audit, "kane audit wall.md"), page);
     assert_report("text_terminal", &shown.replace('\u{1b}', "ESC"));
 }
@@ -35,23 +29,11 @@ fn a_narrow_page_is_never_overrun() {
     let audit = audit();
     let report = Report::new(&audit, "kane audit wall.md");
     for width in [0, 10, 20, 40, 60, 80, 120] {
-        let shown = text(
-            &report,
-            Page {
-                width: Some(width),
-                colour: false,
-            },
-        );
-        let table = shown
-            .split("\n\n")
-            .nth(1)
-            .expect("a table follows the news");
+        let shown = text(&report, Page { width: Some(width), colour: false });
+        let table = shown.split("\n\n").nth(1).expect("a table follows the news");
         for line in table.lines() {
             // the verdict and the label are always shown in full
-            assert!(
-                line.chars().count() <= width.max(22),
-                "{width} columns, but: {line}"
-            );
+            assert!(line.chars().count() <= width.max(22), "{width} columns, but: {line}");
         }
     }
 }
@@ -66,10 +48,7 @@ fn one_statement_alone() {
 #[test]
 fn markdown_of_every_verdict() {
     let audit = audit();
-    assert_report(
-        "markdown",
-        &markdown(&Report::new(&audit, "kane audit wall.md")),
-    );
+    assert_report("markdown", &markdown(&Report::new(&audit, "kane audit wall.md")));
 }
 
 #[test]

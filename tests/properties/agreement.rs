@@ -32,11 +32,7 @@ use crate::strategies::{alpha, exact, float_sphere, map, sphere};
 use crate::{cases, rational, two_to};
 
 fn magnitude(number: Rational) -> Rational {
-    if number < rational(0, 1) {
-        -number
-    } else {
-        number
-    }
+    if number < rational(0, 1) { -number } else { number }
 }
 
 /// The law in floats and in exact numbers at the same α.
@@ -49,12 +45,8 @@ fn both<L: ImpactLaw, F: Binary + Ordered>(law: &L, alpha: F) -> (Ratios<F>, Rat
 
 /// The errors of k, i_x and Δe in ulps, without sign.
 fn errors<F: Binary>(float: &Ratios<F>, truth: &Ratios<Rational>) -> [Rational; 3] {
-    [
-        (float.k, &truth.k),
-        (float.impulse, &truth.impulse),
-        (float.energy, &truth.energy),
-    ]
-    .map(|(float, truth)| magnitude(error_in_ulps(float, truth).expect("a finite result")))
+    [(float.k, &truth.k), (float.impulse, &truth.impulse), (float.energy, &truth.energy)]
+        .map(|(float, truth)| magnitude(error_in_ulps(float, truth).expect("a finite result")))
 }
 
 fn within<F: Binary + Ordered>(alpha: F) -> Result<(), TestCaseError> {
@@ -62,20 +54,10 @@ fn within<F: Binary + Ordered>(alpha: F) -> Result<(), TestCaseError> {
     let [k, impulse, energy] = errors(&float, &truth);
     let precision = i32::try_from(F::PRECISION).expect("24 or 53");
     let below = decode(alpha).expect("a finite α") < two_to(precision);
-    let bound = if below {
-        rational(2, 1)
-    } else {
-        rational(9, 4)
-    };
+    let bound = if below { rational(2, 1) } else { rational(9, 4) };
     prop_assert!(k <= bound, "k is off by {k} ulp at α = {alpha}");
-    prop_assert!(
-        impulse <= rational(3, 2),
-        "i_x is off by {impulse} ulp at α = {alpha}"
-    );
-    prop_assert!(
-        energy <= rational(4, 1),
-        "Δe is off by {energy} ulp at α = {alpha}"
-    );
+    prop_assert!(impulse <= rational(3, 2), "i_x is off by {impulse} ulp at α = {alpha}");
+    prop_assert!(energy <= rational(4, 1), "Δe is off by {energy} ulp at α = {alpha}");
     Ok(())
 }
 
@@ -147,23 +129,14 @@ fn same_story<L: ImpactLaw>(
     let (i_x, i_y) = (&rebound.tangential_impulse, &rebound.normal_impulse);
     prop_assert_eq!(&sphere.mass * (&after.vy - &before.vy), -i_y.clone());
     prop_assert_eq!(&sphere.mass * (&after.vx - &before.vx), -i_x.clone());
-    prop_assert_eq!(
-        &sphere.inertia * (&after.omega - &before.omega),
-        &sphere.radius * i_x
-    );
+    prop_assert_eq!(&sphere.inertia * (&after.omega - &before.omega), &sphere.radius * i_x);
     prop_assert_eq!(&after.vy, &-(&sphere.restitution * &before.vy));
 
     let change = |weight: &Rational, after: &Rational, before: &Rational| {
         weight * (after.square() - before.square()) / rational(2, 1)
     };
-    prop_assert_eq!(
-        &rebound.energy.normal,
-        &change(&sphere.mass, &after.vy, &before.vy)
-    );
-    prop_assert_eq!(
-        &rebound.energy.tangential,
-        &change(&sphere.mass, &after.vx, &before.vx)
-    );
+    prop_assert_eq!(&rebound.energy.normal, &change(&sphere.mass, &after.vy, &before.vy));
+    prop_assert_eq!(&rebound.energy.tangential, &change(&sphere.mass, &after.vx, &before.vx));
     prop_assert_eq!(
         &rebound.energy.rotational,
         &change(&sphere.inertia, &after.omega, &before.omega)
@@ -172,17 +145,12 @@ fn same_story<L: ImpactLaw>(
     let slip = contact.slip();
     if slip.sign().is_greater() == Some(true) {
         let alpha = contact.alpha().expect("the slip is not zero");
-        let ratios = law
-            .ratios(&Alpha::Finite(alpha.clone()))
-            .expect("α is finite");
+        let ratios = law.ratios(&Alpha::Finite(alpha.clone())).expect("α is finite");
         let sliding = contact.sliding_impulse();
         prop_assert!(ratios.is_consistent(&alpha));
         prop_assert_eq!(after.slip(&sphere.radius), &ratios.k * slip);
         prop_assert_eq!(i_x, &(&ratios.impulse * &sliding));
-        prop_assert_eq!(
-            rebound.energy.by_friction(),
-            &ratios.energy * sliding * slip
-        );
+        prop_assert_eq!(rebound.energy.by_friction(), &ratios.energy * sliding * slip);
     }
     Ok(())
 }

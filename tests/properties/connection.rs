@@ -35,9 +35,7 @@ proptest! {
 #[test]
 fn the_limits_themselves_are_attained() {
     let (zero, one) = (rational(0, 1), rational(1, 1));
-    let grazing = WangSuLi
-        .ratios(&Alpha::Finite(zero.clone()))
-        .expect("total");
+    let grazing = WangSuLi.ratios(&Alpha::Finite(zero.clone())).expect("total");
     assert_eq!((&grazing.k, &grazing.impulse), (&one, &one));
     let normal = WangSuLi.ratios(&Alpha::Infinite).expect("total");
     assert_eq!((normal.k, normal.impulse), (-one, zero));

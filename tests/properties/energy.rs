@@ -93,11 +93,7 @@ fn whittaker_creates_energy_on_a_plain_sphere() {
         inertia: rational(2, 5),
         friction: n(1),
         restitution: n(1),
-        before: Motion {
-            vx: n(1),
-            vy: n(1),
-            omega: n(0),
-        },
+        before: Motion { vx: n(1), vy: n(1), omega: n(0) },
     };
     let whittaker = sphere.collide(&WhittakerUncapped).expect("valid");
     assert_eq!(whittaker.energy.total(), n(5)); // 2·(7/2 − 1)

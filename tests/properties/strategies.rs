@@ -92,38 +92,19 @@ pub(crate) fn float_sphere() -> impl Strategy<Value = SphereOnPlane<f64>> {
         })
     };
     let signed = || (magnitude(), any::<bool>()).prop_map(|(x, sign)| if sign { -x } else { x });
-    let unit = prop_oneof![
-        Just(0.0),
-        Just(1.0),
-        (0..=1000_u32).prop_map(|n| f64::from(n) / 1000.0)
-    ];
+    let unit =
+        prop_oneof![Just(0.0), Just(1.0), (0..=1000_u32).prop_map(|n| f64::from(n) / 1000.0)];
     let cancelling = prop_oneof![3 => Just(None), 1 => (-4_i64..4).prop_map(Some)];
     let body = (magnitude(), magnitude(), magnitude());
-    (
-        body,
-        magnitude(),
-        unit,
-        signed(),
-        magnitude(),
-        signed(),
-        cancelling,
+    (body, magnitude(), unit, signed(), magnitude(), signed(), cancelling).prop_map(
+        |((mass, radius, inertia), friction, restitution, vx, vy, omega, cancelling)| {
+            let vx = cancelling.map_or(vx, |steps| {
+                f64::from_bits((omega * radius).to_bits().wrapping_add_signed(steps))
+            });
+            let before = Motion { vx, vy, omega };
+            SphereOnPlane { mass, radius, inertia, friction, restitution, before }
+        },
     )
-        .prop_map(
-            |((mass, radius, inertia), friction, restitution, vx, vy, omega, cancelling)| {
-                let vx = cancelling.map_or(vx, |steps| {
-                    f64::from_bits((omega * radius).to_bits().wrapping_add_signed(steps))
-                });
-                let before = Motion { vx, vy, omega };
-                SphereOnPlane {
-                    mass,
-                    radius,
-                    inertia,
-                    friction,
-                    restitution,
-                    before,
-                }
-            },
-        )
 }
 
 /// The same sphere in another number system.
@@ -135,11 +116,7 @@ pub(crate) fn map<A, B>(sphere: &SphereOnPlane<A>, to: impl Fn(&A) -> B) -> Sphe
         inertia: to(&sphere.inertia),
         friction: to(&sphere.friction),
         restitution: to(&sphere.restitution),
-        before: Motion {
-            vx: to(&before.vx),
-            vy: to(&before.vy),
-            omega: to(&before.omega),
-        },
+        before: Motion { vx: to(&before.vx), vy: to(&before.vy), omega: to(&before.omega) },
     }
 }
 

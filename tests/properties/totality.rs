@@ -7,15 +7,8 @@ use crate::{cases, rational};
 
 fn mirrored<N: Number>(sphere: &SphereOnPlane<N>) -> SphereOnPlane<N> {
     let Motion { vx, vy, omega } = sphere.before.clone();
-    let before = Motion {
-        vx: -vx,
-        vy,
-        omega: -omega,
-    };
-    SphereOnPlane {
-        before,
-        ..sphere.clone()
-    }
+    let before = Motion { vx: -vx, vy, omega: -omega };
+    SphereOnPlane { before, ..sphere.clone() }
 }
 
 /// A mirrored collision is the mirror image of the collision: to the bit, in floats too.
@@ -26,10 +19,7 @@ fn is_odd<L: ImpactLaw, N: Ordered + PartialEq>(
     let fail = |error| TestCaseError::fail(format!("{error:?}"));
     let rebound = sphere.collide(law).map_err(fail)?;
     let mirror = mirrored(sphere).collide(law).map_err(fail)?;
-    prop_assert_eq!(
-        &mirror.tangential_impulse,
-        &-rebound.tangential_impulse.clone()
-    );
+    prop_assert_eq!(&mirror.tangential_impulse, &-rebound.tangential_impulse.clone());
     prop_assert_eq!(&mirror.normal_impulse, &rebound.normal_impulse);
     prop_assert_eq!(&mirror.after.vx, &-rebound.after.vx.clone());
     prop_assert_eq!(&mirror.after.omega, &-rebound.after.omega.clone());
@@ -106,23 +96,12 @@ fn corners_are_ordinary_inputs() {
             inertia: 0.2,
             friction: switch(0, 0.3),
             restitution: switch(1, 0.8),
-            before: Motion {
-                vx: 1.0 + switch(2, 3.0),
-                vy: switch(3, 1.5),
-                omega: 2.0,
-            },
+            before: Motion { vx: 1.0 + switch(2, 3.0), vy: switch(3, 1.5), omega: 2.0 },
         };
-        for rebound in [
-            sphere.collide(&WangSuLi),
-            sphere.collide(&WhittakerUncapped),
-        ] {
+        for rebound in [sphere.collide(&WangSuLi), sphere.collide(&WhittakerUncapped)] {
             let rebound = rebound.expect("a corner is inside the domain");
             let nothing_tangential = corner & 0b1101 != 0;
-            assert_eq!(
-                rebound.tangential_impulse == 0.0,
-                nothing_tangential,
-                "{corner:04b}"
-            );
+            assert_eq!(rebound.tangential_impulse == 0.0, nothing_tangential, "{corner:04b}");
             assert!(rebound.energy.total() <= 0.0, "{corner:04b}");
         }
     }

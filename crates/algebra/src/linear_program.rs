@@ -88,9 +88,9 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize) -> Option<Ve
 /// A vector of whole numbers in the same ratios.
 #[must_use]
 pub fn whole(values: &[Q]) -> Vec<num_bigint::BigInt> {
-    let common = values.iter().fold(num_bigint::BigInt::one(), |l, q| {
-        num_integer::lcm(l, q.denom().clone())
-    });
+    let common = values
+        .iter()
+        .fold(num_bigint::BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
     values.iter().map(|q| q.numer() * (&common / q.denom())).collect()
 }
 

@@ -107,9 +107,8 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
         }
         out.push((rest, coefficient));
     }
-    let common = out
-        .iter()
-        .fold(BigInt::one(), |l, (_, q)| num_integer::Integer::lcm(&l, q.denom()));
+    let common =
+        out.iter().fold(BigInt::one(), |l, (_, q)| num_integer::Integer::lcm(&l, q.denom()));
     let mut poly = Poly::default();
     for (m, q) in out {
         poly.add_term(m, q.numer() * (&common / q.denom()));

@@ -54,9 +54,8 @@ impl Ring {
     /// Out of the library: the polynomial times its common denominator, and that denominator.
     #[must_use]
     pub fn inward(&self, p: &Foreign) -> (Poly, BigInt) {
-        let common = p.terms.iter().fold(BigInt::one(), |l, (_, c)| {
-            num_integer::lcm(l, c.denom().clone())
-        });
+        let common =
+            p.terms.iter().fold(BigInt::one(), |l, (_, c)| num_integer::lcm(l, c.denom().clone()));
         let mut out = Poly::default();
         for (m, c) in &p.terms {
             let powers = self.vars.iter().zip(m.exps()).filter(|(_, e)| **e > 0);
@@ -79,9 +78,33 @@ pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
     if let (1, Some((m, c))) = (d.len(), d.terms().next()) {
         return monomial_quotient(p, m, c.is_negative());
     }
+    if !divides_at_a_point(p, &d.primitive().1) {
+        return None;
+    }
     let ring = Ring::of(&[p, d]);
     let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
     r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
+}
+
+/// Whether d(x) divides p(x) at one integer point, as it must if a primitive d divides p; `true`
+/// too where the numbers get large. A cheap look before a long division.
+fn divides_at_a_point(p: &Poly, d: &Poly) -> bool {
+    const AT: [i128; 12] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41];
+    let value = |p: &Poly| -> Option<i128> {
+        let mut sum = 0i128;
+        for (m, c) in p.terms() {
+            let mut product = i128::try_from(c).ok()?;
+            for &(v, e) in m {
+                product = product.checked_mul(AT[v % AT.len()].checked_pow(e)?)?;
+            }
+            sum = sum.checked_add(product)?;
+        }
+        Some(sum)
+    };
+    match (value(d), value(p)) {
+        (Some(0), _) | (None, _) | (_, None) => true,
+        (Some(d), Some(p)) => p % d == 0,
+    }
 }
 
 /// Division with remainder in graded reverse lexicographic order: q, r and a positive integer c with
@@ -186,9 +209,7 @@ impl Ideal {
     pub fn lift(&self, p: &Poly) -> Option<(Vec<Poly>, BigInt)> {
         let lift = self.basis.lift(&self.ring.outward(p)).ok()??;
         let parts: Vec<(Poly, BigInt)> = lift.iter().map(|h| self.ring.inward(h)).collect();
-        let common = parts
-            .iter()
-            .fold(BigInt::one(), |l, (_, d)| num_integer::lcm(l, d.clone()));
+        let common = parts.iter().fold(BigInt::one(), |l, (_, d)| num_integer::lcm(l, d.clone()));
         let whole = parts.iter().map(|(p, d)| p.scale(&(&common / d)));
         Some((whole.collect(), common))
     }

@@ -260,8 +260,8 @@ fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<()
                 continue;
             }
             let (lo, hi) = (roots[i].lo.clone(), roots[i].hi.clone());
-            let mut clear = (i == 0 || roots[i - 1].hi < lo)
-                && roots.get(i + 1).is_none_or(|r| hi < r.lo);
+            let mut clear =
+                (i == 0 || roots[i - 1].hi < lo) && roots.get(i + 1).is_none_or(|r| hi < r.lo);
             for base in bases {
                 clear = clear && sign_at(base, &lo) != 0 && sign_at(base, &hi) != 0;
                 if clear && *base != roots[i].poly {
@@ -282,11 +282,7 @@ fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<()
 }
 
 /// Cuts gaps at rational points until Descartes' rule sees that they hold no root.
-fn cut_gaps(
-    bases: &[Vec<BigInt>],
-    roots: Vec<Root>,
-    fuel: &Fuel,
-) -> Result<Vec<Root>, Rejection> {
+fn cut_gaps(bases: &[Vec<BigInt>], roots: Vec<Root>, fuel: &Fuel) -> Result<Vec<Root>, Rejection> {
     let mut out: Vec<Root> = Vec::new();
     let mut todo: Vec<Option<Root>> = roots.into_iter().map(Some).rev().collect();
     todo.insert(0, None);

@@ -32,7 +32,8 @@ pub(crate) struct Told {
 
 /// Tells an accepted certificate of a goal whose hypotheses have these labels.
 pub(crate) fn certificate(goal: &Goal, certificate: &Certificate, labels: &[&str]) -> Told {
-    let mut teller = Teller { goal, labels, steps: Vec::new(), used: Vec::new(), rules: Rules::default() };
+    let mut teller =
+        Teller { goal, labels, steps: Vec::new(), used: Vec::new(), rules: Rules::default() };
     let reason = match scope(goal, Fuel::new(FUEL)) {
         Err(_) => "accepted".to_string(),
         Ok(scope) => match &certificate.evidence {
@@ -108,7 +109,11 @@ impl Rules {
         if self.ideal {
             parts.push("a combination of the equations".to_string());
         }
-        let how = if parts.is_empty() { "directly".to_string() } else { format!("by {}", parts.join("; ")) };
+        let how = if parts.is_empty() {
+            "directly".to_string()
+        } else {
+            format!("by {}", parts.join("; "))
+        };
         match finding {
             Finding::Vacuous => format!("the hypotheses contradict each other, {how}"),
             Finding::Refuted => format!("it does follow, {how}"),
@@ -291,7 +296,9 @@ impl Teller<'_> {
                         let (num, den) = (e.neg(), d.clone());
                         match den.as_constant() {
                             Some(c) if c.is_one() => self.poly(scope, &num),
-                            _ => format!("({})/({})", self.poly(scope, &num), self.poly(scope, &den)),
+                            _ => {
+                                format!("({})/({})", self.poly(scope, &num), self.poly(scope, &den))
+                            }
                         }
                     }
                     _ => String::new(),
@@ -348,7 +355,11 @@ impl Teller<'_> {
                         let p = self.poly(scope, &state.atoms[*i].poly);
                         factors.push(if *n == 1 { format!("({p})") } else { format!("({p})^{n}") });
                     }
-                    parts.push(if factors.is_empty() { "1".to_string() } else { factors.join("*") });
+                    parts.push(if factors.is_empty() {
+                        "1".to_string()
+                    } else {
+                        factors.join("*")
+                    });
                 }
                 for (i, c) in cofactors {
                     let (c, p) = (self.poly(scope, c), self.poly(scope, &state.atoms[*i].poly));
@@ -370,11 +381,21 @@ impl Teller<'_> {
                 let right: Vec<String> = cofactors
                     .iter()
                     .map(|(i, c)| {
-                        format!("({})*[{}]", self.poly(scope, c), self.poly(scope, &state.atoms[*i].poly))
+                        format!(
+                            "({})*[{}]",
+                            self.poly(scope, c),
+                            self.poly(scope, &state.atoms[*i].poly)
+                        )
                     })
                     .collect();
                 let left = if left.is_empty() { "1".to_string() } else { left.join("*") };
-                self.say(depth, format!("{left} = {}: the left side cannot vanish, the brackets do.", right.join(" + ")));
+                self.say(
+                    depth,
+                    format!(
+                        "{left} = {}: the left side cannot vanish, the brackets do.",
+                        right.join(" + ")
+                    ),
+                );
             }
             Proof::Orthant { atom, bounds } => {
                 self.rules.signs = true;
@@ -396,8 +417,18 @@ impl Teller<'_> {
                 let shown: Vec<String> =
                     atoms.iter().map(|(i, ..)| self.atom(scope, &state.atoms[*i])).collect();
                 let cuts: Vec<String> = roots.iter().map(root_text).collect();
-                let where_ = if cuts.is_empty() { "without a root".to_string() } else { format!("cut at {}", cuts.join(", ")) };
-                self.say(depth, format!("On the line of {name}, {where_}, no part satisfies {}.", shown.join(", ")));
+                let where_ = if cuts.is_empty() {
+                    "without a root".to_string()
+                } else {
+                    format!("cut at {}", cuts.join(", "))
+                };
+                self.say(
+                    depth,
+                    format!(
+                        "On the line of {name}, {where_}, no part satisfies {}.",
+                        shown.join(", ")
+                    ),
+                );
                 if !self.rules.tables.contains(&name) {
                     self.rules.tables.push(name);
                 }
@@ -451,21 +482,28 @@ impl Teller<'_> {
             let ends = if proof.order == 0 {
                 format!("At t = 0 this is ({})/({}).", start(&proof.num), start(&proof.den))
             } else {
-                format!("At t = 0 the numerator is {} and the denominator vanishes to order {}.", start(&proof.num), proof.order)
+                format!(
+                    "At t = 0 the numerator is {} and the denominator vanishes to order {}.",
+                    start(&proof.num),
+                    proof.order
+                )
             };
             self.say(0, text);
             let Ok(state) = constants(scope, self.goal, limit.var) else {
                 continue;
             };
             if let Ok(mut along) = state.along(&proof.germ) {
-                if let Ok(cases) = kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den)) {
+                if let Ok(cases) =
+                    kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den))
+                {
                     along.formulas = std::rc::Rc::new([&along.formulas[..], &[cases]].concat());
                     self.say(1, "Otherwise:".to_string());
                     self.walk(&along, &proof.along, 2);
                 }
             }
             self.say(0, ends);
-            let short = if ratio.len() > 60 { "a quotient of polynomials in t".to_string() } else { ratio };
+            let short =
+                if ratio.len() > 60 { "a quotient of polynomials in t".to_string() } else { ratio };
             if reason.is_empty() {
                 reason = format!("{} gives {short}", self.side(side));
             }
@@ -500,7 +538,11 @@ impl Teller<'_> {
             };
             let (a, b) = (side(&r.lhs), side(&r.rhs));
             Some(match finding {
-                Finding::IllDefined => format!("{} is undefined ({})", r.plain(&goal.context), if a.parse::<Q>().is_err() { a } else { b }),
+                Finding::IllDefined => format!(
+                    "{} is undefined ({})",
+                    r.plain(&goal.context),
+                    if a.parse::<Q>().is_err() { a } else { b }
+                ),
                 _ => format!("left side {a}, right side {b}"),
             })
         };
@@ -551,13 +593,18 @@ impl Teller<'_> {
             .map(|(v, e)| format!("{} = {}", goal.context.vars[*v].name, e.plain(&goal.context)))
             .collect();
         let x = &goal.context.vars[f.var].name;
-        let with = if pairs.is_empty() { String::new() } else { format!("for {}: ", pairs.join(", ")) };
+        let with =
+            if pairs.is_empty() { String::new() } else { format!("for {}: ", pairs.join(", ")) };
         self.used.extend(0..goal.hypotheses.len().min(self.labels.len()));
         if !pairs.is_empty() {
             self.say(0, format!("Take {}.", pairs.join(", ")));
         }
         for (i, (proof, limits)) in f.premises.iter().enumerate().take(self.labels.len()) {
-            let how = if matches!(proof, Proof::Assume { cases, .. } if cases.is_empty()) { "" } else { ", by a sign table or substitution" };
+            let how = if matches!(proof, Proof::Assume { cases, .. } if cases.is_empty()) {
+                ""
+            } else {
+                ", by a sign table or substitution"
+            };
             let limits = if limits.is_empty() { "" } else { "; its limit is as premised" };
             self.say(1, format!("{} holds for all {x}{how}{limits}.", self.labels[i]));
         }
@@ -635,9 +682,8 @@ fn value(point: &Point, v: usize) -> Option<String> {
         return Some(root_text(root));
     }
     let mut p = Poly::default();
-    let common = coefficients
-        .iter()
-        .fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
+    let common =
+        coefficients.iter().fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
     for (i, q) in (0u32..).zip(coefficients) {
         let m = if i == 0 { Vec::new() } else { vec![(0, i)] };
         p.add_term(m, q.numer() * (&common / q.denom()));

@@ -108,7 +108,9 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
         .from
         .iter()
         .copied()
-        .filter(|&i| !matches!(done[i].verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined))
+        .filter(|&i| {
+            !matches!(done[i].verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined)
+        })
         .collect();
     let mut rests_on: Vec<usize> =
         claim.from.iter().flat_map(|&i| done[i].rests_on.iter().copied()).collect();
@@ -157,11 +159,13 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
             when: claim.when.clone(),
             conclusion,
         };
-        let resting = Goal {
-            hypotheses: [&hypotheses[..], &behind[..]].concat(),
-            ..goal.clone()
+        let resting = Goal { hypotheses: [&hypotheses[..], &behind[..]].concat(), ..goal.clone() };
+        let prover = Prover {
+            budget: options.budget,
+            by: &claim.by,
+            cited: hypotheses.len(),
+            resting: &resting,
         };
-        let prover = Prover { budget: options.budget, by: &claim.by, resting: &resting };
         // The hypotheses are the same for all links: whether they can hold is found once.
         let found = prover.judge(&goal, links.is_empty() || vacuous);
         vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);
@@ -255,13 +259,13 @@ fn also_holds(
     let Evidence::Model(Model::Point(_)) = &certificate.evidence else {
         return None;
     };
-    let again = kane_kernel::Certificate {
-        goal: kane_kernel::digest(resting),
-        ..certificate.clone()
-    };
+    let again =
+        kane_kernel::Certificate { goal: kane_kernel::digest(resting), ..certificate.clone() };
     let fuel = kane_kernel::Fuel::new(10_000_000);
     match kane_kernel::check(resting, &again, fuel) {
         Ok(()) => None,
-        Err(_) => Some(" (it does not follow from what is cited; the givens behind it are not all met there)"),
+        Err(_) => Some(
+            " (it does not follow from what is cited; the givens behind it are not all met there)",
+        ),
     }
 }

@@ -47,10 +47,7 @@ const MAX_CANDIDATES: usize = 10_000;
 /// Everything that is wrong, in the order of the text, up to 200 faults.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
     if bytes.len() > MAX_FILE_BYTES {
-        let message = format!(
-            "the file has {} bytes; {MAX_FILE_BYTES} are the most",
-            bytes.len()
-        );
+        let message = format!("the file has {} bytes; {MAX_FILE_BYTES} are the most", bytes.len());
         return Err(vec![Diagnostic::at_start(name, message)]);
     }
     let text = match std::str::from_utf8(bytes) {
@@ -72,11 +69,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         let line = lines.place(span.start).line;
         reader.statement(&blocks.code, span, line);
     }
-    let statements = if reader.faults.len() < MAX_FAULTS {
-        reader.resolve()
-    } else {
-        Vec::new()
-    };
+    let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
         let message = "definitions use each other too often to be checked".to_owned();
         reader.faults.push(Fault::new(0..0, message));
@@ -112,19 +105,11 @@ struct Fault {
 
 impl Fault {
     fn new(span: Range<usize>, message: String) -> Self {
-        Self {
-            span,
-            message,
-            note: None,
-            unknown: None,
-        }
+        Self { span, message, note: None, unknown: None }
     }
 
     fn with_note(self, note: impl Into<String>) -> Self {
-        Self {
-            note: Some(note.into()),
-            ..self
-        }
+        Self { note: Some(note.into()), ..self }
     }
 }
 

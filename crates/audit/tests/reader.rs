@@ -42,10 +42,7 @@ claim lim: kK -> 1 as alpha -> 0+ when m > 1 from (W)
 #[test]
 fn the_example_of_the_language_page_is_read() {
     let document = read("good.md", GOOD.as_bytes()).unwrap_or_else(|errors| {
-        panic!(
-            "{}",
-            errors.iter().map(ToString::to_string).collect::<String>()
-        )
+        panic!("{}", errors.iter().map(ToString::to_string).collect::<String>())
     });
     assert_eq!(document.title.as_deref(), Some("Oblique collision"));
     assert_eq!(document.statements.len(), 14);
@@ -55,21 +52,12 @@ fn the_example_of_the_language_page_is_read() {
     };
     let nine = by_label("(9)");
     assert_eq!(nine.line, 20);
-    let Body::Given(sentence) = &nine.body else {
-        panic!("(9) is a given")
-    };
-    assert_eq!(
-        sentence.plain(&document.context),
-        "k = 1 - ix*2*alpha when alpha > 0, m != 1"
-    );
+    let Body::Given(sentence) = &nine.body else { panic!("(9) is a given") };
+    assert_eq!(sentence.plain(&document.context), "k = 1 - ix*2*alpha when alpha > 0, m != 1");
     assert!(document.source(nine).ends_with("m != 1"));
-    let Body::Claim(range) = &by_label("k-range").body else {
-        panic!("k-range is a claim")
-    };
+    let Body::Claim(range) = &by_label("k-range").body else { panic!("k-range is a claim") };
     assert_eq!(range.expect, Some(Verdict::Refuted));
-    let Content::Links(links) = &range.content else {
-        panic!("k-range has links")
-    };
+    let Content::Links(links) = &range.content else { panic!("k-range has links") };
     assert_eq!(links.len(), 2);
     assert_eq!(&document.text[links[1].1.clone()], "k ≤ 1");
 }
@@ -95,67 +83,22 @@ fn each_bad_input_is_told_at_its_place() {
     let table: &[(&str, usize, usize, &str)] = &[
         // the list of the issue
         ("claim (2): y = 1", 1, 12, "unknown symbol `y`"),
-        (
-            "claim (2): x = 1\n  from (1),\n  (9)",
-            3,
-            3,
-            "undeclared label `(9)`",
-        ),
-        (
-            "claim (2): x = 1 from (3)\ngiven (3): m = 1",
-            1,
-            23,
-            "premise below its use: `(3)`",
-        ),
-        (
-            "claim (2): x = 1 from (2)",
-            1,
-            23,
-            "cycle: `(2)` cites itself",
-        ),
-        (
-            "let g := 1 + g",
-            1,
-            14,
-            "cycle: `g` is defined in terms of itself",
-        ),
+        ("claim (2): x = 1\n  from (1),\n  (9)", 3, 3, "undeclared label `(9)`"),
+        ("claim (2): x = 1 from (3)\ngiven (3): m = 1", 1, 23, "premise below its use: `(3)`"),
+        ("claim (2): x = 1 from (2)", 1, 23, "cycle: `(2)` cites itself"),
+        ("let g := 1 + g", 1, 14, "cycle: `g` is defined in terms of itself"),
         ("given (1): m = 1", 1, 7, "duplicate label `(1)`"),
         ("given 1: m = 1", 1, 7, "duplicate label `1`"),
         ("claim (2): x/0 = 1", 1, 14, "division by literal zero"),
-        (
-            "claim (2): (x = 1",
-            1,
-            12,
-            "unbalanced: `(` is never closed",
-        ),
+        ("claim (2): (x = 1", 1, 12, "unbalanced: `(` is never closed"),
         ("claim (2): x) = 1", 1, 13, "unbalanced: `)` closes nothing"),
         ("claim (2): 1.2.3 = x", 1, 12, "malformed number `1.2.3`"),
         ("claim (2): x = 1e3", 1, 16, "malformed number `1e3`"),
         ("claim (2): = x", 1, 12, "relation without a left side"),
-        (
-            "claim (2): x = from (1)",
-            1,
-            14,
-            "relation without a right side",
-        ),
-        (
-            "claim (2): x + 1",
-            1,
-            12,
-            "an expression alone is not a relation",
-        ),
-        (
-            "claim (2): x^0.5 = 1",
-            1,
-            14,
-            "the exponent is not an integer",
-        ),
-        (
-            "claim (2): x^m = 1",
-            1,
-            14,
-            "the exponent is not an integer",
-        ),
+        ("claim (2): x = from (1)", 1, 14, "relation without a right side"),
+        ("claim (2): x + 1", 1, 12, "an expression alone is not a relation"),
+        ("claim (2): x^0.5 = 1", 1, 14, "the exponent is not an integer"),
+        ("claim (2): x^m = 1", 1, 14, "the exponent is not an integer"),
         // names
         ("var m", 1, 5, "`m` is already declared"),
         ("var f", 1, 5, "`f` is already declared"),
@@ -178,151 +121,42 @@ fn each_bad_input_is_told_at_its_place() {
         ("var u w", 1, 7, "an operator is missing before `w`"),
         // limits
         ("claim (2): k -> 1", 1, 18, "a limit needs `as x -> a`"),
-        (
-            "claim (2): k -> 1 as f -> 0",
-            1,
-            22,
-            "`f` is not a plain `var`",
-        ),
-        (
-            "claim (2): k -> 1 as k -> 0",
-            1,
-            22,
-            "`k` is not a plain `var`",
-        ),
+        ("claim (2): k -> 1 as f -> 0", 1, 22, "`f` is not a plain `var`"),
+        ("claim (2): k -> 1 as k -> 0", 1, 22, "`k` is not a plain `var`"),
         ("claim (2): k -> 1 as q -> 0", 1, 22, "unknown symbol `q`"),
-        (
-            "claim (2): k -> k as alpha -> 0",
-            1,
-            17,
-            "the limit must be free of `alpha`",
-        ),
-        (
-            "claim (2): x -> 2*f as x -> 0",
-            1,
-            17,
-            "the limit must be free of `x`",
-        ),
-        (
-            "claim (2): f -> 2 as x -> 2",
-            1,
-            27,
-            "the domain of `x` does not reach",
-        ),
-        (
-            "claim (2): f -> 2 as x -> 1+",
-            1,
-            27,
-            "the domain of `x` does not reach",
-        ),
-        (
-            "claim (2): f -> 2 as x -> 0-",
-            1,
-            27,
-            "the domain of `x` does not reach",
-        ),
-        (
-            "claim (2): f -> 2 as x -> oo",
-            1,
-            27,
-            "the domain of `x` does not reach",
-        ),
-        (
-            "claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0",
-            1,
-            45,
-            "the `when` of a limit",
-        ),
+        ("claim (2): k -> k as alpha -> 0", 1, 17, "the limit must be free of `alpha`"),
+        ("claim (2): x -> 2*f as x -> 0", 1, 17, "the limit must be free of `x`"),
+        ("claim (2): f -> 2 as x -> 2", 1, 27, "the domain of `x` does not reach"),
+        ("claim (2): f -> 2 as x -> 1+", 1, 27, "the domain of `x` does not reach"),
+        ("claim (2): f -> 2 as x -> 0-", 1, 27, "the domain of `x` does not reach"),
+        ("claim (2): f -> 2 as x -> oo", 1, 27, "the domain of `x` does not reach"),
+        ("claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0", 1, 45, "the `when` of a limit"),
         // derivatives
-        (
-            "claim (2): d(x*k, alpha) = 0",
-            1,
-            14,
-            "`k` is a function of `alpha`",
-        ),
+        ("claim (2): d(x*k, alpha) = 0", 1, 14, "`k` is a function of `alpha`"),
         ("claim (2): d(x, k) = 0", 1, 17, "`k` is not a plain `var`"),
-        (
-            "claim (2): d(x*m, x) = m from (1)",
-            1,
-            31,
-            "`(1)` ties `m` to `x`",
-        ),
+        ("claim (2): d(x*m, x) = m from (1)", 1, 31, "`(1)` ties `m` to `x`"),
         // citations
-        (
-            "claim (2): x = 1 from no",
-            1,
-            23,
-            "`no` states nothing that could be used",
-        ),
-        (
-            "claim (2): not implied no from (1)",
-            1,
-            24,
-            "`no` states nothing",
-        ),
-        (
-            "claim (2): not implied f from (1)",
-            1,
-            24,
-            "`f` is a definition",
-        ),
-        (
-            "claim (2): not implied (1) by q := 1",
-            1,
-            31,
-            "unknown symbol `q`",
-        ),
-        (
-            "claim (2): not implied (1) by m := 1, m := 2",
-            1,
-            39,
-            "`m` is given twice",
-        ),
+        ("claim (2): x = 1 from no", 1, 23, "`no` states nothing that could be used"),
+        ("claim (2): not implied no from (1)", 1, 24, "`no` states nothing"),
+        ("claim (2): not implied f from (1)", 1, 24, "`f` is a definition"),
+        ("claim (2): not implied (1) by q := 1", 1, 31, "unknown symbol `q`"),
+        ("claim (2): not implied (1) by m := 1, m := 2", 1, 39, "`m` is given twice"),
         // clauses
-        (
-            "claim (2): x = 1 from (1) when m > 1",
-            1,
-            27,
-            "expected the clauses once each",
-        ),
-        (
-            "claim (2): x = 1 by m := 1",
-            1,
-            18,
-            "expected the end (only `not implied`",
-        ),
-        (
-            "given (2): x = 1 from (1)",
-            1,
-            18,
-            "expected the end (only a claim",
-        ),
-        (
-            "claim (2): x = 1 expect right",
-            1,
-            25,
-            "expected `proved`, `refuted`",
-        ),
+        ("claim (2): x = 1 from (1) when m > 1", 1, 27, "expected the clauses once each"),
+        ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `not implied`"),
+        ("given (2): x = 1 from (1)", 1, 18, "expected the end (only a claim"),
+        ("claim (2): x = 1 expect right", 1, 25, "expected `proved`, `refuted`"),
         ("claim (2) x = 1", 1, 11, "expected `:` after the label"),
         ("claim : x = 1", 1, 7, "expected a label"),
         ("let g = 1", 1, 7, "expected `:=` after the name"),
         ("let g 2 := 1", 1, 7, "expected `:=` after the name"),
-        (
-            "lemma (2): x = 1",
-            1,
-            1,
-            "expected `var`, `let`, `given` or `claim`",
-        ),
+        ("lemma (2): x = 1", 1, 1, "expected `var`, `let`, `given` or `claim`"),
     ];
     for (statement, line, column, message) in table {
         let found = faults(statement);
         let first = &found[0];
         assert!(first.message.starts_with(message), "{statement}: {first}");
-        assert_eq!(
-            (first.line, first.column),
-            (line + 6, *column),
-            "{statement}: {first}"
-        );
+        assert_eq!((first.line, first.column), (line + 6, *column), "{statement}: {first}");
         assert_eq!(found.len(), 1, "{statement}: {found:?}");
     }
 }
@@ -331,10 +165,7 @@ fn each_bad_input_is_told_at_its_place() {
 fn all_faults_of_a_document_are_told_at_once() {
     let found = faults("claim (2): y/0 = z^0.5 from (7)\nvar m\nclaim (1): = 2");
     let places: Vec<(usize, usize)> = found.iter().map(|f| (f.line, f.column)).collect();
-    assert_eq!(
-        places,
-        [(7, 12), (7, 14), (7, 18), (7, 20), (8, 5), (9, 7), (9, 12)]
-    );
+    assert_eq!(places, [(7, 12), (7, 14), (7, 18), (7, 20), (8, 5), (9, 7), (9, 12)]);
 }
 
 #[test]
@@ -367,10 +198,7 @@ error: unknown symbol `alfa`
 #[test]
 fn hints_say_where_to_look() {
     let note = |statement: &str| faults(statement)[0].note.clone().unwrap_or_default();
-    assert_eq!(
-        note("claim (2): q = 1\nvar q"),
-        "it is declared below its use, on line 8"
-    );
+    assert_eq!(note("claim (2): q = 1\nvar q"), "it is declared below its use, on line 8");
     assert_eq!(note("claim (2): x = 1 from (dom1)"), "did you mean `dom`?");
     assert_eq!(note("given (1): x = 1"), "`(1)` on line 4 has it already");
     assert!(note("claim (2): 2x = 1").contains("a product needs its `*`"));
@@ -385,36 +213,22 @@ fn an_open_block_is_one_fault() {
     assert!(found[0].message.starts_with("unbalanced block"));
     let found = read_faults("```kane\nvar x\n\nprose\n\n```kane\nvar y\n```\nmore\n");
     assert_eq!(found.len(), 1, "{found:?}");
-    assert_eq!(
-        found[0].note.as_deref(),
-        Some("another fence opens inside it, on line 6")
-    );
+    assert_eq!(found[0].note.as_deref(), Some("another fence opens inside it, on line 6"));
     let found = read_faults("> ```kane\n> var x\n\nprose\n");
     assert_eq!((found.len(), found[0].column), (1, 3), "{found:?}");
     read("good.md", b"> ~~~ kane\n> var x\n>   , y\n> ~~~~~").expect("a closed block");
-    read(
-        "good.md",
-        b"- item\n\n  ```kane\n  var x\n    , y\n  ```\r\n",
-    )
-    .expect("a closed block");
+    read("good.md", b"- item\n\n  ```kane\n  var x\n    , y\n  ```\r\n").expect("a closed block");
 }
 
 #[test]
 fn indentation_continues_statements() {
     let text = "```kane\n  # a remark\n\tvar x\n```\n";
     let found = read("bad.md", text.as_bytes()).expect_err("nothing to continue");
-    assert!(
-        found[0].message.contains("continues a statement"),
-        "{}",
-        found[0]
-    );
+    assert!(found[0].message.contains("continues a statement"), "{}", found[0]);
     let text = "```kane\r\nvar x,\r\n\r\n# remark\r\n    y\r\ngiven a: x\r\n  = y\r\n```\r\n";
     let document = read("good.md", text.as_bytes()).expect("well-formed");
     assert_eq!(document.context.vars.len(), 2);
-    assert_eq!(
-        document.source(&document.statements[0]),
-        "given a: x\r\n  = y"
-    );
+    assert_eq!(document.source(&document.statements[0]), "given a: x\r\n  = y");
 }
 
 #[test]
@@ -427,13 +241,7 @@ fn other_bytes_than_utf8_are_refused_at_their_place() {
 
 #[test]
 fn documents_without_statements_are_read() {
-    for text in [
-        "",
-        "# Only prose\n",
-        "```rust\nvar\n```\n",
-        "```kane\n```\n",
-        "    var x\n",
-    ] {
+    for text in ["", "# Only prose\n", "```rust\nvar\n```\n", "```kane\n```\n", "    var x\n"] {
         let document = read("empty.md", text.as_bytes()).expect(text);
         assert!(document.statements.is_empty());
     }
@@ -458,22 +266,13 @@ fn a_flood_of_faults_is_cut_off() {
     let text = format!("```kane\n{}```\n", "claim a: nope = nope\n".repeat(100_000));
     let found = read("bad.md", text.as_bytes()).expect_err("many faults");
     assert!(found.len() <= 201, "{}", found.len());
-    assert!(
-        found
-            .last()
-            .is_some_and(|f| f.message.contains("there may be more"))
-    );
+    assert!(found.last().is_some_and(|f| f.message.contains("there may be more")));
 }
 
 /// Documents near the good one: pieces of it dropped, doubled, moved, and bytes changed.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
     let edits = prop::collection::vec(
-        (
-            any::<prop::sample::Index>(),
-            0_usize..40,
-            0_u8..6,
-            any::<u8>(),
-        ),
+        (any::<prop::sample::Index>(), 0_usize..40, 0_u8..6, any::<u8>()),
         1..8,
     );
     edits.prop_map(|edits| {
@@ -498,11 +297,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
 }
 
 fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 /// Reads and renders: whatever comes in, the places are in the text and nothing panics.
@@ -562,10 +357,7 @@ fn long_document(bytes: usize) -> String {
     while text.len() < bytes {
         i += 1;
         text.push_str(&format!("let f{i} := x{terms} # remark\n"));
-        text.push_str(&format!(
-            "claim g{i}: f{i} <= 0 when y > 1 from g0, g{}\n",
-            i - 1
-        ));
+        text.push_str(&format!("claim g{i}: f{i} <= 0 when y > 1 from g0, g{}\n", i - 1));
     }
     text.push_str("```\n");
     text
@@ -577,11 +369,7 @@ fn ten_megabytes_are_read_in_seconds() {
     let start = std::time::Instant::now();
     let document = read("long.md", text.as_bytes()).expect("well-formed");
     let time = start.elapsed();
-    println!(
-        "{} statements, {} bytes: {time:?}",
-        document.statements.len(),
-        text.len()
-    );
+    println!("{} statements, {} bytes: {time:?}", document.statements.len(), text.len());
     // a slow machine gets ten times what was measured
     assert!(time.as_secs() < 15, "{time:?}");
 }
@@ -591,10 +379,7 @@ fn hostile_documents_end_quickly() {
     let entangled = {
         let mut text = "```kane\nvar alpha, k(alpha)\nlet s0 := 1\n".to_owned();
         for i in 1..40_000 {
-            text.push_str(&format!(
-                "let s{i} := s{} + 1\n",
-                if i % 900 == 0 { 0 } else { i - 1 }
-            ));
+            text.push_str(&format!("let s{i} := s{} + 1\n", if i % 900 == 0 { 0 } else { i - 1 }));
             text.push_str(&format!("claim c{i}: k -> s{i} as alpha -> oo\n"));
         }
         text + "```\n"
@@ -609,10 +394,7 @@ fn hostile_documents_end_quickly() {
         block(format!("0.{}5+", "9".repeat(9_990)).repeat(900)),
         block("x,x=".repeat(2_000_000)),
         block(format!("x{}", " when x=x,zz=x".repeat(500_000))),
-        format!(
-            "```kane\nvar x\n{}```\n",
-            "claim a: x=x from a,b,c,d,e,f,g,h\n".repeat(90_000)
-        ),
+        format!("```kane\nvar x\n{}```\n", "claim a: x=x from a,b,c,d,e,f,g,h\n".repeat(90_000)),
         format!("```kane\n{}```\n", " x\n".repeat(3_000_000)),
         format!("```kane\nvar {}\n```\n", "a,".repeat(4_000_000)),
         "`".repeat(9_000_000),
@@ -638,10 +420,7 @@ fn shipped_documents_print_back_as_they_were_read() {
         let path = entry.expect("a readable folder").path();
         let bytes = std::fs::read(&path).expect("a readable file");
         let document = read(&path.to_string_lossy(), &bytes).unwrap_or_else(|errors| {
-            panic!(
-                "{}",
-                errors.iter().map(ToString::to_string).collect::<String>()
-            )
+            panic!("{}", errors.iter().map(ToString::to_string).collect::<String>())
         });
         let scope = Scope::of(&document.context);
         for statement in &document.statements {

@@ -114,11 +114,7 @@ impl<N: Number> Contact<N> {
 }
 
 pub(crate) fn finite<N: Number>(quantity: &'static str, value: N) -> Result<N, InvalidInput<N>> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(InvalidInput::NotFinite { quantity, value })
-    }
+    if value.is_finite() { Ok(value) } else { Err(InvalidInput::NotFinite { quantity, value }) }
 }
 
 pub(crate) fn positive<N: Ordered>(quantity: &'static str, value: N) -> Result<N, InvalidInput<N>> {

@@ -140,10 +140,7 @@ impl<L, N: Ordered> Regime<L, N> {
 impl<L, N: Number> Guard<L, N> {
     /// Asks for the sign of the slip v_t.
     const fn slip(relation: Relation) -> Self {
-        Self {
-            quantity: |_, contact| contact.slip().clone(),
-            relation,
-        }
+        Self { quantity: |_, contact| contact.slip().clone(), relation }
     }
 }
 

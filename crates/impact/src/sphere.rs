@@ -114,10 +114,7 @@ impl<N: Ordered> SphereOnPlane<N> {
         let impulse = finite("the tangential impulse", law.resolve(&contact)?)?;
         let Motion { vx, vy, omega } = self.before.clone();
         let after = Motion {
-            vx: finite(
-                "the tangential velocity after",
-                vx - impulse.clone() / &self.mass,
-            )?,
+            vx: finite("the tangential velocity after", vx - impulse.clone() / &self.mass)?,
             vy: -(vy * &self.restitution),
             omega: finite(
                 "the angular velocity after",

@@ -62,11 +62,7 @@ impl ImpactLaw for WangSuLi {
                     impulse,
                 }
             }
-            Alpha::Infinite => Ratios {
-                k: -N::one(),
-                impulse: N::zero(),
-                energy: N::zero(),
-            },
+            Alpha::Infinite => Ratios { k: -N::one(), impulse: N::zero(), energy: N::zero() },
         })
     }
 }

@@ -38,10 +38,7 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Result<(), R
         {
             // A point says nothing about limits, neither premised nor claimed.
             let links = goal.hypotheses.iter().flat_map(|h| &h.sentence.links);
-            if links
-                .chain(claimed(conclusion))
-                .any(|l| matches!(l, Link::Limit(_)))
-            {
+            if links.chain(claimed(conclusion)).any(|l| matches!(l, Link::Limit(_))) {
                 return Err(Rejection::NeedsFunctions);
             }
             satisfies(&claim_state(&scope, goal, finding)?, point)
@@ -139,13 +136,7 @@ pub fn claim_state<'s, 'g>(
     }
     let mut formulas = at_point(scope, goal, None)?;
     formulas.extend(failure(scope, &goal.conclusion, finding)?);
-    Ok(State {
-        scope,
-        goal,
-        atoms: scope.ranges(),
-        formulas: Rc::new(formulas),
-        reaching: false,
-    })
+    Ok(State { scope, goal, atoms: scope.ranges(), formulas: Rc::new(formulas), reaching: false })
 }
 
 /// The cases in which the conclusion fails in the way that the finding speaks of.
@@ -179,10 +170,7 @@ fn limit_holds(
     if sides.is_empty() || sides.len() != proofs.len() {
         return Err(Rejection::OutsideDomain);
     }
-    sides
-        .iter()
-        .zip(proofs)
-        .try_for_each(|(s, p)| crate::limit::check(state, limit, s, p))
+    sides.iter().zip(proofs).try_for_each(|(s, p)| crate::limit::check(state, limit, s, p))
 }
 
 /// Whether a point satisfies the atoms of a state and a case of each of its formulas.
@@ -260,13 +248,8 @@ impl Point {
         while sum.last().is_some_and(Zero::is_zero) {
             sum.pop();
         }
-        let common = sum
-            .iter()
-            .fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
-        let whole: Vec<BigInt> = sum
-            .iter()
-            .map(|q| q.numer() * (&common / q.denom()))
-            .collect();
+        let common = sum.iter().fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
+        let whole: Vec<BigInt> = sum.iter().map(|q| q.numer() * (&common / q.denom())).collect();
         let Some(root) = &self.generator else {
             return Ok(Some(whole.first().map_or(0, crate::sign)));
         };
@@ -297,12 +280,7 @@ impl Point {
         fuel: &Fuel,
     ) -> Result<Vec<BigRational>, Rejection> {
         let bits = |p: &[BigRational]| {
-            1 + p
-                .iter()
-                .map(|q| q.numer().bits() + q.denom().bits())
-                .max()
-                .unwrap_or(0)
-                / 64
+            1 + p.iter().map(|q| q.numer().bits() + q.denom().bits()).max().unwrap_or(0) / 64
         };
         let size = u64::try_from(a.len() * b.len()).unwrap_or(u64::MAX);
         fuel.spend(size.saturating_mul(bits(a).saturating_mul(bits(b))))?;
@@ -353,11 +331,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
     let explicit = crate::substituted(goal, &f.values);
     let outer = scope(goal, Fuel::new(fuel.left()))?;
     // Premises about x alone narrow its domain; all others are proved on that domain.
-    let narrow: Vec<bool> = goal
-        .hypotheses
-        .iter()
-        .map(|h| crate::limit::narrows(&outer, &h.sentence, f.var))
-        .collect();
+    let narrow: Vec<bool> =
+        goal.hypotheses.iter().map(|h| crate::limit::narrows(&outer, &h.sentence, f.var)).collect();
     let domain: Vec<Hypothesis> = explicit
         .hypotheses
         .iter()
@@ -376,10 +351,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
     let prove = |h: &Hypothesis, proof: &crate::Proof| {
         let alone = on_domain(Conclusion::Contradiction, Vec::new());
         // The premise is only named here so that its roots are known; it may not prove itself.
-        let carrier = Goal {
-            conclusion: Conclusion::NotImplied(h.sentence.clone()),
-            ..alone.clone()
-        };
+        let carrier =
+            Goal { conclusion: Conclusion::NotImplied(h.sentence.clone()), ..alone.clone() };
         let scope = scope(&carrier, left())?;
         let mut formulas = at_point(&scope, &alone, None)?;
         formulas.push(scope.premise_fails(&h.sentence, h.given)?);
@@ -428,11 +401,7 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
         }
         (Failure::Reaches(proof), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
             let zero = Expr::int(0);
-            let trivial = Limit {
-                expr: zero.clone(),
-                to: Target::Finite(zero),
-                ..l.clone()
-            };
+            let trivial = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
             let goal = on_domain(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when);
             let scope = scope(&goal, left())?;
             let state = constants(&scope, &goal, l.var)?;
@@ -451,10 +420,7 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
             let Some(Link::Limit(claimed)) = self::claimed(conclusion).get(*link) else {
                 return Err(Rejection::WrongEvidence);
             };
-            let found = Limit {
-                to: target.clone(),
-                ..claimed.clone()
-            };
+            let found = Limit { to: target.clone(), ..claimed.clone() };
             let (goal, claim) = (limit_goal(&found), limit_goal(claimed));
             let (scope, claim_scope) = (scope(&goal, left())?, scope(&claim, left())?);
             let state = constants(&scope, &goal, found.var)?;
@@ -462,10 +428,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Resul
             let side = sides.get(*side).ok_or(Rejection::OutsideDomain)?;
             crate::limit::check(&state, &found, side, proof)?;
             let differs = differ(&claim_scope, &claimed.to, target)?;
-            let applies = claim_scope
-                .all(explicit.when.iter().chain(when))?
-                .holds
-                .contains(&Atoms::new());
+            let applies =
+                claim_scope.all(explicit.when.iter().chain(when))?.holds.contains(&Atoms::new());
             (differs && applies).then_some(()).ok_or(Rejection::NotAModel(None))
         }
         _ => Err(Rejection::WrongEvidence),
@@ -479,36 +443,21 @@ fn is_limit(conclusion: &Conclusion) -> bool {
 /// «e is defined and within the range of v» as a premise.
 #[must_use]
 pub fn range_premise(goal: &Goal, v: usize, e: &Expr) -> Hypothesis {
-    let relation = |rel, value: &Expr| {
-        Link::Relation(Relation {
-            lhs: e.clone(),
-            rel,
-            rhs: value.clone(),
-        })
-    };
+    let relation =
+        |rel, value: &Expr| Link::Relation(Relation { lhs: e.clone(), rel, rhs: value.clone() });
     let mut links = vec![relation(crate::Rel::Eq, e)];
     if let Some(var) = goal.context.vars.get(v) {
         use crate::Rel::{Ge, Gt, Le, Lt};
         let number = |b: &crate::Bound| Expr::Num(b.value.clone());
         links.extend(
-            var.lower
-                .as_ref()
-                .map(|b| relation(if b.strict { Gt } else { Ge }, &number(b))),
+            var.lower.as_ref().map(|b| relation(if b.strict { Gt } else { Ge }, &number(b))),
         );
         links.extend(
-            var.upper
-                .as_ref()
-                .map(|b| relation(if b.strict { Lt } else { Le }, &number(b))),
+            var.upper.as_ref().map(|b| relation(if b.strict { Lt } else { Le }, &number(b))),
         );
     }
-    let sentence = Sentence {
-        when: Vec::new(),
-        links,
-    };
-    Hypothesis {
-        sentence,
-        given: true,
-    }
+    let sentence = Sentence { when: Vec::new(), links };
+    Hypothesis { sentence, given: true }
 }
 
 /// Whether two closed targets are visibly different.
@@ -516,11 +465,7 @@ fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Result<bool, R
     let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
         return Ok(std::mem::discriminant(claimed) != std::mem::discriminant(found));
     };
-    let unequal = Relation {
-        lhs: a.clone(),
-        rel: crate::Rel::Eq,
-        rhs: b.clone(),
-    };
+    let unequal = Relation { lhs: a.clone(), rel: crate::Rel::Eq, rhs: b.clone() };
     let truth = scope.relation(&unequal)?;
     Ok(truth.holds.is_empty() && truth.not().contains(&Atoms::new()))
 }

@@ -60,10 +60,9 @@ fn diff(c: &Context, f: &Expr, x: usize, fuel: &Fuel, depth: usize) -> Result<Ex
             .into(),
             go(a)?.into(),
         ),
-        Expr::Sqrt(a) => Expr::Div(
-            go(a)?.into(),
-            Expr::Mul(Expr::int(2).into(), f.clone().into()).into(),
-        ),
+        Expr::Sqrt(a) => {
+            Expr::Div(go(a)?.into(), Expr::Mul(Expr::int(2).into(), f.clone().into()).into())
+        }
         Expr::Abs(a) => {
             let negative = vec![compare(a, Rel::Lt, &zero())];
             let positive = Expr::Cases(vec![(negative, Expr::Neg(a.clone()))], Some(a.clone()));
@@ -101,9 +100,5 @@ fn diff(c: &Context, f: &Expr, x: usize, fuel: &Fuel, depth: usize) -> Result<Ex
 }
 
 fn compare(lhs: &Expr, rel: Rel, rhs: &Expr) -> Relation {
-    Relation {
-        lhs: lhs.clone(),
-        rel,
-        rhs: rhs.clone(),
-    }
+    Relation { lhs: lhs.clone(), rel, rhs: rhs.clone() }
 }

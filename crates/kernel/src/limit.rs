@@ -144,21 +144,15 @@ pub fn along(scope: &Scope<'_>, goal: &Goal, side: &Side) -> Result<Vec<Cases>, 
         formulas.push(scope.premise(&h.sentence, h.given)?);
     }
     for (z, (s, l)) in (scope.germ() + 1..).zip(premised(goal)) {
-        formulas.push(
-            if has_value(scope, s, l) && sides(scope, l).contains(side) {
-                bound_to(scope, s, &l.expr, z)?
-            } else {
-                nothing()
-            },
-        );
+        formulas.push(if has_value(scope, s, l) && sides(scope, l).contains(side) {
+            bound_to(scope, s, &l.expr, z)?
+        } else {
+            nothing()
+        });
     }
     let mut parts = goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]);
     let varies = parts.any(|e| depends(scope, e, side.var));
-    formulas.push(if varies {
-        nothing()
-    } else {
-        scope.all(&goal.when)?.holds
-    });
+    formulas.push(if varies { nothing() } else { scope.all(&goal.when)?.holds });
     Ok(formulas)
 }
 
@@ -170,19 +164,13 @@ pub fn along(scope: &Scope<'_>, goal: &Goal, side: &Side) -> Result<Vec<Cases>, 
 pub fn at_point(scope: &Scope<'_>, goal: &Goal, x: Option<usize>) -> Result<Vec<Cases>, Rejection> {
     let free = |relations: &[Relation]| {
         let dependent = |e: &Expr| x.is_some_and(|x| depends(scope, e, x));
-        !relations
-            .iter()
-            .any(|r| dependent(&r.lhs) || dependent(&r.rhs))
+        !relations.iter().any(|r| dependent(&r.lhs) || dependent(&r.rhs))
     };
     let mut formulas = Vec::new();
     for h in &goal.hypotheses {
         let relations: Vec<_> = crate::normal::relations(&h.sentence).cloned().collect();
         let speaks = free(&h.sentence.when) && free(&relations);
-        formulas.push(if speaks {
-            scope.premise(&h.sentence, h.given)?
-        } else {
-            nothing()
-        });
+        formulas.push(if speaks { scope.premise(&h.sentence, h.given)? } else { nothing() });
     }
     for (z, (s, l)) in (scope.germ() + 1..).zip(premised(goal)) {
         formulas.push(match &l.to {
@@ -192,9 +180,7 @@ pub fn at_point(scope: &Scope<'_>, goal: &Goal, x: Option<usize>) -> Result<Vec<
             _ => nothing(),
         });
     }
-    let when = free(&goal.when)
-        .then(|| scope.all(&goal.when))
-        .transpose()?;
+    let when = free(&goal.when).then(|| scope.all(&goal.when)).transpose()?;
     formulas.push(when.map_or_else(nothing, |truth| truth.holds));
     Ok(formulas)
 }
@@ -253,9 +239,7 @@ pub fn differs(
     let mut cases = Cases::new();
     for mut piece in scope.pieces(f)? {
         if let Some(v) = piece.value {
-            let gap = den
-                .mul(&v.num, &scope.fuel)?
-                .sub(&num.mul(&v.den, &scope.fuel)?);
+            let gap = den.mul(&v.num, &scope.fuel)?.sub(&num.mul(&v.den, &scope.fuel)?);
             piece.atoms.push(Atom::new(gap, Sign::NonZero));
         }
         cases.push(piece.atoms);
@@ -295,9 +279,7 @@ pub fn misses(
     let t = scope.germ();
     let mut rest = Poly::default();
     for (m, c) in den.terms() {
-        let e = exponent(m, t)
-            .checked_sub(order)
-            .ok_or(Rejection::WrongOrder)?;
+        let e = exponent(m, t).checked_sub(order).ok_or(Rejection::WrongOrder)?;
         let mut lower: Vec<_> = m.iter().copied().filter(|p| p.0 != t).collect();
         if e > 0 {
             lower.push((t, e));

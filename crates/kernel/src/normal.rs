@@ -156,13 +156,7 @@ impl<'c> Scope<'c> {
             }
             todo.extend(e.children());
         }
-        let scope = Self {
-            context,
-            fuel,
-            mentioned,
-            roots,
-            lets: RefCell::default(),
-        };
+        let scope = Self { context, fuel, mentioned, roots, lets: RefCell::default() };
         // In order of definition, so that no definition recurses into another's body.
         for i in needed {
             let pieces = Rc::new(scope.pieces(&context.lets[i].body)?);
@@ -181,9 +175,7 @@ impl<'c> Scope<'c> {
     /// The square root behind a variable, if it is one.
     #[must_use]
     pub fn root(&self, var: usize) -> Option<&'c Expr> {
-        self.roots
-            .get(var.checked_sub(self.context.vars.len())?)
-            .copied()
+        self.roots.get(var.checked_sub(self.context.vars.len())?).copied()
     }
 
     /// The ranges of all mentioned symbols.
@@ -198,26 +190,15 @@ impl<'c> Scope<'c> {
         let bound = |b: &Bound, upper: bool| {
             let at = Fraction::rational(&b.value);
             let scaled = Poly::var(var).scale(b.value.denom());
-            let gap = if upper {
-                at.num.sub(&scaled)
-            } else {
-                scaled.sub(&at.num)
-            };
-            let sign = if b.strict {
-                Sign::Positive
-            } else {
-                Sign::NonNegative
-            };
+            let gap = if upper { at.num.sub(&scaled) } else { scaled.sub(&at.num) };
+            let sign = if b.strict { Sign::Positive } else { Sign::NonNegative };
             Atom::new(gap, sign)
         };
         let Some(v) = self.context.vars.get(var) else {
             return Vec::new();
         };
         let lower = v.lower.as_ref().map(|b| bound(b, false));
-        lower
-            .into_iter()
-            .chain(v.upper.as_ref().map(|b| bound(b, true)))
-            .collect()
+        lower.into_iter().chain(v.upper.as_ref().map(|b| bound(b, true))).collect()
     }
 
     /// The pieces of an expression.
@@ -225,12 +206,7 @@ impl<'c> Scope<'c> {
     /// # Errors
     /// [`Rejection`]: budget, unknown symbols, a derivative that cannot be taken.
     pub fn pieces(&self, e: &Expr) -> Result<Vec<Piece>, Rejection> {
-        let one = |value| {
-            vec![Piece {
-                atoms: Vec::new(),
-                value,
-            }]
-        };
+        let one = |value| vec![Piece { atoms: Vec::new(), value }];
         Ok(match e {
             Expr::Num(q) => one(Some(Fraction::rational(q))),
             Expr::Var(v) if *v < self.context.vars.len() => {
@@ -260,10 +236,7 @@ impl<'c> Scope<'c> {
             Expr::Abs(a) => self.map(a, |x| {
                 let s = x.sign_poly(&self.fuel)?;
                 let up = Atom::new(s, Sign::NonNegative);
-                Ok(vec![
-                    (vec![up.not()], Some(x.neg())),
-                    (vec![up], Some(x.clone())),
-                ])
+                Ok(vec![(vec![up.not()], Some(x.neg())), (vec![up], Some(x.clone()))])
             })?,
             Expr::Min(a, b) => self.map2(a, b, |x, y| self.choose(x, y))?,
             Expr::Max(a, b) => {
@@ -330,10 +303,7 @@ impl<'c> Scope<'c> {
             match &p.value {
                 None => out.push(p),
                 Some(x) => out.extend(f(x)?.into_iter().filter_map(|(atoms, value)| {
-                    Some(Piece {
-                        atoms: joined(&p.atoms, &atoms)?,
-                        value,
-                    })
+                    Some(Piece { atoms: joined(&p.atoms, &atoms)?, value })
                 })),
             }
         }
@@ -378,10 +348,8 @@ impl<'c> Scope<'c> {
         y: &Fraction,
     ) -> Result<Vec<(Atoms, Option<Fraction>)>, Rejection> {
         let zero = Atom::new(y.num.clone(), Sign::Zero);
-        let quotient = Fraction {
-            num: x.num.mul(&y.den, &self.fuel)?,
-            den: x.den.mul(&y.num, &self.fuel)?,
-        };
+        let quotient =
+            Fraction { num: x.num.mul(&y.den, &self.fuel)?, den: x.den.mul(&y.num, &self.fuel)? };
         Ok(match zero.decided() {
             Some(true) => vec![(Vec::new(), None)],
             Some(false) => vec![(Vec::new(), Some(quotient))],
@@ -396,10 +364,7 @@ impl<'c> Scope<'c> {
     ) -> Result<Vec<(Atoms, Option<Fraction>)>, Rejection> {
         let gap = y.add(&x.neg(), &self.fuel)?.sign_poly(&self.fuel)?;
         let first = Atom::new(gap, Sign::NonNegative);
-        Ok(vec![
-            (vec![first.not()], Some(y.clone())),
-            (vec![first], Some(x.clone())),
-        ])
+        Ok(vec![(vec![first.not()], Some(y.clone())), (vec![first], Some(x.clone()))])
     }
 
     /// Where a relation is true, false, undefined.
@@ -409,11 +374,7 @@ impl<'c> Scope<'c> {
     pub fn relation(&self, r: &Relation) -> Result<Truth, Rejection> {
         let mut truth = Truth::default();
         let swap = matches!(r.rel, Rel::Lt | Rel::Le);
-        let (a, b) = if swap {
-            (&r.rhs, &r.lhs)
-        } else {
-            (&r.lhs, &r.rhs)
-        };
+        let (a, b) = if swap { (&r.rhs, &r.lhs) } else { (&r.lhs, &r.rhs) };
         let gap = self.map2(a, b, |x, y| self.total(x.add(&y.neg(), &self.fuel)))?;
         for p in gap {
             let Some(value) = p.value else {
@@ -441,16 +402,11 @@ impl<'c> Scope<'c> {
         &self,
         relations: impl IntoIterator<Item = &'r Relation>,
     ) -> Result<Truth, Rejection> {
-        let mut truth = Truth {
-            holds: vec![Vec::new()],
-            ..Truth::default()
-        };
+        let mut truth = Truth { holds: vec![Vec::new()], ..Truth::default() };
         for r in relations {
             let next = self.relation(r)?;
             truth.fails.extend(self.meet(&truth.holds, &next.fails)?);
-            truth
-                .undefined
-                .extend(self.meet(&truth.holds, &next.undefined)?);
+            truth.undefined.extend(self.meet(&truth.holds, &next.undefined)?);
             truth.holds = self.meet(&truth.holds, &next.holds)?;
             self.check_size(truth.fails.len() + truth.undefined.len())?;
         }
@@ -494,9 +450,7 @@ impl<'c> Scope<'c> {
     /// [`Rejection::Budget`].
     pub fn meet(&self, a: &Cases, b: &Cases) -> Result<Cases, Rejection> {
         self.check_size(a.len().saturating_mul(b.len()))?;
-        Ok(a.iter()
-            .flat_map(|x| b.iter().filter_map(|y| joined(x, y)))
-            .collect())
+        Ok(a.iter().flat_map(|x| b.iter().filter_map(|y| joined(x, y))).collect())
     }
 
     fn check_size(&self, n: usize) -> Result<(), Rejection> {
@@ -510,10 +464,7 @@ impl<'c> Scope<'c> {
 
 impl Piece {
     fn within(&self, region: &[Atom]) -> Self {
-        Self {
-            atoms: [region, &self.atoms].concat(),
-            value: self.value.clone(),
-        }
+        Self { atoms: [region, &self.atoms].concat(), value: self.value.clone() }
     }
 }
 

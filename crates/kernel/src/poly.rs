@@ -331,19 +331,13 @@ impl Fraction {
     /// p / 1
     #[must_use]
     pub fn whole(num: Poly) -> Self {
-        Self {
-            num,
-            den: Poly::one(),
-        }
+        Self { num, den: Poly::one() }
     }
 
     /// The constant q.
     #[must_use]
     pub fn rational(q: &BigRational) -> Self {
-        Self {
-            num: Poly::constant(q.numer().clone()),
-            den: Poly::constant(q.denom().clone()),
-        }
+        Self { num: Poly::constant(q.numer().clone()), den: Poly::constant(q.denom().clone()) }
     }
 
     /// Sum; equal denominators are kept, others multiplied.
@@ -352,16 +346,10 @@ impl Fraction {
     /// [`Rejection::Budget`].
     pub fn add(&self, o: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
         if self.den == o.den {
-            return Ok(Self {
-                num: self.num.add(&o.num),
-                den: self.den.clone(),
-            });
+            return Ok(Self { num: self.num.add(&o.num), den: self.den.clone() });
         }
         Ok(Self {
-            num: self
-                .num
-                .mul(&o.den, fuel)?
-                .add(&o.num.mul(&self.den, fuel)?),
+            num: self.num.mul(&o.den, fuel)?.add(&o.num.mul(&self.den, fuel)?),
             den: self.den.mul(&o.den, fuel)?,
         })
     }
@@ -369,10 +357,7 @@ impl Fraction {
     /// The opposite.
     #[must_use]
     pub fn neg(&self) -> Self {
-        Self {
-            num: self.num.neg(),
-            den: self.den.clone(),
-        }
+        Self { num: self.num.neg(), den: self.den.clone() }
     }
 
     /// Product.
@@ -380,10 +365,7 @@ impl Fraction {
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn mul(&self, o: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
-        Ok(Self {
-            num: self.num.mul(&o.num, fuel)?,
-            den: self.den.mul(&o.den, fuel)?,
-        })
+        Ok(Self { num: self.num.mul(&o.num, fuel)?, den: self.den.mul(&o.den, fuel)? })
     }
 
     /// A polynomial with the sign of the fraction wherever the denominator is not zero.

@@ -45,29 +45,18 @@ impl<'s, 'g> State<'s, 'g> {
                 }
                 states.iter().zip(cases).try_for_each(|(s, p)| s.refute(p))
             }
-            Proof::Split {
-                poly,
-                zero,
-                positive,
-                negative,
-            } => {
+            Proof::Split { poly, zero, positive, negative } => {
                 let with = |sign, p: Poly| self.with(Atom::new(p, sign));
                 with(Sign::Zero, poly.clone()).refute(zero)?;
                 with(Sign::Positive, poly.clone()).refute(positive)?;
                 with(Sign::Positive, poly.neg()).refute(negative)
             }
-            Proof::Substitute {
-                equation,
-                var,
-                lead,
-                then,
-            } => self.substitute(*equation, *var, *lead)?.refute(then),
-            Proof::Cancel {
-                atom,
-                factors,
-                quotient,
-                then,
-            } => self.cancel(*atom, factors, quotient)?.refute(then),
+            Proof::Substitute { equation, var, lead, then } => {
+                self.substitute(*equation, *var, *lead)?.refute(then)
+            }
+            Proof::Cancel { atom, factors, quotient, then } => {
+                self.cancel(*atom, factors, quotient)?.refute(then)
+            }
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
             Proof::Nonzero { factors, cofactors } => {
                 let known = self.product(factors, false)?;
@@ -75,18 +64,10 @@ impl<'s, 'g> State<'s, 'g> {
                 (known == sum).then_some(()).ok_or(Rejection::NotAnIdentity)
             }
             Proof::Orthant { atom, bounds } => self.orthant(*atom, bounds),
-            Proof::SignTable {
-                var,
-                bases,
-                roots,
-                atoms,
-            } => self.sign_table(*var, bases, roots, atoms),
-            Proof::Pass {
-                germ,
-                atom,
-                along,
-                then,
-            } => {
+            Proof::SignTable { var, bases, roots, atoms } => {
+                self.sign_table(*var, bases, roots, atoms)
+            }
+            Proof::Pass { germ, atom, along, then } => {
                 let state = self.along(germ)?;
                 state.with(atom.not()).refute(along)?;
                 self.with(self.at_zero(germ, atom)?).refute(then)
@@ -111,10 +92,7 @@ impl<'s, 'g> State<'s, 'g> {
     /// # Errors
     /// [`Rejection::NoSuchFormula`].
     pub fn assume(&self, formula: usize) -> Result<Vec<Self>, Rejection> {
-        let cases = self
-            .formulas
-            .get(formula)
-            .ok_or(Rejection::NoSuchFormula(formula))?;
+        let cases = self.formulas.get(formula).ok_or(Rejection::NoSuchFormula(formula))?;
         let next = |case: &Atoms| {
             let mut state = self.clone();
             state.atoms.extend(case.iter().cloned());
@@ -158,11 +136,7 @@ impl<'s, 'g> State<'s, 'g> {
                 _ => return Err(Rejection::MayVanish),
             },
         };
-        let parts: Vec<Poly> = if flip {
-            parts.iter().map(Poly::neg).collect()
-        } else {
-            parts
-        };
+        let parts: Vec<Poly> = if flip { parts.iter().map(Poly::neg).collect() } else { parts };
         let mut next = self.clone();
         for (i, atom) in next.atoms.iter_mut().enumerate() {
             if i == equation {
@@ -268,11 +242,7 @@ impl<'s, 'g> State<'s, 'g> {
     ) -> Result<(), Rejection> {
         let fuel = &self.scope.fuel;
         let target = self.atom(atom)?;
-        if bounds
-            .iter()
-            .enumerate()
-            .any(|(i, b)| bounds[..i].iter().any(|c| c.0 == b.0))
-        {
+        if bounds.iter().enumerate().any(|(i, b)| bounds[..i].iter().any(|c| c.0 == b.0)) {
             return Err(Rejection::NotABound(atom));
         }
         let mut p = target.poly.clone();
@@ -300,10 +270,7 @@ impl<'s, 'g> State<'s, 'g> {
                     ends.push((v, degree, !open_l, !open_u));
                     let low = q(&(l.numer() * u.denom()));
                     let high = y.scale(&(u.numer() * l.denom()));
-                    (
-                        low.add(&high),
-                        y.add(&Poly::one()).scale(&(l.denom() * u.denom())),
-                    )
+                    (low.add(&high), y.add(&Poly::one()).scale(&(l.denom() * u.denom())))
                 }
                 (None, None) => return Err(Rejection::NotABound(atom)),
             };
@@ -327,15 +294,9 @@ impl<'s, 'g> State<'s, 'g> {
                 faces = faces
                     .iter()
                     .flat_map(|f| {
-                        let options = [
-                            Some(None),
-                            low.then_some(Some(0)),
-                            high.then_some(Some(degree)),
-                        ];
-                        options
-                            .into_iter()
-                            .flatten()
-                            .map(|o| [&f[..], &[o]].concat())
+                        let options =
+                            [Some(None), low.then_some(Some(0)), high.then_some(Some(degree))];
+                        options.into_iter().flatten().map(|o| [&f[..], &[o]].concat())
                     })
                     .collect();
             }
@@ -363,10 +324,9 @@ impl<'s, 'g> State<'s, 'g> {
     fn bound(&self, i: usize, v: usize, side: i8) -> Result<(BigRational, bool), Rejection> {
         let atom = self.atom(i)?;
         let parts = atom.poly.univariate(v);
-        let (Some([c, k]), true) = (
-            parts.as_deref(),
-            matches!(atom.sign, Sign::Positive | Sign::NonNegative),
-        ) else {
+        let (Some([c, k]), true) =
+            (parts.as_deref(), matches!(atom.sign, Sign::Positive | Sign::NonNegative))
+        else {
             return Err(Rejection::NotABound(i));
         };
         if sign(k) != side {
@@ -399,15 +359,14 @@ impl<'s, 'g> State<'s, 'g> {
         for signs in cells(bases, roots, self.scope)? {
             let refuted = atoms.iter().any(|(i, constant, powers)| {
                 let value =
-                    signs
-                        .iter()
-                        .zip(powers)
-                        .fold(sign(constant.numer()), |s, (b, n)| match (n, b) {
+                    signs.iter().zip(powers).fold(sign(constant.numer()), |s, (b, n)| {
+                        match (n, b) {
                             (0, _) => s,
                             (n, -1) if n % 2 == 1 => -s,
                             (_, 0) => 0,
                             _ => s,
-                        });
+                        }
+                    });
                 !self.atoms[*i].sign.admits(value)
             });
             if !refuted {
@@ -420,13 +379,7 @@ impl<'s, 'g> State<'s, 'g> {
     /// Whether a variable keeps its value while x varies.
     #[must_use]
     pub fn is_constant(&self, v: usize, x: usize) -> bool {
-        v != x
-            && self
-                .scope
-                .context
-                .vars
-                .get(v)
-                .is_some_and(|var| var.of != Some(x))
+        v != x && self.scope.context.vars.get(v).is_some_and(|var| var.of != Some(x))
     }
 
     /// The state along a germ: what is known of constants, 0 < t < radius, x, and the premises.
@@ -437,10 +390,7 @@ impl<'s, 'g> State<'s, 'g> {
         let along = self.along_unproved(germ)?;
         if !self.reaching {
             let leaves = crate::limit::leaves(self.scope, self.goal, germ.side.var)?;
-            let inside = Self {
-                formulas: Rc::new(leaves),
-                ..along.clone()
-            };
+            let inside = Self { formulas: Rc::new(leaves), ..along.clone() };
             inside.refute(&germ.inside)?;
         }
         Ok(along)
@@ -457,10 +407,7 @@ impl<'s, 'g> State<'s, 'g> {
         if !germ.side.is_inside(self.scope) {
             return Err(Rejection::OutsideDomain);
         }
-        if [num, den]
-            .iter()
-            .any(|p| p.vars().iter().any(|&v| !self.is_constant(v, x)))
-        {
+        if [num, den].iter().any(|p| p.vars().iter().any(|&v| !self.is_constant(v, x))) {
             return Err(Rejection::NotConstant);
         }
         let positive = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];

@@ -9,10 +9,7 @@ use crate::{
 #[must_use]
 pub fn substituted(goal: &Goal, values: &[(usize, Expr)]) -> Goal {
     let s = Substitution(values);
-    let define = |d: &Definition| Definition {
-        name: d.name.clone(),
-        body: s.expr(&d.body),
-    };
+    let define = |d: &Definition| Definition { name: d.name.clone(), body: s.expr(&d.body) };
     Goal {
         context: Context {
             vars: goal.context.vars.clone(),
@@ -21,10 +18,7 @@ pub fn substituted(goal: &Goal, values: &[(usize, Expr)]) -> Goal {
         hypotheses: goal
             .hypotheses
             .iter()
-            .map(|h| Hypothesis {
-                sentence: s.sentence(&h.sentence),
-                given: h.given,
-            })
+            .map(|h| Hypothesis { sentence: s.sentence(&h.sentence), given: h.given })
             .collect(),
         when: s.relations(&goal.when),
         conclusion: match &goal.conclusion {
@@ -68,11 +62,8 @@ impl Substitution<'_> {
     }
 
     fn relations(&self, all: &[Relation]) -> Vec<Relation> {
-        let one = |r: &Relation| Relation {
-            lhs: self.expr(&r.lhs),
-            rel: r.rel,
-            rhs: self.expr(&r.rhs),
-        };
+        let one =
+            |r: &Relation| Relation { lhs: self.expr(&r.lhs), rel: r.rel, rhs: self.expr(&r.rhs) };
         all.iter().map(one).collect()
     }
 

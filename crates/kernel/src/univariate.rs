@@ -112,10 +112,6 @@ fn shift(mut p: Vec<BigInt>, a: &BigRational) -> Vec<BigInt> {
 }
 
 fn variations(p: &[BigInt]) -> usize {
-    let signs: Vec<bool> = p
-        .iter()
-        .filter(|c| !c.is_zero())
-        .map(Signed::is_positive)
-        .collect();
+    let signs: Vec<bool> = p.iter().filter(|c| !c.is_zero()).map(Signed::is_positive).collect();
     signs.windows(2).filter(|w| w[0] != w[1]).count()
 }

@@ -25,11 +25,7 @@ impl Comparison {
     #[must_use]
     pub const fn possible(less: bool, equal: bool, greater: bool) -> Self {
         debug_assert!(less || equal || greater, "some ordering must be possible");
-        Self {
-            less,
-            equal,
-            greater,
-        }
+        Self { less, equal, greater }
     }
 
     /// Whether a < b.

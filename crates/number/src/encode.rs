@@ -70,22 +70,15 @@ pub(crate) fn binade(numer: &BigUint, denom: &BigUint) -> i64 {
     let bits = |n: &BigUint| i64::try_from(n.bits()).expect("a bit count fits 63 bits");
     let upper = bits(numer) - bits(denom);
     let scale = upper.unsigned_abs();
-    let reached = if upper >= 0 {
-        *numer >= denom << scale
-    } else {
-        numer << scale >= *denom
-    };
+    let reached = if upper >= 0 { *numer >= denom << scale } else { numer << scale >= *denom };
     if reached { upper } else { upper - 1 }
 }
 
 /// Divides numer/denom by 2^unit: the integer part, and the remainder with its divisor.
 fn divide_by_unit(numer: &BigUint, denom: &BigUint, unit: i64) -> (u64, BigUint, BigUint) {
     let scale = unit.unsigned_abs();
-    let (numer, denom) = if unit >= 0 {
-        (numer.clone(), denom << scale)
-    } else {
-        (numer << scale, denom.clone())
-    };
+    let (numer, denom) =
+        if unit >= 0 { (numer.clone(), denom << scale) } else { (numer << scale, denom.clone()) };
     let (floor, rest) = numer.div_rem(&denom);
     let floor = floor.to_u64().expect("the unit leaves PRECISION bits");
     (floor, rest, denom)

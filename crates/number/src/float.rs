@@ -1,8 +1,5 @@
 //! `f32` and `f64` as number systems: the only place of this crate where floats are computed.
-#![allow(
-    clippy::float_arithmetic,
-    reason = "this module is where float arithmetic lives"
-)]
+#![allow(clippy::float_arithmetic, reason = "this module is where float arithmetic lives")]
 
 use crate::{Comparison, Number, Ordered, Rational, Rounding, encode};
 

@@ -72,18 +72,11 @@ pub enum ParseError {
 /// # Ok::<(), kane_number::ParseError>(())
 /// ```
 pub fn parse(text: &str) -> Result<Rational, ParseError> {
-    let mut reader = Reader {
-        text,
-        at: 0,
-        digits_left: MAX_DIGITS,
-    };
+    let mut reader = Reader { text, at: 0, digits_left: MAX_DIGITS };
     let negative = reader.sign();
     let magnitude = reader.magnitude()?;
     match reader.rest().chars().next() {
-        Some(found) => Err(ParseError::Trailing {
-            at: reader.at,
-            found,
-        }),
+        Some(found) => Err(ParseError::Trailing { at: reader.at, found }),
         None if negative => Ok(-magnitude),
         None => Ok(magnitude),
     }
@@ -118,9 +111,7 @@ impl<'a> Reader<'a> {
         let rest = self.rest();
         let length = rest.bytes().take_while(u8::is_ascii_digit).count();
         if length > self.digits_left {
-            return Err(ParseError::TooManyDigits {
-                at: self.at + self.digits_left,
-            });
+            return Err(ParseError::TooManyDigits { at: self.at + self.digits_left });
         }
         self.digits_left -= length;
         self.at += length;

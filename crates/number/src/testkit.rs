@@ -43,12 +43,7 @@ pub fn field_axioms<N: Number + PartialEq>(elements: &[N]) {
             let x = || a.clone();
             let all = [a, b, c];
             let (sum, product) = (b.clone() + c, b.clone() * c);
-            equal(
-                "(a + b) + c = a + (b + c)",
-                &all,
-                x() + b + c,
-                x() + sum.clone(),
-            );
+            equal("(a + b) + c = a + (b + c)", &all, x() + b + c, x() + sum.clone());
             equal("(a·b)·c = a·(b·c)", &all, x() * b * c, x() * product);
             equal("a·(b + c) = a·b + a·c", &all, x() * sum, x() * b + x() * c);
             equal("fma(a, b, c) = a·b + c", &all, a.mul_add(b, c), x() * b + c);
@@ -67,11 +62,7 @@ pub fn ordered_field_axioms<N: Ordered + PartialEq>(elements: &[N]) {
         let known = [less(a, b), a == b, less(b, a)];
         let count = known.into_iter().filter(|&known| known).count();
         holds("exactly one of a < b, a = b, a > b", &[a, b], count == 1);
-        holds(
-            "a = b is seen",
-            &[a, b],
-            a.compare(b).is_equal() == Some(a == b),
-        );
+        holds("a = b is seen", &[a, b], a.compare(b).is_equal() == Some(a == b));
         if a.sign().is_greater() == Some(true) && b.sign().is_greater() == Some(true) {
             let product = a.clone() * b;
             holds("a, b > 0 ⇒ a·b > 0", &[a, b], less(&N::zero(), &product));
@@ -88,16 +79,11 @@ pub fn ordered_field_axioms<N: Ordered + PartialEq>(elements: &[N]) {
 }
 
 fn pairs<N>(elements: &[N]) -> impl Iterator<Item = (&N, &N)> {
-    elements
-        .iter()
-        .flat_map(move |a| elements.iter().map(move |b| (a, b)))
+    elements.iter().flat_map(move |a| elements.iter().map(move |b| (a, b)))
 }
 
 fn equal<N: Debug + PartialEq>(axiom: &str, at: &[&N], left: N, right: N) {
-    assert!(
-        left == right,
-        "{axiom} fails at {at:?}: {left:?} ≠ {right:?}"
-    );
+    assert!(left == right, "{axiom} fails at {at:?}: {left:?} ≠ {right:?}");
 }
 
 fn holds<N: Debug>(axiom: &str, at: &[&N], holds: bool) {

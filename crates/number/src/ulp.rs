@@ -60,9 +60,5 @@ pub fn steps_between<F: Binary>(a: F, b: F) -> Result<u64, NotFinite> {
     magnitude_parts(b)?;
     let (from, to) = (a.magnitude_bits(), b.magnitude_bits());
     // Finite patterns stay below 2^63, so the sum across zero cannot overflow.
-    Ok(if a.is_negative() == b.is_negative() {
-        from.abs_diff(to)
-    } else {
-        from + to
-    })
+    Ok(if a.is_negative() == b.is_negative() { from.abs_diff(to) } else { from + to })
 }

@@ -13,11 +13,7 @@ pub fn explain(audit: &Audit, index: usize) -> Option<String> {
     let judgement = entry.judgement;
     let mut out = String::new();
     let _ = writeln!(out, "{}", entry.source());
-    let _ = write!(
-        out,
-        "{}:{}: {}",
-        audit.document.name, entry.statement.line, judgement.verdict
-    );
+    let _ = write!(out, "{}:{}: {}", audit.document.name, entry.statement.line, judgement.verdict);
     for remark in entry.expectation().into_iter().chain(entry.support()) {
         let _ = write!(out, ", {remark}");
     }
@@ -75,15 +71,9 @@ fn write_ground(out: &mut String, entry: &Entry<'_>) {
     match &judgement.model {
         Some(model) if model.is_empty() => {}
         Some(model) => {
-            let pairs: Vec<_> = model
-                .iter()
-                .map(|(name, value)| format!("{name} = {value}"))
-                .collect();
-            let _ = writeln!(
-                out,
-                "\nits hypotheses hold, for example, at {}",
-                pairs.join(", ")
-            );
+            let pairs: Vec<_> =
+                model.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            let _ = writeln!(out, "\nits hypotheses hold, for example, at {}", pairs.join(", "));
         }
         None if judgement.verdict == Verdict::Vacuous => {}
         None => out.push_str("\nno point was found at which all its hypotheses hold\n"),

@@ -18,14 +18,8 @@ pub const SCHEMA_VERSION: u32 = 1;
 #[must_use]
 pub fn json(reports: &[Report<'_>]) -> String {
     let file = File {
-        schema: Schema {
-            name: SCHEMA_NAME,
-            version: SCHEMA_VERSION,
-        },
-        program: Program {
-            name: "kane",
-            version: env!("CARGO_PKG_VERSION"),
-        },
+        schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
+        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
         as_expected: reports.iter().all(Report::as_expected),
         documents: reports.iter().map(Document::of).collect(),
     };
@@ -126,10 +120,7 @@ impl<'a> Document<'a> {
             command: &report.command,
             as_expected: report.as_expected(),
             summary: Counts::of(report),
-            statements: report
-                .entries()
-                .map(|entry| Statement::of(report, &entry))
-                .collect(),
+            statements: report.entries().map(|entry| Statement::of(report, &entry)).collect(),
         }
     }
 }
@@ -166,17 +157,11 @@ impl<'a> Statement<'a> {
             as_expected: judgement.as_expected(),
             unproved: entry.labels(&judgement.unproved),
             rests_on: entry.labels(&judgement.rests_on),
-            model: judgement.model.as_ref().map(|model| {
-                model
-                    .iter()
-                    .map(|(name, value)| Value { name, value })
-                    .collect()
-            }),
-            links: judgement
-                .links
-                .iter()
-                .map(|link| Link::of(entry, link))
-                .collect(),
+            model: judgement
+                .model
+                .as_ref()
+                .map(|model| model.iter().map(|(name, value)| Value { name, value }).collect()),
+            links: judgement.links.iter().map(|link| Link::of(entry, link)).collect(),
         }
     }
 }
@@ -194,10 +179,7 @@ impl<'a> Link<'a> {
             steps: link
                 .steps
                 .iter()
-                .map(|step| Step {
-                    depth: step.depth,
-                    text: &step.text,
-                })
+                .map(|step| Step { depth: step.depth, text: &step.text })
                 .collect(),
         }
     }

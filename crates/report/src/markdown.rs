@@ -15,22 +15,14 @@ pub fn markdown(report: &Report<'_>) -> String {
     let document = &report.audit.document;
     let summary = Summary::of(report);
     let mut out = String::new();
-    let _ = writeln!(
-        out,
-        "# Audit: {}\n",
-        escape(document.title.as_deref().unwrap_or(&document.name))
-    );
+    let _ =
+        writeln!(out, "# Audit: {}\n", escape(document.title.as_deref().unwrap_or(&document.name)));
     let _ = writeln!(out, "**{}**\n", escape(&summary.headline()));
     let _ = writeln!(out, "{}.\n", escape(&summary.expectation()));
     for entry in report.entries() {
         section(&mut out, &entry);
     }
-    let _ = writeln!(
-        out,
-        "---\n\nkane {}, {}\n",
-        env!("CARGO_PKG_VERSION"),
-        code(&report.command)
-    );
+    let _ = writeln!(out, "---\n\nkane {}, {}\n", env!("CARGO_PKG_VERSION"), code(&report.command));
     out.truncate(out.trim_end().len());
     out.push('\n');
     out
@@ -39,12 +31,7 @@ pub fn markdown(report: &Report<'_>) -> String {
 /// One statement: what it says, its verdict and reason, what it rests on, and the proof.
 fn section(out: &mut String, entry: &Entry<'_>) {
     let judgement = entry.judgement;
-    let _ = write!(
-        out,
-        "## {} · {}",
-        escape(&entry.statement.label),
-        judgement.verdict
-    );
+    let _ = write!(out, "## {} · {}", escape(&entry.statement.label), judgement.verdict);
     if let Some(remark) = entry.expectation() {
         let _ = write!(out, " · *{}*", escape(&remark));
     }
@@ -64,21 +51,13 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     }
     let mut ground = Vec::new();
     if entry.is_claim() && !judgement.rests_on.is_empty() {
-        ground.push(format!(
-            "Rests on {}.",
-            escape(&entry.labels(&judgement.rests_on).join(", "))
-        ));
+        ground.push(format!("Rests on {}.", escape(&entry.labels(&judgement.rests_on).join(", "))));
     }
     match &judgement.model {
         Some(model) if !model.is_empty() => {
-            let pairs: Vec<_> = model
-                .iter()
-                .map(|(name, value)| code(&format!("{name} = {value}")))
-                .collect();
-            ground.push(format!(
-                "The hypotheses hold, for example, at {}.",
-                pairs.join(", ")
-            ));
+            let pairs: Vec<_> =
+                model.iter().map(|(name, value)| code(&format!("{name} = {value}"))).collect();
+            ground.push(format!("The hypotheses hold, for example, at {}.", pairs.join(", ")));
         }
         _ => {}
     }
@@ -92,23 +71,13 @@ fn formula(entry: &Entry<'_>) -> Option<String> {
     let context = entry.context();
     match &entry.statement.body {
         Body::Let(index) => context.lets.get(*index).map(|definition| {
-            format!(
-                "{} := {}",
-                latex_name(&definition.name),
-                definition.body.latex(context)
-            )
+            format!("{} := {}", latex_name(&definition.name), definition.body.latex(context))
         }),
         Body::Given(sentence) => sentence_latex(sentence, context),
         Body::Claim(claim) => match &claim.content {
             Content::Links(links) => {
                 let links = links.iter().map(|(link, _)| link.clone()).collect();
-                sentence_latex(
-                    &Sentence {
-                        when: claim.when.clone(),
-                        links,
-                    },
-                    context,
-                )
+                sentence_latex(&Sentence { when: claim.when.clone(), links }, context)
             }
             Content::Contradiction | Content::NotImplied(_) => None,
         },
@@ -121,18 +90,11 @@ fn sentence_latex(sentence: &Sentence, context: &Context) -> Option<String> {
 
 /// One link: its verdict and reason, with the steps folded away.
 fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
-    let _ = writeln!(
-        out,
-        "**{}**: {}\n",
-        capitalised(&link.verdict.to_string()),
-        escape(&link.reason)
-    );
+    let _ =
+        writeln!(out, "**{}**: {}\n", capitalised(&link.verdict.to_string()), escape(&link.reason));
     let mut notes = Vec::new();
     if !link.used.is_empty() {
-        notes.push(format!(
-            "Uses {}.",
-            escape(&entry.labels(&link.used).join(", "))
-        ));
+        notes.push(format!("Uses {}.", escape(&entry.labels(&link.used).join(", "))));
     }
     if let Some(digest) = &link.certificate {
         notes.push(format!("Certificate {}.", code(digest)));
@@ -163,10 +125,7 @@ fn steps(link: &LinkJudgement) -> String {
 
 /// The formula in math mode, on one line: blank lines would end it.
 fn math(latex: &str) -> String {
-    format!(
-        "${}$",
-        latex.split_whitespace().collect::<Vec<_>>().join(" ")
-    )
+    format!("${}$", latex.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 /// The text as it is, also where it has characters that Markdown or HTML would read.
@@ -192,28 +151,19 @@ fn escape(text: &str) -> String {
 fn code(text: &str) -> String {
     let text = text.replace('\n', " ");
     let fence = "`".repeat(longest_run(&text, '`') + 1);
-    let pad = if text.starts_with('`') || text.ends_with('`') {
-        " "
-    } else {
-        ""
-    };
+    let pad = if text.starts_with('`') || text.ends_with('`') { " " } else { "" };
     format!("{fence}{pad}{text}{pad}{fence}")
 }
 
 /// The length of the longest run of `c`.
 fn longest_run(text: &str, c: char) -> usize {
-    text.split(|other| other != c)
-        .map(str::len)
-        .max()
-        .unwrap_or(0)
+    text.split(|other| other != c).map(str::len).max().unwrap_or(0)
 }
 
 /// The text with its first letter in upper case.
 fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(chars).collect()
-    })
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
 
 #[cfg(test)]

@@ -41,9 +41,7 @@ impl<'a> Report<'a> {
     /// The statements that are shown, with their judgements.
     pub(crate) fn entries(&self) -> impl Iterator<Item = Entry<'a>> + '_ {
         let audit = self.audit;
-        self.shown
-            .iter()
-            .filter_map(move |&index| Entry::new(audit, index))
+        self.shown.iter().filter_map(move |&index| Entry::new(audit, index))
     }
 }
 
@@ -60,11 +58,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn new(audit: &'a Audit, index: usize) -> Option<Self> {
         let statement = audit.document.statements.get(index)?;
         let judgement = audit.judgements.get(index)?;
-        Some(Self {
-            audit,
-            statement,
-            judgement,
-        })
+        Some(Self { audit, statement, judgement })
     }
 
     /// `let`, `given` or `claim`.
@@ -87,33 +81,22 @@ impl<'a> Entry<'a> {
 
     /// Whether the label is a number in parentheses: an equation of the text under audit.
     pub(crate) fn is_equation(&self) -> bool {
-        let inner = self
-            .statement
-            .label
-            .strip_prefix('(')
-            .and_then(|rest| rest.strip_suffix(')'));
+        let inner = self.statement.label.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
         inner.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
     }
 
     /// The statement as written, on one line and without comments.
     pub(crate) fn source(&self) -> String {
         let lines = self.audit.document.source(self.statement).lines();
-        let words = lines.flat_map(|line| {
-            line.split('#')
-                .next()
-                .unwrap_or_default()
-                .split_whitespace()
-        });
+        let words =
+            lines.flat_map(|line| line.split('#').next().unwrap_or_default().split_whitespace());
         words.collect::<Vec<_>>().join(" ")
     }
 
     /// What the statement says: the source without its kind and label, and without what it cites and expects.
     pub(crate) fn saying(&self) -> String {
         let source = self.source();
-        let rest = source
-            .strip_prefix(self.kind())
-            .unwrap_or(&source)
-            .trim_start();
+        let rest = source.strip_prefix(self.kind()).unwrap_or(&source).trim_start();
         let rest = match rest.strip_prefix(self.statement.label.as_str()) {
             // a `let` without a label goes by its name, which is part of what it says
             Some(after) if !after.trim_start().starts_with(":=") => {
@@ -121,10 +104,7 @@ impl<'a> Entry<'a> {
             }
             _ => rest,
         };
-        let end = [" from ", " by ", " expect "]
-            .iter()
-            .filter_map(|word| rest.find(word))
-            .min();
+        let end = [" from ", " by ", " expect "].iter().filter_map(|word| rest.find(word)).min();
         rest[..end.unwrap_or(rest.len())].trim().to_owned()
     }
 
@@ -140,31 +120,20 @@ impl<'a> Entry<'a> {
 
     /// The entries at these indices.
     pub(crate) fn cited(&self, indices: &[usize]) -> Vec<Self> {
-        indices
-            .iter()
-            .filter_map(|&index| Self::new(self.audit, index))
-            .collect()
+        indices.iter().filter_map(|&index| Self::new(self.audit, index)).collect()
     }
 
     /// The first of the worst links.
     pub(crate) fn decisive(&self) -> Option<(usize, &'a LinkJudgement)> {
         let worst = self.judgement.links.iter().map(|link| link.verdict).max()?;
-        self.judgement
-            .links
-            .iter()
-            .enumerate()
-            .find(|(_, link)| link.verdict == worst)
+        self.judgement.links.iter().enumerate().find(|(_, link)| link.verdict == worst)
     }
 
     /// Whether the statement, or one link of it, is refuted.
     pub(crate) fn is_refuted(&self) -> bool {
         let refuted = |verdict| verdict == Verdict::Refuted;
         refuted(self.judgement.verdict)
-            || self
-                .judgement
-                .links
-                .iter()
-                .any(|link| refuted(link.verdict))
+            || self.judgement.links.iter().any(|link| refuted(link.verdict))
     }
 
     /// How the verdict stands to what the author expects; `None` where that goes without saying.
@@ -174,10 +143,9 @@ impl<'a> Entry<'a> {
             _ if !self.is_claim() => None,
             Some(Verdict::Proved) | None if self.judgement.as_expected() => None,
             Some(_) if self.judgement.as_expected() => Some("expected".to_owned()),
-            expect => Some(format!(
-                "NOT EXPECTED (should be {})",
-                expect.unwrap_or(Verdict::Proved)
-            )),
+            expect => {
+                Some(format!("NOT EXPECTED (should be {})", expect.unwrap_or(Verdict::Proved)))
+            }
         }
     }
 
@@ -185,10 +153,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn support(&self) -> Option<String> {
         (self.judgement.verdict == Verdict::Unsupported).then(|| {
             let cited = self.labels(&self.judgement.unproved).join(", ");
-            format!(
-                "cites {cited}, not proved; else {}",
-                self.judgement.conditional
-            )
+            format!("cites {cited}, not proved; else {}", self.judgement.conditional)
         })
     }
 }

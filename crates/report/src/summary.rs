@@ -39,12 +39,8 @@ impl Summary {
     #[must_use]
     pub fn of(report: &Report<'_>) -> Self {
         let claims: Vec<_> = report.entries().filter(|entry| entry.is_claim()).collect();
-        let count = |verdict| {
-            claims
-                .iter()
-                .filter(|entry| entry.judgement.verdict == verdict)
-                .count()
-        };
+        let count =
+            |verdict| claims.iter().filter(|entry| entry.judgement.verdict == verdict).count();
         let label = |entry: &crate::report::Entry<'_>| entry.statement.label.clone();
         Self {
             equations: report.entries().filter(|entry| entry.is_equation()).count(),
@@ -79,20 +75,13 @@ impl Summary {
             line.push_str(", ");
         }
         line.push_str(&counted(self.claims, "claim"));
-        let verdicts: Vec<_> = self
-            .verdicts
-            .iter()
-            .map(|(verdict, n)| format!("{n} {verdict}"))
-            .collect();
+        let verdicts: Vec<_> =
+            self.verdicts.iter().map(|(verdict, n)| format!("{n} {verdict}")).collect();
         if !verdicts.is_empty() {
             let _ = write!(line, ": {}", verdicts.join(", "));
         }
         if !self.refuted_as_printed.is_empty() {
-            let _ = write!(
-                line,
-                "; refuted as printed: {}",
-                self.refuted_as_printed.join(", ")
-            );
+            let _ = write!(line, "; refuted as printed: {}", self.refuted_as_printed.join(", "));
         }
         line
     }

@@ -39,23 +39,14 @@ pub fn text(report: &Report<'_>, page: Page) -> String {
     }
     let bold = ink(Style::new().bold());
     let _ = writeln!(out, "{bold}{}{bold:#}", summary.headline());
-    let tone = ink(if summary.surprises.is_empty() {
-        Style::new()
-    } else {
-        alarm()
-    });
+    let tone = ink(if summary.surprises.is_empty() { Style::new() } else { alarm() });
     let _ = writeln!(out, "{tone}{}{tone:#}\n", summary.expectation());
 
     let columns = Columns::of(report, page);
     for entry in report.entries() {
         line(&mut out, &entry, &columns, ink(style(&entry)));
     }
-    let _ = writeln!(
-        out,
-        "\nkane {}: {}",
-        env!("CARGO_PKG_VERSION"),
-        report.command
-    );
+    let _ = writeln!(out, "\nkane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
     out
 }
 
@@ -75,36 +66,19 @@ impl Columns {
         };
         let label = widest(&|entry| entry.statement.label.width()).min(LABEL);
         let longest = widest(&|entry| {
-            if entry.is_claim() {
-                entry.saying().width()
-            } else {
-                0
-            }
+            if entry.is_claim() { entry.saying().width() } else { 0 }
         });
-        let rest = page
-            .width
-            .map(|width| width.saturating_sub(2 + VERDICT + 2 + label + 2));
+        let rest = page.width.map(|width| width.saturating_sub(2 + VERDICT + 2 + label + 2));
         let saying = longest.min(rest.map_or(SAYING, |rest| rest / 2));
-        Self {
-            label,
-            saying,
-            rest,
-        }
+        Self { label, saying, rest }
     }
 }
 
 /// Writes the line of one statement.
 fn line(out: &mut String, entry: &Entry<'_>, columns: &Columns, style: Style) {
-    let mark = if entry.judgement.as_expected() {
-        ' '
-    } else {
-        '!'
-    };
+    let mark = if entry.judgement.as_expected() { ' ' } else { '!' };
     let verdict = entry.judgement.verdict.to_string();
-    let label = padded(
-        &shorten(&entry.statement.label, columns.label),
-        columns.label,
-    );
+    let label = padded(&shorten(&entry.statement.label, columns.label), columns.label);
     let _ = write!(out, "{style}{mark} {verdict:VERDICT$}{style:#}  {label}  ");
     let reason = reason(entry);
     let rest = columns.rest.unwrap_or(usize::MAX);
@@ -124,19 +98,11 @@ fn reason(entry: &Entry<'_>) -> String {
         return String::new();
     }
     let judgement = entry.judgement;
-    let mut parts: Vec<String> = entry
-        .expectation()
-        .into_iter()
-        .chain(entry.support())
-        .collect();
+    let mut parts: Vec<String> = entry.expectation().into_iter().chain(entry.support()).collect();
     if let Some((index, link)) = entry.decisive() {
         parts.push(match judgement.links.len() {
             1 => link.reason.clone(),
-            n if judgement
-                .links
-                .iter()
-                .all(|other| other.verdict == link.verdict) =>
-            {
+            n if judgement.links.iter().all(|other| other.verdict == link.verdict) => {
                 format!("{n} links: {}", link.reason)
             }
             n => format!("link {} of {n}: {}", index + 1, link.reason),
@@ -146,10 +112,7 @@ fn reason(entry: &Entry<'_>) -> String {
         parts.push("no model of the hypotheses found".to_owned());
     }
     if !judgement.rests_on.is_empty() {
-        parts.push(format!(
-            "rests on {}",
-            entry.labels(&judgement.rests_on).join(", ")
-        ));
+        parts.push(format!("rests on {}", entry.labels(&judgement.rests_on).join(", ")));
     }
     parts.join("; ")
 }

@@ -196,22 +196,14 @@ impl<'a> Evaluator<'a> {
 
     fn definition(&mut self, index: usize) -> Result<Jet, NoValue> {
         let moving = !self.moved.is_empty();
-        let known = if moving {
-            &self.known_moved
-        } else {
-            &self.known
-        };
+        let known = if moving { &self.known_moved } else { &self.known };
         if let Some(known) = known.get(&index) {
             return known.clone();
         }
         let context = self.context;
         let definition = context.lets.get(index).ok_or(NoValue::Unassigned)?;
         let result = self.jet(&definition.body);
-        let known = if moving {
-            &mut self.known_moved
-        } else {
-            &mut self.known
-        };
+        let known = if moving { &mut self.known_moved } else { &mut self.known };
         known.insert(index, result.clone());
         result
     }

@@ -39,11 +39,7 @@ impl Jet {
 
     /// value + slope·ε; the caller vouches that both are below `level`.
     pub(crate) fn dual(level: usize, value: Self, slope: Self) -> Self {
-        Self::Dual(Box::new(Dual {
-            level,
-            value,
-            slope,
-        }))
+        Self::Dual(Box::new(Dual { level, value, slope }))
     }
 
     fn level(&self) -> usize {

@@ -68,11 +68,7 @@ fn number(value: &BigRational) -> String {
     let sign = if value.is_negative() { "-" } else { "" };
     match decimal(value) {
         Some(digits) => format!("{sign}{digits}"),
-        None => format!(
-            "{sign}\\frac{{{}}}{{{}}}",
-            value.numer().magnitude(),
-            value.denom()
-        ),
+        None => format!("{sign}\\frac{{{}}}{{{}}}", value.numer().magnitude(), value.denom()),
     }
 }
 
@@ -89,11 +85,7 @@ impl Writer<'_> {
             Expr::Div(..) => least > Level::Power,
             _ => level(e) < least,
         };
-        if loose {
-            format!("\\left({bare}\\right)")
-        } else {
-            bare
-        }
+        if loose { format!("\\left({bare}\\right)") } else { bare }
     }
 
     fn bare(&self, e: &Expr) -> String {
@@ -127,11 +119,7 @@ impl Writer<'_> {
     }
 
     fn pair(&self, a: &Expr, operator: &str, b: &Expr) -> String {
-        format!(
-            "{} {operator} {}",
-            self.expr(a, Level::Sum),
-            self.expr(b, Level::Product)
-        )
+        format!("{} {operator} {}", self.expr(a, Level::Sum), self.expr(b, Level::Product))
     }
 
     fn product(&self, a: &Expr, b: &Expr) -> String {

@@ -111,20 +111,14 @@ fn skip_blank(text: &str, from: usize) -> usize {
 }
 
 fn number(rest: &str, start: usize) -> (Token, Range<usize>) {
-    let run = rest
-        .find(|c: char| !is_name_part(c) && c != '.')
-        .unwrap_or(rest.len());
+    let run = rest.find(|c: char| !is_name_part(c) && c != '.').unwrap_or(rest.len());
     let text = rest.get(..run).unwrap_or_default();
     let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
     let well_formed = match text.split_once('.') {
         Some((whole, fraction)) => digits(whole) && digits(fraction),
         None => digits(text),
     };
-    let token = if well_formed {
-        Token::Number
-    } else {
-        Token::BadNumber
-    };
+    let token = if well_formed { Token::Number } else { Token::BadNumber };
     (token, start..start + run)
 }
 

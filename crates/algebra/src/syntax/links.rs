@@ -40,10 +40,7 @@ impl Parser<'_> {
     /// As [`Parser::relations`].
     pub fn spanned_relations(&mut self) -> Result<Vec<(Relation, Range<usize>)>, SyntaxError> {
         let links = self.guard_links()?;
-        Ok(links
-            .into_iter()
-            .map(|link| (link.relation, link.span))
-            .collect())
+        Ok(links.into_iter().map(|link| (link.relation, link.span)).collect())
     }
 
     pub(crate) fn guard_links(&mut self) -> Result<Vec<RelationNode>, SyntaxError> {
@@ -76,10 +73,7 @@ impl Parser<'_> {
             _ => false,
         };
         if missing {
-            return Err(SyntaxError {
-                kind: SyntaxErrorKind::NoRightSide,
-                span: operator.clone(),
-            });
+            return Err(SyntaxError { kind: SyntaxErrorKind::NoRightSide, span: operator.clone() });
         }
         self.node()
     }
@@ -105,11 +99,7 @@ impl Parser<'_> {
             links.push(RelationNode {
                 span: left.span.start..right.span.end,
                 height: left.height.max(right.height),
-                relation: Relation {
-                    lhs: left.expr,
-                    rel,
-                    rhs: right.expr,
-                },
+                relation: Relation { lhs: left.expr, rel, rhs: right.expr },
             });
             match next {
                 Some(node) => left = node,
@@ -124,13 +114,10 @@ impl Parser<'_> {
         }
         // what follows an expression tells whether a relation or an operator was forgotten
         match self.token() {
-            Token::End | Token::Comma | Token::Colon | Token::Semicolon => Err(SyntaxError {
-                kind: SyntaxErrorKind::NoRelation,
-                span: alone,
-            }),
-            _ => Err(self
-                .missing_operator()
-                .unwrap_or_else(|| self.unexpected("a relation"))),
+            Token::End | Token::Comma | Token::Colon | Token::Semicolon => {
+                Err(SyntaxError { kind: SyntaxErrorKind::NoRelation, span: alone })
+            }
+            _ => Err(self.missing_operator().unwrap_or_else(|| self.unexpected("a relation"))),
         }
     }
 
@@ -147,11 +134,7 @@ impl Parser<'_> {
             } else {
                 let mut links = Vec::new();
                 self.chain(first, &mut links)?;
-                open.extend(
-                    links
-                        .into_iter()
-                        .map(|l| (Open::Relation(l.relation), l.span)),
-                );
+                open.extend(links.into_iter().map(|l| (Open::Relation(l.relation), l.span)));
             }
             if !self.next_item(open.len())? {
                 break;
@@ -191,12 +174,8 @@ impl Parser<'_> {
     /// Never by itself; the type serves its callers.
     fn infinity(&mut self) -> Result<Option<bool>, SyntaxError> {
         let (rest, _) = self.rest();
-        let unsigned = rest
-            .strip_prefix(['-', '−', '+'])
-            .map_or(rest, str::trim_start);
-        let after = unsigned
-            .strip_prefix('∞')
-            .or_else(|| unsigned.strip_prefix("oo"));
+        let unsigned = rest.strip_prefix(['-', '−', '+']).map_or(rest, str::trim_start);
+        let after = unsigned.strip_prefix('∞').or_else(|| unsigned.strip_prefix("oo"));
         let is_infinite = after.is_some_and(|after| {
             unsigned.starts_with('∞') || !after.starts_with(super::names::is_name_part)
         });
@@ -307,12 +286,7 @@ impl Parser<'_> {
                         let kind = SyntaxErrorKind::LimitNotFree(declared.name.clone());
                         self.report(kind, to_span);
                     }
-                    let limit = Limit {
-                        expr,
-                        to,
-                        var: *var,
-                        at: at.clone(),
-                    };
+                    let limit = Limit { expr, to, var: *var, at: at.clone() };
                     links.push((Link::Limit(limit), span));
                 }
                 // the fault in the `as` clause is recorded already
@@ -328,11 +302,7 @@ impl Parser<'_> {
     /// On any fault after which the structure is unclear.
     pub fn sentence(&mut self) -> Result<Sentence, SyntaxError> {
         let links = self.links()?.into_iter().map(|(link, _)| link).collect();
-        let when = if self.accept_word("when") {
-            self.relations()?
-        } else {
-            Vec::new()
-        };
+        let when = if self.accept_word("when") { self.relations()? } else { Vec::new() };
         Ok(Sentence { when, links })
     }
 }

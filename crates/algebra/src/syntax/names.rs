@@ -68,10 +68,7 @@ fn greek_name(letter: char) -> Option<&'static str> {
     if letter.is_ascii() {
         return None;
     }
-    GREEK
-        .iter()
-        .find(|(_, letters)| letters.contains(letter))
-        .map(|(name, _)| *name)
+    GREEK.iter().find(|(_, letters)| letters.contains(letter)).map(|(name, _)| *name)
 }
 
 /// The digit that a subscript digit stands for.

@@ -15,17 +15,14 @@ pub(crate) fn parse_literal(text: &str) -> BigRational {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     let fraction = fraction.trim_end_matches('0');
     let digits = format!("{whole}{fraction}");
-    let mut numer = digits
-        .parse::<BigUint>()
-        .expect("the lexer lets only digits through");
+    let mut numer = digits.parse::<BigUint>().expect("the lexer lets only digits through");
     if fraction.is_empty() || numer.is_zero() {
         return BigRational::from_integer(numer.into());
     }
     let places = fraction.len();
     // the last digit is not 0, so 2 and 5 do not both divide it
-    let twos = usize::try_from(numer.trailing_zeros().unwrap_or(0))
-        .unwrap_or(usize::MAX)
-        .min(places);
+    let twos =
+        usize::try_from(numer.trailing_zeros().unwrap_or(0)).unwrap_or(usize::MAX).min(places);
     numer >>= twos;
     let fives = strip_fives(&mut numer, places);
     let denom = power_of(5, places - fives) << (places - twos);
@@ -96,16 +93,9 @@ pub fn literal(value: &BigRational) -> Expr {
     let magnitude = if value.is_integer() {
         integer(value.numer())
     } else {
-        Expr::Div(
-            Box::new(integer(value.numer())),
-            Box::new(integer(value.denom())),
-        )
+        Expr::Div(Box::new(integer(value.numer())), Box::new(integer(value.denom())))
     };
-    if value.is_negative() {
-        Expr::Neg(Box::new(magnitude))
-    } else {
-        magnitude
-    }
+    if value.is_negative() { Expr::Neg(Box::new(magnitude)) } else { magnitude }
 }
 
 #[cfg(test)]
@@ -139,10 +129,7 @@ mod tests {
             assert_eq!(decimal(&parse_literal(text)).as_deref(), Some(text));
         }
         assert_eq!(decimal(&ratio(1, 3)), None);
-        assert_eq!(
-            decimal(&BigRational::new(1.into(), BigInt::one() << 100_000)),
-            None
-        );
+        assert_eq!(decimal(&BigRational::new(1.into(), BigInt::one() << 100_000)), None);
     }
 
     #[test]

@@ -198,11 +198,7 @@ impl<'a> Parser<'a> {
     /// # Errors
     /// When another token is ahead; `expected` says in words what was due.
     pub fn expect(&mut self, token: Token, expected: &str) -> Result<(), SyntaxError> {
-        if self.accept(token) {
-            Ok(())
-        } else {
-            Err(self.unexpected(expected))
-        }
+        if self.accept(token) { Ok(()) } else { Err(self.unexpected(expected)) }
     }
 
     /// Passes a name that is no reserved word and returns it as written, with its place.
@@ -230,10 +226,7 @@ impl<'a> Parser<'a> {
         let start = self.span.start;
         let end = end.max(start).min(self.text.len());
         self.jump(end);
-        (
-            self.text.get(start..end).unwrap_or_default(),
-            start + self.offset..end + self.offset,
-        )
+        (self.text.get(start..end).unwrap_or_default(), start + self.offset..end + self.offset)
     }
 
     /// What is left of the text from the token ahead on, and the byte of the parser's own text at
@@ -269,10 +262,7 @@ impl<'a> Parser<'a> {
     /// A fault at the token ahead.
     #[must_use]
     pub fn fault(&self, kind: SyntaxErrorKind) -> SyntaxError {
-        SyntaxError {
-            kind,
-            span: self.span(),
-        }
+        SyntaxError { kind, span: self.span() }
     }
 
     /// The fault that something other than the token ahead was due.
@@ -283,10 +273,7 @@ impl<'a> Parser<'a> {
             Token::CloseParen if self.nesting == 0 => SyntaxErrorKind::Unopened(')'),
             Token::CloseBrace if self.nesting == 0 => SyntaxErrorKind::Unopened('}'),
             Token::BadNumber => SyntaxErrorKind::MalformedNumber(excerpt(self.lexeme())),
-            _ => SyntaxErrorKind::Expected {
-                expected: expected.to_owned(),
-                found: self.found(),
-            },
+            _ => SyntaxErrorKind::Expected { expected: expected.to_owned(), found: self.found() },
         };
         self.fault(kind)
     }
@@ -379,11 +366,7 @@ impl<'a> Parser<'a> {
     fn join(&self, make: Binary, left: Node, right: Node) -> Result<Node, SyntaxError> {
         let span = left.span.start..right.span.end;
         let height = left.height.max(right.height) + 1;
-        self.build(
-            make(Box::new(left.expr), Box::new(right.expr)),
-            span,
-            height,
-        )
+        self.build(make(Box::new(left.expr), Box::new(right.expr)), span, height)
     }
 
     pub(crate) fn build(
@@ -393,10 +376,7 @@ impl<'a> Parser<'a> {
         height: usize,
     ) -> Result<Node, SyntaxError> {
         if height > MAX_HEIGHT {
-            return Err(SyntaxError {
-                kind: SyntaxErrorKind::TooTall,
-                span,
-            });
+            return Err(SyntaxError { kind: SyntaxErrorKind::TooTall, span });
         }
         Ok(Node { expr, span, height })
     }
@@ -426,11 +406,7 @@ impl<'a> Parser<'a> {
         self.advance();
         // a leading sign spans the product: -a*b is −(a·b); after * or / it does not
         let inner = self.nested(|p| p.binary(level.max(Level::Product)))?;
-        self.build(
-            Expr::Neg(Box::new(inner.expr)),
-            start..inner.span.end,
-            inner.height + 1,
-        )
+        self.build(Expr::Neg(Box::new(inner.expr)), start..inner.span.end, inner.height + 1)
     }
 
     fn power(&mut self) -> Result<Node, SyntaxError> {
@@ -473,10 +449,7 @@ impl<'a> Parser<'a> {
                 self.advance();
                 let inner = self.nested(Self::node)?;
                 let end = self.close(Token::CloseParen, '(', &span)?;
-                Ok(Node {
-                    span: span.start..end,
-                    ..inner
-                })
+                Ok(Node { span: span.start..end, ..inner })
             }
             Token::Name => self.word(),
             Token::Infinity => Err(self.unexpected("a number or a name (`oo` is no number)")),
@@ -499,10 +472,7 @@ impl<'a> Parser<'a> {
         }
         match self.token {
             Token::BadNumber | Token::Stray(_) => Err(self.unexpected("an operator")),
-            _ => Err(SyntaxError {
-                kind: SyntaxErrorKind::Unclosed(opener),
-                span: open.clone(),
-            }),
+            _ => Err(SyntaxError { kind: SyntaxErrorKind::Unclosed(opener), span: open.clone() }),
         }
     }
 }

@@ -115,10 +115,7 @@ impl Notation for Sentence {
         if self.when.is_empty() {
             links
         } else {
-            format!(
-                "{links} \\quad\\text{{when }} {}",
-                latex::relations(&self.when, context)
-            )
+            format!("{links} \\quad\\text{{when }} {}", latex::relations(&self.when, context))
         }
     }
 }
@@ -201,10 +198,7 @@ pub(crate) fn var_name(index: usize, context: &Context) -> &str {
 }
 
 pub(crate) fn let_name(index: usize, context: &Context) -> &str {
-    context
-        .lets
-        .get(index)
-        .map_or("?", |definition| &definition.name)
+    context.lets.get(index).map_or("?", |definition| &definition.name)
 }
 
 /// The loosest operator of what is printed for this expression.
@@ -277,11 +271,7 @@ fn bare(out: &mut String, e: &Expr, context: &Context) {
                 expr(out, value, context, Level::Sum);
             }
             if let Some(value) = otherwise {
-                out.push_str(if branches.is_empty() {
-                    "else: "
-                } else {
-                    "; else: "
-                });
+                out.push_str(if branches.is_empty() { "else: " } else { "; else: " });
                 expr(out, value, context, Level::Sum);
             }
             out.push_str(" }");
@@ -295,14 +285,12 @@ fn number(out: &mut String, value: &BigRational) {
     }
     match decimal(value) {
         Some(digits) => out.push_str(&digits),
-        None => write_infallibly(
-            out,
-            format_args!("{}/{}", value.numer().magnitude(), value.denom()),
-        ),
+        None => {
+            write_infallibly(out, format_args!("{}/{}", value.numer().magnitude(), value.denom()))
+        }
     }
 }
 
 fn write_infallibly(out: &mut String, arguments: std::fmt::Arguments<'_>) {
-    out.write_fmt(arguments)
-        .expect("a string takes every write");
+    out.write_fmt(arguments).expect("a string takes every write");
 }

@@ -67,9 +67,7 @@ impl Scope {
     }
 
     fn enter(&mut self, name: &str, symbol: Symbol) {
-        self.names
-            .entry(canonical_name(name).into_owned())
-            .or_insert(symbol);
+        self.names.entry(canonical_name(name).into_owned()).or_insert(symbol);
     }
 
     /// The symbols and definitions.
@@ -100,10 +98,7 @@ impl Scope {
             return Err(DeclareError::ReservedWord(name.to_owned()));
         }
         match self.resolve(name) {
-            Some(first) => Err(DeclareError::Redeclared {
-                name: name.to_owned(),
-                first,
-            }),
+            Some(first) => Err(DeclareError::Redeclared { name: name.to_owned(), first }),
             None => Ok(()),
         }
     }
@@ -129,10 +124,7 @@ impl Scope {
         let index = self.context.lets.len();
         self.enter(name, Symbol::Let(index));
         self.heights.push(self.height(&body));
-        self.context.lets.push(Definition {
-            name: name.to_owned(),
-            body,
-        });
+        self.context.lets.push(Definition { name: name.to_owned(), body });
         Ok(index)
     }
 
@@ -141,12 +133,7 @@ impl Scope {
     pub fn height(&self, expr: &Expr) -> usize {
         let below = match expr {
             Expr::Let(index) => self.height_of_let(*index),
-            _ => expr
-                .children()
-                .iter()
-                .map(|child| self.height(child))
-                .max()
-                .unwrap_or(0),
+            _ => expr.children().iter().map(|child| self.height(child)).max().unwrap_or(0),
         };
         below + 1
     }

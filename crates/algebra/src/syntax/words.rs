@@ -122,12 +122,7 @@ impl Parser<'_> {
                 None
             } else {
                 let links = self.guard_links()?;
-                height = links
-                    .iter()
-                    .map(|link| link.height)
-                    .max()
-                    .unwrap_or(0)
-                    .max(height);
+                height = links.iter().map(|link| link.height).max().unwrap_or(0).max(height);
                 Some(links.into_iter().map(|link| link.relation).collect())
             };
             self.expect(Token::Colon, "`:` after the guard")?;

@@ -7,13 +7,7 @@ use super::{ratio, scope};
 fn at(x: i64, text: &str) -> Result<BigRational, NoValue> {
     let scope = scope();
     let e = parse_expr(text, &scope).expect(text);
-    let point = [
-        ratio(x, 1),
-        ratio(3, 1),
-        ratio(1, 2),
-        ratio(2, 1),
-        ratio(-1, 1),
-    ];
+    let point = [ratio(x, 1), ratio(3, 1), ratio(1, 2), ratio(2, 1), ratio(-1, 1)];
     eval(&e, scope.context(), &point)
 }
 
@@ -28,12 +22,7 @@ fn values_are_exact() {
         (-2, "abs(x) + min(x, y) + max(x, y)", 3, 1),
         (4, "sqrt(x/9)", 2, 3),
         (1, "cases { x < 1: 1/0.5; x = 1: 7; else: 9 }", 7, 1),
-        (
-            5,
-            "cases { x < 1: 1; 1/(x - 5 + 1) > 0, x > 9: 2; else: 3 }",
-            3,
-            1,
-        ),
+        (5, "cases { x < 1: 1; 1/(x - 5 + 1) > 0, x > 9: 2; else: 3 }", 3, 1),
     ] {
         assert_eq!(at(x, text), Ok(ratio(n, d)), "{text} at {x}");
     }
@@ -59,10 +48,7 @@ fn each_reason_for_no_value_is_told() {
 #[test]
 fn only_the_branch_taken_counts() {
     assert_eq!(at(0, "cases { x = 0: 1; else: 1/x }"), Ok(ratio(1, 1)));
-    assert_eq!(
-        at(1, "cases { x > 1, 1/(x - 1) > 0: 1; else: 0 }"),
-        Ok(ratio(0, 1))
-    );
+    assert_eq!(at(1, "cases { x > 1, 1/(x - 1) > 0: 1; else: 0 }"), Ok(ratio(0, 1)));
 }
 
 #[test]
@@ -100,11 +86,7 @@ fn derivatives_stop_at_boundaries() {
         (1, "d(cases { x >= 1: x; else: 1 }, x)"),
         (0, "d(cases { x^2 <= 0: x; else: 2*x }, x)"),
     ] {
-        assert_eq!(
-            at(x, text),
-            Err(NoValue::NotDifferentiable),
-            "{text} at {x}"
-        );
+        assert_eq!(at(x, text), Err(NoValue::NotDifferentiable), "{text} at {x}");
     }
     assert_eq!(at(0, "d(x/x, x)"), Err(NoValue::DivisionByZero));
 }

@@ -29,14 +29,8 @@ fn nesting_is_limited_in_all_its_forms() {
     ] {
         let good = wrap(open, close, MAX_NESTING);
         parse_expr(&good, &scope()).unwrap_or_else(|e| panic!("{open}: {e:?}"));
-        assert_eq!(
-            first_error(&wrap(open, close, MAX_NESTING + 1)),
-            SyntaxErrorKind::TooNested
-        );
-        assert_eq!(
-            first_error(&wrap(open, close, 1_000_000)),
-            SyntaxErrorKind::TooNested
-        );
+        assert_eq!(first_error(&wrap(open, close, MAX_NESTING + 1)), SyntaxErrorKind::TooNested);
+        assert_eq!(first_error(&wrap(open, close, 1_000_000)), SyntaxErrorKind::TooNested);
     }
     let tower = format!("x{}", "^1".repeat(1_000_000));
     assert_eq!(first_error(&tower), SyntaxErrorKind::TooNested);
@@ -56,10 +50,7 @@ fn the_tallest_expression_survives_every_walk() {
     assert_eq!(copy, e);
     let value = eval(&e, context, &[ratio(0, 1)]);
     assert_eq!(value, Ok(ratio(HEIGHT - 1, 1)));
-    assert_eq!(
-        first_error(&format!("{tall} + 1")),
-        SyntaxErrorKind::TooTall
-    );
+    assert_eq!(first_error(&format!("{tall} + 1")), SyntaxErrorKind::TooTall);
 }
 
 #[test]
@@ -117,8 +108,5 @@ fn literals_are_limited() {
     let e = parse_expr(&fraction, &scope()).expect("just short enough");
     assert!(matches!(&e, Expr::Num(_)));
     assert_eq!(e.plain(scope().context()), fraction);
-    assert_eq!(
-        first_error(&format!("{fraction}7")),
-        SyntaxErrorKind::LiteralTooLong
-    );
+    assert_eq!(first_error(&format!("{fraction}7")), SyntaxErrorKind::LiteralTooLong);
 }

@@ -18,12 +18,7 @@ fn scope() -> Scope {
     let mut scope = Scope::default();
     let mut declare = |name: &str, of| {
         scope
-            .declare(Var {
-                name: name.to_owned(),
-                of,
-                lower: None,
-                upper: None,
-            })
+            .declare(Var { name: name.to_owned(), of, lower: None, upper: None })
             .expect("the names are free")
     };
     declare("x", None);

@@ -122,10 +122,7 @@ fn each_fault_is_named_and_placed() {
         ("x ? 1", E::StrayCharacter('?'), "?"),
         (
             "sqrt = 1",
-            E::Expected {
-                expected: "`(` after a function's name".into(),
-                found: "`=`".into(),
-            },
+            E::Expected { expected: "`(` after a function's name".into(), found: "`=`".into() },
             "=",
         ),
         ("x = cases { }", E::NoBranch, "cases { }"),
@@ -133,32 +130,18 @@ fn each_fault_is_named_and_placed() {
         ("k -> 1", E::LimitWithoutAs, ""),
         ("x = 1 as x -> 1", E::AsWithoutLimit, "as"),
         ("k -> x as x -> 1", E::LimitNotFree("x".into()), "x"),
-        (
-            "x -> 2*k as alpha -> 1",
-            E::LimitNotFree("alpha".into()),
-            "2*k",
-        ),
+        ("x -> 2*k as alpha -> 1", E::LimitNotFree("alpha".into()), "2*k"),
         ("x -> f as x -> 1", E::LimitNotFree("x".into()), "f"),
         ("x -> 1 as k -> 1", E::NotALimitVariable("k".into()), "k"),
         ("x -> 1 as f -> 1", E::NotALimitVariable("f".into()), "f"),
         ("x -> 1 as alpha -> x", E::NotConstant, "x"),
         ("x -> 1 as alpha -> 1/(1-1)", E::NotConstant, "1/(1-1)"),
-        (
-            "d(k, alpha) = 1",
-            E::NotExplicit {
-                function: "k".into(),
-                variable: "alpha".into(),
-            },
-            "k",
-        ),
+        ("d(k, alpha) = 1", E::NotExplicit { function: "k".into(), variable: "alpha".into() }, "k"),
         ("d(x, k) = 1", E::NotADerivativeVariable("k".into()), "k"),
         ("x = when", E::NoRightSide, "="),
         (
             "min = 1",
-            E::Expected {
-                expected: "`(` after a function's name".into(),
-                found: "`=`".into(),
-            },
+            E::Expected { expected: "`(` after a function's name".into(), found: "`=`".into() },
             "=",
         ),
         ("by = 1", E::ReservedWord("by".into()), "by"),

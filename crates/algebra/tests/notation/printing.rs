@@ -51,11 +51,7 @@ fn soup() -> impl Strategy<Value = String> {
 }
 
 fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 proptest! {
@@ -152,16 +148,10 @@ fn sentences_print_whole() {
 #[test]
 fn latex_reads_like_print() {
     for (text, latex) in [
-        (
-            "(1 - alpha)/(1 + alpha) = k",
-            "\\frac{1 - \\alpha}{1 + \\alpha} = k",
-        ),
+        ("(1 - alpha)/(1 + alpha) = k", "\\frac{1 - \\alpha}{1 + \\alpha} = k"),
         ("4/3*alpha >= 2*3", "\\frac{4}{3} \\alpha \\ge 2 \\cdot 3"),
         ("(x/y)^2 != -x", "\\left(\\frac{x}{y}\\right)^{2} \\ne -x"),
-        (
-            "-(x + y) < abs(x)",
-            "-\\left(x + y\\right) < \\left|x\\right|",
-        ),
+        ("-(x + y) < abs(x)", "-\\left(x + y\\right) < \\left|x\\right|"),
         ("x*(x + y) = sqrt(2)", "x \\left(x + y\\right) = \\sqrt{2}"),
         (
             "d(x^2, x) = min(x, y)",
@@ -175,10 +165,7 @@ fn latex_reads_like_print() {
             "k -> -1 as alpha -> 0+ when mu > 0",
             "k \\to -1 \\text{ as } \\alpha \\to 0^{+} \\quad\\text{when } \\mu > 0",
         ),
-        (
-            "k -> 0.5 as alpha -> 3/4-",
-            "k \\to 0.5 \\text{ as } \\alpha \\to \\frac{3}{4}^{-}",
-        ),
+        ("k -> 0.5 as alpha -> 3/4-", "k \\to 0.5 \\text{ as } \\alpha \\to \\frac{3}{4}^{-}"),
         ("0 < x < 1, y = 1", "0 < x < 1,\\; y = 1"),
     ] {
         let sentence = parse_sentence(text, &scope()).expect(text);

@@ -4,8 +4,9 @@ use std::rc::Rc;
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis, Limit,
-    Link, Poly, Proof, Sentence, State, Target, claim_state, constants, narrows, range_premise, scope, sides,
+    Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
+    Limit, Link, Poly, Proof, Sentence, State, Target, claim_state, constants, narrows,
+    range_premise, scope, sides,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -36,7 +37,13 @@ pub(crate) fn model(
     let formulas = kane_kernel::at_point(&scope, goal, None).ok()?;
     let count = goal.hypotheses.len();
     let atoms = scope.ranges();
-    let state = State { scope: &scope, goal, atoms, formulas: Rc::new(formulas[..count].to_vec()), reaching: false };
+    let state = State {
+        scope: &scope,
+        goal,
+        atoms,
+        formulas: Rc::new(formulas[..count].to_vec()),
+        reaching: false,
+    };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();
     let search = Search::new(effort.steps, &may, false);
@@ -45,13 +52,12 @@ pub(crate) fn model(
         .filter(|v| !fixed.contains(v) && !trail.iter().any(|e| e.var == *v))
         .collect();
     // Only symbols that the premises or the conclusion mention are worth varying.
-    let mut used: Vec<usize> = rest.atoms.iter().filter(|a| a.poly.vars().len() > 1).flat_map(|a| a.poly.vars()).collect();
+    let mut used: Vec<usize> =
+        rest.atoms.iter().filter(|a| a.poly.vars().len() > 1).flat_map(|a| a.poly.vars()).collect();
     used.extend(trail.iter().flat_map(|e| [e.d.vars(), e.e.vars()].concat()));
     used.extend(mentioned(goal));
-    let lists: Vec<Vec<Expr>> = free
-        .iter()
-        .map(|v| candidates(&goal.context, *v, x, used.contains(v)))
-        .collect();
+    let lists: Vec<Vec<Expr>> =
+        free.iter().map(|v| candidates(&goal.context, *v, x, used.contains(v))).collect();
     let tries = super::search::diagonal(&lists, effort.candidates);
     for choice in tries {
         let mut values: Vec<(usize, Expr)> = by.to_vec();
@@ -110,7 +116,8 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
         let below = |b: &kane_kernel::Bound| if b.strict { *q < b.value } else { *q <= b.value };
         var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
     };
-    let numbers = [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
+    let numbers =
+        [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
     let mut out: Vec<Expr> = numbers
         .iter()
         .filter(|(n, d)| inside(&Q::new((*n).into(), (*d).into())))
@@ -140,8 +147,18 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
         let one = Poly::one();
         push(linear(0, 1), one.clone());
         for (a, b, c, d) in [
-            (1, 0, 1, 1), (1, -1, 1, 1), (1, 0, 1, 2), (1, -2, 1, 2), (0, 1, 1, 1), (2, 0, 2, 1),
-            (1, -3, 1, 3), (1, 0, 1, 3), (2, -1, 2, 1), (1, -2, 1, 0), (0, -1, 1, 1), (0, 2, 1, 1),
+            (1, 0, 1, 1),
+            (1, -1, 1, 1),
+            (1, 0, 1, 2),
+            (1, -2, 1, 2),
+            (0, 1, 1, 1),
+            (2, 0, 2, 1),
+            (1, -3, 1, 3),
+            (1, 0, 1, 3),
+            (2, -1, 2, 1),
+            (1, -2, 1, 0),
+            (0, -1, 1, 1),
+            (0, 2, 1, 1),
         ] {
             push(linear(a, b), linear(c, d));
         }
@@ -151,8 +168,12 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
             q
         };
         for (num, den) in [
-            ((1, 0, -1), (1, 0, 1)), ((1, 0, 0), (1, 0, 1)), ((1, 1, 0), (1, 1, 1)),
-            ((1, 0, -1), (1, 1, 1)), ((1, -1, -1), (1, 1, 1)), ((1, 2, 0), (1, 2, 2)),
+            ((1, 0, -1), (1, 0, 1)),
+            ((1, 0, 0), (1, 0, 1)),
+            ((1, 1, 0), (1, 1, 1)),
+            ((1, 0, -1), (1, 1, 1)),
+            ((1, -1, -1), (1, 1, 1)),
+            ((1, 2, 0), (1, 2, 2)),
         ] {
             push(square(num.0, num.1, num.2), square(den.0, den.1, den.2));
         }
@@ -217,7 +238,11 @@ fn determined(
     let fraction = |e: &Expr| -> Option<Fraction> {
         match &state.scope.pieces(e).ok()?[..] {
             [one] => one.value.clone(),
-            [a, b] => a.value.clone().or_else(|| b.value.clone()).filter(|_| a.value.is_none() || b.value.is_none()),
+            [a, b] => a
+                .value
+                .clone()
+                .or_else(|| b.value.clone())
+                .filter(|_| a.value.is_none() || b.value.is_none()),
             _ => None,
         }
     };
@@ -417,7 +442,8 @@ fn failure(
         }
         return None;
     }
-    if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &explicit.conclusion) {
+    if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &explicit.conclusion)
+    {
         let zero = rational(0, 1);
         let trivial = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
         let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when.clone());

@@ -2,8 +2,8 @@
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State, Target,
-    constants, differs, exponent, leaves, misses, premised, sides,
+    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State,
+    Target, constants, differs, exponent, leaves, misses, premised, sides,
 };
 use num_bigint::BigInt;
 use num_traits::One;
@@ -51,7 +51,9 @@ impl Radius {
         }
         match self {
             Self::Fixed(k) => Some((Poly::one(), Poly::constant(power(*k)))),
-            Self::Constants(k) => (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k)))),
+            Self::Constants(k) => {
+                (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k))))
+            }
             Self::Lead(d, k) => {
                 let fuel = &state.scope.fuel;
                 let square = d.mul(d, fuel).ok()?;
@@ -173,7 +175,10 @@ pub(crate) fn passes<'s, 'g>(
             for atom in &rest.atoms {
                 let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
                 let vars = atom.poly.vars();
-                if vars.is_empty() || atom.sign == Sign::NonZero || (order && !vars.iter().any(|v| *v > t)) {
+                if vars.is_empty()
+                    || atom.sign == Sign::NonZero
+                    || (order && !vars.iter().any(|v| *v > t))
+                {
                     continue;
                 }
                 let sign = if order { Sign::NonNegative } else { Sign::Zero };

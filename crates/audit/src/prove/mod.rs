@@ -55,6 +55,8 @@ pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
     /// proposed values or functions
     pub(crate) by: &'a [(usize, Expr)],
+    /// number of the hypotheses that are cited
+    pub(crate) cited: usize,
     /// the goal with all givens on which it finally rests as further hypotheses
     pub(crate) resting: &'a Goal,
 }
@@ -69,7 +71,12 @@ impl Prover<'_> {
     }
 
     /// Accepts a finding only through the kernel.
-    fn accept(&self, goal: &Goal, finding: Finding, evidence: Evidence) -> Result<Certificate, String> {
+    fn accept(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        evidence: Evidence,
+    ) -> Result<Certificate, String> {
         let certificate = Certificate { goal: digest(goal), finding, evidence };
         match check(goal, &certificate, Fuel::new(self.budget.check)) {
             Ok(()) => Ok(certificate),
@@ -94,7 +101,13 @@ impl Prover<'_> {
         out
     }
 
-    fn decide(&self, goal: &Goal, finding: Finding, evidence: Evidence, out: &mut Verdicts) -> bool {
+    fn decide(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        evidence: Evidence,
+        out: &mut Verdicts,
+    ) -> bool {
         match self.accept(goal, finding, evidence) {
             Ok(certificate) => {
                 out.decided = Some(certificate);
@@ -117,12 +130,16 @@ impl Prover<'_> {
         };
         let mut germs = limits::premised_sides(&state, goal);
         if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
-            germs.extend(sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>());
+            germs.extend(
+                sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>(),
+            );
         }
         let any = |_: usize, _: &kane_kernel::Poly| true;
         let mut search = Search::new(self.budget.steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.keep = kept(goal);
+        // More hypotheses than are cited serve to find better points only.
+        search.proofs = goal.hypotheses.len() == self.cited || finding == Finding::Vacuous;
         // Without the limits first: most claims do not need them.
         let mut outcome = search.solve(&state);
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
@@ -140,7 +157,13 @@ impl Prover<'_> {
     }
 
     /// A model of a finding: a point, or functions where limits are involved.
-    fn model(&self, goal: &Goal, finding: Finding, candidates: usize, out: &mut Verdicts) -> Option<Model> {
+    fn model(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        candidates: usize,
+        out: &mut Verdicts,
+    ) -> Option<Model> {
         match limit_variable(goal, finding) {
             None => match self.search(goal, finding, true, out) {
                 Outcome::Model(point) => Some(Model::Point(point)),

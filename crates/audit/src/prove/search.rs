@@ -60,6 +60,8 @@ pub(crate) struct Search<'a> {
     pub(crate) may_eliminate: &'a dyn Fn(usize, &Poly) -> bool,
     /// whether points are looked for
     pub(crate) models: bool,
+    /// whether proofs are looked for where they take long
+    pub(crate) proofs: bool,
     /// variables better kept, with a weight: those that the claim is about
     pub(crate) keep: Vec<(usize, u32)>,
     /// whether ideals may be computed
@@ -70,8 +72,19 @@ pub(crate) struct Search<'a> {
 const MAX_SPLITS: u32 = 10;
 
 impl<'a> Search<'a> {
-    pub(crate) fn new(steps: u64, may_eliminate: &'a dyn Fn(usize, &Poly) -> bool, models: bool) -> Self {
-        Self { steps: Cell::new(steps), may_eliminate, models, keep: Vec::new(), ideals: true }
+    pub(crate) fn new(
+        steps: u64,
+        may_eliminate: &'a dyn Fn(usize, &Poly) -> bool,
+        models: bool,
+    ) -> Self {
+        Self {
+            steps: Cell::new(steps),
+            may_eliminate,
+            models,
+            proofs: true,
+            keep: Vec::new(),
+            ideals: true,
+        }
     }
 
     pub(crate) fn left(&self) -> u64 {
@@ -109,7 +122,9 @@ impl<'a> Search<'a> {
             }
             state = open.into_iter().next()?;
         }
-        while let Some((_, next, elimination)) = self.simplify(&state).or_else(|| self.assumed(&state)) {
+        while let Some((_, next, elimination)) =
+            self.simplify(&state).or_else(|| self.assumed(&state))
+        {
             if !self.spend() || next.atoms.iter().any(|a| a.decided() == Some(false)) {
                 return None;
             }
@@ -165,7 +180,13 @@ impl<'a> Search<'a> {
     }
 
     /// One branch a sign of a polynomial.
-    fn split(&self, state: &State<'_, '_>, poly: Poly, trail: &[Elimination], splits: u32) -> Outcome {
+    fn split(
+        &self,
+        state: &State<'_, '_>,
+        poly: Poly,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
         let fresh = state.atoms.len();
         let branch = |sign, p: &Poly| {
             self.run(&state.with(Atom::new(p.clone(), sign)), fresh, Vec::new(), trail, splits)
@@ -243,7 +264,8 @@ impl<'a> Search<'a> {
             }
             for var in a.poly.vars() {
                 let degree = a.poly.degree(var);
-                let reducible = |(i, b): (usize, &Atom)| i != equation && b.poly.degree(var) >= degree;
+                let reducible =
+                    |(i, b): (usize, &Atom)| i != equation && b.poly.degree(var) >= degree;
                 if degree < 2 || !state.atoms.iter().enumerate().any(reducible) {
                     continue;
                 }
@@ -289,7 +311,11 @@ impl<'a> Search<'a> {
             }
             for v in a.poly.vars() {
                 let degree = a.poly.degree(v);
-                let others = state.atoms.iter().enumerate().any(|(j, b)| j != i && b.poly.degree(v) >= degree);
+                let others = state
+                    .atoms
+                    .iter()
+                    .enumerate()
+                    .any(|(j, b)| j != i && b.poly.degree(v) >= degree);
                 if degree < 2 || !others {
                     continue;
                 }
@@ -342,7 +368,7 @@ impl<'a> Search<'a> {
                 return Outcome::Model(point);
             }
         }
-        if vars.len() > 1 {
+        if vars.len() > 1 && self.proofs {
             let ideal = || if self.ideals { tactics::ideal(state) } else { None };
             let proof = tactics::combination(state)
                 .or_else(|| tactics::products(state, 1))
@@ -379,7 +405,13 @@ impl<'a> Search<'a> {
         let v = vars.iter().copied().max_by(|a, b| width(*a).cmp(&width(*b)).then(b.cmp(a)))?;
         let cut = match at(v) {
             (Some(a), Some(b)) if a < b => (a + b) / Q::from_integer(2.into()),
-            (Some(a), None) => if a.is_positive() { a * Q::from_integer(2.into()) } else { a + Q::one() },
+            (Some(a), None) => {
+                if a.is_positive() {
+                    a * Q::from_integer(2.into())
+                } else {
+                    a + Q::one()
+                }
+            }
             (None, Some(b)) => b - Q::one(),
             (None, None) => Q::zero(),
             _ => return None,
@@ -396,7 +428,8 @@ impl<'a> Search<'a> {
         let next = on.substitute(equation, v, None).ok()?;
         let rest: Vec<usize> = open_vars(&next);
         let inner = if rest.len() <= 1 {
-            tactics::quick(&next).or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
+            tactics::quick(&next)
+                .or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
         } else {
             self.boxes(&next, &rest, depth - 1)?
         };
@@ -407,7 +440,12 @@ impl<'a> Search<'a> {
 
     /// A point that satisfies a state without solvable equations: simple rationals for all
     /// variables but one, and the sign table of that one.
-    fn sample(&self, state: &State<'_, '_>, trail: &[Elimination], vars: &[usize]) -> Option<Point> {
+    fn sample(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        vars: &[usize],
+    ) -> Option<Point> {
         if vars.is_empty() {
             return complete(state, Partial::default(), trail);
         }
@@ -415,7 +453,9 @@ impl<'a> Search<'a> {
         let coupled: Vec<usize> = vars
             .iter()
             .copied()
-            .filter(|v| state.atoms.iter().any(|a| a.poly.vars().len() > 1 && a.poly.degree(*v) > 0))
+            .filter(|v| {
+                state.atoms.iter().any(|a| a.poly.vars().len() > 1 && a.poly.degree(*v) > 0)
+            })
             .collect();
         let mut alone = Vec::new();
         let mut order = coupled.clone();
@@ -594,7 +634,8 @@ fn pinched(state: &State<'_, '_>) -> Option<Poly> {
         .map(|a| a.poly.primitive().1)
         .collect();
     let pair = weak.iter().enumerate().find(|(i, p)| weak[..*i].contains(&p.neg()));
-    let known = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly.primitive().1 == *p);
+    let known =
+        |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly.primitive().1 == *p);
     pair.map(|(_, p)| p.clone()).filter(|p| !known(p) && !known(&p.neg()))
 }
 
@@ -620,9 +661,31 @@ fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
 /// Simple values for a variable, inside its visible bounds.
 fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
     const SIMPLE: [(i64, i64); 25] = [
-        (1, 1), (2, 1), (1, 2), (3, 1), (0, 1), (-1, 1), (1, 3), (4, 1), (3, 2), (-2, 1), (1, 4),
-        (2, 3), (-1, 2), (3, 4), (5, 1), (10, 1), (1, 10), (-3, 1), (9, 10), (1, 100), (100, 1),
-        (-10, 1), (11, 10), (1000, 1), (1, 1000),
+        (1, 1),
+        (2, 1),
+        (1, 2),
+        (3, 1),
+        (0, 1),
+        (-1, 1),
+        (1, 3),
+        (4, 1),
+        (3, 2),
+        (-2, 1),
+        (1, 4),
+        (2, 3),
+        (-1, 2),
+        (3, 4),
+        (5, 1),
+        (10, 1),
+        (1, 10),
+        (-3, 1),
+        (9, 10),
+        (1, 100),
+        (100, 1),
+        (-10, 1),
+        (11, 10),
+        (1000, 1),
+        (1, 1000),
     ];
     let tests: Vec<&Atom> = state.atoms.iter().filter(|a| a.poly.vars() == [v]).collect();
     let admits = |q: &Q| {

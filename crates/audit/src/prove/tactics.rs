@@ -28,7 +28,9 @@ pub(crate) fn quick_from(state: &State<'_, '_>, fresh: usize) -> Option<Proof> {
     }
     let undecided = |i: &usize| state.atoms[*i].decided().is_none();
     let new = fresh..state.atoms.len();
-    conflict(state).or_else(|| multiple_of_equation(state)).or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
+    conflict(state)
+        .or_else(|| multiple_of_equation(state))
+        .or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
 }
 
 /// Two or three atoms about the same polynomial that cannot all hold.
@@ -61,10 +63,8 @@ fn conflict(state: &State<'_, '_>) -> Option<Proof> {
                 (Sign::Zero, Sign::Positive | Sign::NonZero) => cancel_to_constant(state, i, j),
                 (Sign::Positive | Sign::NonZero, Sign::Zero) => cancel_to_constant(state, j, i),
                 (x, y) if order(x) && order(y) && a.1 != b.1 => {
-                    let opposed = vec![
-                        term(&b.2, vec![factor(i, 1)]),
-                        term(&a.2, vec![factor(j, 1)]),
-                    ];
+                    let opposed =
+                        vec![term(&b.2, vec![factor(i, 1)]), term(&a.2, vec![factor(j, 1)])];
                     if x == Sign::Positive || y == Sign::Positive {
                         Some(Proof::Positive { terms: opposed, cofactors: Vec::new() })
                     } else {
@@ -72,7 +72,10 @@ fn conflict(state: &State<'_, '_>) -> Option<Proof> {
                         let third = keyed.iter().position(|c| c.0 == b.0 && c.3 == Sign::NonZero);
                         third.map(|k| Proof::Positive {
                             terms: vec![
-                                term(&(&keyed[k].2 * &keyed[k].2), vec![factor(i, 1), factor(j, 1)]),
+                                term(
+                                    &(&keyed[k].2 * &keyed[k].2),
+                                    vec![factor(i, 1), factor(j, 1)],
+                                ),
                                 term(&(&a.2 * &b.2), vec![factor(k, 2)]),
                             ],
                             cofactors: Vec::new(),
@@ -126,12 +129,8 @@ fn multiple_of_equation(state: &State<'_, '_>) -> Option<Proof> {
 /// Equation i divided by the non-vanishing atom j that it is a multiple of.
 fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
     let quotient = exact_quotient(&state.atoms[i].poly, &state.atoms[j].poly)?;
-    let proof = Proof::Cancel {
-        atom: i,
-        factors: vec![(j, 1)],
-        quotient,
-        then: Box::new(Proof::Absurd),
-    };
+    let proof =
+        Proof::Cancel { atom: i, factors: vec![(j, 1)], quotient, then: Box::new(Proof::Absurd) };
     state.refute(&proof).is_ok().then_some(proof)
 }
 
@@ -297,16 +296,15 @@ fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
     let (zero, positive) = (refuted(state, &q, Sign::Zero)?, refuted(state, &q, Sign::Positive)?);
     let negative = state.with(Atom::new(q.neg(), Sign::Positive));
     // scale·target + (−q)·h + (−r) = 0
-    let term = |weight: &BigInt, factors| Term { weight: weight.clone(), square: Poly::one(), factors };
+    let term =
+        |weight: &BigInt, factors| Term { weight: weight.clone(), square: Poly::one(), factors };
     let one = BigInt::one();
     let both = vec![term(&scale, vec![(i, 1)]), term(&one, vec![(end, 1), (j, 1)])];
     let then = if r.is_empty() {
         Proof::Positive { terms: both, cofactors: Vec::new() }
     } else {
-        let vanishing = Proof::Positive {
-            terms: both.clone(),
-            cofactors: vec![(end + 1, Poly::one().neg())],
-        };
+        let vanishing =
+            Proof::Positive { terms: both.clone(), cofactors: vec![(end + 1, Poly::one().neg())] };
         let zero = match refuted(&negative, &r, Sign::Zero) {
             Some(proof) => proof,
             None => Box::new(vanishing),
@@ -385,9 +383,12 @@ pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Proof> {
 /// A linear combination of the atoms themselves (Farkas 1902), in any number of variables.
 pub(crate) fn combination(state: &State<'_, '_>) -> Option<Proof> {
     let live = |i: &usize| state.atoms[*i].decided().is_none() && state.atoms[*i].poly.len() <= 200;
-    let known: Vec<usize> = (0..state.atoms.len()).filter(live).filter(|&i| order(state.atoms[i].sign)).collect();
-    let equations: Vec<usize> =
-        (0..state.atoms.len()).filter(live).filter(|&i| state.atoms[i].sign == Sign::Zero).collect();
+    let known: Vec<usize> =
+        (0..state.atoms.len()).filter(live).filter(|&i| order(state.atoms[i].sign)).collect();
+    let equations: Vec<usize> = (0..state.atoms.len())
+        .filter(live)
+        .filter(|&i| state.atoms[i].sign == Sign::Zero)
+        .collect();
     let mut rows: std::collections::BTreeMap<&Monomial, usize> = std::collections::BTreeMap::new();
     for i in known.iter().chain(&equations) {
         for (m, _) in state.atoms[*i].poly.terms() {
@@ -437,14 +438,15 @@ pub(crate) fn combination(state: &State<'_, '_>) -> Option<Proof> {
 /// dominant sums of squares). Small systems only.
 pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
     let fuel = &state.scope.fuel;
-    let live: Vec<usize> = (0..state.atoms.len())
-        .filter(|&i| state.atoms[i].decided().is_none())
-        .collect();
-    let total = |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
+    let live: Vec<usize> =
+        (0..state.atoms.len()).filter(|&i| state.atoms[i].decided().is_none()).collect();
+    let total =
+        |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
     let known: Vec<usize> = live.iter().copied().filter(|&i| order(state.atoms[i].sign)).collect();
     let equations: Vec<usize> =
         live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::Zero).collect();
-    let distinct: Vec<usize> = live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
+    let distinct: Vec<usize> =
+        live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
     let ring = Ring::of(&live.iter().map(|&i| &state.atoms[i].poly).collect::<Vec<_>>());
     let top = live.iter().map(|&i| total(&state.atoms[i].poly)).max()?;
     if ring.len() > 5 || known.len() > 14 || top > 8 || live.is_empty() {
@@ -452,7 +454,8 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
     }
     let limit = top.max(degree);
     // Products of at most `degree` atoms, no larger than the largest atom allows.
-    let mut generators: Vec<(Vec<(usize, u32)>, Poly, bool)> = vec![(Vec::new(), Poly::one(), true)];
+    let mut generators: Vec<(Vec<(usize, u32)>, Poly, bool)> =
+        vec![(Vec::new(), Poly::one(), true)];
     let mut layer = generators.clone();
     for _ in 0..degree {
         let mut next = Vec::new();
@@ -618,11 +621,14 @@ pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
         polys.iter().copied().chain(targets.iter().map(|&i| &state.atoms[i].poly)).collect();
     let ring = Ring::of(&everything);
     let (max_equations, max_vars, max_degree, max_terms, max_bits) = IDEAL_GATE;
-    let degree = |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
+    let degree =
+        |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
     if polys.is_empty()
         || polys.len() > max_equations
         || ring.len() > max_vars
-        || everything.iter().any(|p| degree(p) > max_degree || p.len() > max_terms || p.bits() > max_bits)
+        || everything
+            .iter()
+            .any(|p| degree(p) > max_degree || p.len() > max_terms || p.bits() > max_bits)
     {
         return None;
     }
@@ -634,7 +640,9 @@ pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
     for factors in powers {
         let mut product = Poly::one();
         for (i, n) in &factors {
-            product = product.mul(&state.atoms[*i].poly.pow(*n, &state.scope.fuel).ok()?, &state.scope.fuel).ok()?;
+            product = product
+                .mul(&state.atoms[*i].poly.pow(*n, &state.scope.fuel).ok()?, &state.scope.fuel)
+                .ok()?;
         }
         let Some((lift, common)) = ideal.lift(&product) else {
             continue;

@@ -24,17 +24,12 @@ pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
     let mut in_title = false;
     let mut in_block = false;
     let mut pieces = Vec::new();
-    let mut code: Vec<u8> = text
-        .bytes()
-        .map(|byte| if byte == b'\n' { b'\n' } else { b' ' })
-        .collect();
+    let mut code: Vec<u8> =
+        text.bytes().map(|byte| if byte == b'\n' { b'\n' } else { b' ' }).collect();
     let mut statements = Vec::new();
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
-            Event::Start(Tag::Heading {
-                level: HeadingLevel::H1,
-                ..
-            }) if title.is_none() => {
+            Event::Start(Tag::Heading { level: HeadingLevel::H1, .. }) if title.is_none() => {
                 in_title = true;
                 title = Some(String::new());
             }
@@ -51,11 +46,7 @@ pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
                 for piece in &pieces {
                     unmask(&mut code, text, piece);
                 }
-                let block = Block {
-                    text,
-                    range,
-                    lines: lines(text, &pieces),
-                };
+                let block = Block { text, range, lines: lines(text, &pieces) };
                 block.divide(&mut statements, faults);
                 pieces.clear();
             }
@@ -82,11 +73,7 @@ fn lines(text: &str, pieces: &[Range<usize>]) -> Vec<Range<usize>> {
     let mut open = false;
     for piece in pieces {
         let mut start = piece.start;
-        for part in text
-            .get(piece.clone())
-            .unwrap_or_default()
-            .split_inclusive('\n')
-        {
+        for part in text.get(piece.clone()).unwrap_or_default().split_inclusive('\n') {
             let end = start + part.len();
             match lines.last_mut() {
                 Some(line) if open => line.end = end,
@@ -157,16 +144,10 @@ impl Block<'_> {
         let length = fence_length(source);
         let opening =
             self.range.start..self.range.start + source.lines().next().map_or(0, str::len);
-        let inner = self
-            .lines
-            .iter()
-            .find(|line| fence_length(self.line(line).trim_start()) >= 3);
+        let inner = self.lines.iter().find(|line| fence_length(self.line(line).trim_start()) >= 3);
         let message = "unbalanced block: its fence is never closed".to_owned();
         if let Some(inner) = inner {
-            let line = 1 + self
-                .text
-                .get(..inner.start)
-                .map_or(0, |s| s.matches('\n').count());
+            let line = 1 + self.text.get(..inner.start).map_or(0, |s| s.matches('\n').count());
             faults.push(
                 Fault::new(opening, message)
                     .with_note(format!("another fence opens inside it, on line {line}")),
@@ -174,10 +155,7 @@ impl Block<'_> {
             return false;
         }
         let last = source.trim_end_matches(['\n', '\r']).rsplit('\n').next();
-        let last = last
-            .unwrap_or_default()
-            .trim_start_matches([' ', '\t', '>'])
-            .trim_end();
+        let last = last.unwrap_or_default().trim_start_matches([' ', '\t', '>']).trim_end();
         let closed = source.contains('\n')
             && fence_length(last) >= length
             && last.chars().all(|c| c == mark);

@@ -61,9 +61,8 @@ impl Reader {
     /// The finished statements, once all labels are known; faults are noted.
     pub(super) fn resolve(&mut self) -> Vec<Statement> {
         let mut faults = Vec::new();
-        let resolved: Vec<Resolved> = (0..self.drafts.len())
-            .map(|index| self.citations(index, &mut faults))
-            .collect();
+        let resolved: Vec<Resolved> =
+            (0..self.drafts.len()).map(|index| self.citations(index, &mut faults)).collect();
         self.faults.extend(faults);
         let drafts = std::mem::take(&mut self.drafts);
         drafts
@@ -136,10 +135,8 @@ impl Reader {
             DraftBody::Claim(DraftClaim {
                 content: DraftContent::Contradiction | DraftContent::NotImplied(_),
                 ..
-            }) => Err(
-                fault(format!("`{label}` states nothing that could be used"))
-                    .with_note("it is a `contradiction` or a `not implied`"),
-            ),
+            }) => Err(fault(format!("`{label}` states nothing that could be used"))
+                .with_note("it is a `contradiction` or a `not implied`")),
             _ => Ok(premise),
         }
     }
@@ -176,10 +173,9 @@ impl Reader {
         }
         let links: Vec<&Link> = match &self.drafts.get(premise)?.body {
             DraftBody::Given(sentence) => sentence.links.iter().collect(),
-            DraftBody::Claim(DraftClaim {
-                content: DraftContent::Links(links),
-                ..
-            }) => links.iter().map(|(link, _)| link).collect(),
+            DraftBody::Claim(DraftClaim { content: DraftContent::Links(links), .. }) => {
+                links.iter().map(|(link, _)| link).collect()
+            }
             _ => return None,
         };
         let vars = &self.scope.context().vars;
@@ -235,11 +231,6 @@ impl Draft {
                 expect: claim.expect,
             }),
         };
-        Some(Statement {
-            label: self.label,
-            body,
-            span: self.span,
-            line: self.line,
-        })
+        Some(Statement { label: self.label, body, span: self.span, line: self.line })
     }
 }

@@ -46,11 +46,7 @@ struct Excerpt {
 impl Diagnostic {
     pub(super) fn new(file: &str, text: &str, lines: &mut Lines<'_>, fault: Fault) -> Self {
         let start = floor(text, fault.span.start);
-        let Place {
-            line,
-            column,
-            line_start,
-        } = lines.place(start);
+        let Place { line, column, line_start } = lines.place(start);
         let before = text.get(line_start..start).unwrap_or_default();
         let after = text.get(start..).unwrap_or_default();
         let after = after.lines().next().unwrap_or_default();
@@ -99,11 +95,7 @@ impl Excerpt {
         if after.chars().nth(room).is_some() {
             text.push('…');
         }
-        Self {
-            text: text.trim_end().to_owned(),
-            caret,
-            width: width.clamp(1, room),
-        }
+        Self { text: text.trim_end().to_owned(), caret, width: width.clamp(1, room) }
     }
 }
 
@@ -157,11 +149,7 @@ pub(super) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        let place = Place {
-            line: 1,
-            column: 1,
-            line_start: 0,
-        };
+        let place = Place { line: 1, column: 1, line_start: 0 };
         Self { text, at: 0, place }
     }
 

@@ -9,10 +9,7 @@ const MAX_LABEL_BYTES: usize = 200;
 
 /// The key under which a label is known: without parentheses and outer blanks, Greek spelled out.
 pub(super) fn key(label: &str) -> String {
-    let bare = label
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'))
-        .unwrap_or(label);
+    let bare = label.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).unwrap_or(label);
     canonical_name(bare.trim()).into_owned()
 }
 
@@ -29,8 +26,7 @@ pub(super) fn length(text: &str) -> Option<usize> {
         if !text.starts_with(char::is_alphanumeric) {
             return None;
         }
-        text.find(|c: char| !c.is_alphanumeric() && !"-_'′.".contains(c))
-            .unwrap_or(text.len())
+        text.find(|c: char| !c.is_alphanumeric() && !"-_'′.".contains(c)).unwrap_or(text.len())
     };
     (end <= MAX_LABEL_BYTES).then_some(end)
 }

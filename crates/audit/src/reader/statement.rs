@@ -106,8 +106,7 @@ impl Reader {
         if let Some(first) = self.drafts.get(first) {
             let message = format!("duplicate label `{}`", draft.label);
             let note = format!("`{}` on line {} has it already", first.label, first.line);
-            self.faults
-                .push(Fault::new(draft.label_span.clone(), message).with_note(note));
+            self.faults.push(Fault::new(draft.label_span.clone(), message).with_note(note));
         }
         self.drafts.push(draft);
     }
@@ -155,11 +154,7 @@ struct Head {
 fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label::take(p)?;
     p.expect(Token::Colon, "`:` after the label")?;
-    Ok(Head {
-        label: label.to_owned(),
-        label_span,
-        name: None,
-    })
+    Ok(Head { label: label.to_owned(), label_span, name: None })
 }
 
 /// `[LABEL] NAME :=`
@@ -174,11 +169,7 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (name, site) = p.name()?;
     p.expect(Token::Define, "`:=` after the name")?;
     let (label, label_span) = label.unwrap_or((name, site.clone()));
-    Ok(Head {
-        label: label.to_owned(),
-        label_span,
-        name: Some((name.to_owned(), site)),
-    })
+    Ok(Head { label: label.to_owned(), label_span, name: Some((name.to_owned(), site)) })
 }
 
 type Outcome<T> = Result<(T, usize), Vec<SyntaxError>>;
@@ -240,19 +231,9 @@ fn claim(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
                 by = witness(&mut p, faults)?;
             }
         }
-        let expect = if p.accept_word("expect") {
-            Some(verdict(&mut p)?)
-        } else {
-            None
-        };
+        let expect = if p.accept_word("expect") { Some(verdict(&mut p)?) } else { None };
         refuse_clauses(&p, &allowed)?;
-        Ok(DraftBody::Claim(DraftClaim {
-            content,
-            when,
-            from,
-            by,
-            expect,
-        }))
+        Ok(DraftBody::Claim(DraftClaim { content, when, from, by, expect }))
     })();
     finish(p, claim)
 }
@@ -276,10 +257,7 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
 
 fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
     let (label, span) = label::take(p)?;
-    Ok(Cited {
-        label: label.to_owned(),
-        span,
-    })
+    Ok(Cited { label: label.to_owned(), span })
 }
 
 /// `[when RELATION]`. Beside a limit it must leave the limit variable free.
@@ -308,10 +286,7 @@ fn when(
             }
         }
     }
-    Ok(relations
-        .into_iter()
-        .map(|(relation, _)| relation)
-        .collect())
+    Ok(relations.into_iter().map(|(relation, _)| relation).collect())
 }
 
 /// `f := EXPR, …`

@@ -21,12 +21,7 @@ impl Reader {
                 let message = format!("the domain of `{}` is empty", item.name);
                 self.faults.push(Fault::new(item.whole.clone(), message));
             }
-            let var = Var {
-                name: item.name,
-                of,
-                lower: item.lower,
-                upper: item.upper,
-            };
+            let var = Var { name: item.name, of, lower: item.lower, upper: item.upper };
             match self.scope.declare(var) {
                 Ok(_) => self.var_sites.push(item.span.start),
                 Err(error) => self.refuse(&error, item.span),
@@ -179,15 +174,9 @@ impl Item {
                 return Err(format!("the domain of `{}` is empty", self.name));
             }
         };
-        let bound = Bound {
-            value,
-            strict: matches!(rel, Rel::Lt | Rel::Gt),
-        };
-        let (slot, side) = if is_lower {
-            (&mut self.lower, "lower")
-        } else {
-            (&mut self.upper, "upper")
-        };
+        let bound = Bound { value, strict: matches!(rel, Rel::Lt | Rel::Gt) };
+        let (slot, side) =
+            if is_lower { (&mut self.lower, "lower") } else { (&mut self.upper, "upper") };
         if slot.replace(bound).is_some() {
             return Err(format!("`{}` has two {side} bounds", self.name));
         }

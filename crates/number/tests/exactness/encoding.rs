@@ -35,11 +35,8 @@ fn decimals_round_as_the_standard_parser_rounds_them() {
         if mantissa == 0 {
             return true; // the sign of zero is not a rational's
         }
-        let (exact, literal) = decimal(
-            &mantissa.into(),
-            i64::from(twos % 1200),
-            i32::from(tens % 350),
-        );
+        let (exact, literal) =
+            decimal(&mantissa.into(), i64::from(twos % 1200), i32::from(tens % 350));
         agrees_with_the_standard_parser(&exact, &literal)
     }
     quickcheck(20_000).quickcheck(agrees as fn(_, _, _) -> bool);
@@ -81,11 +78,9 @@ fn no_neighbour_is_nearer() {
             return exact > two_to(1023) || exact < -two_to(1023);
         };
         let distance = |other: &Rational| Rational::from(other - &exact).square();
-        [float.next_down(), float.next_up()]
-            .into_iter()
-            .all(|neighbour| {
-                decode(neighbour).is_ok_and(|neighbour| distance(&value) <= distance(&neighbour))
-            })
+        [float.next_down(), float.next_up()].into_iter().all(|neighbour| {
+            decode(neighbour).is_ok_and(|neighbour| distance(&value) <= distance(&neighbour))
+        })
     }
     quickcheck(50_000).quickcheck(is_nearest as fn(_, _, _) -> bool);
 }
@@ -99,11 +94,8 @@ fn directed_roundings_enclose_tightly() {
         let up: f64 = encode(&exact, Rounding::Up);
         let below = decode(down).map_or(down < 0.0, |down| down <= exact);
         let above = decode(up).map_or(up > 0.0, |up| exact <= up);
-        let tight = if decode(down).as_ref() == Ok(&exact) {
-            down == up
-        } else {
-            down.next_up() == up
-        };
+        let tight =
+            if decode(down).as_ref() == Ok(&exact) { down == up } else { down.next_up() == up };
         below && above && tight && (nearest(&exact) == down || nearest(&exact) == up)
     }
     quickcheck(50_000).quickcheck(encloses as fn(_, _, _) -> bool);
@@ -133,10 +125,7 @@ fn underflow_is_gradual_and_keeps_the_sign() {
     assert_eq!(nearest(&(two_to(-1075) * rational(4, 3))), least);
     assert_eq!(nearest(&-two_to(-1075)).to_bits(), (-0.0_f64).to_bits());
     assert_eq!(encode::<f64>(&two_to(-30_000), Rounding::Up), least);
-    assert_eq!(
-        encode::<f64>(&-two_to(-30_000), Rounding::Up).to_bits(),
-        (-0.0_f64).to_bits()
-    );
+    assert_eq!(encode::<f64>(&-two_to(-30_000), Rounding::Up).to_bits(), (-0.0_f64).to_bits());
     assert_eq!(encode::<f64>(&-two_to(-30_000), Rounding::Down), -least);
     // The step from the greatest subnormal to the least normal carries into the exponent.
     let between = two_to(-1022) - two_to(-1076);

@@ -16,10 +16,7 @@ use quickcheck::{Gen, QuickCheck};
 
 /// quickcheck with a fixed seed: the gate asks the same questions on every run.
 fn quickcheck(tests: u64) -> QuickCheck {
-    QuickCheck::new()
-        .rng(Gen::from_size_and_seed(100, 0x6b61_6e65))
-        .tests(tests)
-        .max_tests(tests)
+    QuickCheck::new().rng(Gen::from_size_and_seed(100, 0x6b61_6e65)).tests(tests).max_tests(tests)
 }
 
 fn rational(numer: impl Into<Integer>, denom: impl Into<Integer>) -> Rational {
@@ -29,9 +26,5 @@ fn rational(numer: impl Into<Integer>, denom: impl Into<Integer>) -> Rational {
 /// 2^exponent.
 fn two_to(exponent: i64) -> Rational {
     let scale = Integer::from(1) << exponent.unsigned_abs();
-    if exponent >= 0 {
-        Rational::from_integer(scale)
-    } else {
-        Rational::new(1.into(), scale)
-    }
+    if exponent >= 0 { Rational::from_integer(scale) } else { Rational::new(1.into(), scale) }
 }

@@ -51,23 +51,14 @@ fn what_is_no_number_is_refused_with_its_place() {
 fn literals_have_a_budget() {
     let longest = "9".repeat(MAX_DIGITS);
     assert!(parse(&longest).is_ok());
-    assert_eq!(
-        parse(&format!("{longest}9")),
-        Err(ParseError::TooManyDigits { at: MAX_DIGITS })
-    );
+    assert_eq!(parse(&format!("{longest}9")), Err(ParseError::TooManyDigits { at: MAX_DIGITS }));
     // The parts of a fraction share the budget.
     let fraction = format!("1/{longest}");
-    assert_eq!(
-        parse(&fraction),
-        Err(ParseError::TooManyDigits { at: MAX_DIGITS + 1 })
-    );
+    assert_eq!(parse(&fraction), Err(ParseError::TooManyDigits { at: MAX_DIGITS + 1 }));
     assert_eq!(parse("1e10000"), Ok(rational(10, 1).pow(10_000)));
     for (text, exponent) in [("1e10001", "10001"), ("1e-99999999999", "999999")] {
         let error = parse(text).expect_err("beyond the limit");
-        let ParseError::ExponentTooLarge {
-            exponent: shown, ..
-        } = &error
-        else {
+        let ParseError::ExponentTooLarge { exponent: shown, .. } = &error else {
             unreachable!("{error}");
         };
         assert_eq!(shown, exponent);
@@ -87,10 +78,7 @@ fn a_printed_number_is_read_back() {
     }
     quickcheck(10_000).quickcheck(fraction_survives as fn(_, _) -> bool);
     quickcheck(1_000).quickcheck(float_survives as fn(_) -> bool);
-    assert_eq!(
-        parse(&format!("{:.1074}", f64::from_bits(1))),
-        Ok(two_to(-1074))
-    );
+    assert_eq!(parse(&format!("{:.1074}", f64::from_bits(1))), Ok(two_to(-1074)));
 }
 
 #[test]

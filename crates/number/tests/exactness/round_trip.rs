@@ -10,13 +10,13 @@ use crate::quickcheck;
 fn survives<F: Binary>(float: F) -> bool {
     let bits = |float: F| (float.is_negative(), float.magnitude_bits());
     match decode(float) {
-        Ok(exact) => [Rounding::NearestEven, Rounding::Down, Rounding::Up]
-            .into_iter()
-            .all(|rounding| {
+        Ok(exact) => {
+            [Rounding::NearestEven, Rounding::Down, Rounding::Up].into_iter().all(|rounding| {
                 let back: F = encode(&exact, rounding);
                 // The rationals have one zero only.
                 bits(back) == bits(float) || (bits(float) == (true, 0) && bits(back) == (false, 0))
-            }),
+            })
+        }
         Err(NotFinite::Nan) => float.magnitude_bits() > F::infinity_bits(),
         Err(NotFinite::PositiveInfinity) => bits(float) == (false, F::infinity_bits()),
         Err(NotFinite::NegativeInfinity) => bits(float) == (true, F::infinity_bits()),
@@ -46,10 +46,7 @@ fn every_f64_exponent_survives_at_its_edges() {
     for exponent in 0..0x800_u64 {
         for fraction in [0, 1, (1 << 51) - 1, 1 << 51, (1 << 52) - 1] {
             let bits = exponent << 52 | fraction;
-            assert!(
-                f64_survives(bits) && f64_survives(bits | 1 << 63),
-                "{bits:#x}"
-            );
+            assert!(f64_survives(bits) && f64_survives(bits | 1 << 63), "{bits:#x}");
         }
     }
 }

@@ -25,10 +25,7 @@ fn the_ulp_is_the_spacing_above_with_a_floor() {
 fn the_error_is_signed_and_exact() {
     let third = rational(1, 3);
     assert_eq!(error_in_ulps(1.0_f64 / 3.0, &third), Ok(rational(-1, 3)));
-    assert_eq!(
-        error_in_ulps((1.0_f64 / 3.0).next_up(), &third),
-        Ok(rational(2, 3))
-    );
+    assert_eq!(error_in_ulps((1.0_f64 / 3.0).next_up(), &third), Ok(rational(2, 3)));
     assert_eq!(error_in_ulps(f64::NAN, &third), Err(NotFinite::Nan));
 }
 
@@ -54,14 +51,8 @@ fn steps_count_the_floats_between() {
     quickcheck(10_000).quickcheck(next_is_one_step as fn(_) -> bool);
     assert_eq!(steps_between(-0.0_f64, 0.0), Ok(0));
     assert_eq!(steps_between(f32::from_bits(3), -f32::from_bits(4)), Ok(7));
-    assert_eq!(
-        steps_between(f64::MIN, f64::MAX),
-        Ok(2 * f64::MAX.to_bits())
-    );
-    assert_eq!(
-        steps_between(1.0, f64::INFINITY),
-        Err(NotFinite::PositiveInfinity)
-    );
+    assert_eq!(steps_between(f64::MIN, f64::MAX), Ok(2 * f64::MAX.to_bits()));
+    assert_eq!(steps_between(1.0, f64::INFINITY), Err(NotFinite::PositiveInfinity));
 }
 
 #[test]
