@@ -55,8 +55,6 @@ pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
     /// proposed values or functions
     pub(crate) by: &'a [(usize, Expr)],
-    /// number of the hypotheses that are cited
-    pub(crate) cited: usize,
     /// the goal with all givens on which it finally rests as further hypotheses
     pub(crate) resting: &'a Goal,
 }
@@ -138,8 +136,8 @@ impl Prover<'_> {
         let mut search = Search::new(self.budget.steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.keep = kept(goal);
-        // More hypotheses than are cited serve to find better points only.
-        search.proofs = goal.hypotheses.len() == self.cited || finding == Finding::Vacuous;
+        // Who looks for a point does not also look for long proofs that there is none.
+        search.proofs = !models;
         // Without the limits first: most claims do not need them.
         let mut outcome = search.solve(&state);
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
@@ -222,7 +220,7 @@ impl Prover<'_> {
 
     fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {
         if goal.conclusion == Conclusion::Contradiction {
-            match self.search(goal, Finding::Proved, true, out) {
+            match self.search(goal, Finding::Proved, false, out) {
                 Outcome::Closed(proof) => {
                     self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out);
                 }

@@ -360,8 +360,10 @@ impl<'a> Search<'a> {
                 return Outcome::Closed(proof);
             }
         }
-        if let Some(proof) = tactics::division_by_premise(state) {
-            return Outcome::Closed(proof);
+        if self.proofs {
+            if let Some(proof) = tactics::division_by_premise(state) {
+                return Outcome::Closed(proof);
+            }
         }
         if self.models {
             if let Some(point) = self.sample(state, trail, &vars) {

@@ -277,6 +277,9 @@ pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Proof> {
 
 fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
     let (target, h) = (&state.atoms[i], &state.atoms[j]);
+    if target.poly.len() > 80 || h.poly.len() > 16 {
+        return None;
+    }
     let (q, r, scale) = kane_algebra::ring::division(&target.poly, &h.poly)?;
     // Only the part of q that helps; the rest goes back into r.
     let mut helpful = Poly::default();
