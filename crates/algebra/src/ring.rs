@@ -86,25 +86,28 @@ pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
     r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
 }
 
-/// Whether d(x) divides p(x) at one integer point, as it must if a primitive d divides p; `true`
-/// too where the numbers get large. A cheap look before a long division.
+/// Whether d(x) divides p(x) at one integer point, as it must if a primitive d divides p. A cheap
+/// look before a long division.
 fn divides_at_a_point(p: &Poly, d: &Poly) -> bool {
-    const AT: [i128; 12] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41];
-    let value = |p: &Poly| -> Option<i128> {
-        let mut sum = 0i128;
+    const AT: [u32; 12] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41];
+    let value = |p: &Poly| {
+        let mut sum = BigInt::zero();
         for (m, c) in p.terms() {
-            let mut product = i128::try_from(c).ok()?;
+            let mut small = 1u64;
+            let mut product = c.clone();
             for &(v, e) in m {
-                product = product.checked_mul(AT[v % AT.len()].checked_pow(e)?)?;
+                let base = u64::from(AT[v % AT.len()]);
+                match base.checked_pow(e).and_then(|power| small.checked_mul(power)) {
+                    Some(next) => small = next,
+                    None => product *= num_traits::pow(BigInt::from(base), e as usize),
+                }
             }
-            sum = sum.checked_add(product)?;
+            sum += product * small;
         }
-        Some(sum)
+        sum
     };
-    match (value(d), value(p)) {
-        (Some(0), _) | (None, _) | (_, None) => true,
-        (Some(d), Some(p)) => p % d == 0,
-    }
+    let at = value(d);
+    at.is_zero() || (value(p) % at).is_zero()
 }
 
 /// Division with remainder in graded reverse lexicographic order: q, r and a positive integer c with

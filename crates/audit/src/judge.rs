@@ -160,7 +160,12 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
             conclusion,
         };
         let resting = Goal { hypotheses: [&hypotheses[..], &behind[..]].concat(), ..goal.clone() };
-        let prover = Prover { budget: options.budget, by: &claim.by, resting: &resting };
+        let prover = Prover {
+            budget: options.budget,
+            by: &claim.by,
+            cited: hypotheses.len(),
+            resting: &resting,
+        };
         // The hypotheses are the same for all links: whether they can hold is found once.
         let found = prover.judge(&goal, links.is_empty() || vacuous);
         vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);

@@ -160,7 +160,8 @@ pub(crate) fn passes<'s, 'g>(
                 continue;
             };
             let may = varies(&state, side.var);
-            let search = Search::new(steps, &may, false);
+            let mut search = Search::new(steps, &may, false);
+            search.proofs = false;
             // A germ on which nothing can hold: the premises pin x.
             let nothing = Atom::new(Poly::one(), Sign::Zero);
             if let Outcome::Closed(proof) = search.solve(&along) {
@@ -226,17 +227,15 @@ pub(crate) fn premised_sides(state: &State<'_, '_>, goal: &Goal) -> Vec<Side> {
 }
 
 /// What an expression tends to, read off a germ without proof.
-pub(crate) fn found(
+fn found(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
     steps: u64,
+    radius: &Radius,
 ) -> Vec<(Germ, Found)> {
     let mut out = Vec::new();
-    for radius in RADII {
-        let Some(germ) = germ(state, side, &radius, steps) else {
-            continue;
-        };
+    if let Some(germ) = germ(state, side, radius, steps) {
         let Ok(along) = state.along(&germ) else {
             return out;
         };
@@ -278,7 +277,7 @@ pub(crate) fn one_side(
 ) -> Option<SideProof> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
-    for (at, found) in found(state, limit, side, steps) {
+    for (at, found) in RADII.iter().flat_map(|r| found(state, limit, side, steps, r)) {
         if let Some(proof) = along(state, limit, side, at, &found, steps) {
             return Some(proof);
         }
@@ -350,7 +349,7 @@ pub(crate) fn value(
 ) -> Option<Target> {
     use num_rational::BigRational as Q;
     use num_traits::{Signed, Zero};
-    for (_, found) in found(state, limit, side, steps) {
+    for (_, found) in RADII.iter().flat_map(|r| found(state, limit, side, steps, r)) {
         let t = state.scope.germ();
         let at_zero = |p: &Poly, order: u32| -> Option<BigInt> {
             let mut sum = BigInt::zero();

@@ -55,6 +55,8 @@ pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
     /// proposed values or functions
     pub(crate) by: &'a [(usize, Expr)],
+    /// number of the hypotheses that are cited
+    pub(crate) cited: usize,
     /// the goal with all givens on which it finally rests as further hypotheses
     pub(crate) resting: &'a Goal,
 }
@@ -120,7 +122,14 @@ impl Prover<'_> {
 
     /// Searches the state of a finding, premised limits passed first.
     fn search(&self, goal: &Goal, finding: Finding, models: bool, out: &mut Verdicts) -> Outcome {
-        let Ok(scope) = scope(goal, self.fuel()) else {
+        // Premises beyond the cited ones only guide to better points: a little search is enough.
+        let guide = models && goal.hypotheses.len() > self.cited;
+        let (steps, fuel) = if guide {
+            (self.budget.steps / 8, self.budget.fuel / 16)
+        } else {
+            (self.budget.steps, self.budget.fuel)
+        };
+        let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
             return Outcome::Open;
         };
         let Ok(state) = claim_state(&scope, goal, finding) else {
@@ -133,7 +142,7 @@ impl Prover<'_> {
             );
         }
         let any = |_: usize, _: &kane_kernel::Poly| true;
-        let mut search = Search::new(self.budget.steps, &any, models && germs.is_empty());
+        let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.keep = kept(goal);
         // Who looks for a point does not also look for long proofs that there is none.
@@ -150,7 +159,7 @@ impl Prover<'_> {
                 };
             }
         }
-        out.cost += self.budget.steps - search.left();
+        out.cost += steps - search.left();
         outcome
     }
 
