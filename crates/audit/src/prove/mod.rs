@@ -145,6 +145,9 @@ impl Prover<'_> {
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.keep = kept(goal);
+        if guide {
+            search.widest = 60;
+        }
         // Who looks for a point does not also look for long proofs that there is none.
         search.proofs = !models;
         // Without the limits first: most claims do not need them.

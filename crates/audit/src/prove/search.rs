@@ -62,6 +62,8 @@ pub(crate) struct Search<'a> {
     pub(crate) models: bool,
     /// whether proofs are looked for where they take long
     pub(crate) proofs: bool,
+    /// terms of a polynomial beyond which a branch is left open
+    pub(crate) widest: usize,
     /// variables better kept, with a weight: those that the claim is about
     pub(crate) keep: Vec<(usize, u32)>,
     /// whether ideals may be computed
@@ -82,6 +84,7 @@ impl<'a> Search<'a> {
             may_eliminate,
             models,
             proofs: true,
+            widest: 2000,
             keep: Vec::new(),
             ideals: true,
         }
@@ -142,7 +145,7 @@ impl<'a> Search<'a> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        if !self.spend() {
+        if !self.spend() || state.atoms.iter().any(|a| a.poly.len() > self.widest) {
             return Outcome::Open;
         }
         if let Some(proof) = tactics::quick_from(state, fresh) {
