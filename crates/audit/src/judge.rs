@@ -1,5 +1,7 @@
 //! Judging a document: goals out of statements, verdicts out of findings.
 
+use std::cell::RefCell;
+
 use kane_algebra::syntax::Notation;
 use kane_kernel::{Conclusion, Evidence, Finding, Goal, Hypothesis, Link, Model, Sentence};
 
@@ -24,13 +26,14 @@ pub fn audit(
 ) -> Audit {
     let count = document.statements.len();
     let wanted = wanted(&document, options);
+    let earlier = RefCell::default();
     let mut judgements: Vec<Judgement> = Vec::with_capacity(count);
     for (i, wanted) in wanted.into_iter().enumerate() {
         progress(i, count);
         let judgement = match &document.statements[i].body {
             Body::Let(_) => plain_verdict(Verdict::Defined, Vec::new()),
             Body::Given(_) => plain_verdict(Verdict::Assumed, vec![i]),
-            Body::Claim(claim) if wanted => judge(&document, claim, &judgements, options),
+            Body::Claim(claim) if wanted => judge(&document, claim, &judgements, &earlier, options),
             Body::Claim(_) => plain_verdict(Verdict::Undecided, Vec::new()),
         };
         judgements.push(judgement);
@@ -103,7 +106,13 @@ fn sentence(claim: &Claim) -> Option<Sentence> {
     }
 }
 
-fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Options) -> Judgement {
+fn judge(
+    document: &Document,
+    claim: &Claim,
+    done: &[Judgement],
+    earlier: &RefCell<Vec<Model>>,
+    options: &Options,
+) -> Judgement {
     let unproved: Vec<usize> = claim
         .from
         .iter()
@@ -163,6 +172,7 @@ fn judge(document: &Document, claim: &Claim, done: &[Judgement], options: &Optio
         let prover = Prover {
             budget: options.budget,
             by: &claim.by,
+            earlier,
             cited: hypotheses.len(),
             resting: &resting,
         };

@@ -6,6 +6,8 @@ mod limits;
 mod search;
 mod tactics;
 
+use std::cell::RefCell;
+
 use kane_kernel::{
     Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
     check, claim_state, digest, premised, scope, sides,
@@ -55,6 +57,8 @@ pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
     /// proposed values or functions
     pub(crate) by: &'a [(usize, Expr)],
+    /// models of earlier claims, which often serve again
+    pub(crate) earlier: &'a RefCell<Vec<Model>>,
     /// number of the hypotheses that are cited
     pub(crate) cited: usize,
     /// the goal with all givens on which it finally rests as further hypotheses
@@ -200,14 +204,32 @@ impl Prover<'_> {
         false
     }
 
+    /// A model of an earlier claim that satisfies the hypotheses of this one too, and if possible
+    /// all givens behind them.
+    fn remembered(&self, goal: &Goal) -> Option<Model> {
+        let earlier = self.earlier.borrow();
+        let holds = |goal: &Goal, model: &Model| {
+            let evidence = Evidence::Model(model.clone());
+            self.accept(goal, Finding::Consistent, evidence).is_ok()
+        };
+        let recent = || earlier.iter().rev().take(6);
+        let best = recent().find(|m| holds(self.resting, m));
+        best.filter(|m| self.resting == goal || holds(goal, m)).cloned()
+    }
+
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.
     fn consistent(&self, goal: &Goal, out: &mut Verdicts) -> bool {
+        if let Some(model) = self.remembered(goal) {
+            out.model = Some(model);
+            return false;
+        }
         for source in [self.resting, goal] {
             let found = self.model(source, Finding::Consistent, self.budget.functions / 4 + 1, out);
             if let Some(model) = found {
                 let model = restricted(model, goal, source);
                 let evidence = Evidence::Model(model.clone());
                 if self.accept(goal, Finding::Consistent, evidence).is_ok() {
+                    self.earlier.borrow_mut().push(model.clone());
                     out.model = Some(model);
                     return false;
                 }
