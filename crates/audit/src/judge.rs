@@ -3,7 +3,10 @@
 use std::cell::RefCell;
 
 use kane_algebra::syntax::Notation;
-use kane_kernel::{Conclusion, Evidence, Finding, Goal, Hypothesis, Link, Model, Sentence};
+use kane_kernel::{
+    Conclusion, Context, Definition, Evidence, Expr, Finding, Goal, Hypothesis, Link, Model,
+    Sentence, Target,
+};
 
 use crate::explain;
 use crate::prove::{Budget, Prover, Verdicts};
@@ -80,6 +83,57 @@ fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
         Body::Let(_) => None,
         Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
         Body::Claim(claim) => Some(Hypothesis { sentence: sentence(claim)?, given: false }),
+    }
+}
+
+/// The document's definitions with those emptied that the goal does not reach, so that a claim and
+/// its certificate do not depend on the rest of the document.
+fn needed_lets(
+    document: &Document,
+    goal: &Goal,
+    behind: &[Hypothesis],
+    by: &[(usize, Expr)],
+) -> Vec<Definition> {
+    let lets = &document.context.lets;
+    let mut needed = vec![false; lets.len()];
+    let mut todo: Vec<&Expr> = by.iter().map(|b| &b.1).collect();
+    let sentences = goal.hypotheses.iter().chain(behind).map(|h| &h.sentence);
+    for s in sentences {
+        todo.extend(s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
+        todo.extend(s.links.iter().flat_map(link_parts));
+    }
+    todo.extend(goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
+    match &goal.conclusion {
+        Conclusion::Link(l) => todo.extend(link_parts(l)),
+        Conclusion::NotImplied(s) => {
+            todo.extend(s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
+            todo.extend(s.links.iter().flat_map(link_parts));
+        }
+        Conclusion::Contradiction => {}
+    }
+    while let Some(e) = todo.pop() {
+        if let Expr::Let(i) = e {
+            if !std::mem::replace(&mut needed[*i], true) {
+                todo.push(&lets[*i].body);
+            }
+        }
+        todo.extend(e.children());
+    }
+    let keep = |(d, needed): (&Definition, bool)| Definition {
+        name: d.name.clone(),
+        body: if needed { d.body.clone() } else { Expr::int(0) },
+    };
+    lets.iter().zip(needed).map(keep).collect()
+}
+
+/// The expressions of a link.
+fn link_parts(l: &Link) -> Vec<&Expr> {
+    match l {
+        Link::Relation(r) => vec![&r.lhs, &r.rhs],
+        Link::Limit(l) => match &l.to {
+            Target::Finite(value) => vec![&l.expr, value],
+            _ => vec![&l.expr],
+        },
     }
 }
 
@@ -162,12 +216,13 @@ fn judge(
     let mut links = Vec::new();
     let (mut model, mut vacuous) = (None, false);
     for (conclusion, text, latex) in conclusions {
-        let goal = Goal {
-            context: document.context.clone(),
+        let mut goal = Goal {
+            context: Context { vars: document.context.vars.clone(), lets: Vec::new() },
             hypotheses: hypotheses.clone(),
             when: claim.when.clone(),
             conclusion,
         };
+        goal.context.lets = needed_lets(document, &goal, &behind, &claim.by);
         let resting = Goal { hypotheses: [&hypotheses[..], &behind[..]].concat(), ..goal.clone() };
         let prover = Prover {
             budget: options.budget,
