@@ -3,12 +3,15 @@
 
 mod document;
 mod explain;
+mod goal;
 mod judge;
 mod prove;
 mod reader;
 mod verdict;
 
 pub use document::*;
+#[doc(hidden)]
+pub use goal::{Findings, judge_goal};
 pub use judge::{Options, audit};
 pub use prove::Budget;
 pub use reader::{Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, read};

@@ -191,7 +191,7 @@ impl Prover<'_> {
     /// A model for the goal, preferably one that satisfies all givens behind it.
     fn witness(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> bool {
         for source in [self.resting, goal] {
-            if let Some(model) = self.model(source, finding, self.budget.functions, out) {
+            if let Some(model) = self.model(source, finding, self.candidates(source, goal), out) {
                 let model = restricted(model, goal, source);
                 if self.decide(goal, finding, Evidence::Model(model), out) {
                     return true;
@@ -202,6 +202,11 @@ impl Prover<'_> {
             }
         }
         false
+    }
+
+    /// How many functions to try: few where more premises than the cited ones only guide.
+    fn candidates(&self, source: &Goal, goal: &Goal) -> usize {
+        if source == goal { self.budget.functions } else { self.budget.functions / 20 }
     }
 
     /// A model of an earlier claim that satisfies the hypotheses of this one too, and if possible
@@ -224,7 +229,8 @@ impl Prover<'_> {
             return false;
         }
         for source in [self.resting, goal] {
-            let found = self.model(source, Finding::Consistent, self.budget.functions / 4 + 1, out);
+            let found =
+                self.model(source, Finding::Consistent, self.candidates(source, goal) / 4 + 1, out);
             if let Some(model) = found {
                 let model = restricted(model, goal, source);
                 let evidence = Evidence::Model(model.clone());

@@ -123,7 +123,13 @@ impl<'a> Search<'a> {
                 };
                 open.retain(|s| !refuted(s));
             }
-            state = open.into_iter().next()?;
+            // The case that says most: an equation rather than the exception from it.
+            let says = |s: &State<'s, 'g>| {
+                let equations = s.atoms[fresh..].iter();
+                equations.filter(|a| a.sign == Sign::Zero && a.poly.vars().len() > 1).count()
+            };
+            let best = open.iter().map(says).max()?;
+            state = open.into_iter().find(|s| says(s) == best)?;
         }
         while let Some((_, next, elimination)) =
             self.simplify(&state).or_else(|| self.assumed(&state))
