@@ -286,7 +286,7 @@ impl Teller<'_> {
                 }
             }
             Proof::Substitute { equation, var, lead, then } => {
-                let Ok(next) = state.substitute(*equation, *var, *lead) else {
+                let Ok(next) = state.substitute(*equation, *var, lead) else {
                     return;
                 };
                 let name = self.name(scope, *var);

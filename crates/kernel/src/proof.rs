@@ -65,15 +65,15 @@ pub enum Proof {
         /// proof if it is < 0
         negative: Box<Proof>,
     },
-    /// An equation D·vⁿ + … = 0 with D a non-zero constant, or known not to vanish, reduces the
+    /// An equation D·vⁿ + … = 0 with D a product of factors known not to vanish reduces the
     /// degree in v of all other atoms below n; if n = 1, v is gone, and the equation too.
     Substitute {
         /// index of the equation
         equation: usize,
         /// v
         var: usize,
-        /// index of an atom D ⋈ 0 that is > 0 or ≠ 0; `None` if D is a constant
-        lead: Option<usize>,
+        /// indices of atoms > 0 or ≠ 0, with powers, whose product is ±D; none if D is a constant
+        lead: Vec<(usize, u32)>,
         /// the rest
         then: Box<Proof>,
     },

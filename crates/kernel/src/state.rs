@@ -52,7 +52,7 @@ impl<'s, 'g> State<'s, 'g> {
                 with(Sign::Positive, poly.neg()).refute(negative)
             }
             Proof::Substitute { equation, var, lead, then } => {
-                self.substitute(*equation, *var, *lead)?.refute(then)
+                self.substitute(*equation, *var, lead)?.refute(then)
             }
             Proof::Cancel { atom, factors, quotient, then } => {
                 self.cancel(*atom, factors, quotient)?.refute(then)
@@ -110,7 +110,7 @@ impl<'s, 'g> State<'s, 'g> {
         &self,
         equation: usize,
         var: usize,
-        lead: Option<usize>,
+        lead: &[(usize, u32)],
     ) -> Result<Self, Rejection> {
         let eq = self.atom(equation)?;
         let parts = eq.poly.coefficients(var);
@@ -119,23 +119,13 @@ impl<'s, 'g> State<'s, 'g> {
         };
         // The sign of the leading coefficient decides whether odd powers of it may stand below an
         // inequality.
-        let (flip, positive) = match lead {
-            Some(i) => {
-                let known = self.atom(i)?;
-                let (want, have) = (known.poly.primitive().1, top.primitive().1);
-                let opposite = have == want.neg();
-                if !(have == want || opposite)
-                    || !matches!(known.sign, Sign::Positive | Sign::NonZero)
-                {
-                    return Err(Rejection::MayVanish);
-                }
-                (opposite, known.sign == Sign::Positive)
-            }
-            None => match top.as_constant() {
-                Some(c) if !c.is_zero() => (c.is_negative(), true),
-                _ => return Err(Rejection::MayVanish),
-            },
-        };
+        let (want, have) = (self.product(lead, false)?.primitive().1, top.primitive().1);
+        let flip = have == want.neg();
+        if have.is_empty() || !(have == want || flip) {
+            return Err(Rejection::MayVanish);
+        }
+        let even = |&(i, n): &(usize, u32)| n % 2 == 0 || self.atoms[i].sign == Sign::Positive;
+        let positive = lead.iter().all(even);
         let parts: Vec<Poly> = if flip { parts.iter().map(Poly::neg).collect() } else { parts };
         let mut next = self.clone();
         for (i, atom) in next.atoms.iter_mut().enumerate() {

@@ -36,7 +36,7 @@ pub(crate) struct Elimination {
 #[derive(Clone, Debug)]
 pub(crate) enum Step {
     Cancel { atom: usize, factors: Vec<(usize, u32)>, quotient: Poly },
-    Substitute { equation: usize, var: usize, lead: Option<usize> },
+    Substitute { equation: usize, var: usize, lead: Vec<(usize, u32)> },
 }
 
 impl Step {
@@ -222,25 +222,22 @@ impl<'a> Search<'a> {
             let next = state.cancel(atom, &factors, &quotient).ok()?;
             return Some((Step::Cancel { atom, factors, quotient }, next, None));
         }
-        let mut best: Option<((u32, usize, usize, usize), usize, usize, Option<usize>)> = None;
+        let mut best: Option<((u32, usize, usize, usize), usize, usize, Vec<(usize, u32)>)> = None;
         for (i, v, d, size) in self.linear(state) {
-            let lead = if d.as_constant().is_some() { None } else { Some(leading(state, &d)) };
-            let class = match lead {
-                None => 0,
-                Some(Some(_)) => 1,
-                Some(None) => continue,
-            };
-            let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
             let kept = self.keep.iter().find(|k| k.0 == v).map_or(0, |k| k.1);
+            let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
+            let class = usize::from(d.as_constant().is_none());
             let score = (kept, class, usize::from(!is_function), size);
             if best.as_ref().is_none_or(|b| score < b.0) {
-                best = Some((score, i, v, lead.flatten()));
+                if let Some(lead) = leading(state, &d) {
+                    best = Some((score, i, v, lead));
+                }
             }
         }
         let Some((_, equation, var, lead)) = best else {
             return self.reduction(state);
         };
-        let next = state.substitute(equation, var, lead).ok()?;
+        let next = state.substitute(equation, var, &lead).ok()?;
         let mut parts = state.atoms[equation].poly.coefficients(var).into_iter();
         let (e, d) = (parts.next()?, parts.next()?);
         let elimination = Elimination { var, d, e };
@@ -256,8 +253,8 @@ impl<'a> Search<'a> {
         let (equation, var, d, _) = self.linear(state).into_iter().min_by_key(|c| c.3)?;
         let e = state.atoms[equation].poly.coefficients(var).swap_remove(0);
         let supposed = state.with(Atom::new(d.clone(), Sign::NonZero));
-        let lead = Some(supposed.atoms.len() - 1);
-        let next = supposed.substitute(equation, var, lead).ok()?;
+        let lead = vec![(supposed.atoms.len() - 1, 1)];
+        let next = supposed.substitute(equation, var, &lead).ok()?;
         let step = Step::Substitute { equation, var, lead };
         Some((step, next, Some(Elimination { var, d, e })))
     }
@@ -279,14 +276,10 @@ impl<'a> Search<'a> {
                     continue;
                 }
                 let top = a.poly.coefficients(var).pop()?;
-                let lead = match top.as_constant() {
-                    Some(_) => None,
-                    None => match leading(state, &top) {
-                        Some(i) => Some(i),
-                        None => continue,
-                    },
+                let Some(lead) = leading(state, &top) else {
+                    continue;
                 };
-                let next = state.substitute(equation, var, lead).ok()?;
+                let next = state.substitute(equation, var, &lead).ok()?;
                 return Some((Step::Substitute { equation, var, lead }, next, None));
             }
         }
@@ -436,7 +429,7 @@ impl<'a> Search<'a> {
         let negative = Box::new(branch(&poly.neg())?);
         let on = state.with(Atom::new(poly.clone(), Sign::Zero));
         let equation = on.atoms.len() - 1;
-        let next = on.substitute(equation, v, None).ok()?;
+        let next = on.substitute(equation, v, &[]).ok()?;
         let rest: Vec<usize> = open_vars(&next);
         let inner = if rest.len() <= 1 {
             tactics::quick(&next)
@@ -444,7 +437,7 @@ impl<'a> Search<'a> {
         } else {
             self.boxes(&next, &rest, depth - 1)?
         };
-        let step = Step::Substitute { equation, var: v, lead: None };
+        let step = Step::Substitute { equation, var: v, lead: Vec::new() };
         let zero = Box::new(step.wrap(inner));
         Some(Proof::Split { poly, zero, positive, negative })
     }
@@ -560,16 +553,27 @@ pub(crate) fn open_vars(state: &State<'_, '_>) -> Vec<usize> {
     vars
 }
 
-/// An atom that is known not to vanish and is ±d up to a factor.
-fn leading(state: &State<'_, '_>, d: &Poly) -> Option<usize> {
-    let d = d.primitive().1;
-    let minus = d.neg();
-    state.atoms.iter().position(|a| {
-        matches!(a.sign, Sign::Positive | Sign::NonZero) && {
-            let p = a.poly.primitive().1;
-            p == d || p == minus
+/// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.
+fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {
+    let (mut rest, mut factors) = (d.clone(), Vec::new());
+    for (i, a) in state.atoms.iter().enumerate() {
+        if rest.as_constant().is_some() {
+            break;
         }
-    })
+        let known = matches!(a.sign, Sign::Positive | Sign::NonZero);
+        if !known || a.poly.as_constant().is_some() || !may_divide(&a.poly, &rest) {
+            continue;
+        }
+        let mut n = 0;
+        while let Some(q) = exact_quotient(&rest, &a.poly) {
+            rest = q;
+            n += 1;
+        }
+        if n > 0 {
+            factors.push((i, n));
+        }
+    }
+    rest.as_constant().is_some_and(|c| !c.is_zero()).then_some(factors)
 }
 
 /// Whether a polynomial visibly cannot vanish: known factors times a sum of positive terms.
