@@ -20,7 +20,9 @@ pub struct Findings {
 #[doc(hidden)]
 #[must_use]
 pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings {
-    let prover = Prover { budget, by, cited: goal.hypotheses.len(), resting: goal };
+    let earlier = std::cell::RefCell::default();
+    let cited = goal.hypotheses.len();
+    let prover = Prover { budget, by, earlier: &earlier, cited, resting: goal };
     let found = prover.judge(goal, true);
     let model = |m| Certificate {
         goal: digest(goal),
