@@ -1,0 +1,173 @@
+//! What the suites share: deterministic chance, documents, goals, and how much to do.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use kane::audit::{Audit, Body, Claim, Content, Document, Options, audit, read};
+use kane::kernel::{Conclusion, Expr, Goal, Hypothesis, Sentence};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+pub(crate) type Q = BigRational;
+
+/// n/d
+pub(crate) fn q(n: i64, d: i64) -> Q {
+    Q::new(n.into(), d.into())
+}
+
+/// An integer as an expression.
+pub(crate) fn num(value: &Q) -> Expr {
+    Expr::Num(value.clone())
+}
+
+pub(crate) fn big(n: i64) -> BigInt {
+    n.into()
+}
+
+/// How many of something: `gate` of them, or ten times that in a long run (`KANE_LONG=1`).
+pub(crate) fn many(gate: usize) -> usize {
+    if std::env::var_os("KANE_LONG").is_some() { 10 * gate } else { gate }
+}
+
+/// The generator of Steele, Lea and Flood (2014), *SplitMix*: the same numbers on every machine.
+pub(crate) struct Chance(u64);
+
+impl Chance {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// One of 0, …, n − 1.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        let n = u64::try_from(n.max(1)).expect("a length fits");
+        usize::try_from(self.next() % n).expect("less than a length")
+    }
+
+    /// An integer from lo to hi, both included.
+    pub(crate) fn within(&mut self, lo: i64, hi: i64) -> i64 {
+        let span = usize::try_from(hi - lo + 1).expect("an ordered range");
+        lo + i64::try_from(self.below(span)).expect("a small range")
+    }
+
+    /// True once in n times.
+    pub(crate) fn once_in(&mut self, n: usize) -> bool {
+        self.below(n) == 0
+    }
+
+    pub(crate) fn pick<'a, T>(&mut self, all: &'a [T]) -> &'a T {
+        &all[self.below(all.len())]
+    }
+}
+
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The Markdown files right under `folder`, sorted: name and bytes.
+pub(crate) fn pages(folder: &str) -> Vec<(String, Vec<u8>)> {
+    let entries = fs::read_dir(root().join(folder)).expect("the folder is there");
+    let mut pages: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("the folder is readable").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect();
+    pages.sort();
+    let named = |path: PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        (name, fs::read(&path).expect("the page is readable"))
+    };
+    pages.into_iter().map(named).collect()
+}
+
+/// The documents of a folder that can be read.
+pub(crate) fn documents(folder: &str) -> Vec<Document> {
+    pages(folder).iter().filter_map(|(name, bytes)| read(name, bytes).ok()).collect()
+}
+
+/// The shipped documents and the semantics suite.
+pub(crate) fn all_documents() -> Vec<Document> {
+    let mut all = documents("docs/derivations");
+    all.extend(documents("tests/conformance/semantics"));
+    all
+}
+
+/// Statements outside of any fence, as a judged document.
+pub(crate) fn judged(statements: &str) -> Audit {
+    let text = format!("```kane\n{statements}\n```\n");
+    let document = match read("test.md", text.as_bytes()) {
+        Ok(document) => document,
+        Err(faults) => {
+            let faults: String = faults.iter().map(ToString::to_string).collect();
+            unreachable!("{statements}\n{faults}")
+        }
+    };
+    audit(document, &Options::default(), &mut |_, _| {})
+}
+
+/// One link of a claim as a goal, and where it comes from.
+#[derive(Clone, Debug)]
+pub(crate) struct Case {
+    pub(crate) name: String,
+    pub(crate) goal: Goal,
+    pub(crate) by: Vec<(usize, Expr)>,
+}
+
+fn sentence(claim: &Claim) -> Option<Sentence> {
+    match &claim.content {
+        Content::Links(links) => Some(Sentence {
+            when: claim.when.clone(),
+            links: links.iter().map(|(l, _)| l.clone()).collect(),
+        }),
+        Content::Contradiction | Content::NotImplied(_) => None,
+    }
+}
+
+fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
+    match &document.statements[i].body {
+        Body::Let(_) => None,
+        Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
+        Body::Claim(claim) => Some(Hypothesis { sentence: sentence(claim)?, given: false }),
+    }
+}
+
+/// The goals behind a document's claims: what each cites, its conditions, one link.
+pub(crate) fn cases(document: &Document) -> Vec<Case> {
+    let mut out = Vec::new();
+    for statement in &document.statements {
+        let Body::Claim(claim) = &statement.body else {
+            continue;
+        };
+        let hypotheses: Vec<Hypothesis> =
+            claim.from.iter().filter_map(|&i| hypothesis(document, i)).collect();
+        let conclusions: Vec<Conclusion> = match &claim.content {
+            Content::Links(links) => {
+                links.iter().map(|(l, _)| Conclusion::Link(l.clone())).collect()
+            }
+            Content::Contradiction => vec![Conclusion::Contradiction],
+            Content::NotImplied(m) => hypothesis(document, *m)
+                .map(|h| Conclusion::NotImplied(h.sentence))
+                .into_iter()
+                .collect(),
+        };
+        for (i, conclusion) in conclusions.into_iter().enumerate() {
+            out.push(Case {
+                name: format!("{} {}.{i}", document.name, statement.label),
+                goal: Goal {
+                    context: document.context.clone(),
+                    hypotheses: hypotheses.clone(),
+                    when: claim.when.clone(),
+                    conclusion,
+                },
+                by: claim.by.clone(),
+            });
+        }
+    }
+    out
+}
