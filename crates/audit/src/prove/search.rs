@@ -103,7 +103,7 @@ impl<'a> Search<'a> {
     /// Searches from a state with all its formulas still to be assumed.
     pub(crate) fn solve(&self, state: &State<'_, '_>) -> Outcome {
         let pending = (0..state.formulas.len()).collect();
-        self.run(state, 0, pending, &[], 0)
+        self.run(state, &since(state, 0), pending, &[], 0)
     }
 
     /// Assumes all formulas of which one case survives, and solves what can be solved.
@@ -115,11 +115,14 @@ impl<'a> Search<'a> {
         for formula in 0..state.formulas.len() {
             let fresh = state.atoms.len();
             let mut open: Vec<State<'s, 'g>> = state.assume(formula).ok()?;
-            open.retain(|s| self.spend() && tactics::quick_from(s, fresh).is_none());
+            open.retain(|s| self.spend() && tactics::quick_among(s, &since(s, fresh)).is_none());
             if open.len() > 1 {
                 // Which case it is may take more than a look.
                 let refuted = |s: &State<'s, 'g>| {
-                    matches!(self.run(s, fresh, Vec::new(), &[], MAX_SPLITS), Outcome::Closed(_))
+                    matches!(
+                        self.run(s, &since(s, fresh), Vec::new(), &[], MAX_SPLITS),
+                        Outcome::Closed(_)
+                    )
                 };
                 open.retain(|s| !refuted(s));
             }
@@ -146,7 +149,7 @@ impl<'a> Search<'a> {
     fn run(
         &self,
         state: &State<'_, '_>,
-        fresh: usize,
+        fresh: &[bool],
         mut pending: Vec<usize>,
         trail: &[Elimination],
         splits: u32,
@@ -154,7 +157,7 @@ impl<'a> Search<'a> {
         if !self.spend() || state.atoms.iter().any(|a| a.poly.len() > self.widest) {
             return Outcome::Open;
         }
-        if let Some(proof) = tactics::quick_from(state, fresh) {
+        if let Some(proof) = tactics::quick_among(state, fresh) {
             return Outcome::Closed(proof);
         }
         if !pending.is_empty() {
@@ -165,13 +168,14 @@ impl<'a> Search<'a> {
                 return Outcome::Open;
             };
             let fresh = state.atoms.len();
-            let next = |s: &State<'_, '_>| self.run(s, fresh, pending.clone(), trail, splits);
+            let next =
+                |s: &State<'_, '_>| self.run(s, &since(s, fresh), pending.clone(), trail, splits);
             return all(states.iter().map(next), |cases| Proof::Assume { formula, cases });
         }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
             trail.extend(elimination);
-            return match self.run(&next, 0, pending, &trail, splits) {
+            return match self.run(&next, &changed(state, &next), pending, &trail, splits) {
                 Outcome::Closed(proof) => Outcome::Closed(step.wrap(proof)),
                 other => other,
             };
@@ -198,7 +202,8 @@ impl<'a> Search<'a> {
     ) -> Outcome {
         let fresh = state.atoms.len();
         let branch = |sign, p: &Poly| {
-            self.run(&state.with(Atom::new(p.clone(), sign)), fresh, Vec::new(), trail, splits)
+            let next = state.with(Atom::new(p.clone(), sign));
+            self.run(&next, &since(&next, fresh), Vec::new(), trail, splits)
         };
         let signs = [
             (Sign::Positive, poly.clone()),
@@ -530,6 +535,17 @@ impl<'a> Search<'a> {
         }
         None
     }
+}
+
+/// Marks the atoms from an index on.
+fn since(state: &State<'_, '_>, from: usize) -> Vec<bool> {
+    (0..state.atoms.len()).map(|i| i >= from).collect()
+}
+
+/// Marks the atoms that a step changed.
+fn changed(before: &State<'_, '_>, after: &State<'_, '_>) -> Vec<bool> {
+    let same = |(i, a): (usize, &Atom)| before.atoms.get(i) == Some(a);
+    after.atoms.iter().enumerate().map(|x| !same(x)).collect()
 }
 
 /// Closed if all are closed; the first model otherwise.

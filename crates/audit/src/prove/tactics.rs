@@ -18,23 +18,22 @@ fn order(sign: Sign) -> bool {
 
 /// A state that is visibly contradictory: false constants, atoms against each other, wrong signs.
 pub(crate) fn quick(state: &State<'_, '_>) -> Option<Proof> {
-    quick_from(state, 0)
+    quick_among(state, &vec![true; state.atoms.len()])
 }
 
-/// The same, if only atoms from `fresh` on are new.
-pub(crate) fn quick_from(state: &State<'_, '_>, fresh: usize) -> Option<Proof> {
+/// The same, if only these atoms are new.
+pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
     if state.atoms.iter().any(|a| a.decided() == Some(false)) {
         return Some(Proof::Absurd);
     }
-    let undecided = |i: &usize| state.atoms[*i].decided().is_none();
-    let new = fresh..state.atoms.len();
-    conflict(state)
-        .or_else(|| multiple_of_equation(state))
-        .or_else(|| new.rev().filter(undecided).find_map(|i| wrong_sign(state, i)))
+    let undecided = |i: &usize| fresh[*i] && state.atoms[*i].decided().is_none();
+    conflict(state, fresh).or_else(|| multiple_of_equation(state, fresh)).or_else(|| {
+        (0..state.atoms.len()).rev().filter(undecided).find_map(|i| wrong_sign(state, i))
+    })
 }
 
 /// Two or three atoms about the same polynomial that cannot all hold.
-fn conflict(state: &State<'_, '_>) -> Option<Proof> {
+fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
     let keyed: Vec<(Poly, bool, BigInt, Sign)> = state
         .atoms
         .iter()
@@ -50,7 +49,7 @@ fn conflict(state: &State<'_, '_>) -> Option<Proof> {
             continue;
         }
         for (i, a) in keyed[..j].iter().enumerate() {
-            if a.0 != b.0 {
+            if !(fresh[i] || fresh[j]) || a.0 != b.0 {
                 continue;
             }
             let one = Poly::one();
@@ -93,7 +92,7 @@ fn conflict(state: &State<'_, '_>) -> Option<Proof> {
 }
 
 /// An atom that must not vanish but is a multiple of an equation.
-fn multiple_of_equation(state: &State<'_, '_>) -> Option<Proof> {
+fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
     for (j, eq) in state.atoms.iter().enumerate() {
         if eq.sign != Sign::Zero || eq.poly.as_constant().is_some() {
             continue;
