@@ -98,7 +98,10 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> 
             continue;
         }
         for (i, a) in state.atoms.iter().enumerate() {
-            if !matches!(a.sign, Sign::Positive | Sign::NonZero) || a.poly.as_constant().is_some() {
+            if !(fresh[i] || fresh[j])
+                || !matches!(a.sign, Sign::Positive | Sign::NonZero)
+                || a.poly.as_constant().is_some()
+            {
                 continue;
             }
             let Some(q) = exact_quotient(&a.poly, &eq.poly) else {
