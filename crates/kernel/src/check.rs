@@ -1,6 +1,6 @@
 //! The check: a goal, a finding and its evidence, accepted or rejected with the reason.
 
-use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 
 use num_bigint::BigInt;
@@ -484,20 +484,25 @@ fn mentions(e: &Expr, x: usize, allowed: bool) -> bool {
     true
 }
 
-/// Digest of a goal: 128-bit FNV-1a of its syntax. A name, not a safeguard: the check itself never
-/// relies on it.
+/// Digest of a goal or a certificate: 128-bit FNV-1a of its parts. A name, not a safeguard: the
+/// check itself never relies on it.
 #[must_use]
-pub fn digest(value: &impl fmt::Debug) -> u128 {
+pub fn digest(value: &impl Hash) -> u128 {
     struct Fnv(u128);
-    impl fmt::Write for Fnv {
-        fn write_str(&mut self, s: &str) -> fmt::Result {
-            for b in s.bytes() {
-                self.0 = (self.0 ^ u128::from(b)).wrapping_mul(0x0100_0000_0000_0000_0000_013b);
+    impl Hasher for Fnv {
+        fn write(&mut self, bytes: &[u8]) {
+            for b in bytes {
+                self.0 = (self.0 ^ u128::from(*b)).wrapping_mul(0x0100_0000_0000_0000_0000_013b);
             }
-            Ok(())
+        }
+        fn write_usize(&mut self, i: usize) {
+            self.write(&u64::try_from(i).unwrap_or(u64::MAX).to_le_bytes());
+        }
+        fn finish(&self) -> u64 {
+            u64::try_from(self.0 >> 64).unwrap_or(u64::MAX)
         }
     }
     let mut hash = Fnv(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d);
-    let _ = fmt::Write::write_fmt(&mut hash, format_args!("{value:?}"));
+    value.hash(&mut hash);
     hash.0
 }

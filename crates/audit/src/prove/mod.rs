@@ -209,17 +209,14 @@ impl Prover<'_> {
         if source == goal { self.budget.functions } else { self.budget.functions / 20 }
     }
 
-    /// A model of an earlier claim that satisfies the hypotheses of this one too, and if possible
-    /// all givens behind them.
+    /// A model of an earlier claim that satisfies the hypotheses of this one too.
     fn remembered(&self, goal: &Goal) -> Option<Model> {
         let earlier = self.earlier.borrow();
-        let holds = |goal: &Goal, model: &Model| {
-            let evidence = Evidence::Model(model.clone());
+        let holds = |model: &&Model| {
+            let evidence = Evidence::Model((*model).clone());
             self.accept(goal, Finding::Consistent, evidence).is_ok()
         };
-        let recent = || earlier.iter().rev().take(6);
-        let best = recent().find(|m| holds(self.resting, m));
-        best.filter(|m| self.resting == goal || holds(goal, m)).cloned()
+        earlier.iter().rev().take(4).find(holds).cloned()
     }
 
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.
@@ -228,20 +225,13 @@ impl Prover<'_> {
             out.model = Some(model);
             return false;
         }
-        for source in [self.resting, goal] {
-            let found =
-                self.model(source, Finding::Consistent, self.candidates(source, goal) / 4 + 1, out);
-            if let Some(model) = found {
-                let model = restricted(model, goal, source);
-                let evidence = Evidence::Model(model.clone());
-                if self.accept(goal, Finding::Consistent, evidence).is_ok() {
-                    self.earlier.borrow_mut().push(model.clone());
-                    out.model = Some(model);
-                    return false;
-                }
-            }
-            if self.resting == goal {
-                break;
+        let found = self.model(goal, Finding::Consistent, self.budget.functions / 4, out);
+        if let Some(model) = found {
+            let evidence = Evidence::Model(model.clone());
+            if self.accept(goal, Finding::Consistent, evidence).is_ok() {
+                self.earlier.borrow_mut().push(model.clone());
+                out.model = Some(model);
+                return false;
             }
         }
         // A limit claim is vacuous also if the givens far behind it pin its variable.
