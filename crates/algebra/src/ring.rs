@@ -217,3 +217,120 @@ impl Ideal {
         Some((whole.collect(), common))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_kernel::Fuel;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Polynomials in up to three symbols, not zero.
+    fn poly() -> impl Strategy<Value = Poly> {
+        let term = (prop::collection::vec(0u32..3, 3), -3i64..=3);
+        let sum = |terms: Vec<(Vec<u32>, i64)>| {
+            let mut p = Poly::default();
+            for (exponents, c) in terms {
+                let powers = [2, 5, 7].into_iter().zip(exponents).filter(|p| p.1 > 0);
+                p.add_term(powers.collect(), c.into());
+            }
+            p
+        };
+        let sums = prop::collection::vec(term, 1..5).prop_map(sum);
+        sums.prop_filter("not zero", |p| !p.is_empty())
+    }
+
+    fn times(p: &Poly, q: &Poly) -> Poly {
+        p.mul(q, &Fuel::new(u64::MAX)).expect("fuel without end")
+    }
+
+    /// Whether d divides p: what is left of d without their common factor is constant.
+    fn divides(d: &Poly, p: &Poly) -> bool {
+        cancelled(d, p).0.as_constant().is_some()
+    }
+
+    /// Equal up to a rational factor.
+    fn proportional(p: &Poly, q: &Poly) -> bool {
+        let (p, q) = (p.primitive().1, q.primitive().1);
+        p == q || p == q.neg()
+    }
+
+    proptest! {
+        #[test]
+        fn a_planted_common_factor_divides_the_gcd(p in poly(), q in poly(), g in poly()) {
+            let (p, q) = (times(&p, &g), times(&q, &g));
+            let found = gcd(&p, &q);
+            prop_assert!(divides(&g, &found));
+            for (whole, rest) in [(&p, cancelled(&p, &q).0), (&q, cancelled(&p, &q).1)] {
+                prop_assert!(proportional(&times(&rest, &found), whole));
+            }
+        }
+
+        #[test]
+        fn cancelling_keeps_the_ratio_and_leaves_nothing_in_common(p in poly(), q in poly(), g in poly()) {
+            let (p, q) = (times(&p, &g), times(&q, &g));
+            let (a, b) = cancelled(&p, &q);
+            prop_assert_eq!(times(&p, &b), times(&a, &q));
+            prop_assert!(gcd(&a, &b).as_constant().is_some() || q.as_constant().is_some());
+        }
+
+        #[test]
+        fn the_quotient_by_a_planted_factor_is_what_was_left(p in poly(), d in poly()) {
+            let product = times(&p, &d);
+            match exact_quotient(&product, &d) {
+                Some(q) => {
+                    prop_assert!(proportional(&q, &p));
+                    // the quotient has the sign of the ratio
+                    prop_assert_eq!(q, p.primitive().1);
+                }
+                // given up for length alone
+                None => prop_assert!(d.len() > 8 * product.len()),
+            }
+        }
+
+        #[test]
+        fn what_does_not_divide_has_no_quotient(p in poly(), d in poly(), r in poly()) {
+            let sum = times(&p, &d).add(&r);
+            prop_assume!(!sum.is_empty());
+            prop_assert_eq!(exact_quotient(&sum, &d).is_some(), divides(&d, &r) || divides(&d, &sum));
+        }
+
+        #[test]
+        fn division_with_remainder_adds_up(p in poly(), d in poly()) {
+            let (q, r, c) = division(&p, &d).expect("d is not zero");
+            prop_assert!(c.is_positive());
+            prop_assert_eq!(p.scale(&c), times(&q, &d).add(&r));
+        }
+
+        #[test]
+        fn a_planted_content_is_found(p in poly(), c in poly()) {
+            // free of the symbol 2
+            let c = c.coefficients(2).into_iter().find(|c| !c.is_empty()).expect("not zero");
+            prop_assert!(divides(&c, &content_in(&times(&p, &c), 2)));
+        }
+
+        #[test]
+        fn members_of_an_ideal_are_lifted(f in poly(), g in poly(), h in poly(), k in poly()) {
+            let member = times(&f, &h).add(&times(&g, &k));
+            let ideal = Ideal::new(&[&f, &g], &[&member]).expect("generators");
+            let (cofactors, c) = ideal.lift(&member).expect("a member");
+            let sum = times(&cofactors[0], &f).add(&times(&cofactors[1], &g));
+            prop_assert_eq!(member.scale(&c), sum);
+        }
+
+        #[test]
+        fn polynomials_pass_the_border_unchanged(p in poly()) {
+            let ring = Ring::of(&[&p]);
+            prop_assert_eq!(ring.inward(&ring.outward(&p)), (p, BigInt::one()));
+        }
+    }
+
+    #[test]
+    fn a_common_sign_is_that_of_every_coefficient() {
+        let p = Poly::var(0).add(&Poly::one());
+        assert_eq!(common_sign(&p), Some(true));
+        assert_eq!(common_sign(&p.neg()), Some(false));
+        assert_eq!(common_sign(&Poly::var(0).sub(&Poly::one())), None);
+        assert_eq!(common_sign(&Poly::default()), None);
+    }
+}

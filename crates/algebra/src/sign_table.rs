@@ -348,3 +348,134 @@ pub fn simplest_between(lo: Option<&Q>, hi: Option<&Q>) -> Q {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn fuel() -> Fuel {
+        Fuel::new(1 << 40)
+    }
+
+    fn ratio(n: i64, d: i64) -> Q {
+        Q::new(n.into(), d.into())
+    }
+
+    /// Polynomials with planted rational roots, some repeated, times arbitrary ones.
+    fn poly() -> impl Strategy<Value = Vec<BigInt>> {
+        let free = prop::collection::vec(-4i64..=4, 1..5);
+        let roots = prop::collection::vec((-4i64..=4, 1i64..=3, 1u32..=2), 0..3);
+        (free, roots)
+            .prop_map(|(free, roots)| {
+                let free = Uni::new(free.into_iter().map(|c| ratio(c, 1)).collect());
+                let planted = roots.into_iter().fold(free, |p, (n, d, e)| {
+                    &p * &Uni::new(vec![ratio(-n, 1), ratio(d, 1)]).pow(e)
+                });
+                integers(&planted)
+            })
+            .prop_filter("not zero", |p| !p.is_empty())
+    }
+
+    proptest! {
+        /// Sturm's count (polycore) knows nothing of Descartes' rule, by which the table is made.
+        #[test]
+        fn the_table_has_as_many_roots_as_sturm_counts(p in poly(), q in poly()) {
+            let inputs = [p, q];
+            let table = SignTable::new(&inputs, &fuel()).unwrap();
+            for (i, p) in inputs.iter().enumerate() {
+                let zeros: Vec<_> = table.cells().filter(|c| table.sign(i, *c) == 0).collect();
+                let p = uni(p);
+                let bound = Q::from_integer(root_bound(&inputs[i]));
+                let count = if p.deg() == 0 { 0 } else { p.sturm(&-&bound, &bound) };
+                prop_assert_eq!(zeros.len(), count);
+                for cell in zeros {
+                    let Cell::Root(at) = cell else { panic!("a gap of zeros") };
+                    let root = &table.roots[at];
+                    if root.is_exact() {
+                        prop_assert!(p.eval(&root.lo).is_zero());
+                    } else {
+                        prop_assert_eq!(p.sturm(&root.lo, &root.hi), 1);
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn signs_in_gaps_are_those_of_any_value_there(
+            p in poly(), q in poly(), x in (-60i64..=60, 1i64..=9),
+        ) {
+            let inputs = [p, q];
+            let table = SignTable::new(&inputs, &fuel()).unwrap();
+            let x = ratio(x.0, x.1);
+            let beyond = |i: usize| i.checked_sub(1).and_then(|i| table.roots.get(i)).is_none_or(|r| r.hi < x);
+            let before = |i: usize| table.roots.get(i).is_none_or(|r| x < r.lo);
+            for i in (0..=table.roots.len()).filter(|i| beyond(*i) && before(*i)) {
+                for (input, p) in inputs.iter().enumerate() {
+                    prop_assert_eq!(table.sign(input, Cell::Gap(i)), sign_at(p, &x));
+                }
+            }
+        }
+
+        #[test]
+        fn roots_ascend_without_overlap(p in poly(), q in poly()) {
+            let table = SignTable::new(&[p, q], &fuel()).unwrap();
+            for pair in table.roots.windows(2) {
+                prop_assert!(pair[0].hi < pair[1].lo || (pair[0].hi == pair[1].lo && pair[0] != pair[1]));
+            }
+        }
+
+        #[test]
+        fn inputs_are_the_products_of_their_factors(p in poly(), q in poly()) {
+            let inputs = [p, q];
+            let table = SignTable::new(&inputs, &fuel()).unwrap();
+            for (p, (constant, powers)) in inputs.iter().zip(&table.factored) {
+                let one = Uni::constant(constant.clone());
+                let product = table.bases.iter().zip(powers);
+                let product = product.fold(one, |a, (base, n)| &a * &uni(base).pow(*n));
+                prop_assert_eq!(uni(p), product);
+            }
+        }
+
+        #[test]
+        fn a_refined_interval_keeps_its_root(p in poly(), times in 1usize..20) {
+            let table = SignTable::new(std::slice::from_ref(&p), &fuel()).unwrap();
+            for root in table.roots.iter().filter(|r| !r.is_exact()) {
+                let mut refined = root.clone();
+                for _ in 0..times {
+                    refine(&mut refined);
+                }
+                prop_assert!(root.lo <= refined.lo && refined.hi <= root.hi);
+                let at = |x: &Q| sign_at(&root.poly, x);
+                prop_assert!(at(&refined.lo) * at(&refined.hi) < 0 || refined.is_exact() && at(&refined.lo) == 0);
+            }
+        }
+
+        /// All fractions of small denominators are tried.
+        #[test]
+        fn simplest_between_is_the_simplest(
+            a in prop::option::of((-30i64..=30, 1i64..=12)), b in prop::option::of((-30i64..=30, 1i64..=12)),
+        ) {
+            let (a, b) = (a.map(|(n, d)| ratio(n, d)), b.map(|(n, d)| ratio(n, d)));
+            prop_assume!(a.is_none() || b.is_none() || a < b);
+            let found = simplest_between(a.as_ref(), b.as_ref());
+            let inside = |x: &Q| a.as_ref().is_none_or(|a| a < x) && b.as_ref().is_none_or(|b| x < b);
+            prop_assert!(inside(&found));
+            let size = |q: &Q| (q.denom().clone(), q.numer().abs());
+            // two fractions differ by 1/144 at least, so a denominator up to 145 lies between
+            let all = (1i64..=145).flat_map(|d| (-31 * d..=31 * d).map(move |n| ratio(n, d)));
+            let first = all.filter(inside).map(|q| size(&q)).next().map(|first| first.0);
+            prop_assert_eq!(first, Some(found.denom().clone()));
+            let d = i64::try_from(found.denom()).unwrap();
+            let least = (-31 * d..=31 * d).map(|n| ratio(n, d)).filter(inside).map(|q| size(&q)).min();
+            prop_assert_eq!(least, Some(size(&found)));
+        }
+    }
+
+    #[test]
+    fn a_spent_budget_is_told() {
+        let p: Vec<BigInt> = [-2, 0, 1].map(BigInt::from).to_vec();
+        assert_eq!(SignTable::new(&[p], &Fuel::new(1)).err(), Some(Rejection::Budget));
+    }
+}
