@@ -296,6 +296,7 @@ impl Teller<'_> {
                         let (num, den) = (e.neg(), d.clone());
                         match den.as_constant() {
                             Some(c) if c.is_one() => self.poly(scope, &num),
+                            Some(c) if (-&c).is_one() => self.poly(scope, &num.neg()),
                             _ => {
                                 format!("({})/({})", self.poly(scope, &num), self.poly(scope, &den))
                             }

@@ -116,9 +116,16 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
         let below = |b: &kane_kernel::Bound| if b.strict { *q < b.value } else { *q <= b.value };
         var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
     };
-    let numbers =
-        [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
-    let mut out: Vec<Expr> = numbers
+    if varied && var.of == Some(x) {
+        let quadratic = |(a, b, c): (i64, i64, i64)| {
+            let mut p = Poly::constant(a.into());
+            p.add_term(vec![(x, 1)], b.into());
+            p.add_term(vec![(x, 2)], c.into());
+            p
+        };
+        return FUNCTIONS.iter().map(|&(n, d)| ratio(&quadratic(n), &quadratic(d))).collect();
+    }
+    let mut out: Vec<Expr> = NUMBERS
         .iter()
         .filter(|(n, d)| inside(&Q::new((*n).into(), (*d).into())))
         .map(|&(n, d)| rational(n, d))
@@ -133,53 +140,51 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
     }
     if !varied {
         out.truncate(1);
-        return out;
-    }
-    if var.of == Some(x) {
-        let p = Poly::var(x);
-        let linear = |a: i64, b: i64| p.scale(&b.into()).add(&Poly::constant(a.into()));
-        let mut push = |num: Poly, den: Poly| {
-            let e = ratio(&num, &den);
-            if !out.contains(&e) {
-                out.push(e);
-            }
-        };
-        let one = Poly::one();
-        push(linear(0, 1), one.clone());
-        for (a, b, c, d) in [
-            (1, 0, 1, 1),
-            (1, -1, 1, 1),
-            (1, 0, 1, 2),
-            (1, -2, 1, 2),
-            (0, 1, 1, 1),
-            (2, 0, 2, 1),
-            (1, -3, 1, 3),
-            (1, 0, 1, 3),
-            (2, -1, 2, 1),
-            (1, -2, 1, 0),
-            (0, -1, 1, 1),
-            (0, 2, 1, 1),
-        ] {
-            push(linear(a, b), linear(c, d));
-        }
-        let square = |a: i64, b: i64, c: i64| {
-            let mut q = linear(a, b);
-            q.add_term(vec![(x, 2)], c.into());
-            q
-        };
-        for (num, den) in [
-            ((1, 0, -1), (1, 0, 1)),
-            ((1, 0, 0), (1, 0, 1)),
-            ((1, 1, 0), (1, 1, 1)),
-            ((1, 0, -1), (1, 1, 1)),
-            ((1, -1, -1), (1, 1, 1)),
-            ((1, 2, 0), (1, 2, 2)),
-        ] {
-            push(square(num.0, num.1, num.2), square(den.0, den.1, den.2));
-        }
     }
     out
 }
+
+/// Values for constants, simplest first.
+const NUMBERS: [(i64, i64); 10] =
+    [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
+
+/// A quadratic polynomial a + b·x + c·x².
+type Quadratic = (i64, i64, i64);
+
+/// Functions of x as quotients: constants, then what tends to 0, ±1 or ∞ at the ends of the line,
+/// most of it without real poles.
+const FUNCTIONS: [(Quadratic, Quadratic); 30] = [
+    ((1, 0, 0), (1, 0, 0)),
+    ((0, 0, 0), (1, 0, 0)),
+    ((-1, 0, 0), (1, 0, 0)),
+    ((1, 0, 0), (1, 1, 0)),
+    ((1, -1, 0), (1, 1, 0)),
+    ((0, 1, 0), (1, 0, 1)),
+    ((1, 0, 0), (1, 0, 1)),
+    ((0, 1, 0), (1, 0, 0)),
+    ((1, 0, -1), (1, 0, 1)),
+    ((1, -1, -1), (1, 1, 1)),
+    ((1, 1, 0), (1, 1, 1)),
+    ((1, -2, 0), (1, 2, 0)),
+    ((1, 0, 0), (1, 2, 0)),
+    ((0, 1, 0), (1, 1, 0)),
+    ((1, -2, 0), (1, 0, 0)),
+    ((2, 0, 0), (1, 0, 0)),
+    ((1, 0, 0), (2, 0, 0)),
+    ((2, 0, 0), (2, 1, 0)),
+    ((1, -3, 0), (1, 3, 0)),
+    ((1, 0, 0), (1, 3, 0)),
+    ((2, -1, 0), (2, 1, 0)),
+    ((0, -1, 0), (1, 1, 0)),
+    ((0, 2, 0), (1, 1, 0)),
+    ((1, 0, -1), (1, 1, 1)),
+    ((1, 2, 0), (1, 2, 2)),
+    ((1, -2, 1), (1, 0, 1)),
+    ((0, -2, 0), (1, 0, 1)),
+    ((-2, 0, 0), (1, 0, 0)),
+    ((3, 0, 0), (1, 0, 0)),
+    ((1, 0, 0), (0, 1, 0)),
+];
 
 /// A polynomial as an expression.
 pub(crate) fn expression(p: &Poly) -> Expr {
