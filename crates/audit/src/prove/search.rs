@@ -373,11 +373,15 @@ impl<'a> Search<'a> {
             }
         }
         if self.models {
-            if let Some(point) = self.sample(state, trail, &vars) {
+            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
                 return Outcome::Model(point);
             }
         }
         if vars.len() > 1 && self.proofs {
+            // A quick look for a point saves the long search for a proof that there is none.
+            if !self.models && self.sample(state, trail, &vars, (2, 12)).is_some() {
+                return Outcome::Open;
+            }
             let ideal = || if self.ideals { tactics::ideal(state) } else { None };
             let proof = tactics::combination(state)
                 .or_else(|| tactics::products(state, 1))
@@ -454,6 +458,7 @@ impl<'a> Search<'a> {
         state: &State<'_, '_>,
         trail: &[Elimination],
         vars: &[usize],
+        (lasts, tries): (usize, usize),
     ) -> Option<Point> {
         if vars.is_empty() {
             return complete(state, Partial::default(), trail);
@@ -488,10 +493,10 @@ impl<'a> Search<'a> {
         }
         let all = order.clone();
         order.sort_by_key(|&v| (std::cmp::Reverse(uses(v)), std::cmp::Reverse(v)));
-        for &last in order.iter().take(5) {
+        for &last in order.iter().take(lasts) {
             let others: Vec<usize> = all.iter().copied().filter(|v| *v != last).collect();
             let lists: Vec<Vec<Q>> = others.iter().map(|&v| candidates(state, v)).collect();
-            for values in diagonal(&lists, 200) {
+            for values in diagonal(&lists, tries) {
                 if !self.spend() {
                     return None;
                 }
