@@ -497,6 +497,10 @@ fn a_generic_limit_names_the_lead_it_divides_by() {
     let Some(Limit::Infinite(sign)) = pole else { panic!("{pole:?}") };
     assert_eq!(sign.plain(scope.context()), "-a when a != 0");
     assert_eq!(limit(&read("a/x", &scope), 0, &Approach::To(ratio(0, 1))), Ok(None));
+    // zero too rests on the lead: without c it is infinite
+    let zero = limit(&read("x/(c*x^2 + 1)", &scope), 0, &Approach::PlusInf).unwrap();
+    let Some(Limit::Finite(value)) = zero else { panic!("{zero:?}") };
+    assert_eq!(value.plain(scope.context()), "0 when c != 0");
     // the condition on b outlives its cancellation
     let hidden = limit(&read("b*x/b", &scope), 0, &Approach::To(ratio(2, 1))).unwrap();
     let Some(Limit::Finite(value)) = hidden else { panic!("{hidden:?}") };
