@@ -394,7 +394,7 @@ impl fmt::Display for RationalFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.symbols().last().map_or(0, |v| v + 1);
         let name = |i| Var { name: format!("x{i}"), of: None, lower: None, upper: None };
-        let context = Context { vars: (0..last).map(name).collect(), lets: Vec::new() };
+        let context = Context { vars: (0..last).map(name).collect(), ..Context::default() };
         f.write_str(&self.plain(&context))
     }
 }

@@ -443,7 +443,7 @@ fn what_is_no_rational_function_is_refused_by_name() {
     assert_eq!(read(&Expr::Deriv(Expr::Var(3).into(), 0)), Some(NotRational::NotExplicit));
     // a definition that uses itself is not followed
     let circle = kane_kernel::Definition { name: "c".to_owned(), body: Expr::Let(0) };
-    let context = Context { vars: Vec::new(), lets: vec![circle] };
+    let context = Context { lets: vec![circle], ..Context::default() };
     assert_eq!(RationalFunction::from_expr(&Expr::Let(0), &context), Err(NotRational::Unknown));
 }
 

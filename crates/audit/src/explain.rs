@@ -78,7 +78,6 @@ struct Rules {
     tables: Vec<String>,
     signs: bool,
     sums: bool,
-    ideal: bool,
     limits: bool,
     splits: usize,
 }
@@ -105,9 +104,6 @@ impl Rules {
         }
         if self.signs {
             parts.push("signs of coefficients".to_string());
-        }
-        if self.ideal {
-            parts.push("a combination of the equations".to_string());
         }
         let how = if parts.is_empty() {
             "directly".to_string()
@@ -372,31 +368,6 @@ impl Teller<'_> {
                     if cofactors.is_empty() { "" } else { " (brackets vanish)" }
                 );
                 self.say(depth, text);
-            }
-            Proof::Nonzero { factors, cofactors } => {
-                self.rules.ideal = true;
-                let left: Vec<String> = factors
-                    .iter()
-                    .map(|(i, n)| format!("({})^{n}", self.poly(scope, &state.atoms[*i].poly)))
-                    .collect();
-                let right: Vec<String> = cofactors
-                    .iter()
-                    .map(|(i, c)| {
-                        format!(
-                            "({})*[{}]",
-                            self.poly(scope, c),
-                            self.poly(scope, &state.atoms[*i].poly)
-                        )
-                    })
-                    .collect();
-                let left = if left.is_empty() { "1".to_string() } else { left.join("*") };
-                self.say(
-                    depth,
-                    format!(
-                        "{left} = {}: the left side cannot vanish, the brackets do.",
-                        right.join(" + ")
-                    ),
-                );
             }
             Proof::Orthant { atom, bounds } => {
                 self.rules.signs = true;
@@ -696,14 +667,14 @@ fn value(point: &Point, v: usize) -> Option<String> {
 
 fn single(name: &str) -> kane_kernel::Context {
     let var = kane_kernel::Var { name: name.to_string(), of: None, lower: None, upper: None };
-    kane_kernel::Context { vars: vec![var], lets: Vec::new() }
+    kane_kernel::Context { vars: vec![var], ..kane_kernel::Context::default() }
 }
 
 fn root_text(root: &kane_kernel::Root) -> String {
     if root.is_exact() {
         return short(&root.lo);
     }
-    let p = kane_kernel::in_variable(&root.poly, 0);
+    let p = Poly::in_variable(0, &root.poly);
     let text = expression(&p).plain(&single("x"));
     let mut tight = root.clone();
     for _ in 0..40 {

@@ -217,7 +217,7 @@ fn judge(
     let (mut model, mut vacuous) = (None, false);
     for (conclusion, text, latex) in conclusions {
         let mut goal = Goal {
-            context: Context { vars: document.context.vars.clone(), lets: Vec::new() },
+            context: Context { vars: document.context.vars.clone(), ..Context::default() },
             hypotheses: hypotheses.clone(),
             when: claim.when.clone(),
             conclusion,

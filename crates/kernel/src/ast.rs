@@ -151,6 +151,8 @@ pub struct Context {
     pub vars: Vec<Var>,
     /// definitions in order
     pub lets: Vec<Definition>,
+    /// symbols for which an expression in at most one other symbol stands; none in a document
+    pub values: Vec<(usize, Expr)>,
 }
 
 /// What a statement says: its links hold wherever its `when` does.
@@ -193,4 +195,109 @@ pub struct Goal {
     pub when: Vec<Relation>,
     /// one link of the claim
     pub conclusion: Conclusion,
+}
+
+impl Expr {
+    /// A number as an expression.
+    #[must_use]
+    pub fn int(n: i64) -> Self {
+        Self::Num(BigRational::from_integer(n.into()))
+    }
+
+    /// Its direct parts, guards included.
+    #[must_use]
+    pub fn children(&self) -> Vec<&Self> {
+        match self {
+            Self::Num(_) | Self::Var(_) | Self::Let(_) => Vec::new(),
+            Self::Neg(a) | Self::Pow(a, _) | Self::Abs(a) | Self::Sqrt(a) | Self::Deriv(a, _) => {
+                vec![a]
+            }
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Min(a, b) | Self::Max(a, b) => vec![a, b],
+            Self::Cases(branches, otherwise) => {
+                let guards = branches.iter().flat_map(|(guards, _)| guards);
+                let sides = guards.flat_map(|g| [&g.lhs, &g.rhs]);
+                let bodies = branches.iter().map(|(_, body)| body);
+                sides.chain(bodies).chain(otherwise.as_deref()).collect()
+            }
+        }
+    }
+
+    /// The absolute value, the minimum and the maximum as `cases`; anything else as it is.
+    #[must_use]
+    pub fn as_cases(&self) -> Self {
+        let (zero, otherwise);
+        let (a, rel, b, last) = match self {
+            Self::Abs(a) => {
+                zero = Self::int(0);
+                otherwise = Self::Neg(a.clone());
+                (a.as_ref(), Rel::Ge, &zero, &otherwise)
+            }
+            Self::Min(a, b) => (a.as_ref(), Rel::Le, b.as_ref(), b.as_ref()),
+            Self::Max(a, b) => (a.as_ref(), Rel::Ge, b.as_ref(), b.as_ref()),
+            other => return other.clone(),
+        };
+        let guard = Relation { lhs: a.clone(), rel, rhs: b.clone() };
+        Self::Cases(vec![(vec![guard], a.clone())], Some(last.clone().into()))
+    }
+}
+
+impl Context {
+    /// The expression that stands for a symbol, if one does.
+    #[must_use]
+    pub fn value(&self, symbol: usize) -> Option<&Expr> {
+        self.values.iter().find(|(v, _)| *v == symbol).map(|(_, e)| e)
+    }
+}
+
+impl Sentence {
+    /// Its links that are relations.
+    pub fn relations(&self) -> impl Iterator<Item = &Relation> {
+        self.links.iter().filter_map(|l| match l {
+            Link::Relation(r) => Some(r),
+            Link::Limit(_) => None,
+        })
+    }
+
+    /// Its links that are limits.
+    pub fn limits(&self) -> impl Iterator<Item = &Limit> {
+        self.links.iter().filter_map(|l| match l {
+            Link::Relation(_) => None,
+            Link::Limit(l) => Some(l),
+        })
+    }
+}
+
+impl Conclusion {
+    /// The links that it is about.
+    #[must_use]
+    pub fn links(&self) -> &[Link] {
+        match self {
+            Self::Link(l) => std::slice::from_ref(l),
+            Self::NotImplied(s) => &s.links,
+            Self::Contradiction => &[],
+        }
+    }
+
+    /// The conditions of its own.
+    #[must_use]
+    pub fn when(&self) -> &[Relation] {
+        match self {
+            Self::NotImplied(s) => &s.when,
+            Self::Link(_) | Self::Contradiction => &[],
+        }
+    }
+}
+
+/// Both sides of all relations, the expressions of all limits and what they tend to.
+pub fn expressions<'a>(
+    relations: &'a [Relation],
+    links: &'a [Link],
+) -> impl Iterator<Item = &'a Expr> {
+    let of_link = |link: &'a Link| match link {
+        Link::Relation(r) => vec![&r.lhs, &r.rhs],
+        Link::Limit(Limit { expr, to: Target::Finite(value), .. }) => vec![expr, value],
+        Link::Limit(l) => vec![&l.expr],
+    };
+    relations.iter().flat_map(|r| [&r.lhs, &r.rhs]).chain(links.iter().flat_map(of_link))
 }

@@ -3,15 +3,12 @@
 use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Zero};
-
-use crate::limit::{at_point, constants, sides};
+use crate::limit::{Place, constants, narrows, premises, sides};
+use crate::model::satisfies;
 use crate::{
-    Atoms, Cases, Certificate, Conclusion, Evidence, Expr, Failure, Finding, Fuel, Functions, Goal,
-    Hypothesis, Limit, Link, Model, Point, Rejection, Relation, Scope, Sentence, State, Target,
-    descartes, sign_at,
+    Bound, Cases, Certificate, Conclusion, Context, Evidence, Expr, Failure, Finding, Fuel,
+    Functions, Goal, Hypothesis, Limit, Link, Model, Point, Proof, Rejection, Rel, Relation, Scope,
+    Sentence, SideProof, State, Target, expressions,
 };
 
 /// Checks a certificate against the goal that it is for, within the budget.
@@ -19,35 +16,19 @@ use crate::{
 /// # Errors
 /// [`Rejection`]: why it was not accepted. Nothing but `Ok` means accepted.
 pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Result<(), Rejection> {
-    if certificate.goal != digest(goal) {
+    if certificate.goal != digest(goal) || !goal.context.values.is_empty() {
         return Err(Rejection::OtherGoal);
     }
-    let scope = scope(goal, fuel)?;
     let finding = certificate.finding;
     match (&certificate.evidence, &goal.conclusion) {
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(limit)))
             if finding == Finding::Proved =>
         {
-            limit_holds(&constants(&scope, goal, limit.var)?, limit, proofs)
+            limit_holds(goal, limit, proofs, &fuel)
         }
-        (Evidence::Contradiction(proof), conclusion) if is_universal(conclusion, finding) => {
-            claim_state(&scope, goal, finding)?.refute(proof)
-        }
-        (Evidence::Model(Model::Point(point)), conclusion)
-            if is_existential(conclusion, finding) =>
-        {
-            // A point says nothing about limits, neither premised nor claimed.
-            let links = goal.hypotheses.iter().flat_map(|h| &h.sentence.links);
-            if links.chain(claimed(conclusion)).any(|l| matches!(l, Link::Limit(_))) {
-                return Err(Rejection::NeedsFunctions);
-            }
-            satisfies(&claim_state(&scope, goal, finding)?, point)
-        }
-        (Evidence::Model(Model::Functions(f)), conclusion)
-            if is_existential(conclusion, finding) =>
-        {
-            functions(goal, finding, f, &scope.fuel)
-        }
+        (Evidence::Contradiction(proof), _) => contradicts(goal, finding, proof, &fuel),
+        (Evidence::Model(Model::Point(point)), _) => holds_at(goal, finding, point, &fuel),
+        (Evidence::Model(Model::Functions(f)), _) => functions(goal, finding, f, &fuel),
         _ => Err(Rejection::WrongEvidence),
     }
 }
@@ -57,67 +38,13 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Result<(), R
 /// # Errors
 /// [`Rejection::Budget`], [`Rejection::UnknownSymbol`].
 pub fn scope(goal: &Goal, fuel: Fuel) -> Result<Scope<'_>, Rejection> {
-    let mut subjects = Vec::new();
-    collect(goal, &mut subjects);
+    let sentences = goal.hypotheses.iter().map(|h| &h.sentence);
+    let subjects: Vec<&Expr> = sentences
+        .flat_map(|s| expressions(&s.when, &s.links))
+        .chain(expressions(&goal.when, &[]))
+        .chain(expressions(goal.conclusion.when(), goal.conclusion.links()))
+        .collect();
     Scope::new(&goal.context, &subjects, fuel)
-}
-
-fn collect<'g>(goal: &'g Goal, out: &mut Vec<&'g Expr>) {
-    fn sentence<'g>(when: &'g [Relation], links: &'g [Link], out: &mut Vec<&'g Expr>) {
-        out.extend(when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-        for link in links {
-            match link {
-                Link::Relation(r) => out.extend([&r.lhs, &r.rhs]),
-                Link::Limit(l) => {
-                    out.push(&l.expr);
-                    if let Target::Finite(value) = &l.to {
-                        out.push(value);
-                    }
-                }
-            }
-        }
-    }
-    for h in &goal.hypotheses {
-        sentence(&h.sentence.when, &h.sentence.links, out);
-    }
-    sentence(&goal.when, &[], out);
-    match &goal.conclusion {
-        Conclusion::Link(link) => sentence(&[], std::slice::from_ref(link), out),
-        Conclusion::NotImplied(s) => sentence(&s.when, &s.links, out),
-        Conclusion::Contradiction => {}
-    }
-}
-
-fn is_universal(conclusion: &Conclusion, finding: Finding) -> bool {
-    match conclusion {
-        _ if finding == Finding::Vacuous => true,
-        Conclusion::Link(Link::Relation(_)) | Conclusion::Contradiction => {
-            finding == Finding::Proved
-        }
-        Conclusion::Link(Link::Limit(_)) => false,
-        Conclusion::NotImplied(s) => {
-            finding == Finding::Refuted && !s.links.iter().any(|l| matches!(l, Link::Limit(_)))
-        }
-    }
-}
-
-fn is_existential(conclusion: &Conclusion, finding: Finding) -> bool {
-    match conclusion {
-        _ if finding == Finding::Consistent => true,
-        Conclusion::Link(Link::Relation(_)) => {
-            matches!(finding, Finding::Refuted | Finding::IllDefined)
-        }
-        Conclusion::Link(Link::Limit(_)) | Conclusion::Contradiction => finding == Finding::Refuted,
-        Conclusion::NotImplied(_) => finding == Finding::Proved,
-    }
-}
-
-fn claimed(conclusion: &Conclusion) -> &[Link] {
-    match conclusion {
-        Conclusion::Link(link) => std::slice::from_ref(link),
-        Conclusion::Contradiction => &[],
-        Conclusion::NotImplied(s) => &s.links,
-    }
 }
 
 /// The state that a contradiction closes, or that a model satisfies: premises, premised limits,
@@ -130,334 +57,213 @@ pub fn claim_state<'s, 'g>(
     goal: &'g Goal,
     finding: Finding,
 ) -> Result<State<'s, 'g>, Rejection> {
-    if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
-        let state = constants(scope, goal, l.var)?;
-        return Ok(State { reaching: true, ..state });
-    }
-    let mut formulas = at_point(scope, goal, None)?;
-    formulas.extend(failure(scope, &goal.conclusion, finding)?);
-    Ok(State { scope, goal, atoms: scope.ranges(), formulas: Rc::new(formulas), reaching: false })
+    Ok(asked(scope, goal, finding)?.1)
 }
 
-/// The cases in which the conclusion fails in the way that the finding speaks of.
-fn failure(
-    scope: &Scope<'_>,
-    conclusion: &Conclusion,
+/// Whether a finding speaks of all points (that none satisfies the state) or of some, and the
+/// state.
+fn asked<'s, 'g>(
+    scope: &'s Scope<'g>,
+    goal: &'g Goal,
     finding: Finding,
-) -> Result<Option<Cases>, Rejection> {
-    Ok(match (conclusion, finding) {
-        (_, Finding::Vacuous | Finding::Consistent) | (Conclusion::Contradiction, _) => None,
-        (Conclusion::Link(Link::Relation(r)), _) => {
-            let truth = scope.relation(r)?;
-            Some(match finding {
-                Finding::Proved => truth.not(),
-                Finding::Refuted => truth.fails,
-                _ => truth.undefined,
-            })
+) -> Result<(bool, State<'s, 'g>), Rejection> {
+    let wanted = |r: &Relation, value: &dyn Fn(Option<bool>) -> bool| {
+        Ok(Some(crate::normal::regions(scope.relation(r)?, value)))
+    };
+    let (all, failure) = match (&goal.conclusion, finding) {
+        (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) => {
+            let state = constants(scope, goal, l.var)?;
+            return Ok((true, State { reaching: true, ..state }));
         }
-        (Conclusion::Link(Link::Limit(_)), _) => return Err(Rejection::WrongEvidence),
-        (Conclusion::NotImplied(s), _) => Some(scope.premise_fails(s, true)?),
+        (_, Finding::Vacuous) | (Conclusion::Contradiction, Finding::Proved) => (true, None),
+        (_, Finding::Consistent) | (Conclusion::Contradiction, Finding::Refuted) => (false, None),
+        (Conclusion::Link(Link::Relation(r)), Finding::Proved) => {
+            (true, wanted(r, &|value| value != Some(true))?)
+        }
+        (Conclusion::Link(Link::Relation(r)), Finding::Refuted) => {
+            (false, wanted(r, &|value| value == Some(false))?)
+        }
+        (Conclusion::Link(Link::Relation(r)), Finding::IllDefined) => {
+            (false, wanted(r, &|value| value.is_none())?)
+        }
+        (Conclusion::NotImplied(s), Finding::Proved) => {
+            (false, Some(scope.premise(s, true, false)?))
+        }
+        (Conclusion::NotImplied(s), Finding::Refuted) if s.limits().next().is_none() => {
+            (true, Some(scope.premise(s, true, false)?))
+        }
+        _ => return Err(Rejection::WrongEvidence),
+    };
+    Ok((all, point_state(scope, goal, failure)?))
+}
+
+/// The premises of a goal at a point, and a way in which something fails there.
+///
+/// # Errors
+/// [`Rejection::Budget`].
+pub fn point_state<'s, 'g>(
+    scope: &'s Scope<'g>,
+    goal: &'g Goal,
+    failure: Option<Cases>,
+) -> Result<State<'s, 'g>, Rejection> {
+    let mut formulas = premises(scope, goal, Place::Point)?;
+    formulas.extend(failure);
+    let (atoms, formulas) = (scope.ranges(), Rc::new(formulas));
+    Ok(State { scope, goal, atoms, formulas, reaching: false })
+}
+
+/// Checks that no point satisfies what a finding denies.
+fn contradicts(goal: &Goal, finding: Finding, proof: &Proof, fuel: &Fuel) -> Result<(), Rejection> {
+    let scope = scope(goal, fuel.clone())?;
+    match asked(&scope, goal, finding)? {
+        (true, state) => state.refute(proof),
+        (false, _) => Err(Rejection::WrongEvidence),
+    }
+}
+
+/// Checks that a point satisfies what a finding asserts. It says nothing about limits.
+fn holds_at(goal: &Goal, finding: Finding, point: &Point, fuel: &Fuel) -> Result<(), Rejection> {
+    if limits(goal).next().is_some() {
+        return Err(Rejection::NeedsFunctions);
+    }
+    let scope = scope(goal, fuel.clone())?;
+    match asked(&scope, goal, finding)? {
+        (false, state) => satisfies(&state, point),
+        (true, _) => Err(Rejection::WrongEvidence),
+    }
+}
+
+/// All limits that a goal speaks of.
+fn limits(goal: &Goal) -> impl Iterator<Item = &Limit> {
+    let premised = goal.hypotheses.iter().flat_map(|h| &h.sentence.links);
+    premised.chain(goal.conclusion.links()).filter_map(|l| match l {
+        Link::Relation(_) => None,
+        Link::Limit(l) => Some(l),
     })
 }
 
 /// Checks one limit from all its sides.
 fn limit_holds(
-    state: &State<'_, '_>,
+    goal: &Goal,
     limit: &Limit,
-    proofs: &[crate::SideProof],
+    proofs: &[SideProof],
+    fuel: &Fuel,
 ) -> Result<(), Rejection> {
-    let sides = sides(state.scope, limit);
+    let scope = scope(goal, fuel.clone())?;
+    let (state, sides) = (constants(&scope, goal, limit.var)?, sides(&scope, limit));
     if sides.is_empty() || sides.len() != proofs.len() {
         return Err(Rejection::OutsideDomain);
     }
-    sides.iter().zip(proofs).try_for_each(|(s, p)| crate::limit::check(state, limit, s, p))
-}
-
-/// Whether a point satisfies the atoms of a state and a case of each of its formulas.
-///
-/// # Errors
-/// [`Rejection::NotAModel`] with the index of the formula that fails.
-pub fn satisfies(state: &State<'_, '_>, point: &Point) -> Result<(), Rejection> {
-    let fuel = &state.scope.fuel;
-    if let Some(root) = &point.generator {
-        let simple = descartes(&root.poly, Some(&root.lo), Some(&root.hi), fuel)? == 1
-            && sign_at(&root.poly, &root.lo) != 0
-            && sign_at(&root.poly, &root.hi) != 0;
-        if !simple || root.is_exact() {
-            return Err(Rejection::RootCount);
-        }
-    }
-    let holds = |atoms: &Atoms| -> Result<bool, Rejection> {
-        for a in atoms {
-            match point.sign(&a.poly, fuel)? {
-                Some(s) if a.sign.admits(s) => {}
-                _ => return Ok(false),
-            }
-        }
-        Ok(true)
-    };
-    if !holds(&state.atoms)? {
-        return Err(Rejection::NotAModel(None));
-    }
-    for (i, cases) in state.formulas.iter().enumerate() {
-        let mut found = false;
-        for case in cases {
-            found = found || holds(case)?;
-        }
-        if !found {
-            return Err(Rejection::NotAModel(Some(i)));
-        }
-    }
-    Ok(())
-}
-
-/// Halvings of an isolating interval before a sign is given up as undecided.
-const MAX_HALVINGS: usize = 512;
-
-impl Point {
-    /// Sign of a polynomial at this point; `None` if a variable has no value. Exact.
-    ///
-    /// # Errors
-    /// [`Rejection::Budget`], also if the sign at an algebraic number does not come out.
-    pub fn sign(&self, p: &crate::Poly, fuel: &Fuel) -> Result<Option<i8>, Rejection> {
-        let mut sum: Vec<BigRational> = Vec::new();
-        for (m, c) in p.terms() {
-            let mut product = vec![BigRational::from_integer(c.clone())];
-            for &(v, n) in m {
-                let Some((_, value)) = self.values.iter().find(|x| x.0 == v) else {
-                    return Ok(None);
-                };
-                let (mut n, mut base) = (n, value.clone());
-                while n > 0 {
-                    if n & 1 == 1 {
-                        product = self.times(&product, &base, fuel)?;
-                    }
-                    n >>= 1;
-                    if n > 0 {
-                        base = self.times(&base, &base, fuel)?;
-                    }
-                }
-            }
-            for (i, q) in product.into_iter().enumerate() {
-                match sum.get_mut(i) {
-                    Some(s) => *s += q,
-                    None => sum.push(q),
-                }
-            }
-        }
-        while sum.last().is_some_and(Zero::is_zero) {
-            sum.pop();
-        }
-        let common = sum.iter().fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
-        let whole: Vec<BigInt> = sum.iter().map(|q| q.numer() * (&common / q.denom())).collect();
-        let Some(root) = &self.generator else {
-            return Ok(Some(whole.first().map_or(0, crate::sign)));
-        };
-        if whole.is_empty() {
-            return Ok(Some(0));
-        }
-        let (mut lo, mut hi) = (root.lo.clone(), root.hi.clone());
-        let low = sign_at(&root.poly, &lo);
-        for _ in 0..MAX_HALVINGS {
-            let mid = (&lo + &hi) / BigRational::from_integer(2.into());
-            if descartes(&whole, Some(&lo), Some(&hi), fuel)? == 0 {
-                return Ok(Some(sign_at(&whole, &mid)));
-            }
-            match sign_at(&root.poly, &mid) {
-                0 => return Ok(Some(sign_at(&whole, &mid))),
-                s if s == low => lo = mid,
-                _ => hi = mid,
-            }
-        }
-        Err(Rejection::Budget)
-    }
-
-    /// Product modulo the generator's polynomial.
-    fn times(
-        &self,
-        a: &[BigRational],
-        b: &[BigRational],
-        fuel: &Fuel,
-    ) -> Result<Vec<BigRational>, Rejection> {
-        let bits = |p: &[BigRational]| {
-            1 + p.iter().map(|q| q.numer().bits() + q.denom().bits()).max().unwrap_or(0) / 64
-        };
-        let size = u64::try_from(a.len() * b.len()).unwrap_or(u64::MAX);
-        fuel.spend(size.saturating_mul(bits(a).saturating_mul(bits(b))))?;
-        let mut out = vec![BigRational::zero(); (a.len() + b.len()).saturating_sub(1)];
-        for (i, x) in a.iter().enumerate() {
-            for (j, y) in b.iter().enumerate() {
-                out[i + j] += x * y;
-            }
-        }
-        let Some(root) = &self.generator else {
-            return Ok(out);
-        };
-        let (Some(lead), n) = (root.poly.last(), root.poly.len()) else {
-            return Err(Rejection::RootCount);
-        };
-        if lead.is_zero() {
-            return Err(Rejection::RootCount);
-        }
-        while out.len() >= n {
-            let top = out.pop().unwrap_or_else(BigRational::zero);
-            let factor = top / BigRational::from_integer(lead.clone());
-            let from = out.len() + 1 - n;
-            for (k, c) in root.poly[..n - 1].iter().enumerate() {
-                out[from + k] -= &factor * BigRational::from_integer(c.clone());
-            }
-        }
-        Ok(out)
-    }
+    sides.iter().zip(proofs).try_for_each(|(s, p)| crate::limit::check(&state, limit, s, p))
 }
 
 /// Checks explicit functions: premises for all x, and how the conclusion fails.
 fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Result<(), Rejection> {
-    let context = &goal.context;
-    // Every symbol but x has one expression: in x if it is a function of x, else closed.
-    for (i, (v, e)) in f.values.iter().enumerate() {
-        let var = context.vars.get(*v).ok_or(Rejection::UnknownSymbol)?;
-        let free = mentions(e, f.var, var.of == Some(f.var));
-        if !free || *v == f.var || f.values[..i].iter().any(|w| w.0 == *v) {
-            return Err(Rejection::NotConstant);
-        }
+    // Every symbol but x has an expression: in x if it is a function of x, else closed.
+    let vars = &goal.context.vars;
+    let others = (0..vars.len()).filter(|v| *v != f.var);
+    if !f.values.iter().map(|(v, _)| *v).eq(others) || limits(goal).any(|l| l.var != f.var) {
+        return Err(Rejection::NotConstant);
     }
-    if f.values.len() + 1 != context.vars.len()
-        || f.premises.len() != goal.hypotheses.len()
-        || f.ranges.len() != f.values.len()
-    {
-        return Err(Rejection::CaseCount(context.vars.len(), f.values.len()));
+    if f.values.iter().any(|(v, e)| !is_explicit(e, f.var, vars[*v].of == Some(f.var))) {
+        return Err(Rejection::NotConstant);
     }
-    let explicit = crate::substituted(goal, &f.values);
-    let outer = scope(goal, Fuel::new(fuel.left()))?;
+    if f.premises.len() != goal.hypotheses.len() || f.ranges.len() != f.values.len() {
+        return Err(Rejection::CaseCount(goal.hypotheses.len(), f.premises.len()));
+    }
     // Premises about x alone narrow its domain; all others are proved on that domain.
-    let narrow: Vec<bool> =
-        goal.hypotheses.iter().map(|h| crate::limit::narrows(&outer, &h.sentence, f.var)).collect();
-    let domain: Vec<Hypothesis> = explicit
-        .hypotheses
-        .iter()
-        .zip(&narrow)
-        .filter(|(_, narrow)| **narrow)
-        .map(|(h, _)| h.clone())
-        .collect();
-    let on_domain = |conclusion, when| Goal {
-        context: explicit.context.clone(),
-        hypotheses: domain.clone(),
-        when,
-        conclusion,
-    };
-    let limit_goal = |l: &Limit| on_domain(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-    let left = || Fuel::new(fuel.left());
-    let prove = |h: &Hypothesis, proof: &crate::Proof| {
-        let alone = on_domain(Conclusion::Contradiction, Vec::new());
+    let outer = scope(goal, fuel.clone())?;
+    let domain = on_functions(&outer, goal, f.var, &f.values);
+    let on_domain =
+        |conclusion, when: &[Relation]| Goal { conclusion, when: when.to_vec(), ..domain.clone() };
+    let holds = |h: &Hypothesis, proof: &Proof| {
         // The premise is only named here so that its roots are known; it may not prove itself.
-        let carrier =
-            Goal { conclusion: Conclusion::NotImplied(h.sentence.clone()), ..alone.clone() };
-        let scope = scope(&carrier, left())?;
-        let mut formulas = at_point(&scope, &alone, None)?;
-        formulas.push(scope.premise_fails(&h.sentence, h.given)?);
-        let state = State {
-            scope: &scope,
-            goal: &alone,
-            atoms: scope.range(f.var),
-            formulas: Rc::new(formulas),
-            reaching: false,
-        };
-        let outcome = state.refute(proof);
-        fuel.spend(fuel.left().saturating_sub(scope.fuel.left()))?;
-        outcome
+        let goal = on_domain(Conclusion::NotImplied(h.sentence.clone()), &[]);
+        let scope = scope(&goal, fuel.clone())?;
+        let fails = scope.premise(&h.sentence, h.given, false)?;
+        point_state(&scope, &goal, Some(fails))?.refute(proof)
     };
-    for ((v, e), proof) in f.values.iter().zip(&f.ranges) {
-        prove(&range_premise(goal, *v, e), proof)?;
+    let tends = |l: Limit, when: &[Relation], proofs: &[SideProof]| {
+        limit_holds(&on_domain(Conclusion::Link(Link::Limit(l.clone())), when), &l, proofs, fuel)
+    };
+    for ((v, _), proof) in f.values.iter().zip(&f.ranges) {
+        holds(&range_premise(&goal.context, *v), proof)?;
     }
-    for ((h, narrow), (proof, limits)) in explicit.hypotheses.iter().zip(narrow).zip(&f.premises) {
-        if narrow {
+    for (h, (proof, limits)) in goal.hypotheses.iter().zip(&f.premises) {
+        if narrows(&outer, &h.sentence, f.var) {
             continue;
         }
-        prove(h, proof)?;
-        let wanted = h.sentence.links.iter().filter_map(|l| match l {
-            Link::Limit(l) => Some(l),
-            Link::Relation(_) => None,
-        });
-        let wanted: Vec<_> = wanted.collect();
-        if wanted.len() != limits.len() {
-            return Err(Rejection::CaseCount(wanted.len(), limits.len()));
+        holds(h, proof)?;
+        let wanted = h.sentence.limits().count();
+        if wanted != limits.len() {
+            return Err(Rejection::CaseCount(wanted, limits.len()));
         }
-        for (limit, proofs) in wanted.into_iter().zip(limits) {
-            let goal = limit_goal(limit);
-            let scope = scope(&goal, left())?;
-            limit_holds(&constants(&scope, &goal, limit.var)?, limit, proofs)?;
-        }
+        h.sentence.limits().zip(limits).try_for_each(|(l, p)| tends(l.clone(), &[], p))?;
     }
-    match (&f.failure, &explicit.conclusion, finding) {
-        (Failure::At(point), conclusion, _)
-            if finding == Finding::Consistent || !is_limit(conclusion) =>
-        {
-            let goal = on_domain(explicit.conclusion.clone(), explicit.when.clone());
-            let scope = scope(&goal, left())?;
-            let mut state = claim_state(&scope, &goal, finding)?;
-            state.atoms = scope.range(f.var);
-            satisfies(&state, point)
+    match (&f.failure, &goal.conclusion, finding) {
+        (Failure::At(point), _, Finding::Consistent) => {
+            holds_at(&on_domain(Conclusion::Contradiction, &goal.when), finding, point, fuel)
+        }
+        (Failure::At(point), conclusion, _) => {
+            holds_at(&on_domain(conclusion.clone(), &goal.when), finding, point, fuel)
         }
         (Failure::Reaches(proof), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
-            let zero = Expr::int(0);
-            let trivial = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
-            let goal = on_domain(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when);
-            let scope = scope(&goal, left())?;
-            let state = constants(&scope, &goal, l.var)?;
-            let sides = sides(&scope, &trivial);
-            let side = sides.iter().find(|s| **s == proof.germ.side);
-            let side = side.ok_or(Rejection::OutsideDomain)?;
-            crate::limit::check(&state, &trivial, side, proof)
+            let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
+            tends(one_sided(&outer, &zero, proof)?, &goal.when, std::slice::from_ref(proof))
         }
-        (Failure::Limit { link, target, side, proof }, conclusion, _)
-            if finding != Finding::Consistent =>
-        {
-            let when: &[Relation] = match conclusion {
-                Conclusion::NotImplied(s) => &s.when,
-                _ => &[],
-            };
-            let Some(Link::Limit(claimed)) = self::claimed(conclusion).get(*link) else {
+        (Failure::Limit { link, target, proof }, Conclusion::Link(_), Finding::Refuted)
+        | (Failure::Limit { link, target, proof }, Conclusion::NotImplied(_), Finding::Proved) => {
+            let Some(Link::Limit(claimed)) = goal.conclusion.links().get(*link) else {
                 return Err(Rejection::WrongEvidence);
             };
             let found = Limit { to: target.clone(), ..claimed.clone() };
-            let (goal, claim) = (limit_goal(&found), limit_goal(claimed));
-            let (scope, claim_scope) = (scope(&goal, left())?, scope(&claim, left())?);
-            let state = constants(&scope, &goal, found.var)?;
-            let sides = sides(&scope, &found);
-            let side = sides.get(*side).ok_or(Rejection::OutsideDomain)?;
-            crate::limit::check(&state, &found, side, proof)?;
-            let differs = differ(&claim_scope, &claimed.to, target)?;
-            let applies =
-                claim_scope.all(explicit.when.iter().chain(when))?.holds.contains(&Atoms::new());
-            (differs && applies).then_some(()).ok_or(Rejection::NotAModel(None))
+            tends(one_sided(&outer, &found, proof)?, &[], std::slice::from_ref(proof))?;
+            let when = [&goal.when[..], goal.conclusion.when()].concat();
+            let both = [Link::Limit(claimed.clone()), Link::Limit(found)];
+            let subjects: Vec<_> = expressions(&when, &both).collect();
+            let scope = Scope::new(&domain.context, &subjects, fuel.clone())?;
+            let applies = scope.all(&when)?.iter().all(|p| p.value == Some(true));
+            let differ = differ(&scope, &claimed.to, target)?;
+            (differ && applies).then_some(()).ok_or(Rejection::NotAModel(None))
         }
         _ => Err(Rejection::WrongEvidence),
     }
 }
 
-fn is_limit(conclusion: &Conclusion) -> bool {
-    claimed(conclusion).iter().any(|l| matches!(l, Link::Limit(_)))
+/// What is left of a goal with explicit functions of x for its symbols: no condition, nothing
+/// claimed, and only those of its premises that narrow the domain of x.
+#[must_use]
+pub fn on_functions(scope: &Scope<'_>, goal: &Goal, x: usize, values: &[(usize, Expr)]) -> Goal {
+    let narrowing = goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x));
+    Goal {
+        context: Context { values: values.to_vec(), ..goal.context.clone() },
+        hypotheses: narrowing.cloned().collect(),
+        when: Vec::new(),
+        conclusion: Conclusion::Contradiction,
+    }
 }
 
-/// «e is defined and within the range of v» as a premise.
+/// «v is defined and within its range» as a premise.
 #[must_use]
-pub fn range_premise(goal: &Goal, v: usize, e: &Expr) -> Hypothesis {
-    let relation =
-        |rel, value: &Expr| Link::Relation(Relation { lhs: e.clone(), rel, rhs: value.clone() });
-    let mut links = vec![relation(crate::Rel::Eq, e)];
-    if let Some(var) = goal.context.vars.get(v) {
-        use crate::Rel::{Ge, Gt, Le, Lt};
-        let number = |b: &crate::Bound| Expr::Num(b.value.clone());
-        links.extend(
-            var.lower.as_ref().map(|b| relation(if b.strict { Gt } else { Ge }, &number(b))),
-        );
-        links.extend(
-            var.upper.as_ref().map(|b| relation(if b.strict { Lt } else { Le }, &number(b))),
-        );
+pub fn range_premise(context: &Context, v: usize) -> Hypothesis {
+    let relation = |rel, rhs| Link::Relation(Relation { lhs: Expr::Var(v), rel, rhs });
+    let end = |b: &Bound, strict, weak| {
+        relation(if b.strict { strict } else { weak }, Expr::Num(b.value.clone()))
+    };
+    let var = &context.vars[v];
+    let lower = var.lower.as_ref().map(|b| end(b, Rel::Gt, Rel::Ge));
+    let upper = var.upper.as_ref().map(|b| end(b, Rel::Lt, Rel::Le));
+    let links = [Some(relation(Rel::Eq, Expr::Var(v))), lower, upper].into_iter().flatten();
+    Hypothesis { sentence: Sentence { when: Vec::new(), links: links.collect() }, given: true }
+}
+
+/// A limit from nothing but the side of a proof, if that is one of its sides.
+fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Result<Limit, Rejection> {
+    let side = &proof.germ.side;
+    if !sides(scope, limit).contains(side) {
+        return Err(Rejection::OutsideDomain);
     }
-    let sentence = Sentence { when: Vec::new(), links };
-    Hypothesis { sentence, given: true }
+    Ok(Limit { at: side.approach(), ..limit.clone() })
 }
 
 /// Whether two closed targets are visibly different.
@@ -465,23 +271,18 @@ fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Result<bool, R
     let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
         return Ok(std::mem::discriminant(claimed) != std::mem::discriminant(found));
     };
-    let unequal = Relation { lhs: a.clone(), rel: crate::Rel::Eq, rhs: b.clone() };
-    let truth = scope.relation(&unequal)?;
-    Ok(truth.holds.is_empty() && truth.not().contains(&Atoms::new()))
+    let equal = scope.relation(&Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() })?;
+    Ok(equal.iter().all(|p| p.value != Some(true)))
 }
 
 /// Whether an expression mentions nothing but numbers and, if allowed, x.
-fn mentions(e: &Expr, x: usize, allowed: bool) -> bool {
-    let mut todo = vec![e];
-    while let Some(e) = todo.pop() {
-        match e {
-            Expr::Var(v) if *v == x && allowed => {}
-            Expr::Var(_) | Expr::Let(_) => return false,
-            _ => {}
-        }
-        todo.extend(e.children());
-    }
-    true
+fn is_explicit(e: &Expr, x: usize, allowed: bool) -> bool {
+    let fits = match e {
+        Expr::Var(v) | Expr::Deriv(_, v) => *v == x && allowed,
+        Expr::Let(_) => false,
+        _ => true,
+    };
+    fits && e.children().into_iter().all(|part| is_explicit(part, x, allowed))
 }
 
 /// Digest of a goal or a certificate: 128-bit FNV-1a of its parts. A name, not a safeguard: the

@@ -1,18 +1,15 @@
 //! The derivative of an explicit expression, as an expression.
 
-use num_rational::BigRational;
-use num_traits::{One, Zero};
-
 use crate::{Context, Expr, Fuel, Rejection, Rel, Relation};
 
 /// d f / d x, symbolically; nothing is simplified, so no condition is lost.
 ///
-/// A point where two branches of a `cases` meet is outside the derivative's definedness.
+/// Where two branches of a `cases` meet, or a side of a guard has no derivative, it is undefined.
 ///
 /// # Errors
 /// [`Rejection::NotExplicit`] if f contains an undefined function of x; [`Rejection::Budget`].
 pub fn derivative(c: &Context, f: &Expr, x: usize, fuel: &Fuel) -> Result<Expr, Rejection> {
-    diff(c, f, x, fuel, 0)
+    diff(c, f, x, fuel, MAX_DEPTH)
 }
 
 /// Definitions inside definitions, followed at most this deep.
@@ -20,85 +17,53 @@ const MAX_DEPTH: usize = 64;
 
 fn diff(c: &Context, f: &Expr, x: usize, fuel: &Fuel, depth: usize) -> Result<Expr, Rejection> {
     fuel.spend(1)?;
-    let go = |e: &Expr| diff(c, e, x, fuel, depth);
-    let zero = || Expr::Num(BigRational::zero());
+    let go = |e: &Expr| Ok(Box::new(diff(c, e, x, fuel, depth)?));
+    let times = |a: &Expr, b: &Expr| Box::new(Expr::Mul(a.clone().into(), b.clone().into()));
     Ok(match f {
-        Expr::Num(_) => zero(),
-        Expr::Var(v) if *v == x => Expr::Num(BigRational::one()),
-        Expr::Var(v) => match c.vars.get(*v).ok_or(Rejection::UnknownSymbol)?.of {
-            Some(of) if of == x => return Err(Rejection::NotExplicit),
-            _ => zero(),
+        Expr::Num(_) => Expr::int(0),
+        Expr::Var(v) if *v == x => Expr::int(1),
+        Expr::Var(v) => match (c.value(*v), c.vars.get(*v).ok_or(Rejection::UnknownSymbol)?.of) {
+            (Some(value), _) => *go(value)?,
+            (None, Some(of)) if of == x => return Err(Rejection::NotExplicit),
+            (None, _) => Expr::int(0),
         },
         Expr::Let(i) => {
             let body = &c.lets.get(*i).ok_or(Rejection::UnknownSymbol)?.body;
-            if depth == MAX_DEPTH {
-                return Err(Rejection::Budget);
-            }
-            diff(c, body, x, fuel, depth + 1)?
+            diff(c, body, x, fuel, depth.checked_sub(1).ok_or(Rejection::Budget)?)?
         }
-        Expr::Neg(a) => Expr::Neg(go(a)?.into()),
-        Expr::Add(a, b) => Expr::Add(go(a)?.into(), go(b)?.into()),
-        Expr::Sub(a, b) => Expr::Sub(go(a)?.into(), go(b)?.into()),
-        Expr::Mul(a, b) => Expr::Add(
-            Expr::Mul(go(a)?.into(), b.clone()).into(),
-            Expr::Mul(a.clone(), go(b)?.into()).into(),
-        ),
-        Expr::Div(a, b) => Expr::Div(
-            Expr::Sub(
-                Expr::Mul(go(a)?.into(), b.clone()).into(),
-                Expr::Mul(a.clone(), go(b)?.into()).into(),
-            )
-            .into(),
-            Expr::Pow(b.clone(), 2).into(),
-        ),
-        Expr::Pow(_, 0) => zero(),
-        Expr::Pow(a, n) => Expr::Mul(
-            Expr::Mul(
-                Expr::int(i64::from(*n)).into(),
-                Expr::Pow(a.clone(), n.checked_sub(1).ok_or(Rejection::Budget)?).into(),
-            )
-            .into(),
-            go(a)?.into(),
-        ),
-        Expr::Sqrt(a) => {
-            Expr::Div(go(a)?.into(), Expr::Mul(Expr::int(2).into(), f.clone().into()).into())
+        Expr::Neg(a) => Expr::Neg(go(a)?),
+        Expr::Add(a, b) => Expr::Add(go(a)?, go(b)?),
+        Expr::Sub(a, b) => Expr::Sub(go(a)?, go(b)?),
+        Expr::Mul(a, b) => Expr::Add(times(&*go(a)?, b), times(a, &*go(b)?)),
+        Expr::Div(a, b) => {
+            let top = Expr::Sub(times(&*go(a)?, b), times(a, &*go(b)?));
+            Expr::Div(top.into(), Expr::Pow(b.clone(), 2).into())
         }
-        Expr::Abs(a) => {
-            let negative = vec![compare(a, Rel::Lt, &zero())];
-            let positive = Expr::Cases(vec![(negative, Expr::Neg(a.clone()))], Some(a.clone()));
-            go(&positive)?
+        Expr::Pow(_, 0) => Expr::int(0),
+        Expr::Pow(a, n) => {
+            let lower = Expr::Pow(a.clone(), n.checked_sub(1).ok_or(Rejection::Budget)?);
+            Expr::Mul(times(&Expr::int((*n).into()), &lower), go(a)?)
         }
-        Expr::Min(a, b) => {
-            let less = vec![compare(a, Rel::Le, b)];
-            go(&Expr::Cases(vec![(less, (**a).clone())], Some(b.clone())))?
-        }
-        Expr::Max(a, b) => {
-            let more = vec![compare(a, Rel::Ge, b)];
-            go(&Expr::Cases(vec![(more, (**a).clone())], Some(b.clone())))?
-        }
-        Expr::Deriv(g, y) => go(&diff(c, g, *y, fuel, depth)?)?,
+        Expr::Sqrt(a) => Expr::Div(go(a)?, times(&Expr::int(2), f)),
+        Expr::Abs(_) | Expr::Min(..) | Expr::Max(..) => *go(&f.as_cases())?,
+        Expr::Deriv(g, y) => *go(&diff(c, g, *y, fuel, depth)?)?,
         Expr::Cases(branches, otherwise) => {
+            let pole = Expr::Div(Expr::int(1).into(), Expr::int(0).into());
+            let equal = |lhs: &Expr, rhs: &Expr| Relation {
+                lhs: lhs.clone(),
+                rel: Rel::Eq,
+                rhs: rhs.clone(),
+            };
             let mut out = Vec::new();
             for (guards, body) in branches {
-                // Where a guard is on the edge, the branches meet: undefined.
                 for (i, g) in guards.iter().enumerate() {
-                    let edge = compare(&g.lhs, Rel::Eq, &g.rhs);
-                    let mut reached = guards[..i].to_vec();
-                    reached.push(edge);
-                    let pole = Expr::Div(Expr::int(1).into(), zero().into());
-                    out.push((reached, pole));
+                    let slope = Expr::Sub(go(&g.lhs)?, go(&g.rhs)?);
+                    let edge = [equal(&slope, &slope), equal(&g.lhs, &g.rhs)];
+                    out.push(([&guards[..i], &edge].concat(), pole.clone()));
                 }
-                out.push((guards.clone(), go(body)?));
+                out.push((guards.clone(), *go(body)?));
             }
-            let last = match otherwise {
-                Some(body) => Some(Box::new(go(body)?)),
-                None => None,
-            };
-            Expr::Cases(out, last)
+            Expr::Cases(out, otherwise.as_deref().map(go).transpose()?)
         }
     })
-}
-
-fn compare(lhs: &Expr, rel: Rel, rhs: &Expr) -> Relation {
-    Relation { lhs: lhs.clone(), rel, rhs: rhs.clone() }
 }

@@ -9,24 +9,21 @@ mod ast;
 mod check;
 mod derivative;
 mod limit;
+mod model;
 mod normal;
 mod poly;
 mod proof;
 mod rejection;
 mod state;
-mod substitution;
 mod univariate;
 
 pub use ast::*;
-pub use check::{check, claim_state, digest, range_premise, satisfies, scope};
+pub use check::{check, claim_state, digest, on_functions, point_state, range_premise, scope};
 pub use derivative::derivative;
-pub use limit::{
-    along, at_point, constants, differs, leaves, misses, narrows, premised, sides, start,
-};
-pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign, Truth};
+pub use limit::{Place, constants, differs, leaves, misses, narrows, premised, premises, sides};
+pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;
 pub use rejection::Rejection;
-pub use state::{State, cells, depends, in_variable};
-pub use substitution::substituted;
+pub use state::State;
 pub use univariate::{descartes, sign, sign_at};

@@ -2,10 +2,11 @@
 
 use std::rc::Rc;
 
+use crate::normal::regions;
 use crate::state::{depends, varies};
 use crate::{
-    Approach, Atom, Atoms, Cases, Expr, Fuel, Goal, Limit, Link, Poly, Rejection, Relation, Scope,
-    Sentence, Side, SideProof, Sign, State, Target, exponent,
+    Approach, Atom, Atoms, Bound, Cases, Expr, Fuel, Goal, Limit, Piece, Poly, Rejection, Scope,
+    Sentence, Side, SideProof, Sign, State, Target, expressions,
 };
 
 impl Side {
@@ -15,16 +16,25 @@ impl Side {
         let Some(var) = scope.context.vars.get(self.var) else {
             return false;
         };
-        let (lower, upper) = (var.lower.as_ref(), var.upper.as_ref());
         match (&self.at, self.above) {
-            (None, true) => upper.is_none(),
-            (None, false) => lower.is_none(),
-            (Some(a), true) => {
-                upper.is_none_or(|b| *a < b.value) && lower.is_none_or(|b| *a >= b.value)
+            (None, true) => var.upper.is_none(),
+            (None, false) => var.lower.is_none(),
+            (Some(a), above) => {
+                let over = |b: &Bound| *a > b.value || (above && *a == b.value);
+                let under = |b: &Bound| *a < b.value || (!above && *a == b.value);
+                var.lower.as_ref().is_none_or(over) && var.upper.as_ref().is_none_or(under)
             }
-            (Some(a), false) => {
-                lower.is_none_or(|b| *a > b.value) && upper.is_none_or(|b| *a <= b.value)
-            }
+        }
+    }
+
+    /// The approach from this side alone.
+    #[must_use]
+    pub fn approach(&self) -> Approach {
+        match (self.at.clone(), self.above) {
+            (Some(a), true) => Approach::Above(a),
+            (Some(a), false) => Approach::Below(a),
+            (None, true) => Approach::PlusInf,
+            (None, false) => Approach::MinusInf,
         }
     }
 
@@ -33,14 +43,11 @@ impl Side {
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn binding(&self, t: usize, fuel: &Fuel) -> Result<Atom, Rejection> {
-        let (x, t) = (Poly::var(self.var), Poly::var(t));
-        let t = if self.above { t } else { t.neg() };
+        let step = Poly::var(t).scale(&if self.above { 1.into() } else { (-1).into() });
         let poly = match &self.at {
-            Some(a) => {
-                let moved = x.sub(&t).scale(a.denom());
-                moved.sub(&Poly::constant(a.numer().clone()))
-            }
-            None => x.mul(&t, fuel)?.sub(&Poly::one()),
+            Some(a) => Poly::in_variable(self.var, &[-a.numer(), a.denom().clone()])
+                .sub(&step.scale(a.denom())),
+            None => Poly::var(self.var).mul(&step, fuel)?.sub(&Poly::one()),
         };
         Ok(Atom::new(poly, Sign::Zero))
     }
@@ -49,50 +56,37 @@ impl Side {
 /// The sides from which a limit is meant, inside the domain.
 #[must_use]
 pub fn sides(scope: &Scope<'_>, limit: &Limit) -> Vec<Side> {
-    let side = |at: Option<&num_rational::BigRational>, above| Side {
-        var: limit.var,
-        at: at.cloned(),
-        above,
+    let (at, directions): (_, &[bool]) = match &limit.at {
+        Approach::To(a) => (Some(a), &[true, false]),
+        Approach::Above(a) => (Some(a), &[true]),
+        Approach::Below(a) => (Some(a), &[false]),
+        Approach::PlusInf => (None, &[true]),
+        Approach::MinusInf => (None, &[false]),
     };
-    let all = match &limit.at {
-        Approach::To(a) => vec![side(Some(a), true), side(Some(a), false)],
-        Approach::Above(a) => vec![side(Some(a), true)],
-        Approach::Below(a) => vec![side(Some(a), false)],
-        Approach::PlusInf => vec![side(None, true)],
-        Approach::MinusInf => vec![side(None, false)],
-    };
-    all.into_iter().filter(|s| s.is_inside(scope)).collect()
+    let side = |above: &bool| Side { var: limit.var, at: at.cloned(), above: *above };
+    directions.iter().map(side).filter(|s| s.is_inside(scope)).collect()
 }
 
 /// The limits among the premises, in order, each with its sentence.
 pub fn premised(goal: &Goal) -> impl Iterator<Item = (&Sentence, &Limit)> {
-    goal.hypotheses.iter().flat_map(|h| {
-        let limits = h.sentence.links.iter().filter_map(|l| match l {
-            Link::Limit(limit) => Some(limit),
-            Link::Relation(_) => None,
-        });
-        limits.map(|l| (&h.sentence, l))
-    })
+    goal.hypotheses.iter().flat_map(|h| h.sentence.limits().map(|l| (&h.sentence, l)))
 }
 
-/// Whether a premised limit gives a value: finite, and nothing around it varies with the variable.
-fn has_value(scope: &Scope<'_>, s: &Sentence, l: &Limit) -> bool {
-    let mut parts = s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]);
-    match &l.to {
-        Target::Finite(value) => {
-            !depends(scope, value, l.var) && !parts.any(|e| depends(scope, e, l.var))
-        }
-        _ => false,
-    }
+/// The value of a premised limit: finite, if nothing around it varies with the variable.
+fn value<'g>(scope: &Scope<'_>, s: &Sentence, l: &'g Limit) -> Option<&'g Expr> {
+    let Target::Finite(value) = &l.to else {
+        return None;
+    };
+    let mut around = expressions(&s.when, &[]).chain([value]);
+    (!around.any(|e| depends(scope, e, l.var))).then_some(value)
 }
 
 /// Whether a premise speaks of x without any function of x: it narrows the domain of x.
 #[must_use]
 pub fn narrows(scope: &Scope<'_>, s: &Sentence, x: usize) -> bool {
-    let relations: Vec<_> = s.when.iter().chain(crate::normal::relations(s)).collect();
-    let limits = s.links.iter().any(|l| matches!(l, Link::Limit(_)));
-    let any = |test: &dyn Fn(&Expr) -> bool| relations.iter().any(|r| test(&r.lhs) || test(&r.rhs));
-    !limits && any(&|e| depends(scope, e, x)) && !any(&|e| varies(scope, e, x))
+    s.limits().next().is_none()
+        && expressions(&s.when, &s.links).any(|e| depends(scope, e, x))
+        && !expressions(&s.when, &s.links).any(|e| varies(scope, e, x))
 }
 
 /// Formulas that hold where a germ leaves the narrowed domain: what is known of constants, and one
@@ -101,106 +95,116 @@ pub fn narrows(scope: &Scope<'_>, s: &Sentence, x: usize) -> bool {
 /// # Errors
 /// [`Rejection::Budget`].
 pub fn leaves(scope: &Scope<'_>, goal: &Goal, x: usize) -> Result<Vec<Cases>, Rejection> {
-    let mut formulas = at_point(scope, goal, Some(x))?;
+    let mut formulas = premises(scope, goal, Place::Constants(x))?;
     let mut outside = Cases::new();
-    for h in &goal.hypotheses {
-        if narrows(scope, &h.sentence, x) {
-            outside.extend(scope.premise_fails(&h.sentence, h.given)?);
-        }
+    for h in goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x)) {
+        outside.extend(scope.premise(&h.sentence, h.given, false)?);
     }
     formulas.push(outside);
     Ok(formulas)
 }
 
-/// A formula that says nothing.
-fn nothing() -> Cases {
-    vec![Atoms::new()]
+/// Where premises are read.
+#[derive(Clone, Copy, Debug)]
+pub enum Place<'a> {
+    /// at a point
+    Point,
+    /// in the constants of a limit along this variable: only what is free of it
+    Constants(usize),
+    /// along a germ on this side
+    Germ(&'a Side),
 }
 
-/// `den·z = num` on each piece where e is defined, under the sentence's `when`.
-fn bound_to(scope: &Scope<'_>, s: &Sentence, e: &Expr, z: usize) -> Result<Cases, Rejection> {
-    let when = scope.all(&s.when)?;
-    let mut values = Cases::new();
-    for mut piece in scope.pieces(e)? {
-        if let Some(v) = piece.value {
-            let gap = v.den.mul(&Poly::var(z), &scope.fuel)?.sub(&v.num);
-            piece.atoms.push(Atom::new(gap, Sign::Zero));
-            values.push(piece.atoms);
-        }
-    }
-    let mut cases = when.not();
-    cases.extend(scope.meet(&when.holds, &values)?);
-    Ok(cases)
-}
-
-/// Formulas along a germ: the premises, then for each premised limit on this side the function
-/// behind its variable, then `when` if nothing in it varies.
+/// What is known at a place: the premises; for each premised limit what its variable stands for,
+/// the value or, along a germ on its side, the function; and `when`, unless it varies there.
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn along(scope: &Scope<'_>, goal: &Goal, side: &Side) -> Result<Vec<Cases>, Rejection> {
-    let mut formulas = Vec::new();
-    for h in &goal.hypotheses {
-        formulas.push(scope.premise(&h.sentence, h.given)?);
-    }
-    for (z, (s, l)) in (scope.germ() + 1..).zip(premised(goal)) {
-        formulas.push(if has_value(scope, s, l) && sides(scope, l).contains(side) {
-            bound_to(scope, s, &l.expr, z)?
-        } else {
-            nothing()
-        });
-    }
-    let mut parts = goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]);
-    let varies = parts.any(|e| depends(scope, e, side.var));
-    formulas.push(if varies { nothing() } else { scope.all(&goal.when)?.holds });
-    Ok(formulas)
-}
-
-/// Formulas at a point: the premises, then the value behind each premised finite limit. For a
-/// limit claim along x only what is free of x.
-///
-/// # Errors
-/// [`Rejection::Budget`].
-pub fn at_point(scope: &Scope<'_>, goal: &Goal, x: Option<usize>) -> Result<Vec<Cases>, Rejection> {
-    let free = |relations: &[Relation]| {
-        let dependent = |e: &Expr| x.is_some_and(|x| depends(scope, e, x));
-        !relations.iter().any(|r| dependent(&r.lhs) || dependent(&r.rhs))
+pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Result<Vec<Cases>, Rejection> {
+    let (x, side) = match place {
+        Place::Point => (None, None),
+        Place::Constants(x) => (Some(x), None),
+        Place::Germ(side) => (Some(side.var), Some(side)),
     };
+    let free = |e: &Expr| x.is_none_or(|x| !depends(scope, e, x));
+    let nothing = || vec![Atoms::new()];
     let mut formulas = Vec::new();
     for h in &goal.hypotheses {
-        let relations: Vec<_> = crate::normal::relations(&h.sentence).cloned().collect();
-        let speaks = free(&h.sentence.when) && free(&relations);
-        formulas.push(if speaks { scope.premise(&h.sentence, h.given)? } else { nothing() });
+        let mut relations = h.sentence.when.iter().chain(h.sentence.relations());
+        let speaks = side.is_some() || relations.all(|r| free(&r.lhs) && free(&r.rhs));
+        formulas.push(if speaks { scope.premise(&h.sentence, h.given, true)? } else { nothing() });
     }
     for (z, (s, l)) in (scope.germ() + 1..).zip(premised(goal)) {
-        formulas.push(match &l.to {
-            Target::Finite(value) if free(&s.when) && has_value(scope, s, l) => {
-                bound_to(scope, s, value, z)?
+        let end = value(scope, s, l).filter(|_| expressions(&s.when, &[]).all(free));
+        let behind = match side {
+            None => end,
+            Some(side) => {
+                let along = sides(scope, l).contains(side);
+                value(scope, s, l).filter(|_| along).map(|_| &l.expr)
             }
-            _ => nothing(),
+        };
+        formulas.push(match behind {
+            Some(e) => {
+                let bound = quotient(scope, e, (&Poly::var(z), &Poly::one()), Sign::Zero)?;
+                regions(scope.under(&s.when, &bound)?, |holds| holds == Some(true))
+            }
+            None => nothing(),
         });
     }
-    let when = free(&goal.when).then(|| scope.all(&goal.when)).transpose()?;
-    formulas.push(when.map_or_else(nothing, |truth| truth.holds));
+    let speaks = expressions(&goal.when, &[]).all(free);
+    let when = scope.all(goal.when.iter().filter(|_| speaks))?;
+    formulas.push(regions(when, |holds| holds == Some(true)));
     Ok(formulas)
 }
 
-/// A polynomial along a germ at t = 0; it may mention t, constants, and limits premised on this
-/// side.
+/// `den·e − num` with a sign, on each piece where e is defined.
+fn quotient(
+    scope: &Scope<'_>,
+    e: &Expr,
+    (num, den): (&Poly, &Poly),
+    sign: Sign,
+) -> Result<Vec<Piece<bool>>, Rejection> {
+    scope.each(&scope.pieces(e)?, |v| {
+        let gap = den.mul(&v.num, &scope.fuel)?.sub(&num.mul(&v.den, &scope.fuel)?);
+        Ok(vec![Piece { atoms: vec![Atom::new(gap, sign)], value: Some(true) }])
+    })
+}
+
+/// Where e is undefined, or den·e ≠ num.
 ///
 /// # Errors
-/// [`Rejection::NotConstant`] if it mentions anything else.
-pub fn start(state: &State<'_, '_>, side: &Side, poly: &Poly) -> Result<Poly, Rejection> {
-    let t = state.scope.germ();
-    let premised: Vec<_> = premised(state.goal).collect();
-    let known = |v: usize| match v.checked_sub(t + 1).and_then(|i| premised.get(i)) {
-        Some((s, l)) => has_value(state.scope, s, l) && sides(state.scope, l).contains(side),
+/// [`Rejection::Budget`].
+pub fn differs(scope: &Scope<'_>, e: &Expr, ends: (&Poly, &Poly)) -> Result<Cases, Rejection> {
+    Ok(regions(quotient(scope, e, ends, Sign::NonZero)?, |_| true))
+}
+
+/// The coefficient of t^order of a polynomial along a germ, all lower ones being zero; it may
+/// mention t, constants, and limits premised on this side.
+///
+/// # Errors
+/// [`Rejection::NotConstant`] if it mentions anything else, [`Rejection::WrongOrder`].
+pub(crate) fn start(
+    state: &State<'_, '_>,
+    side: &Side,
+    poly: &Poly,
+    order: u32,
+) -> Result<Poly, Rejection> {
+    let (scope, t) = (state.scope, state.scope.germ());
+    let known = |v: usize| match v.checked_sub(t + 1) {
+        Some(i) => premised(state.goal)
+            .nth(i)
+            .is_some_and(|(s, l)| value(scope, s, l).is_some() && sides(scope, l).contains(side)),
         None => v == t || state.is_constant(v, side.var),
     };
     if !poly.vars().into_iter().all(known) {
         return Err(Rejection::NotConstant);
     }
-    Ok(poly.coefficients(t).swap_remove(0))
+    let lower = poly.terms().any(|(m, _)| crate::exponent(m, t) < order);
+    let mut powers = (0..).zip(poly.coefficients(t));
+    match powers.find(|(n, _)| *n == order) {
+        Some((_, coefficient)) if !lower => Ok(coefficient),
+        _ => Err(Rejection::WrongOrder),
+    }
 }
 
 /// The state in which the ends of a limit claim along x are compared: what is known of constants.
@@ -212,39 +216,11 @@ pub fn constants<'s, 'g>(
     goal: &'g Goal,
     x: usize,
 ) -> Result<State<'s, 'g>, Rejection> {
-    let mut state = State {
-        scope,
-        goal,
-        atoms: Atoms::new(),
-        formulas: Rc::new(at_point(scope, goal, Some(x))?),
-        reaching: false,
-    };
-    for &v in &scope.mentioned {
-        if state.is_constant(v, x) {
-            state.atoms.extend(scope.range(v));
-        }
-    }
+    let formulas = Rc::new(premises(scope, goal, Place::Constants(x))?);
+    let mut state = State { scope, goal, atoms: Atoms::new(), formulas, reaching: false };
+    let constants = scope.mentioned.iter().filter(|v| state.is_constant(**v, x));
+    state.atoms = constants.flat_map(|v| scope.range(*v)).collect();
     Ok(state)
-}
-
-/// Where f is undefined along a germ, or den·f ≠ num.
-///
-/// # Errors
-/// [`Rejection::Budget`].
-pub fn differs(
-    scope: &Scope<'_>,
-    f: &Expr,
-    (num, den): (&Poly, &Poly),
-) -> Result<Cases, Rejection> {
-    let mut cases = Cases::new();
-    for mut piece in scope.pieces(f)? {
-        if let Some(v) = piece.value {
-            let gap = den.mul(&v.num, &scope.fuel)?.sub(&num.mul(&v.den, &scope.fuel)?);
-            piece.atoms.push(Atom::new(gap, Sign::NonZero));
-        }
-        cases.push(piece.atoms);
-    }
-    Ok(cases)
 }
 
 /// Where num and den at t = 0 do not show the limit to be the target.
@@ -254,45 +230,21 @@ pub fn differs(
 pub fn misses(
     state: &State<'_, '_>,
     side: &Side,
-    proof: (&Poly, &Poly, u32),
+    (num, den, order): (&Poly, &Poly, u32),
     target: &Target,
 ) -> Result<Cases, Rejection> {
-    let (scope, (num, den, order)) = (state.scope, proof);
-    let num = start(state, side, num)?;
-    let mut cases = Cases::new();
-    if let Target::Finite(value) = target {
-        if order != 0 {
-            return Err(Rejection::WrongOrder);
+    let num = start(state, side, num, 0)?;
+    let den = start(state, side, den, order)?;
+    let signed = match target {
+        Target::Finite(value) if order == 0 => {
+            let mut cases = differs(state.scope, value, (&num, &den))?;
+            cases.push(vec![Atom::new(den, Sign::Zero)]);
+            return Ok(cases);
         }
-        let den = start(state, side, den)?;
-        cases.push(vec![Atom::new(den.clone(), Sign::Zero)]);
-        for mut piece in scope.pieces(value)? {
-            if let Some(v) = piece.value {
-                let left = num.mul(&v.den, &scope.fuel)?;
-                let gap = left.sub(&den.mul(&v.num, &scope.fuel)?);
-                piece.atoms.push(Atom::new(gap, Sign::NonZero));
-            }
-            cases.push(piece.atoms);
-        }
-        return Ok(cases);
-    }
-    let t = scope.germ();
-    let mut rest = Poly::default();
-    for (m, c) in den.terms() {
-        let e = exponent(m, t).checked_sub(order).ok_or(Rejection::WrongOrder)?;
-        let mut lower: Vec<_> = m.iter().copied().filter(|p| p.0 != t).collect();
-        if e > 0 {
-            lower.push((t, e));
-            lower.sort_unstable();
-        }
-        rest.add_term(lower, c.clone());
-    }
-    if order == 0 {
-        return Err(Rejection::WrongOrder);
-    }
-    let product = num.mul(&start(state, side, &rest)?, &scope.fuel)?;
-    let up = matches!(target, Target::PlusInf);
-    let signed = if up { product } else { product.neg() };
+        Target::PlusInf if order > 0 => num.mul(&den, &state.scope.fuel)?,
+        Target::MinusInf if order > 0 => num.mul(&den, &state.scope.fuel)?.neg(),
+        _ => return Err(Rejection::WrongOrder),
+    };
     Ok(vec![vec![Atom::new(signed, Sign::Positive).not()]])
 }
 
@@ -309,14 +261,9 @@ pub(crate) fn check(
     if proof.germ.side != *side {
         return Err(Rejection::OutsideDomain);
     }
-    let wrong =
-        |state: &State<'_, '_>, cases: Cases| Rc::new([&state.formulas[..], &[cases]].concat());
-    let mut along = state.along(&proof.germ)?;
-    let ends = (&proof.num, &proof.den);
-    along.formulas = wrong(&along, differs(state.scope, &limit.expr, ends)?);
-    along.refute(&proof.along)?;
+    let along = state.along(&proof.germ)?;
+    let wrong = differs(state.scope, &limit.expr, (&proof.num, &proof.den))?;
+    along.with_cases(wrong).refute(&proof.along)?;
     let parts = (&proof.num, &proof.den, proof.order);
-    let mut at_zero = state.clone();
-    at_zero.formulas = wrong(state, misses(state, side, parts, &limit.to)?);
-    at_zero.refute(&proof.at_zero)
+    state.with_cases(misses(state, side, parts, &limit.to)?).refute(&proof.at_zero)
 }

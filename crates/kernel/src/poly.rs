@@ -2,29 +2,26 @@
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::rc::Rc;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
-use crate::Rejection;
+use crate::{Rejection, sign};
 
-/// A budget of coefficient operations; what needs more is rejected, never waited for.
-#[derive(Debug)]
-pub struct Fuel(Cell<u64>);
+/// A budget of coefficient operations; what needs more is rejected, never waited for. Clones share
+/// it.
+#[derive(Clone, Debug)]
+pub struct Fuel(Rc<Cell<u64>>);
 
 impl Fuel {
     /// A budget of this many word-sized coefficient operations.
     #[must_use]
     pub fn new(steps: u64) -> Self {
-        Self(Cell::new(steps))
-    }
-
-    /// Steps left.
-    #[must_use]
-    pub fn left(&self) -> u64 {
-        self.0.get()
+        Self(Rc::new(Cell::new(steps)))
     }
 
     /// Takes `steps` from the budget.
@@ -32,16 +29,9 @@ impl Fuel {
     /// # Errors
     /// [`Rejection::Budget`] when fewer are left.
     pub fn spend(&self, steps: u64) -> Result<(), Rejection> {
-        match self.0.get().checked_sub(steps) {
-            Some(left) => {
-                self.0.set(left);
-                Ok(())
-            }
-            None => {
-                self.0.set(0);
-                Err(Rejection::Budget)
-            }
-        }
+        let left = self.0.get().checked_sub(steps);
+        self.0.set(left.unwrap_or(0));
+        left.map(|_| ()).ok_or(Rejection::Budget)
     }
 }
 
@@ -68,7 +58,20 @@ impl Poly {
     /// The variable v.
     #[must_use]
     pub fn var(v: usize) -> Self {
-        Self::term(vec![(v, 1)], BigInt::one())
+        Self::power(v, 1)
+    }
+
+    /// vⁿ
+    #[must_use]
+    pub fn power(v: usize, n: u32) -> Self {
+        Self::term(if n == 0 { Vec::new() } else { vec![(v, n)] }, BigInt::one())
+    }
+
+    /// Coefficients, from v⁰ up, as a polynomial in v.
+    #[must_use]
+    pub fn in_variable(v: usize, coefficients: &[BigInt]) -> Self {
+        let powers = (0..).zip(coefficients).map(|(n, c)| Self::power(v, n).scale(c));
+        powers.fold(Self::default(), |sum, power| sum.add(&power))
     }
 
     /// c·m, the zero polynomial if c = 0. The monomial must be ascending in its variables.
@@ -85,10 +88,10 @@ impl Poly {
             return;
         }
         match self.0.entry(m) {
-            std::collections::btree_map::Entry::Vacant(e) => {
+            Entry::Vacant(e) => {
                 e.insert(c);
             }
-            std::collections::btree_map::Entry::Occupied(mut e) => {
+            Entry::Occupied(mut e) => {
                 *e.get_mut() += c;
                 if e.get().is_zero() {
                     e.remove();
@@ -117,10 +120,10 @@ impl Poly {
     /// Its value if it is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<BigInt> {
-        match self.0.len() {
-            0 => Some(BigInt::zero()),
-            1 => self.0.get(&Vec::new()).cloned(),
-            _ => None,
+        match self.0.first_key_value() {
+            None => Some(BigInt::zero()),
+            Some((m, c)) if m.is_empty() && self.len() == 1 => Some(c.clone()),
+            Some(_) => None,
         }
     }
 
@@ -164,16 +167,14 @@ impl Poly {
     /// The opposite.
     #[must_use]
     pub fn neg(&self) -> Self {
-        Self(self.0.iter().map(|(m, c)| (m.clone(), -c)).collect())
+        self.scale(&-BigInt::one())
     }
 
     /// Product with an integer.
     #[must_use]
     pub fn scale(&self, k: &BigInt) -> Self {
-        if k.is_zero() {
-            return Self::default();
-        }
-        Self(self.0.iter().map(|(m, c)| (m.clone(), c * k)).collect())
+        let terms = self.0.iter().filter(|_| !k.is_zero());
+        Self(terms.map(|(m, c)| (m.clone(), c * k)).collect())
     }
 
     /// Product.
@@ -181,13 +182,10 @@ impl Poly {
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn mul(&self, other: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
+        let size = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
         let words = |p: &Self| 1 + p.bits() / 64;
-        let count = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
-        fuel.spend(
-            count(self)
-                .saturating_mul(count(other))
-                .saturating_mul(words(self).saturating_mul(words(other))),
-        )?;
+        let pairs = size(self).saturating_mul(size(other));
+        fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
         let mut product = Self::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
@@ -235,8 +233,8 @@ impl Poly {
         if content.is_zero() || content.is_one() {
             return (BigInt::one(), self.clone());
         }
-        let rest = self.0.iter().map(|(m, c)| (m.clone(), c / &content));
-        (content.clone(), Self(rest.collect()))
+        let rest = self.0.iter().map(|(m, c)| (m.clone(), c / &content)).collect();
+        (content, Self(rest))
     }
 
     /// As a polynomial in v alone, if no other variable occurs.
@@ -245,44 +243,48 @@ impl Poly {
         self.coefficients(v).iter().map(Self::as_constant).collect()
     }
 
-    /// Remainder of leadⁿ·p by an equation Σ eqᵢ·vⁱ of degree d ≥ 1 in v: degree below d, zero where
-    /// p and the equation are. With `even`, n is even, so that the sign survives.
+    /// Remainder of leadⁿ·p by an equation lead·vᵈ + … with d ≥ 1: its degree in v is below d, and it
+    /// is zero where p and the equation are. With `even`, n is even, so that the sign survives.
     ///
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn remainder(
         &self,
         v: usize,
-        equation: &[Self],
+        equation: &Self,
         even: bool,
         fuel: &Fuel,
     ) -> Result<Self, Rejection> {
-        let Some((lead, lower)) = equation.split_last() else {
-            return Ok(self.clone());
-        };
-        let mut parts = self.coefficients(v);
-        let mut odd = false;
-        while parts.len() > lower.len() {
-            // lead·p − top·v^k·equation loses the top power.
-            let top = parts.pop().unwrap_or_default();
-            if top.is_empty() {
-                continue;
-            }
-            let shift = parts.len() - lower.len();
-            for (i, part) in parts.iter_mut().enumerate() {
-                *part = part.mul(lead, fuel)?;
-                if let Some(c) = i.checked_sub(shift).and_then(|j| lower.get(j)) {
-                    *part = part.sub(&top.mul(c, fuel)?);
-                }
-            }
+        let lead = equation.coefficients(v).pop().unwrap_or_default();
+        let degree = equation.degree(v);
+        let (mut rest, mut odd) = (self.clone(), false);
+        while degree > 0 && rest.degree(v) >= degree {
+            // lead·p − top·vᵏ·equation loses the top power.
+            let shift = Self::power(v, rest.degree(v) - degree);
+            let top = rest.coefficients(v).pop().unwrap_or_default().mul(&shift, fuel)?;
+            rest = rest.mul(&lead, fuel)?.sub(&top.mul(equation, fuel)?);
             odd = !odd;
         }
-        let mut sum = Self::default();
-        for (n, part) in (0u32..).zip(&parts) {
-            let power = Self::term(if n == 0 { Vec::new() } else { vec![(v, n)] }, BigInt::one());
-            sum = sum.add(&part.mul(&power, fuel)?);
+        if even && odd { rest.mul(&lead, fuel) } else { Ok(rest) }
+    }
+
+    /// denⁿ·p(num/den) for v, with n the degree of p in v.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn compose(
+        &self,
+        v: usize,
+        num: &Self,
+        den: &Self,
+        fuel: &Fuel,
+    ) -> Result<Self, Rejection> {
+        let (mut sum, mut power) = (Self::default(), Self::one());
+        for c in self.coefficients(v).iter().rev() {
+            sum = sum.mul(num, fuel)?.add(&c.mul(&power, fuel)?);
+            power = power.mul(den, fuel)?;
         }
-        if even && odd { sum.mul(lead, fuel) } else { Ok(sum) }
+        Ok(sum)
     }
 }
 
@@ -293,28 +295,13 @@ pub fn exponent(m: &Monomial, v: usize) -> u32 {
 }
 
 fn times(a: &Monomial, b: &Monomial) -> Result<Monomial, Rejection> {
-    let mut out = Vec::with_capacity(a.len() + b.len());
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() && j < b.len() {
-        match a[i].0.cmp(&b[j].0) {
-            std::cmp::Ordering::Less => {
-                out.push(a[i]);
-                i += 1;
-            }
-            std::cmp::Ordering::Greater => {
-                out.push(b[j]);
-                j += 1;
-            }
-            std::cmp::Ordering::Equal => {
-                let e = a[i].1.checked_add(b[j].1).ok_or(Rejection::Budget)?;
-                out.push((a[i].0, e));
-                i += 1;
-                j += 1;
-            }
+    let mut out = a.clone();
+    for &(v, e) in b {
+        match out.binary_search_by_key(&v, |p| p.0) {
+            Ok(i) => out[i].1 = out[i].1.checked_add(e).ok_or(Rejection::Budget)?,
+            Err(i) => out.insert(i, (v, e)),
         }
     }
-    out.extend_from_slice(&a[i..]);
-    out.extend_from_slice(&b[j..]);
     Ok(out)
 }
 
@@ -374,8 +361,7 @@ impl Fraction {
     /// [`Rejection::Budget`].
     pub fn sign_poly(&self, fuel: &Fuel) -> Result<Poly, Rejection> {
         match self.den.as_constant() {
-            Some(c) if c.is_negative() => Ok(self.num.neg()),
-            Some(_) => Ok(self.num.clone()),
+            Some(c) => Ok(self.num.scale(&BigInt::from(sign(&c)))),
             None => self.num.mul(&self.den, fuel),
         }
     }

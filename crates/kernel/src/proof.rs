@@ -95,13 +95,6 @@ pub enum Proof {
         /// indices of equations and their cofactors
         cofactors: Vec<(usize, Poly)>,
     },
-    /// Π known = Σ cofactorᵢ·equationᵢ although no factor vanishes.
-    Nonzero {
-        /// indices of atoms > 0 or ≠ 0, with powers
-        factors: Vec<(usize, u32)>,
-        /// indices of equations and their cofactors
-        cofactors: Vec<(usize, Poly)>,
-    },
     /// Bounds lᵢ ≤ xᵢ ≤ uᵢ mapped onto the orthant give an atom's polynomial the wrong sign.
     Orthant {
         /// index of the atom
@@ -219,7 +212,7 @@ pub struct Point {
 pub struct Functions {
     /// x
     pub var: usize,
-    /// an expression in x for each other symbol
+    /// an expression in x for each other symbol, in their order
     pub values: Vec<(usize, Expr)>,
     /// for each symbol, in order of `values`: its expression is defined and within its range
     pub ranges: Vec<Proof>,
@@ -237,14 +230,12 @@ pub enum Failure {
     At(Point),
     /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along a side
     Reaches(SideProof),
-    /// the limit at this link is another one; a proof a side of which one is enough
+    /// the limit at this link is another one, as proved from one of its sides
     Limit {
         /// index of the link in a sentence; 0 for a single link
         link: usize,
         /// what it tends to instead
         target: Target,
-        /// index of the side
-        side: usize,
         /// the proof
         proof: SideProof,
     },

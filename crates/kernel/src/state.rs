@@ -1,14 +1,16 @@
 //! The rules: a state is a conjunction of atoms, and a proof shows that no point satisfies it.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::limit::{Place, leaves, premises, sides, start};
 use crate::{
-    Atom, Atoms, Cases, Expr, Germ, Goal, Poly, Proof, Rejection, Root, Scope, Sign, Term,
-    descartes, exponent, sign, sign_at,
+    Atom, Atoms, Cases, Conclusion, Expr, Fuel, Germ, Goal, Link, Poly, Proof, Rejection, Root,
+    Scope, Side, Sign, Term, descartes, sign, sign_at,
 };
 
 /// What is known at a point: atoms, and formulas of which one case each holds there.
@@ -58,18 +60,12 @@ impl<'s, 'g> State<'s, 'g> {
                 self.cancel(*atom, factors, quotient)?.refute(then)
             }
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
-            Proof::Nonzero { factors, cofactors } => {
-                let known = self.product(factors, false)?;
-                let sum = self.combination(cofactors)?;
-                (known == sum).then_some(()).ok_or(Rejection::NotAnIdentity)
-            }
             Proof::Orthant { atom, bounds } => self.orthant(*atom, bounds),
             Proof::SignTable { var, bases, roots, atoms } => {
                 self.sign_table(*var, bases, roots, atoms)
             }
             Proof::Pass { germ, atom, along, then } => {
-                let state = self.along(germ)?;
-                state.with(atom.not()).refute(along)?;
+                self.along(germ)?.with(atom.not()).refute(along)?;
                 self.with(self.at_zero(germ, atom)?).refute(then)
             }
         }
@@ -87,17 +83,19 @@ impl<'s, 'g> State<'s, 'g> {
         next
     }
 
+    /// This state and one more formula.
+    #[must_use]
+    pub fn with_cases(&self, cases: Cases) -> Self {
+        Self { formulas: Rc::new([&self.formulas[..], &[cases]].concat()), ..self.clone() }
+    }
+
     /// One state for each case of a formula.
     ///
     /// # Errors
     /// [`Rejection::NoSuchFormula`].
     pub fn assume(&self, formula: usize) -> Result<Vec<Self>, Rejection> {
         let cases = self.formulas.get(formula).ok_or(Rejection::NoSuchFormula(formula))?;
-        let next = |case: &Atoms| {
-            let mut state = self.clone();
-            state.atoms.extend(case.iter().cloned());
-            state
-        };
+        let next = |case: &Atoms| Self { atoms: [&self.atoms[..], case].concat(), ..self.clone() };
         Ok(cases.iter().map(next).collect())
     }
 
@@ -113,32 +111,33 @@ impl<'s, 'g> State<'s, 'g> {
         lead: &[(usize, u32)],
     ) -> Result<Self, Rejection> {
         let eq = self.atom(equation)?;
-        let parts = eq.poly.coefficients(var);
-        let Some(top) = parts.last().filter(|_| parts.len() > 1 && eq.sign == Sign::Zero) else {
+        let degree = eq.poly.degree(var);
+        if eq.sign != Sign::Zero || degree == 0 {
             return Err(Rejection::NotAnEquation(equation));
-        };
+        }
         // The sign of the leading coefficient decides whether odd powers of it may stand below an
         // inequality.
-        let (want, have) = (self.product(lead, false)?.primitive().1, top.primitive().1);
+        let nonzero = |sign, _| matches!(sign, Sign::Positive | Sign::NonZero);
+        let want = self.product(lead, nonzero)?.primitive().1;
+        let have = eq.poly.coefficients(var).pop().unwrap_or_default().primitive().1;
         let flip = have == want.neg();
-        if have.is_empty() || !(have == want || flip) {
+        if !(flip || have == want) {
             return Err(Rejection::MayVanish);
         }
         let even = |&(i, n): &(usize, u32)| n % 2 == 0 || self.atoms[i].sign == Sign::Positive;
         let positive = lead.iter().all(even);
-        let parts: Vec<Poly> = if flip { parts.iter().map(Poly::neg).collect() } else { parts };
+        let rule = if flip { eq.poly.neg() } else { eq.poly.clone() };
         let mut next = self.clone();
         for (i, atom) in next.atoms.iter_mut().enumerate() {
             if i == equation {
-                if parts.len() == 2 {
-                    *atom = Atom::new(Poly::default(), Sign::Zero);
-                }
                 continue;
             }
-            let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
-            let even = order && !positive;
-            let poly = atom.poly.remainder(var, &parts, even, &self.scope.fuel)?;
-            atom.poly = poly.primitive().1;
+            let even = atom.sign.is_order() && !positive;
+            let rest = atom.poly.remainder(var, &rule, even, &self.scope.fuel)?;
+            *atom = Atom::new(rest.primitive().1, atom.sign);
+        }
+        if degree == 1 {
+            next.atoms[equation].poly = Poly::default();
         }
         Ok(next)
     }
@@ -154,12 +153,15 @@ impl<'s, 'g> State<'s, 'g> {
         quotient: &Poly,
     ) -> Result<Self, Rejection> {
         let old = self.atom(atom)?;
-        let order = matches!(old.sign, Sign::Positive | Sign::NonNegative);
         if factors.iter().any(|f| f.0 == atom) {
             return Err(Rejection::MayVanish);
         }
-        let known = self.product(factors, order)?;
-        let product = known.mul(quotient, &self.scope.fuel)?;
+        let allowed = |sign, even| match sign {
+            Sign::Positive => true,
+            Sign::NonZero => even || !old.sign.is_order(),
+            Sign::Zero | Sign::NonNegative => false,
+        };
+        let product = self.product(factors, allowed)?.mul(quotient, &self.scope.fuel)?;
         // Equal up to a positive rational factor.
         if product.primitive().1 != old.poly.primitive().1 {
             return Err(Rejection::NotAnIdentity);
@@ -169,15 +171,17 @@ impl<'s, 'g> State<'s, 'g> {
         Ok(next)
     }
 
-    /// Product of powers of atoms that do not vanish; with `order`, of a positive product.
-    fn product(&self, factors: &[(usize, u32)], order: bool) -> Result<Poly, Rejection> {
+    /// Product of powers of atoms whose sign, with an even power or not, is allowed.
+    fn product(
+        &self,
+        factors: &[(usize, u32)],
+        allowed: impl Fn(Sign, bool) -> bool,
+    ) -> Result<Poly, Rejection> {
         let mut product = Poly::one();
         for &(i, n) in factors {
             let atom = self.atom(i)?;
-            match atom.sign {
-                Sign::Positive => {}
-                Sign::NonZero if !order || n % 2 == 0 => {}
-                _ => return Err(Rejection::MayVanish),
+            if !allowed(atom.sign, n % 2 == 0) {
+                return Err(Rejection::MayVanish);
             }
             let power = atom.poly.pow(n, &self.scope.fuel)?;
             product = product.mul(&power, &self.scope.fuel)?;
@@ -185,39 +189,27 @@ impl<'s, 'g> State<'s, 'g> {
         Ok(product)
     }
 
-    fn combination(&self, cofactors: &[(usize, Poly)]) -> Result<Poly, Rejection> {
-        let mut sum = Poly::default();
-        for (i, c) in cofactors {
-            let atom = self.atom(*i)?;
-            if atom.sign != Sign::Zero {
-                return Err(Rejection::NotAnEquation(*i));
-            }
-            sum = sum.add(&atom.poly.mul(c, &self.scope.fuel)?);
-        }
-        Ok(sum)
-    }
-
     fn positive(&self, terms: &[Term], cofactors: &[(usize, Poly)]) -> Result<(), Rejection> {
         let fuel = &self.scope.fuel;
-        let (mut sum, mut strict) = (self.combination(cofactors)?, false);
+        let (mut sum, mut strict) = (Poly::default(), false);
+        for (i, cofactor) in cofactors {
+            let equation = self.atom(*i)?;
+            if equation.sign != Sign::Zero {
+                return Err(Rejection::NotAnEquation(*i));
+            }
+            sum = sum.add(&equation.poly.mul(cofactor, fuel)?);
+        }
         for t in terms {
+            let allowed = |sign: Sign, even| sign.is_order() || (sign == Sign::NonZero && even);
+            let known = self.product(&t.factors, allowed)?;
+            let square = t.square.mul(&t.square, fuel)?;
+            sum = sum.add(&square.mul(&known, fuel)?.scale(&t.weight));
             if !t.weight.is_positive() {
                 return Err(Rejection::NotPositive);
             }
-            let mut visible = t.square.as_constant().is_some_and(|c| !c.is_zero());
-            let mut product = t.square.mul(&t.square, fuel)?.scale(&t.weight);
-            for &(i, n) in &t.factors {
-                let atom = self.atom(i)?;
-                match atom.sign {
-                    Sign::Positive => {}
-                    Sign::NonZero if n % 2 == 0 => {}
-                    Sign::NonNegative => visible &= n == 0,
-                    _ => return Err(Rejection::NotPositive),
-                }
-                product = product.mul(&atom.poly.pow(n, fuel)?, fuel)?;
-            }
-            strict |= visible;
-            sum = sum.add(&product);
+            let may_vanish = |f: &(usize, u32)| self.atoms[f.0].sign == Sign::NonNegative;
+            let constant = square.as_constant().is_some_and(|c| c.is_positive());
+            strict |= constant && !t.factors.iter().any(may_vanish);
         }
         if !sum.is_empty() {
             return Err(Rejection::NotAnIdentity);
@@ -232,79 +224,45 @@ impl<'s, 'g> State<'s, 'g> {
     ) -> Result<(), Rejection> {
         let fuel = &self.scope.fuel;
         let target = self.atom(atom)?;
-        if bounds.iter().enumerate().any(|(i, b)| bounds[..i].iter().any(|c| c.0 == b.0)) {
-            return Err(Rejection::NotABound(atom));
-        }
         let mut p = target.poly.clone();
         // For each variable: its degree, and which ends of [0, ∞] belong to the region.
         let mut ends = Vec::new();
-        for &(v, lower, upper) in bounds {
-            let bound = |i: Option<usize>, side: i8| match i {
-                Some(i) => self.bound(i, v, side).map(Some),
-                None => Ok(None),
-            };
+        for (i, &(v, lower, upper)) in bounds.iter().enumerate() {
+            if bounds[..i].iter().any(|b| b.0 == v) {
+                return Err(Rejection::NotABound(atom));
+            }
+            let lower = lower.map(|i| self.bound(i, v, 1)).transpose()?;
+            let upper = upper.map(|i| self.bound(i, v, -1)).transpose()?;
             let degree = p.degree(v);
-            let y = Poly::var(v);
-            let q = |c: &BigInt| Poly::constant(c.clone());
-            // v = num/den with den > 0 on the orthant.
-            let (num, den) = match (bound(lower, 1)?, bound(upper, -1)?) {
+            // v = (a + b·y)/den with y ≥ 0 and den > 0.
+            let line = |a: BigInt, b: BigInt| Poly::in_variable(v, &[a, b]);
+            let (num, den) = match (lower, upper) {
                 (Some((l, open)), None) => {
                     ends.push((v, degree, !open, false));
-                    (y.scale(l.denom()).add(&q(l.numer())), q(l.denom()))
+                    (line(l.numer().clone(), l.denom().clone()), Poly::constant(l.denom().clone()))
                 }
                 (None, Some((u, open))) => {
                     ends.push((v, degree, !open, false));
-                    (q(u.numer()).sub(&y.scale(u.denom())), q(u.denom()))
+                    (line(u.numer().clone(), -u.denom()), Poly::constant(u.denom().clone()))
                 }
                 (Some((l, open_l)), Some((u, open_u))) => {
                     ends.push((v, degree, !open_l, !open_u));
-                    let low = q(&(l.numer() * u.denom()));
-                    let high = y.scale(&(u.numer() * l.denom()));
-                    (low.add(&high), y.add(&Poly::one()).scale(&(l.denom() * u.denom())))
+                    let scale = l.denom() * u.denom();
+                    let num = line(l.numer() * u.denom(), u.numer() * l.denom());
+                    (num, line(scale.clone(), scale))
                 }
                 (None, None) => return Err(Rejection::NotABound(atom)),
             };
-            let mut sum = Poly::default();
-            let mut power = Poly::one();
-            for c in p.coefficients(v).iter().rev() {
-                sum = sum.mul(&num, fuel)?.add(&c.mul(&power, fuel)?);
-                power = power.mul(&den, fuel)?;
-            }
-            p = sum;
+            p = p.compose(v, &num, &den, fuel)?;
         }
         if p.vars().iter().any(|v| !bounds.iter().any(|b| b.0 == *v)) {
             return Err(Rejection::NotABound(atom));
         }
         let side = |positive: bool| p.terms().all(|(_, c)| c.is_positive() == positive);
-        // Whether some term is non-zero on every face that belongs to the region.
-        let strict = || -> Result<bool, Rejection> {
-            let mut faces: Vec<Vec<Option<u32>>> = vec![Vec::new()];
-            for &(_, degree, low, high) in &ends {
-                fuel.spend(u64::try_from(faces.len()).unwrap_or(u64::MAX))?;
-                faces = faces
-                    .iter()
-                    .flat_map(|f| {
-                        let options =
-                            [Some(None), low.then_some(Some(0)), high.then_some(Some(degree))];
-                        options.into_iter().flatten().map(|o| [&f[..], &[o]].concat())
-                    })
-                    .collect();
-            }
-            let count = faces.len().saturating_mul(p.len());
-            fuel.spend(u64::try_from(count).unwrap_or(u64::MAX))?;
-            Ok(faces.iter().all(|face| {
-                p.terms().any(|(m, _)| {
-                    let fits = |(&(v, ..), want): (&(usize, u32, bool, bool), &Option<u32>)| {
-                        want.is_none_or(|e| exponent(m, v) == e)
-                    };
-                    ends.iter().zip(face).all(fits)
-                })
-            }))
-        };
         let contradicts = match target.sign {
             Sign::Positive => side(false),
-            Sign::NonNegative => side(false) && strict()?,
-            Sign::Zero => (side(false) || side(true)) && strict()?,
+            Sign::NonNegative => side(false) && survives(&p, &ends, fuel)?,
+            Sign::Zero => (side(false) || side(true)) && survives(&p, &ends, fuel)?,
             Sign::NonZero => p.is_empty(),
         };
         contradicts.then_some(()).ok_or(Rejection::WrongSign)
@@ -313,16 +271,12 @@ impl<'s, 'g> State<'s, 'g> {
     /// Reads atom i as a lower (side 1) or upper (side −1) bound of v: its value, and if it is open.
     fn bound(&self, i: usize, v: usize, side: i8) -> Result<(BigRational, bool), Rejection> {
         let atom = self.atom(i)?;
-        let parts = atom.poly.univariate(v);
-        let (Some([c, k]), true) =
-            (parts.as_deref(), matches!(atom.sign, Sign::Positive | Sign::NonNegative))
-        else {
-            return Err(Rejection::NotABound(i));
-        };
-        if sign(k) != side {
-            return Err(Rejection::NotABound(i));
+        match (atom.poly.univariate(v).as_deref(), atom.sign.is_order()) {
+            (Some([c, k]), true) if sign(k) == side => {
+                Ok((BigRational::new(-c, k.clone()), atom.sign == Sign::Positive))
+            }
+            _ => Err(Rejection::NotABound(i)),
         }
-        Ok((BigRational::new(-c, k.clone()), atom.sign == Sign::Positive))
     }
 
     fn sign_table(
@@ -336,30 +290,26 @@ impl<'s, 'g> State<'s, 'g> {
         for (i, constant, powers) in atoms {
             let mut product = Poly::constant(constant.numer().clone());
             for (base, n) in bases.iter().zip(powers) {
-                product = product.mul(&in_variable(base, var).pow(*n, fuel)?, fuel)?;
+                let power = Poly::in_variable(var, base).pow(*n, fuel)?;
+                product = product.mul(&power, fuel)?;
             }
-            let atom = self.atom(*i)?;
-            if !constant.denom().is_positive()
-                || product != atom.poly.scale(constant.denom())
-                || powers.len() != bases.len()
-            {
+            // A rational number as it is made has a positive denominator.
+            let whole = self.atom(*i)?.poly.scale(constant.denom());
+            if !constant.denom().is_positive() || product != whole || powers.len() != bases.len() {
                 return Err(Rejection::NotAnIdentity);
             }
         }
-        for signs in cells(bases, roots, self.scope)? {
-            let refuted = atoms.iter().any(|(i, constant, powers)| {
-                let value =
-                    signs.iter().zip(powers).fold(sign(constant.numer()), |s, (b, n)| {
-                        match (n, b) {
-                            (0, _) => s,
-                            (n, -1) if n % 2 == 1 => -s,
-                            (_, 0) => 0,
-                            _ => s,
-                        }
-                    });
-                !self.atoms[*i].sign.admits(value)
-            });
-            if !refuted {
+        for signs in cells(bases, roots, fuel)? {
+            let admitted = |(i, constant, powers): &(usize, BigRational, Vec<u32>)| {
+                let power = |(s, n): (&i8, &u32)| match n {
+                    0 => 1,
+                    n if n % 2 == 0 => s * s,
+                    _ => *s,
+                };
+                let factors: i8 = signs.iter().zip(powers).map(power).product();
+                self.atoms[*i].sign.admits(sign(constant.numer()) * factors)
+            };
+            if atoms.iter().all(admitted) {
                 return Err(Rejection::OpenCell);
             }
         }
@@ -378,12 +328,22 @@ impl<'s, 'g> State<'s, 'g> {
     /// [`Rejection`] if the side does not lie in the domain or the radius may not be positive.
     pub fn along(&self, germ: &Germ) -> Result<Self, Rejection> {
         let along = self.along_unproved(germ)?;
-        if !self.reaching {
-            let leaves = crate::limit::leaves(self.scope, self.goal, germ.side.var)?;
-            let inside = Self { formulas: Rc::new(leaves), ..along.clone() };
-            inside.refute(&germ.inside)?;
+        if !self.reaches(&germ.side) {
+            let leaves = leaves(self.scope, self.goal, germ.side.var)?;
+            Self { formulas: Rc::new(leaves), ..along.clone() }.refute(&germ.inside)?;
         }
         Ok(along)
+    }
+
+    /// Whether the state takes for granted that the domain reaches the limit from this side: it is
+    /// the only side of a limit claim whose vacuity is to be shown.
+    #[must_use]
+    pub fn reaches(&self, side: &Side) -> bool {
+        let claimed = match &self.goal.conclusion {
+            Conclusion::Link(Link::Limit(l)) if self.reaching => sides(self.scope, l),
+            _ => Vec::new(),
+        };
+        claimed[..] == [side.clone()]
     }
 
     /// The state along a germ, without the proof that the germ lies in the narrowed domain: for
@@ -401,10 +361,7 @@ impl<'s, 'g> State<'s, 'g> {
             return Err(Rejection::NotConstant);
         }
         let positive = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-        let mut radius = self.clone();
-        let vanishing = vec![positive(num), positive(den)];
-        radius.formulas = Rc::new([&self.formulas[..], &[vanishing]].concat());
-        radius.refute(&germ.positive)?;
+        self.with_cases(vec![positive(num), positive(den)]).refute(&germ.positive)?;
         let t = self.scope.germ();
         let gap = num.sub(&den.mul(&Poly::var(t), &self.scope.fuel)?);
         let mut atoms = self.scope.ranges();
@@ -416,13 +373,8 @@ impl<'s, 'g> State<'s, 'g> {
         atoms.push(Atom::new(Poly::var(t), Sign::Positive));
         atoms.push(Atom::new(gap, Sign::Positive));
         atoms.push(germ.side.binding(t, &self.scope.fuel)?);
-        Ok(Self {
-            scope: self.scope,
-            goal: self.goal,
-            atoms,
-            formulas: Rc::new(crate::limit::along(self.scope, self.goal, &germ.side)?),
-            reaching: self.reaching,
-        })
+        let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
+        Ok(Self { atoms, formulas, ..self.clone() })
     }
 
     /// The atom that an atom along the germ leaves behind at t = 0.
@@ -433,90 +385,59 @@ impl<'s, 'g> State<'s, 'g> {
         if !matches!(atom.sign, Sign::Zero | Sign::NonNegative) {
             return Err(Rejection::NotAnEquation(0));
         }
-        let poly = crate::limit::start(self, &germ.side, &atom.poly)?;
-        Ok(Atom::new(poly, atom.sign))
+        Ok(Atom::new(start(self, &germ.side, &atom.poly, 0)?, atom.sign))
     }
 }
 
-/// Coefficients as a polynomial in v.
-#[must_use]
-pub fn in_variable(coefficients: &[BigInt], v: usize) -> Poly {
-    let mut p = Poly::default();
-    for (i, c) in (0u32..).zip(coefficients) {
-        let monomial = if i == 0 { Vec::new() } else { vec![(v, i)] };
-        p.add_term(monomial, c.clone());
-    }
-    p
+/// Whether some term of a polynomial whose terms have one sign is not zero on each face of the
+/// orthant: for each variable its degree there, and whether 0 and ∞ belong to the region.
+fn survives(p: &Poly, ends: &[(usize, u32, bool, bool)], fuel: &Fuel) -> Result<bool, Rejection> {
+    fuel.spend(1 + u64::try_from(p.len()).unwrap_or(u64::MAX))?;
+    let Some((&(v, degree, low, high), rest)) = ends.split_first() else {
+        return Ok(!p.is_empty());
+    };
+    let face = |n: u32| (0..).zip(p.coefficients(v)).find(|(i, _)| *i == n).unwrap_or_default().1;
+    Ok(survives(p, rest, fuel)?
+        && (!low || survives(&face(0), rest, fuel)?)
+        && (!high || survives(&face(degree), rest, fuel)?))
 }
 
-/// The sign vectors of the bases on every cell of the line: gaps and roots, from left to right.
-///
-/// # Errors
-/// [`Rejection::RootCount`] if Descartes' rule does not confirm the roots.
-pub fn cells(
-    bases: &[Vec<BigInt>],
-    roots: &[Root],
-    scope: &Scope<'_>,
-) -> Result<Vec<Vec<i8>>, Rejection> {
-    let bad = || Err(Rejection::RootCount);
+/// The sign vectors of the bases on all cells of the line: gaps and roots, from left to right. An
+/// isolating interval has no cells of its own but the root: off it, it continues the gaps.
+fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Result<Vec<Vec<i8>>, Rejection> {
     let mut out = Vec::new();
-    let mut left: Option<&Root> = None;
-    for right in roots.iter().map(Some).chain(std::iter::once(None)) {
+    let mut left: Option<&BigRational> = None;
+    for root in roots.iter().map(Some).chain([None]) {
         // The gap between two roots.
-        let (lo, hi) = (left.map(|r| &r.hi), right.map(|r| &r.lo));
-        if let (Some(a), Some(b)) = (lo, hi) {
-            if a > b
-                || (a == b && left.is_some_and(Root::is_exact) && right.is_some_and(Root::is_exact))
-            {
-                return bad();
-            }
-        }
-        let inside = match (lo, hi) {
+        let right = root.map(|r| &r.lo);
+        let inside = match (left, right) {
+            (Some(a), Some(b)) if a > b => return Err(Rejection::RootCount),
             (Some(a), Some(b)) => (a + b) / BigRational::from_integer(2.into()),
             (Some(a), None) => a + BigRational::one(),
             (None, Some(b)) => b - BigRational::one(),
             (None, None) => BigRational::zero(),
         };
+        for p in bases {
+            if descartes(p, left, right, fuel)? != 0 {
+                return Err(Rejection::RootCount);
+            }
+        }
+        out.push(bases.iter().map(|p| sign_at(p, &inside)).collect());
+        // The root that follows.
+        let Some(root) = root else {
+            break;
+        };
         let mut signs = Vec::new();
         for p in bases {
-            let s = sign_at(p, &inside);
-            // The ends of the gap belong to it unless they are themselves the roots.
-            let vanishes = [(left, lo), (right, hi)].into_iter().any(|(root, end)| {
-                let closed = root.is_some_and(|r| !r.is_exact());
-                closed && end.is_some_and(|x| sign_at(p, x) != s)
+            let ends = [sign_at(p, &root.lo), sign_at(p, &root.hi)];
+            signs.push(match descartes(p, Some(&root.lo), Some(&root.hi), fuel)? {
+                0 if root.is_exact() || !ends.contains(&0) => ends[0],
+                1 if *p == root.poly && !ends.contains(&0) => 0,
+                _ => return Err(Rejection::RootCount),
             });
-            if s == 0 || vanishes || crate::descartes(p, lo, hi, &scope.fuel)? != 0 {
-                return bad();
-            }
-            signs.push(s);
         }
-        out.push(signs.clone());
-        // The root that follows.
-        if let Some(root) = right {
-            if root.is_exact() {
-                out.push(bases.iter().map(|p| sign_at(p, &root.lo)).collect());
-            } else {
-                if root.lo > root.hi {
-                    return bad();
-                }
-                let mut own = 0;
-                for (p, s) in bases.iter().zip(&mut signs) {
-                    match descartes(p, Some(&root.lo), Some(&root.hi), &scope.fuel)? {
-                        0 => {}
-                        1 if *p == root.poly => {
-                            own += 1;
-                            *s = 0;
-                        }
-                        _ => return bad(),
-                    }
-                }
-                if own != 1 {
-                    return bad();
-                }
-                out.push(signs);
-            }
-        }
-        left = right;
+        out.push(signs);
+        left = Some(&root.hi);
     }
     Ok(out)
 }
@@ -529,15 +450,17 @@ impl Root {
     }
 }
 
-/// Whether an expression mentions a symbol with a property, through definitions too.
-#[must_use]
+/// Whether an expression mentions a symbol with a property, through definitions and values too.
 fn mentions(scope: &Scope<'_>, e: &Expr, wanted: impl Fn(usize) -> bool) -> bool {
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = BTreeSet::new();
     let mut todo = vec![e];
     while let Some(e) = todo.pop() {
         match e {
-            Expr::Var(v) if wanted(*v) => return true,
-            Expr::Deriv(_, x) if wanted(*x) => return true,
+            Expr::Var(v) | Expr::Deriv(_, v) => match scope.context.value(*v) {
+                Some(value) => todo.push(value),
+                None if wanted(*v) => return true,
+                None => {}
+            },
             Expr::Let(i) if seen.insert(*i) => {
                 todo.extend(scope.context.lets.get(*i).map(|d| &d.body));
             }
@@ -549,13 +472,11 @@ fn mentions(scope: &Scope<'_>, e: &Expr, wanted: impl Fn(usize) -> bool) -> bool
 }
 
 /// Whether an expression depends on a function of x.
-#[must_use]
 pub(crate) fn varies(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
     mentions(scope, e, |v| scope.context.vars.get(v).is_none_or(|w| w.of == Some(x)))
 }
 
 /// Whether an expression depends on x or on a function of x.
-#[must_use]
-pub fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
+pub(crate) fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
     mentions(scope, e, |v| v == x) || varies(scope, e, x)
 }

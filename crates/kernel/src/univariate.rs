@@ -21,13 +21,7 @@ pub fn sign_at(p: &[BigInt], x: &BigRational) -> i8 {
 /// Sign of an integer: −1, 0 or 1.
 #[must_use]
 pub fn sign(c: &BigInt) -> i8 {
-    if c.is_zero() {
-        0
-    } else if c.is_negative() {
-        -1
-    } else {
-        1
-    }
+    i8::from(c.is_positive()) - i8::from(c.is_negative())
 }
 
 /// Sign variations after mapping the open interval onto (0, ∞): an upper bound on the number of
@@ -42,10 +36,8 @@ pub fn descartes(
     hi: Option<&BigRational>,
     fuel: &Fuel,
 ) -> Result<usize, Rejection> {
-    if let (Some(a), Some(b)) = (lo, hi) {
-        if a >= b {
-            return Ok(0);
-        }
+    if lo.zip(hi).is_some_and(|(a, b)| a >= b) {
+        return Ok(0);
     }
     let n = u64::try_from(p.len()).unwrap_or(u64::MAX);
     let bits = p.iter().map(BigInt::bits).max().unwrap_or(0);
@@ -54,61 +46,47 @@ pub fn descartes(
     fuel.spend(n.saturating_mul(n).saturating_mul(width))?;
     let mapped = match (lo, hi) {
         (None, None) => {
-            let negative = reflect(p.to_vec());
             let zero = usize::from(p.first().is_some_and(Zero::is_zero));
-            return Ok(variations(p) + variations(&negative) + zero);
+            return Ok(variations(p) + variations(&reflect(p)) + zero);
         }
-        (Some(a), None) => shift(p.to_vec(), a),
-        (None, Some(b)) => shift(reflect(p.to_vec()), &-b),
+        (Some(a), None) => shift(p, a),
+        (None, Some(b)) => shift(&reflect(p), &-b),
         (Some(a), Some(b)) => {
-            // x = a + (b − a)·y, then y = 1/(1 + z).
-            let mut q = shift(p.to_vec(), a);
-            let step = b - a;
-            let (mut up, mut powers) = (BigInt::one(), vec![BigInt::one()]);
-            for _ in 1..q.len() {
-                up *= step.denom();
-                powers.push(up.clone());
-            }
-            let mut numer = BigInt::one();
-            for (c, scale) in q.iter_mut().zip(powers.iter().rev()) {
-                *c *= &numer * scale;
-                numer *= step.numer();
-            }
+            // x = a + 1/y with y > 1/(b − a).
+            let mut q = shift(p, a);
             q.reverse();
-            shift(q, &BigRational::one())
+            shift(&q, &(b - a).recip())
         }
     };
     Ok(variations(&mapped))
 }
 
 /// p(−x)
-fn reflect(mut p: Vec<BigInt>) -> Vec<BigInt> {
-    for c in p.iter_mut().skip(1).step_by(2) {
-        *c = -&*c;
-    }
-    p
+fn reflect(p: &[BigInt]) -> Vec<BigInt> {
+    p.iter().enumerate().map(|(i, c)| if i % 2 == 0 { c.clone() } else { -c }).collect()
 }
 
 /// A positive multiple of p(x + a).
-fn shift(mut p: Vec<BigInt>, a: &BigRational) -> Vec<BigInt> {
-    // With a = n/d: d^k p((x + n)/d), then x := d·x.
+fn shift(p: &[BigInt], a: &BigRational) -> Vec<BigInt> {
+    // With a = n/d: Taylor coefficients of d^k·p(x/d) at n, then x := d·x.
+    let mut out = p.to_vec();
     let mut power = BigInt::one();
-    for c in p.iter_mut().rev() {
+    for c in out.iter_mut().rev() {
         *c *= &power;
         power *= a.denom();
     }
-    for i in 0..p.len() {
-        for j in (i..p.len().saturating_sub(1)).rev() {
-            let carry = &p[j + 1] * a.numer();
-            p[j] += carry;
+    for i in 0..out.len() {
+        for j in (i + 1..out.len()).rev() {
+            let carry = &out[j] * a.numer();
+            out[j - 1] += carry;
         }
     }
     let mut power = BigInt::one();
-    for c in &mut p {
+    for c in &mut out {
         *c *= &power;
         power *= a.denom();
     }
-    p
+    out
 }
 
 fn variations(p: &[BigInt]) -> usize {

@@ -5,8 +5,8 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Poly, Proof, Sentence, State, Target, claim_state, constants, narrows,
-    range_premise, scope, sides,
+    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, narrows, on_functions,
+    point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -34,7 +34,7 @@ pub(crate) fn model(
 ) -> Option<Functions> {
     let scope = scope(goal, Fuel::new(effort.fuel)).ok()?;
     // What the premises determine, off the limits.
-    let formulas = kane_kernel::at_point(&scope, goal, None).ok()?;
+    let formulas = premises(&scope, goal, Place::Point).ok()?;
     let count = goal.hypotheses.len();
     let atoms = scope.ranges();
     let state = State {
@@ -188,6 +188,11 @@ const FUNCTIONS: [(Quadratic, Quadratic); 30] = [
 
 /// A polynomial as an expression.
 pub(crate) fn expression(p: &Poly) -> Expr {
+    expression_in(p, &Expr::Var)
+}
+
+/// A polynomial as an expression in what stands for its variables.
+fn expression_in(p: &Poly, symbol: &dyn Fn(usize) -> Expr) -> Expr {
     let mut sum: Option<Expr> = None;
     for (m, c) in p.terms() {
         let mut product: Option<Expr> = None;
@@ -198,9 +203,9 @@ pub(crate) fn expression(p: &Poly) -> Expr {
         }
         for &(v, n) in m {
             let power = if n == 1 {
-                Expr::Var(v)
+                symbol(v)
             } else {
-                Expr::Pow(Expr::Var(v).into(), i32::try_from(n).unwrap_or(i32::MAX))
+                Expr::Pow(symbol(v).into(), i32::try_from(n).unwrap_or(i32::MAX))
             };
             product = Some(match product {
                 Some(p) => Expr::Mul(p.into(), power.into()),
@@ -293,7 +298,9 @@ fn determined(
                 (value, Some(Fraction { num, den }))
             }
             None => {
-                let put = |p: &Poly| replaced(&expression(p), &values);
+                let value = |v: usize| values.iter().find(|x| x.0 == v).map(|x| x.1.clone());
+                let symbol = |v: usize| value(v).unwrap_or(Expr::Var(v));
+                let put = |p: &Poly| expression_in(p, &symbol);
                 (Expr::Div(Expr::Neg(put(&e.e).into()).into(), put(&e.d).into()), None)
             }
         };
@@ -302,24 +309,6 @@ fn determined(
     }
     values.sort_by_key(|v| v.0);
     Some(values)
-}
-
-/// An expression with symbols replaced.
-fn replaced(e: &Expr, values: &[(usize, Expr)]) -> Expr {
-    let carrier = Goal {
-        context: Context::default(),
-        hypotheses: Vec::new(),
-        when: Vec::new(),
-        conclusion: Conclusion::Link(Link::Relation(kane_kernel::Relation {
-            lhs: e.clone(),
-            rel: kane_kernel::Rel::Eq,
-            rhs: rational(0, 1),
-        })),
-    };
-    match kane_kernel::substituted(&carrier, values).conclusion {
-        Conclusion::Link(Link::Relation(r)) => r.lhs,
-        _ => e.clone(),
-    }
 }
 
 /// Proofs of all that explicit functions must satisfy, if they do.
@@ -334,40 +323,16 @@ fn certified(
     if !values.iter().all(|(v, e)| constant(*v, e)) {
         return None;
     }
-    let explicit = kane_kernel::substituted(goal, &values);
     let outer = scope(goal, Fuel::new(effort.fuel)).ok()?;
-    let narrow: Vec<bool> =
-        goal.hypotheses.iter().map(|h| narrows(&outer, &h.sentence, x)).collect();
-    let domain: Vec<Hypothesis> = explicit
-        .hypotheses
-        .iter()
-        .zip(&narrow)
-        .filter(|(_, narrow)| **narrow)
-        .map(|(h, _)| h.clone())
-        .collect();
-    let bare = |conclusion, when| Goal {
-        context: explicit.context.clone(),
-        hypotheses: domain.clone(),
-        when,
-        conclusion,
-    };
+    let domain = on_functions(&outer, goal, x, &values);
+    let bare = |conclusion, when| Goal { conclusion, when, ..domain.clone() };
     let any = |_: usize, _: &Poly| true;
-    let search = || Search::new(effort.steps, &any, false);
     let premise = |h: &Hypothesis| -> Option<Proof> {
-        let alone = bare(Conclusion::Contradiction, Vec::new());
-        let conclusion = Conclusion::NotImplied(h.sentence.clone());
-        let carrier = Goal { conclusion, ..alone.clone() };
-        let scope = scope(&carrier, Fuel::new(effort.fuel)).ok()?;
-        let mut formulas = kane_kernel::at_point(&scope, &alone, None).ok()?;
-        formulas.push(scope.premise_fails(&h.sentence, h.given).ok()?);
-        let state = State {
-            scope: &scope,
-            goal: &alone,
-            atoms: scope.range(x),
-            formulas: Rc::new(formulas),
-            reaching: false,
-        };
-        match search().solve(&state) {
+        let goal = bare(Conclusion::NotImplied(h.sentence.clone()), Vec::new());
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let fails = scope.premise(&h.sentence, h.given, false).ok()?;
+        let state = point_state(&scope, &goal, Some(fails)).ok()?;
+        match Search::new(effort.steps, &any, false).solve(&state) {
             Outcome::Closed(proof) => Some(proof),
             _ => None,
         }
@@ -377,26 +342,19 @@ fn certified(
         limits::prove(&goal, l, effort.steps, effort.fuel)
     };
     let mut premises = Vec::new();
-    for (h, narrow) in explicit.hypotheses.iter().zip(narrow) {
-        if narrow {
+    for h in &goal.hypotheses {
+        if narrows(&outer, &h.sentence, x) {
             premises.push((Proof::Absurd, Vec::new()));
             continue;
         }
         let proof = premise(h)?;
-        let proofs: Option<Vec<_>> = limits_of(&h.sentence).map(limit).collect();
+        let proofs: Option<Vec<_>> = h.sentence.limits().map(limit).collect();
         premises.push((proof, proofs?));
     }
     let ranges: Option<Vec<Proof>> =
-        values.iter().map(|(v, e)| premise(&range_premise(goal, *v, e))).collect();
-    let failure = failure(&explicit, finding, x, &bare, effort)?;
+        values.iter().map(|(v, _)| premise(&range_premise(&goal.context, *v))).collect();
+    let failure = failure(goal, finding, x, &bare, effort)?;
     Some(Functions { var: x, values, ranges: ranges?, premises, failure })
-}
-
-fn limits_of(s: &Sentence) -> impl Iterator<Item = &Limit> {
-    s.links.iter().filter_map(|l| match l {
-        Link::Limit(l) => Some(l),
-        Link::Relation(_) => None,
-    })
 }
 
 fn mentions(e: &Expr, x: usize) -> bool {
@@ -412,13 +370,13 @@ fn mentions(e: &Expr, x: usize) -> bool {
 
 /// How the conclusion fails for explicit functions.
 fn failure(
-    explicit: &Goal,
+    goal: &Goal,
     finding: Finding,
     x: usize,
     bare: &dyn Fn(Conclusion, Vec<kane_kernel::Relation>) -> Goal,
     effort: Effort,
 ) -> Option<Failure> {
-    let links: &[Link] = match &explicit.conclusion {
+    let links: &[Link] = match &goal.conclusion {
         Conclusion::Link(l) => std::slice::from_ref(l),
         Conclusion::NotImplied(s) => &s.links,
         Conclusion::Contradiction => &[],
@@ -431,37 +389,41 @@ fn failure(
         let goal = bare(Conclusion::Link(Link::Limit(claimed.clone())), Vec::new());
         let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
         let state = constants(&scope, &goal, claimed.var).ok()?;
-        for (side, at) in sides(&scope, claimed).iter().enumerate() {
-            let Some(target) = limits::value(&state, claimed, at, effort.steps) else {
+        for side in sides(&scope, claimed) {
+            let Some(target) = limits::value(&state, claimed, &side, effort.steps) else {
                 continue;
             };
             if target == claimed.to {
                 continue;
             }
-            let found = Limit { to: target.clone(), ..claimed.clone() };
+            let found = Limit { to: target.clone(), at: side.approach(), ..claimed.clone() };
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
             let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
-            let proof = limits::one_side(&state, &found, at, effort.steps)?;
-            return Some(Failure::Limit { link: index, target, side, proof });
+            let proof = limits::one_side(&state, &found, &side, effort.steps)?;
+            return Some(Failure::Limit { link: index, target, proof });
         }
         return None;
     }
-    if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &explicit.conclusion)
-    {
-        let zero = rational(0, 1);
-        let trivial = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
-        let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), explicit.when.clone());
-        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
-        let state = constants(&scope, &goal, l.var).ok()?;
-        let mut sides = sides(&scope, &trivial).into_iter();
-        let proof = sides.find_map(|s| limits::one_side(&state, &trivial, &s, effort.steps))?;
-        return Some(Failure::Reaches(proof));
+    if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &goal.conclusion) {
+        let zero = Limit { expr: rational(0, 1), to: Target::Finite(rational(0, 1)), ..l.clone() };
+        let outer = scope(goal, Fuel::new(effort.fuel)).ok()?;
+        let reaches = |side: kane_kernel::Side| {
+            let trivial = Limit { at: side.approach(), ..zero.clone() };
+            let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), goal.when.clone());
+            let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+            let state = constants(&scope, &goal, l.var).ok()?;
+            limits::one_side(&state, &trivial, &side, effort.steps)
+        };
+        return sides(&outer, &zero).into_iter().find_map(reaches).map(Failure::Reaches);
     }
-    let goal = bare(explicit.conclusion.clone(), explicit.when.clone());
+    let conclusion = match finding {
+        Finding::Consistent => Conclusion::Contradiction,
+        _ => goal.conclusion.clone(),
+    };
+    let goal = bare(conclusion, goal.when.clone());
     let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
-    let mut state = claim_state(&scope, &goal, finding).ok()?;
-    state.atoms = scope.range(x);
+    let state = claim_state(&scope, &goal, finding).ok()?;
     let any = |_: usize, _: &Poly| true;
     match Search::new(effort.steps, &any, true).solve(&state) {
         Outcome::Model(mut point) => {

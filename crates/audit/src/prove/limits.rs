@@ -81,7 +81,7 @@ fn germ(state: &State<'_, '_>, side: &Side, radius: &Radius, steps: u64) -> Opti
         positive: Box::new(proof),
         inside: Box::new(Proof::Absurd),
     };
-    if state.reaching {
+    if state.reaches(side) {
         return Some(germ);
     }
     let mut along = state.along_unproved(&germ).ok()?;

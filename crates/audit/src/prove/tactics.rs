@@ -653,18 +653,14 @@ pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
             continue;
         };
         let cofactors: Vec<(usize, Poly)> = equations.iter().copied().zip(lift).collect();
-        let scaled = if common.is_one() {
-            Proof::Nonzero { factors, cofactors }
-        } else {
-            // common · Π = Σ …; multiply once more by Π to get a positive square.
-            let square: Vec<_> = factors.iter().map(|(i, n)| (*i, 2 * n)).collect();
-            let cofactors = cofactors
-                .into_iter()
-                .map(|(i, c)| Some((i, c.mul(&product.neg(), &state.scope.fuel).ok()?)))
-                .collect::<Option<Vec<_>>>()?;
-            let term = Term { weight: common, square: Poly::one(), factors: square };
-            Proof::Positive { terms: vec![term], cofactors }
-        };
+        // common · Π = Σ …; multiply once more by −Π to leave nothing beside a positive square.
+        let square: Vec<_> = factors.iter().map(|(i, n)| (*i, 2 * n)).collect();
+        let cofactors = cofactors
+            .into_iter()
+            .map(|(i, c)| Some((i, c.mul(&product.neg(), &state.scope.fuel).ok()?)))
+            .collect::<Option<Vec<_>>>()?;
+        let term = Term { weight: common, square: Poly::one(), factors: square };
+        let scaled = Proof::Positive { terms: vec![term], cofactors };
         if state.refute(&scaled).is_ok() {
             return Some(scaled);
         }
