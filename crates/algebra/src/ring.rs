@@ -196,6 +196,22 @@ pub struct Ideal {
     basis: groebner::LiftBasis<BigRational>,
 }
 
+/// Sizes up to which an ideal is computed: (equations, variables, total degree, terms, coefficient
+/// bits). The library has no budget, so the size has to bound its time; the tests measure it.
+pub const IDEAL_GATE: [(usize, usize, u32, usize, u64); 2] = [(2, 5, 4, 8, 16), (3, 4, 2, 5, 8)];
+
+/// Whether generators are small enough for a basis, together with `others` in the same ring.
+#[must_use]
+pub fn within_gate(generators: &[&Poly], others: &[&Poly]) -> bool {
+    let degree =
+        |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
+    let vars = Ring::of(&[generators, others].concat()).len();
+    IDEAL_GATE.iter().any(|&(count, most, top, terms, bits)| {
+        let small = |p: &&Poly| degree(p) <= top && p.len() <= terms && p.bits() <= bits;
+        generators.len() <= count && vars <= most && generators.iter().all(small)
+    })
+}
+
 impl Ideal {
     /// The ideal of `generators` in a ring that also holds `others`. Nothing bounds the time of the
     /// library: the caller bounds the size.

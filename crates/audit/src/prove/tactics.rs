@@ -3,7 +3,7 @@
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
 use kane_algebra::linear_program::{feasible, whole};
-use kane_algebra::ring::{Ideal, Ring, exact_quotient};
+use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
 use kane_kernel::{Atom, Monomial, Poly, Proof, Sign, State, Term};
 use num_bigint::BigInt;
@@ -604,10 +604,6 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
     state.refute(&proof).is_ok().then_some(proof)
 }
 
-/// Size below which an ideal is handed to the Gröbner library: equations, variables, total degree,
-/// terms, coefficient bits. Measured worst case: see docs/decisions.
-const IDEAL_GATE: (usize, usize, u32, usize, u64) = (4, 5, 4, 12, 32);
-
 /// 1, or a product of atoms that do not vanish, in the ideal of the equations.
 pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
     let equations: Vec<usize> = (0..state.atoms.len())
@@ -622,22 +618,10 @@ pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
         .collect();
     let targets: Vec<usize> =
         distinct.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
-    let everything: Vec<&Poly> =
-        polys.iter().copied().chain(targets.iter().map(|&i| &state.atoms[i].poly)).collect();
-    let ring = Ring::of(&everything);
-    let (max_equations, max_vars, max_degree, max_terms, max_bits) = IDEAL_GATE;
-    let degree =
-        |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
-    if polys.is_empty()
-        || polys.len() > max_equations
-        || ring.len() > max_vars
-        || everything
-            .iter()
-            .any(|p| degree(p) > max_degree || p.len() > max_terms || p.bits() > max_bits)
-    {
+    let others: Vec<&Poly> = targets.iter().map(|&i| &state.atoms[i].poly).collect();
+    if polys.is_empty() || !within_gate(&polys, &others) {
         return None;
     }
-    let others: Vec<&Poly> = targets.iter().map(|&i| &state.atoms[i].poly).collect();
     let ideal = Ideal::new(&polys, &others)?;
     let powers: Vec<Vec<(usize, u32)>> = std::iter::once(Vec::new())
         .chain((1..=2).flat_map(|n| targets.iter().map(move |&i| vec![(i, n)])))
