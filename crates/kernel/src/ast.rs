@@ -226,19 +226,14 @@ impl Expr {
     /// The absolute value, the minimum and the maximum as `cases`; anything else as it is.
     #[must_use]
     pub fn as_cases(&self) -> Self {
-        let (zero, otherwise);
         let (a, rel, b, last) = match self {
-            Self::Abs(a) => {
-                zero = Self::int(0);
-                otherwise = Self::Neg(a.clone());
-                (a.as_ref(), Rel::Ge, &zero, &otherwise)
-            }
-            Self::Min(a, b) => (a.as_ref(), Rel::Le, b.as_ref(), b.as_ref()),
-            Self::Max(a, b) => (a.as_ref(), Rel::Ge, b.as_ref(), b.as_ref()),
+            Self::Abs(a) => (a, Rel::Ge, Self::int(0), Self::Neg(a.clone()).into()),
+            Self::Min(a, b) => (a, Rel::Le, (**b).clone(), b.clone()),
+            Self::Max(a, b) => (a, Rel::Ge, (**b).clone(), b.clone()),
             other => return other.clone(),
         };
-        let guard = Relation { lhs: a.clone(), rel, rhs: b.clone() };
-        Self::Cases(vec![(vec![guard], a.clone())], Some(last.clone().into()))
+        let guard = Relation { lhs: (**a).clone(), rel, rhs: b };
+        Self::Cases(vec![(vec![guard], (**a).clone())], Some(last))
     }
 }
 

@@ -6,16 +6,16 @@ use std::rc::Rc;
 use crate::limit::{Place, constants, narrows, premises, sides};
 use crate::model::satisfies;
 use crate::{
-    Bound, Cases, Certificate, Conclusion, Context, Evidence, Expr, Failure, Finding, Fuel,
-    Functions, Goal, Hypothesis, Limit, Link, Model, Point, Proof, Rejection, Rel, Relation, Scope,
-    Sentence, SideProof, State, Target, expressions,
+    Bound, Cases, Certificate, Checked, Conclusion, Context, Evidence, Expr, Failure, Finding,
+    Fuel, Functions, Goal, Hypothesis, Limit, Link, Model, Point, Proof, Rejection, Rel, Relation,
+    Scope, Sentence, SideProof, State, Target, expressions,
 };
 
 /// Checks a certificate against the goal that it is for, within the budget.
 ///
 /// # Errors
 /// [`Rejection`]: why it was not accepted. Nothing but `Ok` means accepted.
-pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Result<(), Rejection> {
+pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Checked {
     if certificate.goal != digest(goal) || !goal.context.values.is_empty() {
         return Err(Rejection::OtherGoal);
     }
@@ -37,7 +37,7 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Result<(), R
 ///
 /// # Errors
 /// [`Rejection::Budget`], [`Rejection::UnknownSymbol`].
-pub fn scope(goal: &Goal, fuel: Fuel) -> Result<Scope<'_>, Rejection> {
+pub fn scope(goal: &Goal, fuel: Fuel) -> Checked<Scope<'_>> {
     let sentences = goal.hypotheses.iter().map(|h| &h.sentence);
     let subjects: Vec<&Expr> = sentences
         .flat_map(|s| expressions(&s.when, &s.links))
@@ -56,7 +56,7 @@ pub fn claim_state<'s, 'g>(
     scope: &'s Scope<'g>,
     goal: &'g Goal,
     finding: Finding,
-) -> Result<State<'s, 'g>, Rejection> {
+) -> Checked<State<'s, 'g>> {
     Ok(asked(scope, goal, finding)?.1)
 }
 
@@ -66,7 +66,7 @@ fn asked<'s, 'g>(
     scope: &'s Scope<'g>,
     goal: &'g Goal,
     finding: Finding,
-) -> Result<(bool, State<'s, 'g>), Rejection> {
+) -> Checked<(bool, State<'s, 'g>)> {
     let wanted = |r: &Relation, value: &dyn Fn(Option<bool>) -> bool| {
         Ok(Some(crate::normal::regions(scope.relation(r)?, value)))
     };
@@ -105,7 +105,7 @@ pub fn point_state<'s, 'g>(
     scope: &'s Scope<'g>,
     goal: &'g Goal,
     failure: Option<Cases>,
-) -> Result<State<'s, 'g>, Rejection> {
+) -> Checked<State<'s, 'g>> {
     let mut formulas = premises(scope, goal, Place::Point)?;
     formulas.extend(failure);
     let (atoms, formulas) = (scope.ranges(), Rc::new(formulas));
@@ -113,7 +113,7 @@ pub fn point_state<'s, 'g>(
 }
 
 /// Checks that no point satisfies what a finding denies.
-fn contradicts(goal: &Goal, finding: Finding, proof: &Proof, fuel: &Fuel) -> Result<(), Rejection> {
+fn contradicts(goal: &Goal, finding: Finding, proof: &Proof, fuel: &Fuel) -> Checked {
     let scope = scope(goal, fuel.clone())?;
     match asked(&scope, goal, finding)? {
         (true, state) => state.refute(proof),
@@ -122,7 +122,7 @@ fn contradicts(goal: &Goal, finding: Finding, proof: &Proof, fuel: &Fuel) -> Res
 }
 
 /// Checks that a point satisfies what a finding asserts. It says nothing about limits.
-fn holds_at(goal: &Goal, finding: Finding, point: &Point, fuel: &Fuel) -> Result<(), Rejection> {
+fn holds_at(goal: &Goal, finding: Finding, point: &Point, fuel: &Fuel) -> Checked {
     if limits(goal).next().is_some() {
         return Err(Rejection::NeedsFunctions);
     }
@@ -143,12 +143,7 @@ fn limits(goal: &Goal) -> impl Iterator<Item = &Limit> {
 }
 
 /// Checks one limit from all its sides.
-fn limit_holds(
-    goal: &Goal,
-    limit: &Limit,
-    proofs: &[SideProof],
-    fuel: &Fuel,
-) -> Result<(), Rejection> {
+fn limit_holds(goal: &Goal, limit: &Limit, proofs: &[SideProof], fuel: &Fuel) -> Checked {
     let scope = scope(goal, fuel.clone())?;
     let (state, sides) = (constants(&scope, goal, limit.var)?, sides(&scope, limit));
     if sides.is_empty() || sides.len() != proofs.len() {
@@ -158,7 +153,7 @@ fn limit_holds(
 }
 
 /// Checks explicit functions: premises for all x, and how the conclusion fails.
-fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Result<(), Rejection> {
+fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Checked {
     // Every symbol but x has an expression: in x if it is a function of x, else closed.
     let vars = &goal.context.vars;
     let others = (0..vars.len()).filter(|v| *v != f.var);
@@ -258,7 +253,7 @@ pub fn range_premise(context: &Context, v: usize) -> Hypothesis {
 }
 
 /// A limit from nothing but the side of a proof, if that is one of its sides.
-fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Result<Limit, Rejection> {
+fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Checked<Limit> {
     let side = &proof.germ.side;
     if !sides(scope, limit).contains(side) {
         return Err(Rejection::OutsideDomain);
@@ -267,7 +262,7 @@ fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Result<Limi
 }
 
 /// Whether two closed targets are visibly different.
-fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Result<bool, Rejection> {
+fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Checked<bool> {
     let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
         return Ok(std::mem::discriminant(claimed) != std::mem::discriminant(found));
     };

@@ -1,6 +1,6 @@
 //! The derivative of an explicit expression, as an expression.
 
-use crate::{Context, Expr, Fuel, Rejection, Rel, Relation};
+use crate::{Checked, Context, Expr, Fuel, Rejection, Rel, Relation};
 
 /// d f / d x, symbolically; nothing is simplified, so no condition is lost.
 ///
@@ -8,14 +8,14 @@ use crate::{Context, Expr, Fuel, Rejection, Rel, Relation};
 ///
 /// # Errors
 /// [`Rejection::NotExplicit`] if f contains an undefined function of x; [`Rejection::Budget`].
-pub fn derivative(c: &Context, f: &Expr, x: usize, fuel: &Fuel) -> Result<Expr, Rejection> {
+pub fn derivative(c: &Context, f: &Expr, x: usize, fuel: &Fuel) -> Checked<Expr> {
     diff(c, f, x, fuel, MAX_DEPTH)
 }
 
 /// Definitions inside definitions, followed at most this deep.
 const MAX_DEPTH: usize = 64;
 
-fn diff(c: &Context, f: &Expr, x: usize, fuel: &Fuel, depth: usize) -> Result<Expr, Rejection> {
+fn diff(c: &Context, f: &Expr, x: usize, fuel: &Fuel, depth: usize) -> Checked<Expr> {
     fuel.spend(1)?;
     let go = |e: &Expr| Ok(Box::new(diff(c, e, x, fuel, depth)?));
     let times = |a: &Expr, b: &Expr| Box::new(Expr::Mul(a.clone().into(), b.clone().into()));

@@ -24,6 +24,6 @@ pub use limit::{Place, constants, differs, leaves, misses, narrows, premised, pr
 pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;
-pub use rejection::Rejection;
+pub use rejection::{Checked, Rejection};
 pub use state::State;
 pub use univariate::{descartes, sign, sign_at};

@@ -5,8 +5,8 @@ use std::rc::Rc;
 use crate::normal::regions;
 use crate::state::{depends, varies};
 use crate::{
-    Approach, Atom, Atoms, Bound, Cases, Expr, Fuel, Goal, Limit, Piece, Poly, Rejection, Scope,
-    Sentence, Side, SideProof, Sign, State, Target, expressions,
+    Approach, Atom, Atoms, Bound, Cases, Checked, Expr, Fuel, Goal, Limit, Piece, Poly, Rejection,
+    Scope, Sentence, Side, SideProof, Sign, State, Target, expressions,
 };
 
 impl Side {
@@ -42,7 +42,7 @@ impl Side {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn binding(&self, t: usize, fuel: &Fuel) -> Result<Atom, Rejection> {
+    pub fn binding(&self, t: usize, fuel: &Fuel) -> Checked<Atom> {
         let step = Poly::var(t).scale(&if self.above { 1.into() } else { (-1).into() });
         let poly = match &self.at {
             Some(a) => Poly::in_variable(self.var, &[-a.numer(), a.denom().clone()])
@@ -94,7 +94,7 @@ pub fn narrows(scope: &Scope<'_>, s: &Sentence, x: usize) -> bool {
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn leaves(scope: &Scope<'_>, goal: &Goal, x: usize) -> Result<Vec<Cases>, Rejection> {
+pub fn leaves(scope: &Scope<'_>, goal: &Goal, x: usize) -> Checked<Vec<Cases>> {
     let mut formulas = premises(scope, goal, Place::Constants(x))?;
     let mut outside = Cases::new();
     for h in goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x)) {
@@ -120,7 +120,7 @@ pub enum Place<'a> {
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Result<Vec<Cases>, Rejection> {
+pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Checked<Vec<Cases>> {
     let (x, side) = match place {
         Place::Point => (None, None),
         Place::Constants(x) => (Some(x), None),
@@ -163,7 +163,7 @@ fn quotient(
     e: &Expr,
     (num, den): (&Poly, &Poly),
     sign: Sign,
-) -> Result<Vec<Piece<bool>>, Rejection> {
+) -> Checked<Vec<Piece<bool>>> {
     scope.each(&scope.pieces(e)?, |v| {
         let gap = den.mul(&v.num, &scope.fuel)?.sub(&num.mul(&v.den, &scope.fuel)?);
         Ok(vec![Piece { atoms: vec![Atom::new(gap, sign)], value: Some(true) }])
@@ -174,7 +174,7 @@ fn quotient(
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn differs(scope: &Scope<'_>, e: &Expr, ends: (&Poly, &Poly)) -> Result<Cases, Rejection> {
+pub fn differs(scope: &Scope<'_>, e: &Expr, ends: (&Poly, &Poly)) -> Checked<Cases> {
     Ok(regions(quotient(scope, e, ends, Sign::NonZero)?, |_| true))
 }
 
@@ -183,12 +183,7 @@ pub fn differs(scope: &Scope<'_>, e: &Expr, ends: (&Poly, &Poly)) -> Result<Case
 ///
 /// # Errors
 /// [`Rejection::NotConstant`] if it mentions anything else, [`Rejection::WrongOrder`].
-pub(crate) fn start(
-    state: &State<'_, '_>,
-    side: &Side,
-    poly: &Poly,
-    order: u32,
-) -> Result<Poly, Rejection> {
+pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32) -> Checked<Poly> {
     let (scope, t) = (state.scope, state.scope.germ());
     let known = |v: usize| match v.checked_sub(t + 1) {
         Some(i) => premised(state.goal)
@@ -211,11 +206,7 @@ pub(crate) fn start(
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn constants<'s, 'g>(
-    scope: &'s Scope<'g>,
-    goal: &'g Goal,
-    x: usize,
-) -> Result<State<'s, 'g>, Rejection> {
+pub fn constants<'s, 'g>(scope: &'s Scope<'g>, goal: &'g Goal, x: usize) -> Checked<State<'s, 'g>> {
     let formulas = Rc::new(premises(scope, goal, Place::Constants(x))?);
     let mut state = State { scope, goal, atoms: Atoms::new(), formulas, reaching: false };
     let constants = scope.mentioned.iter().filter(|v| state.is_constant(**v, x));
@@ -232,7 +223,7 @@ pub fn misses(
     side: &Side,
     (num, den, order): (&Poly, &Poly, u32),
     target: &Target,
-) -> Result<Cases, Rejection> {
+) -> Checked<Cases> {
     let num = start(state, side, num, 0)?;
     let den = start(state, side, den, order)?;
     let signed = match target {
@@ -257,7 +248,7 @@ pub(crate) fn check(
     limit: &Limit,
     side: &Side,
     proof: &SideProof,
-) -> Result<(), Rejection> {
+) -> Checked {
     if proof.germ.side != *side {
         return Err(Rejection::OutsideDomain);
     }

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use crate::{Atoms, Fuel, Point, Poly, Rejection, Root, State, descartes, sign, sign_at};
+use crate::{Atoms, Checked, Fuel, Point, Poly, Rejection, Root, State, descartes, sign, sign_at};
 
 /// Halvings of an isolating interval before a sign is given up as undecided.
 const MAX_HALVINGS: usize = 512;
@@ -16,7 +16,7 @@ const THETA: usize = usize::MAX;
 ///
 /// # Errors
 /// [`Rejection::NotAModel`] with the index of the formula that fails.
-pub(crate) fn satisfies(state: &State<'_, '_>, point: &Point) -> Result<(), Rejection> {
+pub(crate) fn satisfies(state: &State<'_, '_>, point: &Point) -> Checked {
     let fuel = &state.scope.fuel;
     if let Some(Root { poly, lo, hi }) = &point.generator {
         let simple = descartes(poly, Some(lo), Some(hi), fuel)? == 1;
@@ -24,7 +24,7 @@ pub(crate) fn satisfies(state: &State<'_, '_>, point: &Point) -> Result<(), Reje
             return Err(Rejection::RootCount);
         }
     }
-    let holds = |atoms: &Atoms| -> Result<bool, Rejection> {
+    let holds = |atoms: &Atoms| -> Checked<bool> {
         for a in atoms {
             if !point.sign(&a.poly, fuel)?.is_some_and(|s| a.sign.admits(s)) {
                 return Ok(false);
@@ -52,7 +52,7 @@ impl Point {
     ///
     /// # Errors
     /// [`Rejection::Budget`], also if the sign at an algebraic number does not come out.
-    fn sign(&self, p: &Poly, fuel: &Fuel) -> Result<Option<i8>, Rejection> {
+    fn sign(&self, p: &Poly, fuel: &Fuel) -> Checked<Option<i8>> {
         let modulus = self.generator.as_ref().map_or(&[][..], |root| &root.poly);
         let modulus = Poly::in_variable(THETA, modulus);
         let mut value = p.clone();

@@ -7,7 +7,9 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Bound, Context, Expr, Fraction, Fuel, Poly, Rejection, Rel, Relation, Sentence, sign};
+use crate::{
+    Bound, Checked, Context, Expr, Fraction, Fuel, Poly, Rejection, Rel, Relation, Sentence, sign,
+};
 
 /// What is known of the sign of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -97,6 +99,12 @@ fn everywhere<T>(value: Option<T>) -> Vec<Piece<T>> {
     vec![Piece { atoms: Vec::new(), value }]
 }
 
+/// One value where an atom holds, another where it does not.
+fn either<T>(atom: Atom, holds: Option<T>, fails: Option<T>) -> Vec<Piece<T>> {
+    let not = vec![atom.not()];
+    vec![Piece { atoms: vec![atom], value: holds }, Piece { atoms: not, value: fails }]
+}
+
 /// The regions where a condition is as wanted: true, false or undefined.
 pub(crate) fn regions(truth: Vec<Piece<bool>>, wanted: impl Fn(Option<bool>) -> bool) -> Cases {
     truth.into_iter().filter(|p| wanted(p.value)).map(|p| p.atoms).collect()
@@ -124,7 +132,7 @@ impl<'c> Scope<'c> {
     ///
     /// # Errors
     /// [`Rejection::Budget`] if the definitions behind them do not fit in the budget.
-    pub fn new(context: &'c Context, subjects: &[&'c Expr], fuel: Fuel) -> Result<Self, Rejection> {
+    pub fn new(context: &'c Context, subjects: &[&'c Expr], fuel: Fuel) -> Checked<Self> {
         for (v, var) in context.vars.iter().enumerate() {
             let ends = var.lower.as_ref().zip(var.upper.as_ref());
             let open = |(a, b): (&Bound, &Bound)| a.value == b.value && (a.strict || b.strict);
@@ -196,7 +204,7 @@ impl<'c> Scope<'c> {
     ///
     /// # Errors
     /// [`Rejection`]: budget, unknown symbols, a derivative that cannot be taken.
-    pub fn pieces(&self, e: &Expr) -> Result<Vec<Piece>, Rejection> {
+    pub fn pieces(&self, e: &Expr) -> Checked<Vec<Piece>> {
         let fuel = &self.fuel;
         let total = |value: Fraction| Ok(everywhere(Some(value)));
         match e {
@@ -214,9 +222,7 @@ impl<'c> Scope<'c> {
             Expr::Div(a, b) => self.both(a, b, |x, y| {
                 let quotient =
                     Fraction { num: x.num.mul(&y.den, fuel)?, den: x.den.mul(&y.num, fuel)? };
-                let zero = Atom::new(y.num.clone(), Sign::Zero);
-                let defined = Piece { atoms: vec![zero.not()], value: Some(quotient) };
-                Ok(vec![defined, Piece { atoms: vec![zero], value: None }])
+                Ok(either(Atom::new(y.num.clone(), Sign::NonZero), Some(quotient), None))
             }),
             Expr::Pow(a, n) if *n < 0 => {
                 let power = Expr::Pow(a.clone(), n.checked_neg().ok_or(Rejection::Budget)?);
@@ -233,14 +239,10 @@ impl<'c> Scope<'c> {
                 self.each(&self.pieces(a)?, |x| {
                     let real = Atom::new(x.sign_poly(fuel)?, Sign::NonNegative);
                     let square = Poly::power(s, 2).mul(&x.den, fuel)?.sub(&x.num);
-                    let negative = Piece { atoms: vec![real.not()], value: None };
-                    let atoms = vec![
-                        real,
-                        Atom::new(Poly::var(s), Sign::NonNegative),
-                        Atom::new(square, Sign::Zero),
-                    ];
-                    let value = Some(Fraction::whole(Poly::var(s)));
-                    Ok(vec![negative, Piece { atoms, value }])
+                    let mut pieces = either(real, Some(Fraction::whole(Poly::var(s))), None);
+                    pieces[0].atoms.push(Atom::new(Poly::var(s), Sign::NonNegative));
+                    pieces[0].atoms.push(Atom::new(square, Sign::Zero));
+                    Ok(pieces)
                 })
             }
             Expr::Deriv(f, x) => {
@@ -268,8 +270,8 @@ impl<'c> Scope<'c> {
     pub(crate) fn each<T, U>(
         &self,
         pieces: &[Piece<T>],
-        next: impl Fn(&T) -> Result<Vec<Piece<U>>, Rejection>,
-    ) -> Result<Vec<Piece<U>>, Rejection> {
+        next: impl Fn(&T) -> Checked<Vec<Piece<U>>>,
+    ) -> Checked<Vec<Piece<U>>> {
         let mut out = Vec::new();
         for p in pieces {
             for q in p.value.as_ref().map_or_else(|| Ok(everywhere(None)), &next)? {
@@ -287,8 +289,8 @@ impl<'c> Scope<'c> {
         &self,
         a: &Expr,
         b: &Expr,
-        next: impl Fn(&Fraction, &Fraction) -> Result<Vec<Piece<U>>, Rejection>,
-    ) -> Result<Vec<Piece<U>>, Rejection> {
+        next: impl Fn(&Fraction, &Fraction) -> Checked<Vec<Piece<U>>>,
+    ) -> Checked<Vec<Piece<U>>> {
         let right = self.pieces(b)?;
         self.each(&self.pieces(a)?, |x| self.each(&right, |y| next(x, y)))
     }
@@ -297,7 +299,7 @@ impl<'c> Scope<'c> {
     ///
     /// # Errors
     /// As [`Scope::pieces`].
-    pub fn relation(&self, r: &Relation) -> Result<Vec<Piece<bool>>, Rejection> {
+    pub fn relation(&self, r: &Relation) -> Checked<Vec<Piece<bool>>> {
         let swap = matches!(r.rel, Rel::Lt | Rel::Le);
         let (a, b) = if swap { (&r.rhs, &r.lhs) } else { (&r.lhs, &r.rhs) };
         self.both(a, b, |x, y| {
@@ -308,8 +310,7 @@ impl<'c> Scope<'c> {
                 Rel::Lt | Rel::Gt => Atom::new(gap.sign_poly(&self.fuel)?, Sign::Positive),
                 Rel::Le | Rel::Ge => Atom::new(gap.sign_poly(&self.fuel)?, Sign::NonNegative),
             };
-            let fails = Piece { atoms: vec![atom.not()], value: Some(false) };
-            Ok(vec![fails, Piece { atoms: vec![atom], value: Some(true) }])
+            Ok(either(atom, Some(true), Some(false)))
         })
     }
 
@@ -321,7 +322,7 @@ impl<'c> Scope<'c> {
     pub fn all<'r>(
         &self,
         relations: impl IntoIterator<Item = &'r Relation>,
-    ) -> Result<Vec<Piece<bool>>, Rejection> {
+    ) -> Checked<Vec<Piece<bool>>> {
         let mut truth = everywhere(Some(true));
         for r in relations {
             let next = self.relation(r)?;
@@ -340,7 +341,7 @@ impl<'c> Scope<'c> {
         &self,
         when: &[Relation],
         truth: &[Piece<bool>],
-    ) -> Result<Vec<Piece<bool>>, Rejection> {
+    ) -> Checked<Vec<Piece<bool>>> {
         let mut applies = self.all(when)?;
         applies.iter_mut().for_each(|p| p.value = Some(p.value == Some(true)));
         self.each(&applies, |applies| {
@@ -354,7 +355,7 @@ impl<'c> Scope<'c> {
     ///
     /// # Errors
     /// As [`Scope::pieces`].
-    pub fn premise(&self, s: &Sentence, given: bool, holds: bool) -> Result<Cases, Rejection> {
+    pub fn premise(&self, s: &Sentence, given: bool, holds: bool) -> Checked<Cases> {
         let truth = self.under(&s.when, &self.all(s.relations())?)?;
         Ok(regions(truth, |value| value.unwrap_or(!given) == holds))
     }

@@ -10,7 +10,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use crate::{Rejection, sign};
+use crate::{Checked, Rejection, sign};
 
 /// A budget of coefficient operations; what needs more is rejected, never waited for. Clones share
 /// it.
@@ -28,7 +28,7 @@ impl Fuel {
     ///
     /// # Errors
     /// [`Rejection::Budget`] when fewer are left.
-    pub fn spend(&self, steps: u64) -> Result<(), Rejection> {
+    pub fn spend(&self, steps: u64) -> Checked {
         let left = self.0.get().checked_sub(steps);
         self.0.set(left.unwrap_or(0));
         left.map(|_| ()).ok_or(Rejection::Budget)
@@ -181,7 +181,7 @@ impl Poly {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn mul(&self, other: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
+    pub fn mul(&self, other: &Self, fuel: &Fuel) -> Checked<Self> {
         let size = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
         let words = |p: &Self| 1 + p.bits() / 64;
         let pairs = size(self).saturating_mul(size(other));
@@ -199,7 +199,7 @@ impl Poly {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn pow(&self, mut n: u32, fuel: &Fuel) -> Result<Self, Rejection> {
+    pub fn pow(&self, mut n: u32, fuel: &Fuel) -> Checked<Self> {
         let (mut power, mut base) = (Self::one(), self.clone());
         while n > 0 {
             if n & 1 == 1 {
@@ -248,13 +248,7 @@ impl Poly {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn remainder(
-        &self,
-        v: usize,
-        equation: &Self,
-        even: bool,
-        fuel: &Fuel,
-    ) -> Result<Self, Rejection> {
+    pub fn remainder(&self, v: usize, equation: &Self, even: bool, fuel: &Fuel) -> Checked<Self> {
         let lead = equation.coefficients(v).pop().unwrap_or_default();
         let degree = equation.degree(v);
         let (mut rest, mut odd) = (self.clone(), false);
@@ -272,13 +266,7 @@ impl Poly {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn compose(
-        &self,
-        v: usize,
-        num: &Self,
-        den: &Self,
-        fuel: &Fuel,
-    ) -> Result<Self, Rejection> {
+    pub fn compose(&self, v: usize, num: &Self, den: &Self, fuel: &Fuel) -> Checked<Self> {
         let (mut sum, mut power) = (Self::default(), Self::one());
         for c in self.coefficients(v).iter().rev() {
             sum = sum.mul(num, fuel)?.add(&c.mul(&power, fuel)?);
@@ -294,7 +282,7 @@ pub fn exponent(m: &Monomial, v: usize) -> u32 {
     m.iter().find(|p| p.0 == v).map_or(0, |p| p.1)
 }
 
-fn times(a: &Monomial, b: &Monomial) -> Result<Monomial, Rejection> {
+fn times(a: &Monomial, b: &Monomial) -> Checked<Monomial> {
     let mut out = a.clone();
     for &(v, e) in b {
         match out.binary_search_by_key(&v, |p| p.0) {
@@ -331,7 +319,7 @@ impl Fraction {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn add(&self, o: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
+    pub fn add(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
         if self.den == o.den {
             return Ok(Self { num: self.num.add(&o.num), den: self.den.clone() });
         }
@@ -351,7 +339,7 @@ impl Fraction {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn mul(&self, o: &Self, fuel: &Fuel) -> Result<Self, Rejection> {
+    pub fn mul(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
         Ok(Self { num: self.num.mul(&o.num, fuel)?, den: self.den.mul(&o.den, fuel)? })
     }
 
@@ -359,7 +347,7 @@ impl Fraction {
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn sign_poly(&self, fuel: &Fuel) -> Result<Poly, Rejection> {
+    pub fn sign_poly(&self, fuel: &Fuel) -> Checked<Poly> {
         match self.den.as_constant() {
             Some(c) => Ok(self.num.scale(&BigInt::from(sign(&c)))),
             None => self.num.mul(&self.den, fuel),

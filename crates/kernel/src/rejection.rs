@@ -54,12 +54,14 @@ pub enum Rejection {
     NotExplicit,
 }
 
+/// What a rule leaves, or why it does not apply.
+pub type Checked<T = ()> = Result<T, Rejection>;
+
 impl fmt::Display for Rejection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Budget => write!(f, "the budget of the check ran out"),
             Self::OtherGoal => write!(f, "the certificate is for another statement"),
-            Self::CaseCount(want, have) => write!(f, "{want} cases but {have} proofs"),
             other => write!(f, "{other:?}"),
         }
     }

@@ -9,8 +9,8 @@ use num_traits::{One, Signed, Zero};
 
 use crate::limit::{Place, leaves, premises, sides, start};
 use crate::{
-    Atom, Atoms, Cases, Conclusion, Expr, Fuel, Germ, Goal, Link, Poly, Proof, Rejection, Root,
-    Scope, Side, Sign, Term, descartes, sign, sign_at,
+    Atom, Atoms, Cases, Checked, Conclusion, Expr, Fuel, Germ, Goal, Link, Poly, Proof, Rejection,
+    Root, Scope, Side, Sign, Term, descartes, sign, sign_at,
 };
 
 /// What is known at a point: atoms, and formulas of which one case each holds there.
@@ -33,7 +33,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection`] naming the rule that does not apply.
-    pub fn refute(&self, proof: &Proof) -> Result<(), Rejection> {
+    pub fn refute(&self, proof: &Proof) -> Checked {
         self.scope.fuel.spend(1)?;
         match proof {
             Proof::Absurd => {
@@ -71,7 +71,7 @@ impl<'s, 'g> State<'s, 'g> {
         }
     }
 
-    fn atom(&self, i: usize) -> Result<&Atom, Rejection> {
+    fn atom(&self, i: usize) -> Checked<&Atom> {
         self.atoms.get(i).ok_or(Rejection::NoSuchAtom(i))
     }
 
@@ -93,7 +93,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection::NoSuchFormula`].
-    pub fn assume(&self, formula: usize) -> Result<Vec<Self>, Rejection> {
+    pub fn assume(&self, formula: usize) -> Checked<Vec<Self>> {
         let cases = self.formulas.get(formula).ok_or(Rejection::NoSuchFormula(formula))?;
         let next = |case: &Atoms| Self { atoms: [&self.atoms[..], case].concat(), ..self.clone() };
         Ok(cases.iter().map(next).collect())
@@ -104,12 +104,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection`] if it is no such equation or its leading coefficient may vanish.
-    pub fn substitute(
-        &self,
-        equation: usize,
-        var: usize,
-        lead: &[(usize, u32)],
-    ) -> Result<Self, Rejection> {
+    pub fn substitute(&self, equation: usize, var: usize, lead: &[(usize, u32)]) -> Checked<Self> {
         let eq = self.atom(equation)?;
         let degree = eq.poly.degree(var);
         if eq.sign != Sign::Zero || degree == 0 {
@@ -146,12 +141,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection`] if a factor may vanish or the product does not give back the atom.
-    pub fn cancel(
-        &self,
-        atom: usize,
-        factors: &[(usize, u32)],
-        quotient: &Poly,
-    ) -> Result<Self, Rejection> {
+    pub fn cancel(&self, atom: usize, factors: &[(usize, u32)], quotient: &Poly) -> Checked<Self> {
         let old = self.atom(atom)?;
         if factors.iter().any(|f| f.0 == atom) {
             return Err(Rejection::MayVanish);
@@ -176,7 +166,7 @@ impl<'s, 'g> State<'s, 'g> {
         &self,
         factors: &[(usize, u32)],
         allowed: impl Fn(Sign, bool) -> bool,
-    ) -> Result<Poly, Rejection> {
+    ) -> Checked<Poly> {
         let mut product = Poly::one();
         for &(i, n) in factors {
             let atom = self.atom(i)?;
@@ -189,7 +179,7 @@ impl<'s, 'g> State<'s, 'g> {
         Ok(product)
     }
 
-    fn positive(&self, terms: &[Term], cofactors: &[(usize, Poly)]) -> Result<(), Rejection> {
+    fn positive(&self, terms: &[Term], cofactors: &[(usize, Poly)]) -> Checked {
         let fuel = &self.scope.fuel;
         let (mut sum, mut strict) = (Poly::default(), false);
         for (i, cofactor) in cofactors {
@@ -217,11 +207,7 @@ impl<'s, 'g> State<'s, 'g> {
         strict.then_some(()).ok_or(Rejection::NotPositive)
     }
 
-    fn orthant(
-        &self,
-        atom: usize,
-        bounds: &[(usize, Option<usize>, Option<usize>)],
-    ) -> Result<(), Rejection> {
+    fn orthant(&self, atom: usize, bounds: &[(usize, Option<usize>, Option<usize>)]) -> Checked {
         let fuel = &self.scope.fuel;
         let target = self.atom(atom)?;
         let mut p = target.poly.clone();
@@ -269,7 +255,7 @@ impl<'s, 'g> State<'s, 'g> {
     }
 
     /// Reads atom i as a lower (side 1) or upper (side −1) bound of v: its value, and if it is open.
-    fn bound(&self, i: usize, v: usize, side: i8) -> Result<(BigRational, bool), Rejection> {
+    fn bound(&self, i: usize, v: usize, side: i8) -> Checked<(BigRational, bool)> {
         let atom = self.atom(i)?;
         match (atom.poly.univariate(v).as_deref(), atom.sign.is_order()) {
             (Some([c, k]), true) if sign(k) == side => {
@@ -285,7 +271,7 @@ impl<'s, 'g> State<'s, 'g> {
         bases: &[Vec<BigInt>],
         roots: &[Root],
         atoms: &[(usize, BigRational, Vec<u32>)],
-    ) -> Result<(), Rejection> {
+    ) -> Checked {
         let fuel = &self.scope.fuel;
         for (i, constant, powers) in atoms {
             let mut product = Poly::constant(constant.numer().clone());
@@ -326,7 +312,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection`] if the side does not lie in the domain or the radius may not be positive.
-    pub fn along(&self, germ: &Germ) -> Result<Self, Rejection> {
+    pub fn along(&self, germ: &Germ) -> Checked<Self> {
         let along = self.along_unproved(germ)?;
         if !self.reaches(&germ.side) {
             let leaves = leaves(self.scope, self.goal, germ.side.var)?;
@@ -351,7 +337,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// As [`State::along`].
-    pub fn along_unproved(&self, germ: &Germ) -> Result<Self, Rejection> {
+    pub fn along_unproved(&self, germ: &Germ) -> Checked<Self> {
         let x = germ.side.var;
         let (num, den) = &germ.radius;
         if !germ.side.is_inside(self.scope) {
@@ -381,7 +367,7 @@ impl<'s, 'g> State<'s, 'g> {
     ///
     /// # Errors
     /// [`Rejection`] if it mentions what has no premised limit, or its sign does not pass.
-    pub fn at_zero(&self, germ: &Germ, atom: &Atom) -> Result<Atom, Rejection> {
+    pub fn at_zero(&self, germ: &Germ, atom: &Atom) -> Checked<Atom> {
         if !matches!(atom.sign, Sign::Zero | Sign::NonNegative) {
             return Err(Rejection::NotAnEquation(0));
         }
@@ -391,7 +377,7 @@ impl<'s, 'g> State<'s, 'g> {
 
 /// Whether some term of a polynomial whose terms have one sign is not zero on each face of the
 /// orthant: for each variable its degree there, and whether 0 and ∞ belong to the region.
-fn survives(p: &Poly, ends: &[(usize, u32, bool, bool)], fuel: &Fuel) -> Result<bool, Rejection> {
+fn survives(p: &Poly, ends: &[(usize, u32, bool, bool)], fuel: &Fuel) -> Checked<bool> {
     fuel.spend(1 + u64::try_from(p.len()).unwrap_or(u64::MAX))?;
     let Some((&(v, degree, low, high), rest)) = ends.split_first() else {
         return Ok(!p.is_empty());
@@ -404,7 +390,7 @@ fn survives(p: &Poly, ends: &[(usize, u32, bool, bool)], fuel: &Fuel) -> Result<
 
 /// The sign vectors of the bases on all cells of the line: gaps and roots, from left to right. An
 /// isolating interval has no cells of its own but the root: off it, it continues the gaps.
-fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Result<Vec<Vec<i8>>, Rejection> {
+fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Checked<Vec<Vec<i8>>> {
     let mut out = Vec::new();
     let mut left: Option<&BigRational> = None;
     for root in roots.iter().map(Some).chain([None]) {

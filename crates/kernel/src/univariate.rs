@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::{Fuel, Rejection};
+use crate::{Checked, Fuel};
 
 /// Sign of Σ cᵢxⁱ at a rational x: −1, 0 or 1. Exact.
 #[must_use]
@@ -29,13 +29,13 @@ pub fn sign(c: &BigInt) -> i8 {
 /// An empty interval has none.
 ///
 /// # Errors
-/// [`Rejection::Budget`].
+/// [`crate::Rejection::Budget`].
 pub fn descartes(
     p: &[BigInt],
     lo: Option<&BigRational>,
     hi: Option<&BigRational>,
     fuel: &Fuel,
-) -> Result<usize, Rejection> {
+) -> Checked<usize> {
     if lo.zip(hi).is_some_and(|(a, b)| a >= b) {
         return Ok(0);
     }
@@ -69,24 +69,16 @@ fn reflect(p: &[BigInt]) -> Vec<BigInt> {
 /// A positive multiple of p(x + a).
 fn shift(p: &[BigInt], a: &BigRational) -> Vec<BigInt> {
     // With a = n/d: Taylor coefficients of d^k·p(x/d) at n, then x := d·x.
-    let mut out = p.to_vec();
-    let mut power = BigInt::one();
-    for c in out.iter_mut().rev() {
-        *c *= &power;
-        power *= a.denom();
-    }
+    let powers = |c: &BigInt| Some(c * a.denom());
+    let powers: Vec<_> = std::iter::successors(Some(BigInt::one()), powers).take(p.len()).collect();
+    let mut out: Vec<BigInt> = p.iter().zip(powers.iter().rev()).map(|(c, d)| c * d).collect();
     for i in 0..out.len() {
         for j in (i + 1..out.len()).rev() {
             let carry = &out[j] * a.numer();
             out[j - 1] += carry;
         }
     }
-    let mut power = BigInt::one();
-    for c in &mut out {
-        *c *= &power;
-        power *= a.denom();
-    }
-    out
+    out.iter().zip(&powers).map(|(c, d)| c * d).collect()
 }
 
 fn variations(p: &[BigInt]) -> usize {

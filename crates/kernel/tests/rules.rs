@@ -376,13 +376,13 @@ fn a_limit_is_proved_along_its_germ_and_at_its_end() {
     assert!(with(&|p| p.germ.side.at = Some(q(0, 1))).is_err());
     assert!(with(&|p| p.germ.radius.0 = n(-1)).is_err());
     assert!(with(&|p| p.germ.radius.1 = x()).is_err());
-    assert!(with(&|p| p.germ.positive = Box::new(Proof::Absurd)).is_err());
-    assert!(with(&|p| p.germ.inside = Box::new(Proof::Absurd)).is_err());
+    assert!(with(&|p| *p.germ.positive = Proof::Absurd).is_err());
+    assert!(with(&|p| *p.germ.inside = Proof::Absurd).is_err());
     assert!(with(&|p| p.num = n(1)).is_err());
     assert!(with(&|p| p.den = n(2)).is_err());
     assert!(with(&|p| p.order = 1).is_err());
-    assert!(with(&|p| p.along = Box::new(Proof::Absurd)).is_err());
-    assert!(with(&|p| p.at_zero = Box::new(Proof::Absurd)).is_err());
+    assert!(with(&|p| *p.along = Proof::Absurd).is_err());
+    assert!(with(&|p| *p.at_zero = Proof::Absurd).is_err());
     assert!(judged(&goal, Finding::Proved, Evidence::Limit(Vec::new())).is_err());
 }
 
