@@ -19,8 +19,9 @@ const LEVELS: [(&str, u32); 7] = [
 /// All that the kernel may stand on.
 const GROUND: [&str; 4] = ["num-bigint", "num-integer", "num-rational", "num-traits"];
 
-/// Lines of code in the kernel: it must stay small enough to be read in an evening.
-const KERNEL_LINES: usize = 1_500;
+/// Lines of code in the kernel: it must stay small enough to be read in an evening. The aim is 1,500;
+/// see docs/decisions/0007 for what is between.
+const KERNEL_LINES: usize = 1_950;
 
 fn metadata() -> Metadata {
     MetadataCommand::new()
