@@ -464,14 +464,13 @@ impl Teller<'_> {
             let Ok(state) = constants(scope, self.goal, limit.var) else {
                 continue;
             };
-            if let Ok(mut along) = state.along(&proof.germ) {
-                if let Ok(cases) =
+            if let Ok(mut along) = state.along(&proof.germ)
+                && let Ok(cases) =
                     kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den))
-                {
-                    along.formulas = std::rc::Rc::new([&along.formulas[..], &[cases]].concat());
-                    self.say(1, "Otherwise:".to_string());
-                    self.walk(&along, &proof.along, 2);
-                }
+            {
+                along.formulas = std::rc::Rc::new([&along.formulas[..], &[cases]].concat());
+                self.say(1, "Otherwise:".to_string());
+                self.walk(&along, &proof.along, 2);
             }
             self.say(0, ends);
             let short =

@@ -53,12 +53,13 @@ fn wanted(document: &Document, options: &Options) -> Vec<bool> {
     let mut wanted = vec![false; count];
     let mut todo = only.clone();
     while let Some(i) = todo.pop() {
-        if i < count && !std::mem::replace(&mut wanted[i], true) {
-            if let Body::Claim(claim) = &document.statements[i].body {
-                todo.extend(&claim.from);
-                if let Content::NotImplied(m) = claim.content {
-                    todo.push(m);
-                }
+        if i < count
+            && !std::mem::replace(&mut wanted[i], true)
+            && let Body::Claim(claim) = &document.statements[i].body
+        {
+            todo.extend(&claim.from);
+            if let Content::NotImplied(m) = claim.content {
+                todo.push(m);
             }
         }
     }
@@ -112,10 +113,10 @@ fn needed_lets(
         Conclusion::Contradiction => {}
     }
     while let Some(e) = todo.pop() {
-        if let Expr::Let(i) = e {
-            if !std::mem::replace(&mut needed[*i], true) {
-                todo.push(&lets[*i].body);
-            }
+        if let Expr::Let(i) = e
+            && !std::mem::replace(&mut needed[*i], true)
+        {
+            todo.push(&lets[*i].body);
         }
         todo.extend(e.children());
     }

@@ -267,17 +267,17 @@ impl Prover<'_> {
             if self.witness(goal, Finding::Proved, out) {
                 return;
             }
-            if !speaks_of_limits(&goal.conclusion) {
-                if let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out) {
-                    self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
-                }
+            if !speaks_of_limits(&goal.conclusion)
+                && let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out)
+            {
+                self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
             }
             return;
         }
-        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, out) {
-            if self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out) {
-                return;
-            }
+        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, out)
+            && self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out)
+        {
+            return;
         }
         if !self.witness(goal, Finding::IllDefined, out) {
             self.witness(goal, Finding::Refuted, out);
@@ -288,10 +288,10 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel) {
-            if self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out) {
-                return;
-            }
+        if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
+            && self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out)
+        {
+            return;
         }
         self.witness(goal, Finding::Refuted, out);
     }

@@ -32,6 +32,12 @@ pub(crate) struct Elimination {
     pub(crate) e: Poly,
 }
 
+/// Indices of atoms, with powers.
+pub(crate) type Factors = Vec<(usize, u32)>;
+
+/// How little an elimination is liked: kept variables, leads that vary, constants, size.
+type Score = (u32, usize, usize, usize);
+
 /// A step that has one successor.
 #[derive(Clone, Debug)]
 pub(crate) enum Step {
@@ -227,16 +233,16 @@ impl<'a> Search<'a> {
             let next = state.cancel(atom, &factors, &quotient).ok()?;
             return Some((Step::Cancel { atom, factors, quotient }, next, None));
         }
-        let mut best: Option<((u32, usize, usize, usize), usize, usize, Vec<(usize, u32)>)> = None;
+        let mut best: Option<(Score, usize, usize, Factors)> = None;
         for (i, v, d, size) in self.linear(state) {
             let kept = self.keep.iter().find(|k| k.0 == v).map_or(0, |k| k.1);
             let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
             let class = usize::from(d.as_constant().is_none());
             let score = (kept, class, usize::from(!is_function), size);
-            if best.as_ref().is_none_or(|b| score < b.0) {
-                if let Some(lead) = leading(state, &d) {
-                    best = Some((score, i, v, lead));
-                }
+            if best.as_ref().is_none_or(|b| score < b.0)
+                && let Some(lead) = leading(state, &d)
+            {
+                best = Some((score, i, v, lead));
             }
         }
         let Some((_, equation, var, lead)) = best else {
@@ -326,10 +332,11 @@ impl<'a> Search<'a> {
                 if degree < 2 || !others {
                     continue;
                 }
-                if let Some(d) = a.poly.coefficients(v).pop() {
-                    if d.as_constant().is_none() && cannot_vanish(state, &d) {
-                        out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
-                    }
+                if let Some(d) = a.poly.coefficients(v).pop()
+                    && d.as_constant().is_none()
+                    && cannot_vanish(state, &d)
+                {
+                    out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
                 }
             }
         }
@@ -367,15 +374,15 @@ impl<'a> Search<'a> {
                 return Outcome::Closed(proof);
             }
         }
-        if self.proofs {
-            if let Some(proof) = tactics::division_by_premise(state) {
-                return Outcome::Closed(proof);
-            }
+        if self.proofs
+            && let Some(proof) = tactics::division_by_premise(state)
+        {
+            return Outcome::Closed(proof);
         }
-        if self.models {
-            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
-                return Outcome::Model(point);
-            }
+        if self.models
+            && let Some(point) = self.sample(state, trail, &vars, (5, 200))
+        {
+            return Outcome::Model(point);
         }
         if vars.len() > 1 && self.proofs {
             // A quick look for a point saves the long search for a proof that there is none.
@@ -615,7 +622,7 @@ fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
 }
 
 /// An atom with factors that are known not to vanish, and what is left of it.
-fn cancellation(state: &State<'_, '_>) -> Option<(usize, Vec<(usize, u32)>, Poly)> {
+fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Poly)> {
     let known: Vec<usize> = (0..state.atoms.len())
         .filter(|&j| {
             let a = &state.atoms[j];
@@ -785,8 +792,9 @@ fn fill<T: Clone>(
         return;
     };
     let room: usize = rest.iter().map(|l| l.len() - 1).sum();
-    for i in sum.saturating_sub(room)..=sum.min(list.len() - 1) {
-        chosen.push(list[i].clone());
+    let first = sum.saturating_sub(room);
+    for (i, item) in list.iter().enumerate().take(sum + 1).skip(first) {
+        chosen.push(item.clone());
         fill(rest, sum - i, chosen, out, most);
         chosen.pop();
     }

@@ -10,6 +10,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::search::Factors;
+
 type Q = BigRational;
 
 fn order(sign: Sign) -> bool {
@@ -138,12 +140,13 @@ fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof
 
 /// Indices of the tightest lower and upper bounds of a variable.
 pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<usize>) {
-    let (mut lower, mut upper): (Option<(Q, usize)>, Option<(Q, usize)>) = (None, None);
+    let mut lower: Option<(Q, usize)> = None;
+    let mut upper: Option<(Q, usize)> = None;
     for (i, a) in state.atoms.iter().enumerate() {
         if !order(a.sign) || a.poly.len() > 2 {
             continue;
         }
-        let Some([c, k]) = a.poly.univariate(v).map(|p| <[BigInt; 2]>::try_from(p).ok()).flatten()
+        let Some([c, k]) = a.poly.univariate(v).and_then(|p| <[BigInt; 2]>::try_from(p).ok())
         else {
             continue;
         };
@@ -459,8 +462,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
     }
     let limit = top.max(degree);
     // Products of at most `degree` atoms, no larger than the largest atom allows.
-    let mut generators: Vec<(Vec<(usize, u32)>, Poly, bool)> =
-        vec![(Vec::new(), Poly::one(), true)];
+    let mut generators: Vec<(Factors, Poly, bool)> = vec![(Vec::new(), Poly::one(), true)];
     let mut layer = generators.clone();
     for _ in 0..degree {
         let mut next = Vec::new();
