@@ -154,10 +154,11 @@ fn limit_holds(goal: &Goal, limit: &Limit, proofs: &[SideProof], fuel: &Fuel) ->
 
 /// Checks explicit functions: premises for all x, and how the conclusion fails.
 fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Checked {
-    // Every symbol but x has an expression: in x if it is a function of x, else closed.
+    // Every symbol in question but x has an expression: in x if it is a function of x, else closed.
+    let outer = scope(goal, fuel.clone())?;
     let vars = &goal.context.vars;
-    let others = (0..vars.len()).filter(|v| *v != f.var);
-    if !f.values.iter().map(|(v, _)| *v).eq(others) || limits(goal).any(|l| l.var != f.var) {
+    let others = outer.mentioned.iter().filter(|v| **v != f.var);
+    if !f.values.iter().map(|(v, _)| v).eq(others) || limits(goal).any(|l| l.var != f.var) {
         return Err(Rejection::NotConstant);
     }
     if f.values.iter().any(|(v, e)| !is_explicit(e, f.var, vars[*v].of == Some(f.var))) {
@@ -167,7 +168,6 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         return Err(Rejection::CaseCount(goal.hypotheses.len(), f.premises.len()));
     }
     // Premises about x alone narrow its domain; all others are proved on that domain.
-    let outer = scope(goal, fuel.clone())?;
     let domain = on_functions(&outer, goal, f.var, &f.values);
     let on_domain =
         |conclusion, when: &[Relation]| Goal { conclusion, when: when.to_vec(), ..domain.clone() };

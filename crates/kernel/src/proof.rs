@@ -212,7 +212,7 @@ pub struct Point {
 pub struct Functions {
     /// x
     pub var: usize,
-    /// an expression in x for each other symbol, in their order
+    /// an expression in x for each other symbol that the goal mentions, ascending, in their order
     pub values: Vec<(usize, Expr)>,
     /// for each symbol, in order of `values`: its expression is defined and within its range
     pub ranges: Vec<Proof>,

@@ -65,7 +65,10 @@ pub(crate) fn model(
         // A quotient may have poles where the premises are silent: there any value will do.
         for total in [false, true] {
             let values = determined(&state, x, values.clone(), &trail, total);
-            let found = values.and_then(|v| certified(goal, finding, x, v, effort));
+            let found = values.and_then(|mut v| {
+                v.retain(|(symbol, _)| scope.mentioned.contains(symbol));
+                certified(goal, finding, x, v, effort)
+            });
             if found.is_some() {
                 return found;
             }

@@ -354,6 +354,19 @@ fn restricted(model: Model, goal: &Goal, source: &Goal) -> Model {
     match model {
         Model::Functions(mut f) if goal != source => {
             f.premises.truncate(goal.hypotheses.len());
+            if let Ok(scope) = scope(goal, Fuel::new(1_000_000)) {
+                let kept: Vec<bool> =
+                    f.values.iter().map(|(v, _)| scope.mentioned.contains(v)).collect();
+                let (mut i, mut j) = (0, 0);
+                f.values.retain(|_| {
+                    i += 1;
+                    kept[i - 1]
+                });
+                f.ranges.retain(|_| {
+                    j += 1;
+                    kept[j - 1]
+                });
+            }
             Model::Functions(f)
         }
         // Variables of roots and limits are numbered by the goal.
