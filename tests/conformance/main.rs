@@ -2,7 +2,11 @@
 //!
 //! `KANE_LONG=1` makes the suites with random statements ten times as long.
 
+mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
+mod generate; // random statements
 mod layering; // which crate may know which, and what the kernel links
+mod one_variable; // one variable is complete
 mod semantics; // one small document a rule of the language
+mod several_variables; // sixty claims, and how many are decided
 mod support; // chance, documents, goals

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use kane::algebra::syntax::Notation;
 use kane::audit::{Audit, Body, Claim, Content, Document, Options, audit, read};
-use kane::kernel::{Conclusion, Expr, Goal, Hypothesis, Sentence};
-use num_bigint::BigInt;
+use kane::kernel::{Conclusion, Expr, Goal, Hypothesis, Link, Sentence};
 use num_rational::BigRational;
 
 pub(crate) type Q = BigRational;
@@ -18,10 +18,6 @@ pub(crate) fn q(n: i64, d: i64) -> Q {
 /// An integer as an expression.
 pub(crate) fn num(value: &Q) -> Expr {
     Expr::Num(value.clone())
-}
-
-pub(crate) fn big(n: i64) -> BigInt {
-    n.into()
 }
 
 /// How many of something: `gate` of them, or ten times that in a long run (`KANE_LONG=1`).
@@ -168,6 +164,33 @@ pub(crate) fn cases(document: &Document) -> Vec<Case> {
                 by: claim.by.clone(),
             });
         }
+    }
+    out
+}
+
+/// A goal in words, for messages.
+pub(crate) fn shown(goal: &Goal) -> String {
+    use std::fmt::Write;
+    let mut out = String::new();
+    for v in &goal.context.vars {
+        let side = |b: &Option<kane::kernel::Bound>| {
+            b.as_ref().map(|b| format!("{}{}", b.value, if b.strict { " excluded" } else { "" }))
+        };
+        let _ = writeln!(out, "var {} from {:?} to {:?}", v.name, side(&v.lower), side(&v.upper));
+    }
+    for h in &goal.hypotheses {
+        for l in &h.sentence.links {
+            let _ = writeln!(out, "given({}) {}", h.given, l.plain(&goal.context));
+        }
+        for r in &h.sentence.when {
+            let _ = writeln!(out, "    when {}", Link::Relation(r.clone()).plain(&goal.context));
+        }
+    }
+    if let Conclusion::Link(l) = &goal.conclusion {
+        let _ = writeln!(out, "claim {}", l.plain(&goal.context));
+    }
+    for r in &goal.when {
+        let _ = writeln!(out, "    when {}", Link::Relation(r.clone()).plain(&goal.context));
     }
     out
 }
