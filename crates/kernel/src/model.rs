@@ -56,7 +56,8 @@ impl Point {
         let modulus = self.generator.as_ref().map_or(&[][..], |root| &root.poly);
         let modulus = Poly::in_variable(THETA, modulus);
         let mut value = p.clone();
-        for (v, coefficients) in self.values.iter().filter(|(v, _)| *v != THETA) {
+        let occurs = |v: usize| v != THETA && p.degree(v) > 0;
+        for (v, coefficients) in self.values.iter().filter(|(v, _)| occurs(*v)) {
             let lcm = |l: BigInt, q: &BigRational| num_integer::lcm(l, q.denom().clone());
             let common = coefficients.iter().fold(BigInt::one(), lcm);
             let whole = coefficients.iter().map(|q| q.numer() * (&common / q.denom()));

@@ -802,14 +802,23 @@ fn fill<T: Clone>(
 
 /// Gives every other variable a simple value in its range and the eliminated ones theirs.
 fn complete(state: &State<'_, '_>, mut partial: Partial, trail: &[Elimination]) -> Option<Point> {
+    let symbols = state.goal.context.vars.len();
     let count = state.scope.germ() + 1 + kane_kernel::premised(state.goal).count();
-    for v in 0..count {
+    for v in state.scope.mentioned.iter().copied().chain(symbols..count) {
         let eliminated = trail.iter().any(|e| e.var == v);
         if partial.values.contains_key(&v) || eliminated {
             continue;
         }
-        let range = State { atoms: state.scope.range(v), ..state.clone() };
-        partial.set(v, candidates(&range, v).into_iter().next().unwrap_or_else(Q::zero));
+        // Most symbols may be 1.
+        let atoms = state.scope.range(v);
+        let one = |a: &Atom| Atom::new(specialised(&a.poly, &[(v, Q::one())]), a.sign).decided();
+        let value = if atoms.iter().all(|a| one(a) == Some(true)) {
+            Q::one()
+        } else {
+            let range = State { atoms, ..state.clone() };
+            candidates(&range, v).into_iter().next().unwrap_or_else(Q::zero)
+        };
+        partial.set(v, value);
     }
     for e in trail.iter().rev() {
         let value = partial.quotient(&e.e, &e.d)?;
