@@ -46,6 +46,19 @@ fn every_shipped_document_audits_as_expected() {
     assert!(surprises.is_empty(), "not as expected:\n{}", surprises.join("\n"));
 }
 
+#[test]
+fn the_paper_needs_no_groebner_basis() {
+    let path = root().join("docs/derivations/oblique-collision.md");
+    let bytes = fs::read(&path).expect("the paper is readable");
+    let document = read("oblique-collision.md", &bytes).expect("the paper is well formed");
+    let mut options = Options::default();
+    options.budget.ideals = false;
+    let audit = audit(document, &options, &mut |_, _| {});
+    let undecided = audit.judgements.iter().filter(|j| j.conditional == Verdict::Undecided).count();
+    assert_eq!(undecided, 0, "claims that are undecided without ideals");
+    assert!(audit.as_expected(), "without ideals the verdicts stay as expected");
+}
+
 /// Links of the form `](target)` to files of this repository.
 #[test]
 fn no_page_links_to_nowhere() {

@@ -92,7 +92,7 @@ impl<'a> Search<'a> {
             proofs: true,
             widest: 2000,
             keep: Vec::new(),
-            ideals: true,
+            ideals: false,
         }
     }
 
