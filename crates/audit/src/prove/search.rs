@@ -64,6 +64,8 @@ pub(crate) struct Search<'a> {
     steps: Cell<u64>,
     /// whether a variable may be eliminated by an equation
     pub(crate) may_eliminate: &'a dyn Fn(usize, &Poly) -> bool,
+    /// steps taken on the way to the present state
+    depth: Cell<u32>,
     /// whether points are looked for
     pub(crate) models: bool,
     /// whether proofs are looked for where they take long
@@ -76,6 +78,8 @@ pub(crate) struct Search<'a> {
     pub(crate) ideals: bool,
 }
 
+/// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
+const MAX_DEPTH: u32 = 160;
 /// Case distinctions on the sign of a polynomial along one branch.
 const MAX_SPLITS: u32 = 10;
 
@@ -87,6 +91,7 @@ impl<'a> Search<'a> {
     ) -> Self {
         Self {
             steps: Cell::new(steps),
+            depth: Cell::new(0),
             may_eliminate,
             models,
             proofs: true,
@@ -156,13 +161,28 @@ impl<'a> Search<'a> {
         &self,
         state: &State<'_, '_>,
         fresh: &[bool],
+        pending: Vec<usize>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let wide = state.atoms.iter().any(|a| a.poly.len() > self.widest);
+        if !self.spend() || wide || self.depth.get() > MAX_DEPTH {
+            return Outcome::Open;
+        }
+        self.depth.set(self.depth.get() + 1);
+        let outcome = self.run_inner(state, fresh, pending, trail, splits);
+        self.depth.set(self.depth.get() - 1);
+        outcome
+    }
+
+    fn run_inner(
+        &self,
+        state: &State<'_, '_>,
+        fresh: &[bool],
         mut pending: Vec<usize>,
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        if !self.spend() || state.atoms.iter().any(|a| a.poly.len() > self.widest) {
-            return Outcome::Open;
-        }
         if let Some(proof) = tactics::quick_among(state, fresh) {
             return Outcome::Closed(proof);
         }
