@@ -270,7 +270,7 @@ fn holds(r: &Relation, at: &Sample) -> Option<bool> {
 /// All values that an expression may take, with what decides among them put into `critical`.
 fn values(e: &Expr, critical: &mut Vec<Poly>) -> Vec<(Poly, Poly)> {
     let one = || vec![BigInt::one()];
-    let mut pairs = |a: &Expr, b: &Expr, critical: &mut Vec<Poly>| {
+    let pairs = |a: &Expr, b: &Expr, critical: &mut Vec<Poly>| {
         let (a, b) = (values(a, critical), values(b, critical));
         let each = |x: &(Poly, Poly)| b.iter().map(|y| (x.clone(), y.clone())).collect::<Vec<_>>();
         a.iter().flat_map(each).collect::<Vec<_>>()

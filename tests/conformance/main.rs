@@ -2,11 +2,15 @@
 //!
 //! `KANE_LONG=1` makes the suites with random statements ten times as long.
 
+mod adversarial; // what is too large ends soon
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod generate; // random statements
 mod layering; // which crate may know which, and what the kernel links
+mod mutation; // certificates changed in one place
 mod one_variable; // one variable is complete
+mod sampling; // points at which hypotheses hold, without the kernel
 mod semantics; // one small document a rule of the language
 mod several_variables; // sixty claims, and how many are decided
+mod soundness; // nothing false is accepted
 mod support; // chance, documents, goals

@@ -1,0 +1,488 @@
+//! Certificates changed in one place: a walk over all fields of a certificate, and small changes.
+
+use kane::kernel::{
+    Atom, Certificate, Evidence, Expr, Failure, Finding, Germ, Model, Point, Poly, Proof, Root,
+    Side, SideProof, Sign, Target,
+};
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+
+use crate::support::{Chance, Q, q};
+
+/// A list of which elements can be dropped, doubled and exchanged.
+pub(crate) trait List {
+    fn len(&self) -> usize;
+    fn drop_at(&mut self, i: usize);
+    fn double_at(&mut self, i: usize);
+    fn exchange(&mut self, i: usize, j: usize);
+}
+
+impl<T: Clone> List for Vec<T> {
+    fn len(&self) -> usize {
+        Vec::len(self)
+    }
+
+    fn drop_at(&mut self, i: usize) {
+        self.remove(i);
+    }
+
+    fn double_at(&mut self, i: usize) {
+        let twin = self[i].clone();
+        self.insert(i, twin);
+    }
+
+    fn exchange(&mut self, i: usize, j: usize) {
+        self.swap(i, j);
+    }
+}
+
+/// A field of a certificate, to be changed in place.
+pub(crate) enum Field<'a> {
+    Digest(&'a mut u128),
+    Finding(&'a mut Finding),
+    Evidence(&'a mut Evidence),
+    Proof(&'a mut Proof),
+    Index(&'a mut usize),
+    Maybe(&'a mut Option<usize>),
+    Power(&'a mut u32),
+    Poly(&'a mut Poly),
+    Int(&'a mut BigInt),
+    Ratio(&'a mut Q),
+    MaybeRatio(&'a mut Option<Q>),
+    Flag(&'a mut bool),
+    Sign(&'a mut Sign),
+    Root(&'a mut Option<Root>),
+    Expr(&'a mut Expr),
+    Target(&'a mut Target),
+    Failure(&'a mut Failure),
+    List(&'a mut dyn List),
+}
+
+type See<'s> = &'s mut dyn FnMut(&'static str, Field<'_>);
+
+/// Shows every field of a certificate, in a fixed order, with the name of its kind.
+pub(crate) fn walk(c: &mut Certificate, see: See<'_>) {
+    see("Certificate.goal", Field::Digest(&mut c.goal));
+    see("Certificate.finding", Field::Finding(&mut c.finding));
+    see("Certificate.evidence", Field::Evidence(&mut c.evidence));
+    match &mut c.evidence {
+        Evidence::Contradiction(p) => proof("Evidence::Contradiction", p, see),
+        Evidence::Limit(sides) => {
+            see("Evidence::Limit", Field::List(sides));
+            sides.iter_mut().for_each(|s| side_proof(s, see));
+        }
+        Evidence::Model(Model::Point(p)) => point(p, see),
+        Evidence::Model(Model::Functions(f)) => {
+            see("Functions.var", Field::Index(&mut f.var));
+            see("Functions.values", Field::List(&mut f.values));
+            for (v, e) in &mut f.values {
+                see("Functions.values.0", Field::Index(v));
+                see("Functions.values.1", Field::Expr(e));
+            }
+            see("Functions.ranges", Field::List(&mut f.ranges));
+            f.ranges.iter_mut().for_each(|p| proof("Functions.ranges[]", p, see));
+            see("Functions.premises", Field::List(&mut f.premises));
+            for (p, limits) in &mut f.premises {
+                proof("Functions.premises.0", p, see);
+                see("Functions.premises.1", Field::List(limits));
+                for limit in limits {
+                    see("Functions.premises.1[]", Field::List(limit));
+                    limit.iter_mut().for_each(|s| side_proof(s, see));
+                }
+            }
+            see("Functions.failure", Field::Failure(&mut f.failure));
+            match &mut f.failure {
+                Failure::At(p) => point(p, see),
+                Failure::Reaches(s) => side_proof(s, see),
+                Failure::Limit { link, target, proof } => {
+                    see("Failure::Limit.link", Field::Index(link));
+                    see("Failure::Limit.target", Field::Target(target));
+                    side_proof(proof, see);
+                }
+            }
+        }
+    }
+}
+
+fn point(p: &mut Point, see: See<'_>) {
+    see("Point.generator", Field::Root(&mut p.generator));
+    if let Some(r) = &mut p.generator {
+        root(r, see);
+    }
+    see("Point.values", Field::List(&mut p.values));
+    for (v, coefficients) in &mut p.values {
+        see("Point.values.0", Field::Index(v));
+        see("Point.values.1", Field::List(coefficients));
+        coefficients.iter_mut().for_each(|c| see("Point.values.1[]", Field::Ratio(c)));
+    }
+}
+
+fn root(r: &mut Root, see: See<'_>) {
+    see("Root.poly", Field::List(&mut r.poly));
+    r.poly.iter_mut().for_each(|c| see("Root.poly[]", Field::Int(c)));
+    see("Root.lo", Field::Ratio(&mut r.lo));
+    see("Root.hi", Field::Ratio(&mut r.hi));
+}
+
+fn germ(g: &mut Germ, see: See<'_>) {
+    let Side { var, at, above } = &mut g.side;
+    see("Side.var", Field::Index(var));
+    see("Side.at", Field::MaybeRatio(at));
+    see("Side.above", Field::Flag(above));
+    see("Germ.radius.0", Field::Poly(&mut g.radius.0));
+    see("Germ.radius.1", Field::Poly(&mut g.radius.1));
+    proof("Germ.positive", &mut g.positive, see);
+    proof("Germ.inside", &mut g.inside, see);
+}
+
+fn side_proof(s: &mut SideProof, see: See<'_>) {
+    germ(&mut s.germ, see);
+    see("SideProof.num", Field::Poly(&mut s.num));
+    see("SideProof.den", Field::Poly(&mut s.den));
+    see("SideProof.order", Field::Power(&mut s.order));
+    proof("SideProof.along", &mut s.along, see);
+    proof("SideProof.at_zero", &mut s.at_zero, see);
+}
+
+fn factors(names: [&'static str; 3], list: &mut Vec<(usize, u32)>, see: See<'_>) {
+    see(names[0], Field::List(list));
+    for (i, n) in list {
+        see(names[1], Field::Index(i));
+        see(names[2], Field::Power(n));
+    }
+}
+
+fn cofactors(names: [&'static str; 3], list: &mut Vec<(usize, Poly)>, see: See<'_>) {
+    see(names[0], Field::List(list));
+    for (i, c) in list {
+        see(names[1], Field::Index(i));
+        see(names[2], Field::Poly(c));
+    }
+}
+
+fn proof(name: &'static str, p: &mut Proof, see: See<'_>) {
+    see(name, Field::Proof(p));
+    match p {
+        Proof::Absurd => {}
+        Proof::Assume { formula, cases } => {
+            see("Assume.formula", Field::Index(formula));
+            see("Assume.cases", Field::List(cases));
+            cases.iter_mut().for_each(|c| proof("Assume.cases[]", c, see));
+        }
+        Proof::Split { poly, zero, positive, negative } => {
+            see("Split.poly", Field::Poly(poly));
+            proof("Split.zero", zero, see);
+            proof("Split.positive", positive, see);
+            proof("Split.negative", negative, see);
+        }
+        Proof::Substitute { equation, var, lead, then } => {
+            see("Substitute.equation", Field::Index(equation));
+            see("Substitute.var", Field::Index(var));
+            let names = ["Substitute.lead", "Substitute.lead.0", "Substitute.lead.1"];
+            factors(names, lead, see);
+            proof("Substitute.then", then, see);
+        }
+        Proof::Cancel { atom, factors: list, quotient, then } => {
+            see("Cancel.atom", Field::Index(atom));
+            factors(["Cancel.factors", "Cancel.factors.0", "Cancel.factors.1"], list, see);
+            see("Cancel.quotient", Field::Poly(quotient));
+            proof("Cancel.then", then, see);
+        }
+        Proof::Positive { terms, cofactors: list } => {
+            see("Positive.terms", Field::List(terms));
+            for t in terms {
+                see("Term.weight", Field::Int(&mut t.weight));
+                see("Term.square", Field::Poly(&mut t.square));
+                factors(["Term.factors", "Term.factors.0", "Term.factors.1"], &mut t.factors, see);
+            }
+            let names = ["Positive.cofactors", "Positive.cofactors.0", "Positive.cofactors.1"];
+            cofactors(names, list, see);
+        }
+        Proof::Orthant { atom, bounds } => {
+            see("Orthant.atom", Field::Index(atom));
+            see("Orthant.bounds", Field::List(bounds));
+            for (v, lower, upper) in bounds {
+                see("Orthant.bounds.0", Field::Index(v));
+                see("Orthant.bounds.1", Field::Maybe(lower));
+                see("Orthant.bounds.2", Field::Maybe(upper));
+            }
+        }
+        Proof::SignTable { var, bases, roots, atoms } => {
+            see("SignTable.var", Field::Index(var));
+            see("SignTable.bases", Field::List(bases));
+            for base in bases {
+                base.iter_mut().for_each(|c| see("SignTable.bases[]", Field::Int(c)));
+            }
+            see("SignTable.roots", Field::List(roots));
+            roots.iter_mut().for_each(|r| root(r, see));
+            see("SignTable.atoms", Field::List(atoms));
+            for (i, constant, powers) in atoms {
+                see("SignTable.atoms.0", Field::Index(i));
+                see("SignTable.atoms.1", Field::Ratio(constant));
+                see("SignTable.atoms.2", Field::List(powers));
+                powers.iter_mut().for_each(|n| see("SignTable.atoms.2[]", Field::Power(n)));
+            }
+        }
+        Proof::Pass { germ: g, atom: Atom { poly, sign }, along, then } => {
+            germ(g, see);
+            see("Pass.atom.poly", Field::Poly(poly));
+            see("Pass.atom.sign", Field::Sign(sign));
+            proof("Pass.along", along, see);
+            proof("Pass.then", then, see);
+        }
+    }
+}
+
+/// All kinds of fields, as [`walk`] names them.
+pub(crate) const KINDS: &[&str] = &[
+    "Certificate.goal",
+    "Certificate.finding",
+    "Certificate.evidence",
+    "Evidence::Contradiction",
+    "Evidence::Limit",
+    "Point.generator",
+    "Point.values",
+    "Point.values.0",
+    "Point.values.1",
+    "Point.values.1[]",
+    "Root.poly",
+    "Root.poly[]",
+    "Root.lo",
+    "Root.hi",
+    "Functions.var",
+    "Functions.values",
+    "Functions.values.0",
+    "Functions.values.1",
+    "Functions.ranges",
+    "Functions.ranges[]",
+    "Functions.premises",
+    "Functions.premises.0",
+    "Functions.premises.1",
+    "Functions.premises.1[]",
+    "Functions.failure",
+    "Failure::Limit.link",
+    "Failure::Limit.target",
+    "Side.var",
+    "Side.at",
+    "Side.above",
+    "Germ.radius.0",
+    "Germ.radius.1",
+    "Germ.positive",
+    "Germ.inside",
+    "SideProof.num",
+    "SideProof.den",
+    "SideProof.order",
+    "SideProof.along",
+    "SideProof.at_zero",
+    "Assume.formula",
+    "Assume.cases",
+    "Assume.cases[]",
+    "Split.poly",
+    "Split.zero",
+    "Split.positive",
+    "Split.negative",
+    "Substitute.equation",
+    "Substitute.var",
+    "Substitute.lead",
+    "Substitute.lead.0",
+    "Substitute.lead.1",
+    "Substitute.then",
+    "Cancel.atom",
+    "Cancel.factors",
+    "Cancel.factors.0",
+    "Cancel.factors.1",
+    "Cancel.quotient",
+    "Cancel.then",
+    "Positive.terms",
+    "Term.weight",
+    "Term.square",
+    "Term.factors",
+    "Term.factors.0",
+    "Term.factors.1",
+    "Positive.cofactors",
+    "Positive.cofactors.0",
+    "Positive.cofactors.1",
+    "Orthant.atom",
+    "Orthant.bounds",
+    "Orthant.bounds.0",
+    "Orthant.bounds.1",
+    "Orthant.bounds.2",
+    "SignTable.var",
+    "SignTable.bases",
+    "SignTable.bases[]",
+    "SignTable.roots",
+    "SignTable.atoms",
+    "SignTable.atoms.0",
+    "SignTable.atoms.1",
+    "SignTable.atoms.2",
+    "SignTable.atoms.2[]",
+    "Pass.atom.poly",
+    "Pass.atom.sign",
+    "Pass.along",
+    "Pass.then",
+];
+
+/// The kinds of a certificate's fields, in the order of [`walk`].
+pub(crate) fn kinds(c: &Certificate) -> Vec<&'static str> {
+    let mut out = Vec::new();
+    walk(&mut c.clone(), &mut |kind, _| out.push(kind));
+    out
+}
+
+/// The certificate with its field number `site` changed in some way; it may come out the same.
+pub(crate) fn mutant(c: &Certificate, site: usize, chance: &mut Chance) -> Certificate {
+    let mut out = c.clone();
+    let mut n = 0;
+    walk(&mut out, &mut |_, field| {
+        if n == site {
+            change(field, chance);
+        }
+        n += 1;
+    });
+    out
+}
+
+fn moved(i: usize, chance: &mut Chance) -> usize {
+    match chance.below(4) {
+        0 => i + 1,
+        1 => i.wrapping_sub(1).min(99),
+        2 => chance.below(8),
+        _ => 1_000,
+    }
+}
+
+fn ratio(x: &Q, chance: &mut Chance) -> Q {
+    match chance.below(5) {
+        0 => x + q(1, 1),
+        1 => -x,
+        2 => Q::zero(),
+        3 => x * q(2, 1) - q(1, 3),
+        _ => x - q(1, 1_000),
+    }
+}
+
+fn change(field: Field<'_>, chance: &mut Chance) {
+    match field {
+        Field::Digest(d) => *d ^= 1 << chance.below(128),
+        Field::Finding(f) => {
+            *f = *chance.pick(&[
+                Finding::Proved,
+                Finding::Refuted,
+                Finding::IllDefined,
+                Finding::Vacuous,
+                Finding::Consistent,
+            ]);
+        }
+        Field::Evidence(e) => {
+            *e = match chance.below(4) {
+                0 => Evidence::Contradiction(Proof::Absurd),
+                1 => Evidence::Limit(Vec::new()),
+                2 => Evidence::Model(Model::Point(Point::default())),
+                _ => Evidence::Contradiction(Proof::Assume { formula: 0, cases: Vec::new() }),
+            }
+        }
+        Field::Proof(p) => {
+            *p = match chance.below(3) {
+                0 => Proof::Absurd,
+                1 => Proof::Assume { formula: chance.below(4), cases: vec![Proof::Absurd] },
+                _ => Proof::Positive { terms: Vec::new(), cofactors: Vec::new() },
+            }
+        }
+        Field::Index(i) => *i = moved(*i, chance),
+        Field::Maybe(i) => {
+            *i = match *i {
+                Some(_) if chance.once_in(2) => None,
+                Some(i) => Some(moved(i, chance)),
+                None => Some(chance.below(6)),
+            }
+        }
+        Field::Power(n) => {
+            *n = match chance.below(3) {
+                0 => *n + 1,
+                1 => n.saturating_sub(1),
+                _ => *n + 2,
+            }
+        }
+        Field::Poly(p) => {
+            *p = match chance.below(5) {
+                0 => p.add(&Poly::one()),
+                1 => p.neg(),
+                2 => Poly::default(),
+                3 => p.add(&Poly::var(chance.below(4))),
+                _ => p.scale(&BigInt::from(2)).sub(&Poly::one()),
+            }
+        }
+        Field::Int(c) => {
+            *c = match chance.below(4) {
+                0 => &*c + BigInt::one(),
+                1 => -&*c,
+                2 => BigInt::zero(),
+                _ => &*c * BigInt::from(3),
+            }
+        }
+        Field::Ratio(x) => *x = ratio(x, chance),
+        Field::MaybeRatio(x) => {
+            *x = match x {
+                Some(_) if chance.once_in(2) => None,
+                Some(x) => Some(ratio(x, chance)),
+                None => Some(q(chance.within(-1, 1), 1)),
+            }
+        }
+        Field::Flag(b) => *b = !*b,
+        Field::Sign(s) => {
+            *s = *chance.pick(&[Sign::Zero, Sign::NonZero, Sign::NonNegative, Sign::Positive]);
+        }
+        Field::Root(r) => {
+            *r = match r {
+                Some(_) if chance.once_in(2) => None,
+                Some(r) => Some(Root { lo: r.hi.clone(), ..r.clone() }),
+                // √2
+                None => Some(Root {
+                    poly: vec![(-2).into(), 0.into(), 1.into()],
+                    lo: q(chance.within(-2, 1), 1),
+                    hi: q(2, 1),
+                }),
+            }
+        }
+        Field::Expr(e) => {
+            let old = Box::new(e.clone());
+            *e = match chance.below(5) {
+                0 => Expr::Neg(old),
+                1 => Expr::Add(old, Box::new(Expr::int(1))),
+                2 => Expr::int(0),
+                3 => Expr::Var(chance.below(4)),
+                _ => Expr::Div(old, Box::new(Expr::int(0))),
+            }
+        }
+        Field::Target(t) => {
+            *t = match chance.below(3) {
+                0 => Target::PlusInf,
+                1 => Target::MinusInf,
+                _ => Target::Finite(Expr::int(chance.within(-2, 2))),
+            }
+        }
+        Field::Failure(f) => *f = Failure::At(Point::default()),
+        Field::List(list) => {
+            let (n, i) = (list.len(), chance.below(list.len()));
+            match chance.below(3) {
+                _ if n == 0 => {}
+                0 => list.drop_at(i),
+                1 => list.double_at(i),
+                _ => list.exchange(i, chance.below(n)),
+            }
+        }
+    }
+}
+
+/// Whether two findings about one goal cannot both be right.
+pub(crate) fn clash(a: Finding, b: Finding, not_implied: bool) -> bool {
+    use Finding::{Consistent, IllDefined, Proved, Refuted, Vacuous};
+    let one_way = |a, b| match (a, b) {
+        (Proved, Refuted | IllDefined) | (Vacuous, IllDefined | Consistent) => true,
+        (Vacuous, Refuted) => !not_implied,
+        // that something is not implied is shown by a model of the hypotheses
+        (Vacuous, Proved) => not_implied,
+        _ => false,
+    };
+    one_way(a, b) || one_way(b, a)
+}
