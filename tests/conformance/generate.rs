@@ -104,43 +104,9 @@ fn goal(context: Context, hypotheses: Vec<Hypothesis>, when: Vec<Relation>, r: R
     Goal { context, hypotheses, when, conclusion: Conclusion::Link(Link::Relation(r)) }
 }
 
-/// A bound on the degrees that an expression brings with it once denominators are cleared.
-fn weight(e: &Expr) -> usize {
-    match e {
-        Expr::Num(_) => 0,
-        Expr::Pow(a, n) => weight(a) * usize::try_from(n.unsigned_abs()).unwrap_or(usize::MAX),
-        Expr::Add(..) | Expr::Sub(..) if !divides(e) => {
-            e.children().into_iter().map(weight).max().unwrap_or(0)
-        }
-        Expr::Var(_) => 1,
-        _ => e.children().into_iter().map(weight).sum(),
-    }
-}
-
-fn divides(e: &Expr) -> bool {
-    matches!(e, Expr::Div(..))
-        || matches!(e, Expr::Pow(_, n) if *n < 0)
-        || e.children().into_iter().any(divides)
-}
-
-/// How hard a goal is to decide, roughly.
-pub(crate) fn effort(goal: &Goal) -> usize {
-    let sentences = goal.hypotheses.iter().flat_map(|h| &h.sentence.links);
-    let links = sentences.filter_map(|l| match l {
-        Link::Relation(r) => Some(r),
-        Link::Limit(_) => None,
-    });
-    let claim = match &goal.conclusion {
-        Conclusion::Link(Link::Relation(r)) => Some(r),
-        _ => None,
-    };
-    let sides = links.chain(&goal.when).chain(claim).map(|r| weight(&r.lhs) + weight(&r.rhs));
-    sides.max().unwrap_or(0) + goal.context.vars.len()
-}
-
 /// Some statement about one to three symbols; nothing is known of it.
 pub(crate) fn any_statement(chance: &mut Chance) -> Goal {
-    let n = *chance.pick(&[1, 1, 2, 2, 2, 3]);
+    let n = 1 + chance.below(3);
     let context = context(n, chance);
     let mut hypotheses = Vec::new();
     if n > 1 && chance.once_in(2) {
@@ -159,7 +125,7 @@ pub(crate) fn any_statement(chance: &mut Chance) -> Goal {
 /// A statement that is true by a known argument.
 pub(crate) fn true_statement(chance: &mut Chance) -> Goal {
     use Rel::{Eq, Ge, Gt, Le, Lt, Ne};
-    let n = *chance.pick(&[1, 1, 2, 2, 2, 3]);
+    let n = 1 + chance.below(3);
     let mut context = context(n, chance);
     let some = |chance: &mut Chance| polynomial(n, 2, chance);
     let (a, b, c) = (some(chance), some(chance), some(chance));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use kane::algebra::syntax::{Evaluator, NoValue};
-use kane::kernel::{Bound, Conclusion, Context, Expr, Goal, Link, Rel, Relation, Sentence, Var};
+use kane::kernel::{Bound, Conclusion, Context, Expr, Goal, Link, Rel, Relation, Sentence};
 use num_traits::{One, Signed, Zero};
 
 use crate::support::{Chance, Q, q};
@@ -23,10 +23,12 @@ pub(crate) enum At {
     Undefined,
 }
 
-fn within(var: &Var, x: &Q) -> bool {
-    let above = |b: &Bound| if b.strict { *x > b.value } else { *x >= b.value };
-    let below = |b: &Bound| if b.strict { *x < b.value } else { *x <= b.value };
-    var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
+fn in_range(context: &Context, point: &[Q]) -> bool {
+    context.vars.iter().zip(point).all(|(var, x)| {
+        let above = |b: &Bound| if b.strict { *x > b.value } else { *x >= b.value };
+        let below = |b: &Bound| if b.strict { *x < b.value } else { *x <= b.value };
+        var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
+    })
 }
 
 fn relations(sentence: &Sentence) -> impl Iterator<Item = &Relation> {
@@ -58,7 +60,7 @@ fn premise(at: &mut Evaluator<'_>, s: &Sentence, given: bool) -> Result<bool, No
 /// What a goal says about a point with a value for each symbol.
 pub(crate) fn at(goal: &Goal, point: &[Q]) -> At {
     // Ranges of symbols that nothing mentions do not matter: all are in force here.
-    if !goal.context.vars.iter().zip(point).all(|(var, x)| within(var, x)) {
+    if !in_range(&goal.context, point) {
         return At::Outside;
     }
     let mut here = Evaluator::new(&goal.context, point);
@@ -126,8 +128,6 @@ pub(crate) struct Sampler<'g> {
     mentioned: Vec<usize>,
     /// the order of free symbols that worked last
     order: Vec<usize>,
-    /// equations and symbols that were found to be linear
-    linear: BTreeSet<(usize, usize)>,
 }
 
 impl<'g> Sampler<'g> {
@@ -149,7 +149,7 @@ impl<'g> Sampler<'g> {
             .map(|r| (r, symbols(&goal.context, &[&r.lhs, &r.rhs])))
             .collect();
         let mentioned = symbols(&goal.context, &sides).into_iter().collect();
-        Self { goal, equations, mentioned, order: Vec::new(), linear: BTreeSet::new() }
+        Self { goal, equations, mentioned, order: Vec::new() }
     }
 
     /// A point where the hypotheses hold, as far as that is known.
@@ -186,9 +186,9 @@ impl<'g> Sampler<'g> {
             });
             if let Some(i) = ready {
                 used[i] = true;
-                let (_, symbols) = &self.equations[i];
+                let (equation, symbols) = &self.equations[i];
                 let v = symbols.iter().copied().find(|v| open.contains(v))?;
-                point[v] = self.solved(i, v, &point, chance)?;
+                point[v] = self.solved(equation, v, &point, chance)?;
                 open.remove(&v);
                 continue;
             }
@@ -210,7 +210,7 @@ impl<'g> Sampler<'g> {
     /// A value in the range of a symbol: corners and near-zeros among them.
     fn value(&self, v: usize, chance: &mut Chance) -> Q {
         let var = &self.goal.context.vars[v];
-        let tiny = q(1, 1_000);
+        let tiny = q(1, 1_000_000);
         let step = match chance.below(8) {
             0 => Q::zero(),
             1 => tiny.clone(),
@@ -218,7 +218,7 @@ impl<'g> Sampler<'g> {
             3 => q(chance.within(1, 9), chance.within(1, 9)),
             4 => q(chance.within(1, 4), 1),
             5 => q(chance.within(1, 99), 100),
-            6 => q(chance.within(1, 9_999), chance.within(1, 9)),
+            6 => q(chance.within(1, 99_999), chance.within(1, 999)),
             _ => q(chance.within(1, 20), 4),
         };
         match (&var.lower, &var.upper) {
@@ -256,31 +256,14 @@ impl<'g> Sampler<'g> {
         }
     }
 
-    fn fits(&self, v: usize, t: &Q) -> bool {
-        within(&self.goal.context.vars[v], t)
-    }
-
     /// A root in v of an equation whose other symbols have values: linear, Möbius or quadratic.
-    fn solved(&mut self, i: usize, v: usize, point: &[Q], chance: &mut Chance) -> Option<Q> {
-        let (r, context) = (self.equations[i].0, &self.goal.context);
+    fn solved(&self, r: &Relation, v: usize, point: &[Q], chance: &mut Chance) -> Option<Q> {
         let mut here = point.to_vec();
         let mut gap = |t: &Q| -> Option<Q> {
             here[v] = t.clone();
-            let mut e = Evaluator::new(context, &here);
+            let mut e = Evaluator::new(&self.goal.context, &here);
             Some(e.value(&r.lhs).ok()? - e.value(&r.rhs).ok()?)
         };
-        // Most equations are linear: two points, and a third to be sure.
-        if let (Some(at_0), Some(at_1)) = (gap(&q(1, 1)), gap(&q(2, 1))) {
-            let slope = &at_1 - &at_0;
-            if !slope.is_zero() {
-                let t = q(1, 1) - at_0 / slope;
-                // once seen to be linear: all is checked again in the end
-                if self.linear.contains(&(i, v)) || gap(&t).is_some_and(|f| f.is_zero()) {
-                    self.linear.insert((i, v));
-                    return self.fits(v, &t).then_some(t);
-                }
-            }
-        }
         for scale in [q(1, 1), q(1, 7), q(-1, 1), q(13, 1)] {
             let mut seen: Vec<(Q, Q)> = Vec::new();
             for t in [1, 2, 3, 5] {
@@ -330,8 +313,11 @@ impl<'g> Sampler<'g> {
             if chance.once_in(2) {
                 found.reverse();
             }
+            let var = std::slice::from_ref(&self.goal.context.vars[v]);
+            let one = Context { vars: var.to_vec(), ..Context::default() };
             for t in found {
-                if self.fits(v, &t) && gap(&t).is_some_and(|f| f.is_zero()) {
+                if in_range(&one, std::slice::from_ref(&t)) && gap(&t).is_some_and(|f| f.is_zero())
+                {
                     return Some(t);
                 }
             }
