@@ -340,6 +340,16 @@ macro_rules! by_value {
 by_value!(Add add, Sub sub, Mul mul, Div div);
 
 impl Number for RationalFunction {
+    type Wide = Self;
+
+    fn widen(&self) -> Self {
+        self.clone()
+    }
+
+    fn narrow(wide: &Self) -> Self {
+        wide.clone()
+    }
+
     fn zero() -> Self {
         Frac::zero().into()
     }

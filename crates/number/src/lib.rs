@@ -35,7 +35,7 @@ pub use binary::Binary;
 pub use comparison::Comparison;
 pub use decode::{NotFinite, decode};
 pub use encode::{Rounding, encode};
-pub use number::{Number, Ordered};
+pub use number::{Number, Ordered, Real};
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
 pub use rational::{Integer, Rational};
 pub use ulp::{error_in_ulps, steps_between, ulp};

@@ -28,6 +28,19 @@ pub trait Number:
     + for<'a> Mul<&'a Self, Output = Self>
     + for<'a> Div<&'a Self, Output = Self>
 {
+    /// The system in which the quantities of a body are formed before they are rounded once:
+    /// wider in exponent and precision for floats, the system itself for exact ones.
+    type Wide: Number;
+
+    /// The same number in the wider system. Exact.
+    #[must_use]
+    fn widen(&self) -> Self::Wide;
+
+    /// The number of this system nearest to a wide one: exact where the system holds it,
+    /// otherwise rounded once. Left inverse to [`widen`](Self::widen).
+    #[must_use]
+    fn narrow(wide: &Self::Wide) -> Self;
+
     /// The neutral element of addition, exact.
     #[must_use]
     fn zero() -> Self;
@@ -82,4 +95,24 @@ pub trait Ordered: Number {
     fn sign(&self) -> Comparison {
         self.compare(&Self::zero())
     }
+}
+
+/// An ordered number system that can also find a real root of a polynomial of degree 3 at most.
+///
+/// This is the one step beyond field arithmetic that a law may take. Each system answers as it
+/// can: exactly, to the nearest, by an enclosure, or not at all.
+pub trait Real: Ordered + Number<Wide = <Self as Real>::WideReal> {
+    /// The same type as [`Wide`](Number::Wide): the supertrait says so. It is named again because
+    /// only thus can the trait promise that a wide number is again a [`Real`].
+    type WideReal: Real;
+
+    /// The greatest root of c\[0\] + c\[1\]·x + … in the closed interval \[`lower`, `upper`\],
+    /// of formal degree 3 at most; leading coefficients may be zero.
+    ///
+    /// The caller promises that one exists: the values at the two ends have opposite signs, or
+    /// one of them is zero. `None` if no root can be found, or none can be told from the others,
+    /// in this system; for rationals also if the root is irrational. `None` for more than four
+    /// coefficients.
+    #[must_use]
+    fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self>;
 }

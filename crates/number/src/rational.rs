@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use crate::{Comparison, Number, Ordered};
+use crate::{Comparison, Number, Ordered, Real};
 
 /// An integer of any size.
 pub type Integer = num_bigint::BigInt;
@@ -11,6 +11,16 @@ pub type Integer = num_bigint::BigInt;
 pub type Rational = num_rational::BigRational;
 
 impl Number for Rational {
+    type Wide = Self;
+
+    fn widen(&self) -> Self {
+        self.clone()
+    }
+
+    fn narrow(wide: &Self) -> Self {
+        wide.clone()
+    }
+
     fn zero() -> Self {
         Zero::zero()
     }
@@ -39,5 +49,19 @@ impl Number for Rational {
 impl Ordered for Rational {
     fn compare(&self, other: &Self) -> Comparison {
         self.cmp(other).into()
+    }
+}
+
+impl Real for Rational {
+    type WideReal = Self;
+
+    /// Exact; `None` if the root is irrational.
+    fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
+        let [c0, c1, higher @ ..] = coefficients else { return None };
+        if higher.iter().any(|c| !c.is_zero()) {
+            return None;
+        }
+        let root = -c0.checked_div(c1)?;
+        (*lower <= root && root <= *upper).then_some(root)
     }
 }
