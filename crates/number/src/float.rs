@@ -1,19 +1,20 @@
-//! `f32` and `f64` as number systems: the only place of this crate where floats are computed.
+//! `f32` and `f64` as number systems: each operation is rounded once.
 #![allow(clippy::float_arithmetic, reason = "this module is where float arithmetic lives")]
 
-use crate::{Comparison, Number, Ordered, Rational, Real, Rounding, encode};
+use crate::root::float;
+use crate::{Binary, Comparison, Number, Ordered, Rational, Real, Rounding, Scaled, encode};
 
 macro_rules! float_number {
-    ($float:ident) => {
+    ($float:ident, $narrow:ident) => {
         impl Number for $float {
-            type Wide = Self;
+            type Wide = Scaled;
 
-            fn widen(&self) -> Self {
-                *self
+            fn widen(&self) -> Scaled {
+                Scaled::from(f64::from(*self))
             }
 
-            fn narrow(wide: &Self) -> Self {
-                *wide
+            fn narrow(wide: &Scaled) -> Self {
+                wide.$narrow()
             }
 
             fn zero() -> Self {
@@ -48,30 +49,27 @@ macro_rules! float_number {
         }
 
         impl Real for $float {
-            type WideReal = Self;
+            type WideReal = Scaled;
 
             fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
-                let at = |x: $float| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
-                let (mut low, mut high) = (*lower, *upper);
-                if at(high) == 0.0 || at(low) == 0.0 {
-                    return Some(if at(high) == 0.0 { high } else { low });
-                }
-                if at(high) * at(low) > 0.0 {
-                    return None;
-                }
-                // Halving until no float is left in between.
-                loop {
-                    let middle = low + (high - low) / 2.0;
-                    if middle <= low || middle >= high {
-                        return Some(high);
+                if let [c0, c1] = coefficients
+                    && let Some(root) = c0.checked_div(c1)
+                {
+                    // One division is rounded correctly; only then can it stray past an end.
+                    let root = -root;
+                    if *lower < root && root < *upper {
+                        return Some(root);
                     }
-                    let same = (at(middle) < 0.0) == (at(high) < 0.0);
-                    if same { high = middle } else { low = middle }
                 }
+                let wide: Vec<Scaled> = coefficients.iter().map(Number::widen).collect();
+                let noise = 4 - i64::from(<$float as Binary>::PRECISION);
+                let root = float::greatest_root(&wide, &lower.widen(), &upper.widen(), noise)?;
+                // Rounding is monotone, so the ends of the interval stay the ends.
+                Some(Self::narrow(&root))
             }
         }
     };
 }
 
-float_number!(f32);
-float_number!(f64);
+float_number!(f32, to_f32);
+float_number!(f64, to_f64);

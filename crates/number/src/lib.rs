@@ -21,12 +21,18 @@
 
 mod binary;
 mod comparison;
+mod decimal;
 mod decode;
+mod double_double;
 mod encode;
+mod error_free;
 mod float;
 mod number;
+mod operators;
 mod parse;
 mod rational;
+mod root;
+mod scaled;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 mod ulp;
@@ -34,8 +40,10 @@ mod ulp;
 pub use binary::Binary;
 pub use comparison::Comparison;
 pub use decode::{NotFinite, decode};
+pub use double_double::DoubleDouble;
 pub use encode::{Rounding, encode};
 pub use number::{Number, Ordered, Real};
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
 pub use rational::{Integer, Rational};
+pub use scaled::Scaled;
 pub use ulp::{error_in_ulps, steps_between, ulp};

@@ -57,11 +57,6 @@ impl Real for Rational {
 
     /// Exact; `None` if the root is irrational.
     fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
-        let [c0, c1, higher @ ..] = coefficients else { return None };
-        if higher.iter().any(|c| !c.is_zero()) {
-            return None;
-        }
-        let root = -c0.checked_div(c1)?;
-        (*lower <= root && root <= *upper).then_some(root)
+        crate::root::rational::greatest_root(coefficients, lower, upper)
     }
 }

@@ -1,0 +1,124 @@
+//! Error-free transformations: a float operation together with its rounding error.
+#![allow(clippy::float_arithmetic, reason = "rounding errors are themselves found by floats")]
+
+/// a + b as (s, e) with s the nearest float and s + e = a + b.
+///
+/// Exact unless s overflows (Knuth, TAOCP 2, section 4.2.2, theorem B).
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_part = sum - a;
+    let a_part = sum - b_part;
+    (sum, (a - a_part) + (b - b_part))
+}
+
+/// The same for |a| ≥ |b| or a = 0, at half the cost (Dekker 1971).
+pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// a·b as (p, e) with p the nearest float and p + e = a·b.
+///
+/// Exact if p does not overflow and |a·b| ≥ 2^−968, or if the product is zero: below that the
+/// error itself may underflow. By a fused multiply-add where the target has one, by the splitting
+/// of Dekker and Veltkamp elsewhere (Dekker 1971).
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    // Splitting multiplies by 2^27, which would overflow; the library's fused operation is slow
+    // there but right.
+    let splits = a.abs() < SPLITTABLE && b.abs() < SPLITTABLE;
+    if cfg!(target_feature = "fma") || !splits {
+        return (product, a.mul_add(b, -product));
+    }
+    let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
+    let rest = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    (product, rest)
+}
+
+/// 2^990.
+const SPLITTABLE: f64 = f64::from_bits((1023 + 990) << 52);
+
+/// A float as the sum of two of at most 26 bits, the second signed (Veltkamp).
+fn split(a: f64) -> (f64, f64) {
+    let spread = 134_217_729.0 * a; // 2^27 + 1
+    let high = spread - (spread - a);
+    (high, a - high)
+}
+
+/// The power of two 2^exponent, for −1022 ≤ exponent ≤ 1023.
+pub(crate) fn power_of_two(exponent: i64) -> f64 {
+    debug_assert!((-1022..=1023).contains(&exponent), "2^{exponent} is not a normal float");
+    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
+}
+
+/// x·2^exponent, rounded once: overflow gives ±∞, underflow the nearest subnormal or zero.
+pub(crate) fn scale(x: f64, exponent: i64) -> f64 {
+    // Steps toward zero leave 53 bits above the subnormals, so that only the last one rounds.
+    const DOWN: i64 = 53 - 1022;
+    let (mut x, mut left) = (x, exponent.clamp(-2200, 2200));
+    while left > 1023 {
+        x *= power_of_two(1023);
+        left -= 1023;
+    }
+    while left < -1022 {
+        x *= power_of_two(DOWN);
+        left -= DOWN;
+    }
+    x * power_of_two(left)
+}
+
+/// The binade of a finite non-zero float: the b with 2^b ≤ |x| < 2^(b+1), subnormals included.
+pub(crate) fn binade(x: f64) -> i64 {
+    let biased = (x.to_bits() >> 52 & 0x7ff).cast_signed();
+    if biased == 0 {
+        let fraction = x.to_bits() & ((1 << 52) - 1);
+        return i64::from(63 - fraction.leading_zeros()) - 1074;
+    }
+    biased - 1023
+}
+
+/// A sum of floats as (h, l): h within an ulp of the sum, h + l within 2^−104 of it, relatively.
+///
+/// The sum is first formed without any error as an expansion of floats that do not overlap
+/// (Shewchuk 1997, "Adaptive precision floating-point arithmetic", figures 7 and 15).
+pub(crate) fn sum_of(terms: &[f64]) -> (f64, f64) {
+    const MOST: usize = 16;
+    let mut expansion = [0.0; MOST];
+    let mut length = 0;
+    debug_assert!(terms.len() <= MOST, "room for {MOST} terms");
+    for &term in terms {
+        let mut carry = term;
+        let mut kept = 0;
+        for index in 0..length {
+            let (sum, error) = two_sum(carry, expansion[index]);
+            carry = sum;
+            if error != 0.0 {
+                expansion[kept] = error;
+                kept += 1;
+            }
+        }
+        expansion[kept] = carry;
+        length = kept + 1;
+    }
+    // From the greatest down, then up again: each pass moves bits toward the front.
+    let mut rest = [0.0; MOST];
+    let (mut carry, mut bottom) = (expansion[length - 1], length);
+    for &part in expansion[..length - 1].iter().rev() {
+        let (sum, error) = fast_two_sum(carry, part);
+        carry = sum;
+        if error != 0.0 {
+            bottom -= 1;
+            rest[bottom] = sum;
+            carry = error;
+        }
+    }
+    bottom -= 1;
+    rest[bottom] = carry;
+    let (mut high, mut low) = (rest[bottom], 0.0);
+    for &part in &rest[bottom + 1..length] {
+        let (sum, error) = fast_two_sum(part, high);
+        high = sum;
+        low += error;
+    }
+    fast_two_sum(high, low)
+}

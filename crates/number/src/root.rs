@@ -1,0 +1,6 @@
+//! The greatest root of a polynomial of degree 3 at most, by the means of each kind of system.
+
+/// Bracketed Newton on monotone pieces, for all the floating systems.
+pub(crate) mod float;
+/// By the rational root theorem, or not at all.
+pub(crate) mod rational;

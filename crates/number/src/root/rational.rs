@@ -1,0 +1,111 @@
+//! The greatest root if it is rational: exact.
+
+use num_integer::Integer as _;
+use num_traits::{Signed, Zero};
+use polycore::Uni;
+
+use crate::{Integer, Rational};
+
+/// The greatest root in \[lower, upper\] of a polynomial of degree 3 at most, if that root is
+/// rational; see [`Real::greatest_root`](crate::Real::greatest_root). Exact.
+///
+/// By the rational root theorem the leading coefficient times a root is an integer, so an
+/// isolating interval narrower than its inverse leaves one candidate.
+pub(crate) fn greatest_root(
+    coefficients: &[Rational],
+    lower: &Rational,
+    upper: &Rational,
+) -> Option<Rational> {
+    if coefficients.len() > 4 || lower > upper {
+        return None;
+    }
+    let f = Uni::new(coefficients.to_vec());
+    if f.eval(upper).is_zero() {
+        return Some(upper.clone());
+    }
+    match &f.0[..] {
+        [c0, c1] => Some(-c0 / c1).filter(|x| lower <= x && x < upper),
+        [c0, c1, c2] => quadratic([c0, c1, c2], lower, upper),
+        [_, _, _, _] => {
+            let f = &f / &f.gcd(&f.derivative());
+            let (low, high) = topmost(&f, lower, upper)?;
+            if f.eval(lower).is_zero() && high == *lower {
+                return Some(high);
+            }
+            rational_in(&f, low, high)
+        }
+        _ => None,
+    }
+}
+
+fn quadratic([c0, c1, c2]: [&Rational; 3], lower: &Rational, upper: &Rational) -> Option<Rational> {
+    let half = c1 / Integer::from(2);
+    let discriminant = &half * &half - c0 * c2;
+    if discriminant.is_negative() {
+        return None;
+    }
+    let Some(root) = square_root(&discriminant) else {
+        // Both roots are irrational, or there is none in the interval.
+        return None;
+    };
+    let (a, b) = ((&root - &half) / c2, (-&root - &half) / c2);
+    let (greater, less) = if a > b { (a, b) } else { (b, a) };
+    [greater, less].into_iter().find(|x| lower <= x && x <= upper)
+}
+
+/// The square root of a rational if it is one.
+pub(crate) fn square_root(square: &Rational) -> Option<Rational> {
+    if square.is_negative() {
+        return None;
+    }
+    let exact = |n: &Integer| Some(n.sqrt()).filter(|root| root * root == *n);
+    Some(Rational::new_raw(exact(square.numer())?, exact(square.denom())?))
+}
+
+/// An interval (low, high] that holds the greatest root in \[lower, upper\] and no other, for a
+/// square-free polynomial. A root at `lower` itself is given as (lower, lower].
+fn topmost(f: &Uni<Rational>, lower: &Rational, upper: &Rational) -> Option<(Rational, Rational)> {
+    let (mut low, mut high) = (lower.clone(), upper.clone());
+    let mut count = f.sturm(&low, &high);
+    if count == 0 {
+        return f.eval(lower).is_zero().then(|| (lower.clone(), lower.clone()));
+    }
+    while count > 1 {
+        let middle = (&low + &high) / Integer::from(2);
+        let above = f.sturm(&middle, &high);
+        if above > 0 {
+            (low, count) = (middle, above);
+        } else {
+            high = middle;
+        }
+    }
+    Some((low, high))
+}
+
+/// The rational root in an interval (low, high] that holds one root of a square-free polynomial.
+pub(crate) fn rational_in(
+    f: &Uni<Rational>,
+    mut low: Rational,
+    mut high: Rational,
+) -> Option<Rational> {
+    let leading = f.primitive().lc().to_integer();
+    if f.eval(&high).is_zero() {
+        return Some(high);
+    }
+    // No root at the upper end and at most one inside: the sign at it tells where the root is.
+    let negative_above = f.eval(&high).is_negative();
+    let width = Rational::new(Integer::from(1), leading.abs());
+    while &high - &low >= width {
+        let middle = (&low + &high) / Integer::from(2);
+        let value = f.eval(&middle);
+        if value.is_zero() {
+            return Some(middle);
+        }
+        if value.is_negative() == negative_above { high = middle } else { low = middle }
+    }
+    // The one integer n in (low·a, high·a], if any, is the numerator over a.
+    let scaled = &high * &leading;
+    let numerator = scaled.numer().div_floor(scaled.denom());
+    let candidate = Rational::new(numerator, leading);
+    (low < candidate && f.eval(&candidate).is_zero()).then_some(candidate)
+}
