@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use kane_impact::{Alpha, ImpactLaw, Ratios, WangSuLi, WhittakerUncapped};
+use kane_impact::laws::{WangSuLi, WhittakerUncapped};
+use kane_impact::{Alpha, ImpactLaw, Ratios};
 use kane_number::{Rational, decode, error_in_ulps};
 
 /// Limits, the landmarks of the paper's figures, and the worst case of k in floats.
@@ -38,7 +39,7 @@ fn whittaker_s_law_over_alpha() {
 fn table<L: ImpactLaw>(law: &L) -> String {
     let mut table = format!(
         "{}: {}\nα is the float shown; the fractions are exact for it\n",
-        L::ID,
+        law.id(),
         law.statement()
     );
     for alpha in alphas() {

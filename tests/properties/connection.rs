@@ -1,4 +1,5 @@
-use kane_impact::{Alpha, ImpactLaw, WangSuLi, WhittakerUncapped};
+use kane_impact::laws::{WangSuLi, WhittakerUncapped};
+use kane_impact::{Alpha, ImpactLaw};
 use kane_number::Rational;
 use proptest::prelude::*;
 

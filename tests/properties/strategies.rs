@@ -1,4 +1,4 @@
-use kane_impact::{Motion, SphereOnPlane};
+use kane_impact::bodies::{Motion, SphereOnPlane};
 use kane_number::{Rational, decode};
 use proptest::prelude::*;
 

@@ -42,15 +42,15 @@ impl<N: Ordered> Alpha<N> {
 
 /// A law's answer in dimensionless form; all three are pure numbers.
 ///
-/// Momentum ties them together: i_x = (1 − k)/(2α) and Δe = −i_x·(1 + k)/2 (Wang, Su, Li,
-/// equations (9) and (19)). A law gives each by a form of its own that is stable in floats.
+/// Where the contact does not couple, momentum ties them together: i_x = (1 − k)/(2α) and
+/// Δe = −i_x·(1 + k)/2 (Wang, Su, Li, equations (9) and (19)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ratios<N> {
     /// k = v_t⁺/v_t, the tangential velocity of the contact point after by before.
     pub k: N,
-    /// i_x = I_x/(μ·I_y), the tangential impulse by the one of full sliding.
+    /// i_x = −p_t/(μ·p_n) for v_t > 0, the friction by the one of full sliding.
     pub impulse: N,
-    /// Δe = ΔE/(μ·I_y·v_t), the change of tangential and rotational energy.
+    /// Δe = ΔE/(μ·p_n·v_t), the work of friction.
     pub energy: N,
 }
 

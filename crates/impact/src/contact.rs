@@ -2,144 +2,217 @@
 
 use kane_number::{Number, Ordered};
 
-/// A planar contact whose normal and tangential directions are not coupled.
+use crate::invalid::{finite, fraction, not_negative};
+use crate::{Delassus, Impulse, InvalidInput};
+
+/// A planar contact at the moment of touching: all that a rigid law needs to know. SI units.
 ///
-/// The normal impulse is settled before friction acts, as on a sphere, where the centre of mass
-/// lies on the contact normal and the Delassus operator (the inverse inertia seen at the contact)
-/// is diagonal. SI units; every value is finite, and all but the slip are at least zero.
+/// The relative velocity of the contact points has a tangential part `v_t`, the slip, and a normal
+/// part `v_n` = −a with the approach speed a ≥ 0. [`Delassus`] says how an impulse changes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact<N> {
     slip: N,
-    normal_impulse: N,
+    approach: N,
+    delassus: Delassus<N>,
     friction: N,
-    tangential_mobility: N,
+    restitution: N,
 }
 
-/// An input that no contact can have.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum InvalidInput<N> {
-    /// NaN or infinite: given so, or out of the range of the number system when formed.
-    #[error("{quantity} is {value}, which is not finite")]
-    NotFinite {
-        /// The name of the quantity.
-        quantity: &'static str,
-        /// Its value.
-        value: N,
-    },
-    /// Not certainly above zero.
-    #[error("{quantity} is {value}, but must be positive")]
-    NotPositive {
-        /// The name of the quantity.
-        quantity: &'static str,
-        /// Its value.
-        value: N,
-    },
-    /// Not certainly at least zero.
-    #[error("{quantity} is {value}, but must not be negative")]
-    Negative {
-        /// The name of the quantity.
-        quantity: &'static str,
-        /// Its value.
-        value: N,
-    },
-    /// Not certainly at most one.
-    #[error("{quantity} is {value}, but must not exceed 1")]
-    AboveOne {
-        /// The name of the quantity.
-        quantity: &'static str,
-        /// Its value.
-        value: N,
-    },
+/// Which way along the tangent a contact faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Facing {
+    /// `v_t` > 0, or `v_t` = 0 and `W_tn` ≥ 0, so that slip starts forwards if it starts at all.
+    Forward,
+    /// The mirror image.
+    Backward,
 }
 
 impl<N: Ordered> Contact<N> {
-    /// Describes a contact by v_t (m/s), I_y ≥ 0 (N·s), μ ≥ 0 and W_tt > 0 (1/kg).
+    /// Describes a contact by `v_t` (m/s), a ≥ 0 (m/s), W, μ ≥ 0 and 0 ≤ e ≤ 1.
     ///
     /// # Errors
     /// [`InvalidInput`] for the first value outside its domain.
     pub fn new(
         slip: N,
-        normal_impulse: N,
+        approach: N,
+        delassus: Delassus<N>,
         friction: N,
-        tangential_mobility: N,
+        restitution: N,
     ) -> Result<Self, InvalidInput<N>> {
         Ok(Self {
             slip: finite("the slip", slip)?,
-            normal_impulse: not_negative("the normal impulse", normal_impulse)?,
+            approach: not_negative("the approach speed", approach)?,
+            delassus,
             friction: not_negative("the friction coefficient", friction)?,
-            tangential_mobility: positive("the tangential mobility", tangential_mobility)?,
+            restitution: fraction("the restitution", restitution)?,
         })
+    }
+
+    /// Which way the contact faces, or `None` if the number system cannot tell.
+    #[must_use]
+    pub fn facing(&self) -> Option<Facing> {
+        let (slip, coupling) = (self.slip.sign(), self.delassus.tn().sign());
+        // a sign that is known only as "≥ 0" decides too, if the coupling agrees
+        let decides = |forward: Option<bool>, facing| (forward == Some(true)).then_some(facing);
+        decides(slip.is_greater(), Facing::Forward)
+            .or_else(|| decides(slip.is_less(), Facing::Backward))
+            .or_else(|| match (slip.is_at_least(), slip.is_at_most()) {
+                (Some(true), _) if coupling.is_at_least() == Some(true) => Some(Facing::Forward),
+                (Some(true), Some(true)) => decides(coupling.is_less(), Facing::Backward),
+                (_, Some(true)) if coupling.is_less() == Some(true) => Some(Facing::Backward),
+                _ => None,
+            })
     }
 }
 
 impl<N: Number> Contact<N> {
-    /// v_t, the tangential velocity of the contact point before the collision, of either sign; m/s.
+    /// The contact of symbols, or of numbers known to be in their domains: nothing is checked.
     #[must_use]
-    pub fn slip(&self) -> &N {
+    pub const fn unchecked(
+        slip: N,
+        approach: N,
+        delassus: Delassus<N>,
+        friction: N,
+        restitution: N,
+    ) -> Self {
+        Self { slip, approach, delassus, friction, restitution }
+    }
+
+    /// The contact with `v_t` = 1/2, a = 1, e = 0, μ = 1, `W_nn` = 1, without coupling, on which
+    /// α is `W_tt`: what a law says in terms of α it says of this contact. All values are exact.
+    #[must_use]
+    pub fn of_alpha(alpha: N) -> Self {
+        let one = N::one;
+        let half = one() / one().double();
+        let delassus = Delassus::unchecked(alpha, N::zero(), one());
+        Self::unchecked(half, one(), delassus, one(), N::zero())
+    }
+
+    /// `v_t`, the tangential velocity before the collision, of either sign; m/s.
+    #[must_use]
+    pub const fn slip(&self) -> &N {
         &self.slip
     }
 
-    /// I_y ≥ 0, the normal impulse of the whole collision; N·s.
+    /// a = −`v_n` ≥ 0, the speed of approach; m/s.
     #[must_use]
-    pub fn normal_impulse(&self) -> &N {
-        &self.normal_impulse
+    pub const fn approach(&self) -> &N {
+        &self.approach
     }
 
-    /// W_tt > 0, the tangential entry of the Delassus operator: Δv_t = −W_tt·I_x; 1/kg.
+    /// W, the inverse inertia at the contact; 1/kg.
     #[must_use]
-    pub fn tangential_mobility(&self) -> &N {
-        &self.tangential_mobility
+    pub const fn delassus(&self) -> &Delassus<N> {
+        &self.delassus
     }
 
-    /// μ·I_y, the impulse that friction gives if sliding never stops; N·s. One rounding.
+    /// μ ≥ 0, Coulomb's coefficient.
     #[must_use]
-    pub fn sliding_impulse(&self) -> N {
-        self.friction.clone() * &self.normal_impulse
+    pub const fn friction(&self) -> &N {
+        &self.friction
     }
 
-    /// W_tt·μ·I_y, the change of tangential velocity by the sliding impulse; m/s. Two roundings.
+    /// 0 ≤ e ≤ 1, the coefficient of restitution, whatever the hypothesis.
     #[must_use]
-    pub fn sliding_change(&self) -> N {
-        self.sliding_impulse() * &self.tangential_mobility
+    pub const fn restitution(&self) -> &N {
+        &self.restitution
     }
 
-    /// α = W_tt·μ·I_y/(2·v_t), with the sign of the slip, or `None` if the slip is zero.
+    /// (1 + e)·a, the change of normal velocity under Newton's hypothesis; m/s. One rounding.
+    #[must_use]
+    pub fn closing(&self) -> N {
+        self.restitution.mul_add(&self.approach, &self.approach)
+    }
+
+    /// `W_nn` − μ·`W_tn`, what a unit of normal impulse adds to the normal velocity while the
+    /// contact slides forwards; not positive where it jams; 1/kg.
+    #[must_use]
+    pub fn separation_rate(&self) -> N {
+        (-self.friction.clone()).mul_add(self.delassus.tn(), self.delassus.nn())
+    }
+
+    /// μ·`W_tt` − `W_tn`, what a unit of normal impulse takes from a forward slip; 1/kg.
+    #[must_use]
+    pub fn slowing_rate(&self) -> N {
+        self.friction.mul_add(self.delassus.tt(), &-self.delassus.tn().clone())
+    }
+
+    /// α = `W_tt`·μ·`p_n`/(2·`v_t`) with Newton's `p_n` = (1 + e)·a/`W_nn` of a contact that does not
+    /// couple, with the sign of the slip; `None` if the slip is zero.
     ///
-    /// Dimensionless; three roundings. Source: Wang, Su, Li, equation (7).
+    /// Dimensionless. Source: Wang, Su, Li, equation (7).
     #[must_use]
     pub fn alpha(&self) -> Option<N> {
-        self.sliding_change().checked_div(&self.slip.double())
+        let change = self.sliding_impulse() * self.delassus.tt();
+        change.checked_div(&self.slip.double())
     }
-}
 
-pub(crate) fn finite<N: Number>(quantity: &'static str, value: N) -> Result<N, InvalidInput<N>> {
-    if value.is_finite() { Ok(value) } else { Err(InvalidInput::NotFinite { quantity, value }) }
-}
-
-pub(crate) fn positive<N: Ordered>(quantity: &'static str, value: N) -> Result<N, InvalidInput<N>> {
-    let value = finite(quantity, value)?;
-    match value.sign().is_greater() {
-        Some(true) => Ok(value),
-        _ => Err(InvalidInput::NotPositive { quantity, value }),
+    /// μ·(1 + e)·a/`W_nn`, the friction of full sliding where the contact does not couple; N·s.
+    #[must_use]
+    pub fn sliding_impulse(&self) -> N {
+        self.closing() / self.delassus.nn() * &self.friction
     }
-}
 
-pub(crate) fn not_negative<N: Ordered>(
-    quantity: &'static str,
-    value: N,
-) -> Result<N, InvalidInput<N>> {
-    let value = finite(quantity, value)?;
-    match value.sign().is_at_least() {
-        Some(true) => Ok(value),
-        _ => Err(InvalidInput::Negative { quantity, value }),
+    /// The impulse with `p_t` = ratio·`p_n` that ends with `v_n` = e·a (Newton):
+    /// `p_n` = (1 + e)·a/(`W_nn` + ratio·`W_tn`).
+    pub(crate) fn with_ratio(&self, ratio: &N) -> Impulse<N> {
+        let normal = self.closing() / ratio.mul_add(self.delassus.tn(), self.delassus.nn());
+        Impulse { tangential: normal.clone() * ratio, normal }
     }
-}
 
-pub(crate) fn fraction<N: Ordered>(quantity: &'static str, value: N) -> Result<N, InvalidInput<N>> {
-    let value = not_negative(quantity, value)?;
-    match value.compare(&N::one()).is_at_most() {
-        Some(true) => Ok(value),
-        _ => Err(InvalidInput::AboveOne { quantity, value }),
+    /// The impulse that ends with the given slip and `v_n` = e·a (Newton).
+    pub(crate) fn ending_at(&self, slip: &N) -> Impulse<N> {
+        let (tangential, normal) = self.numerators_ending_at(slip);
+        let determinant = self.delassus.determinant();
+        Impulse { tangential: tangential / &determinant, normal: normal / determinant }
+    }
+
+    /// det W times the impulse that ends with the given slip and `v_n` = e·a; W⁻¹ is the adjugate
+    /// over the determinant.
+    pub(crate) fn numerators_ending_at(&self, slip: &N) -> (N, N) {
+        let (w, change, closing) = (&self.delassus, slip.clone() - &self.slip, self.closing());
+        let tangential = change.clone() * w.nn() - closing.clone() * w.tn();
+        let normal = closing * w.tt() - change * w.tn();
+        (tangential, normal)
+    }
+
+    /// The slip after an impulse: `v_t` + `W_tt·p_t` + `W_tn·p_n`; m/s.
+    #[must_use]
+    pub fn slip_after(&self, impulse: &Impulse<N>) -> N {
+        let w = &self.delassus;
+        w.tt().mul_add(&impulse.tangential, &self.slip) + impulse.normal.clone() * w.tn()
+    }
+
+    /// The normal velocity after an impulse: −a + `W_tn·p_t` + `W_nn·p_n`; m/s.
+    #[must_use]
+    pub fn separation_after(&self, impulse: &Impulse<N>) -> N {
+        let w = &self.delassus;
+        w.nn().mul_add(&impulse.normal, &-self.approach.clone())
+            + impulse.tangential.clone() * w.tn()
+    }
+
+    /// The kinetic energy that an impulse takes, −p·(v + v⁺)/2 by both directions; J.
+    #[must_use]
+    pub fn energy_loss(&self, impulse: &Impulse<N>) -> N {
+        let tangential = (self.slip_after(impulse) + &self.slip) * &impulse.tangential;
+        let normal = (self.separation_after(impulse) - &self.approach) * &impulse.normal;
+        -((tangential + normal) / N::one().double())
+    }
+
+    /// The contact in the mirror, where the tangent points the other way.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { slip: -self.slip.clone(), delassus: self.delassus.mirrored(), ..self.clone() }
+    }
+
+    /// The same contact in another number system.
+    pub fn map<M>(&self, to: impl Fn(&N) -> M) -> Contact<M> {
+        Contact {
+            slip: to(&self.slip),
+            approach: to(&self.approach),
+            delassus: self.delassus.map(&to),
+            friction: to(&self.friction),
+            restitution: to(&self.restitution),
+        }
     }
 }

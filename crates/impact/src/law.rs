@@ -1,19 +1,29 @@
 //! What an impact law is: an ordered list of regimes.
 
-use kane_number::{Number, Ordered};
+use kane_number::{Number, Ordered, Rational, Real};
 
-use crate::{Alpha, Contact, Ratios};
+use crate::{Alpha, Contact, Facing, Impulse, Outcome, Ratios, Work};
 
 /// A sign that a guard asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// > 0
     Positive,
+    /// ≥ 0
+    NotNegative,
     /// = 0
     Zero,
+    /// ≤ 0
+    NotPositive,
     /// < 0
     Negative,
 }
+
+/// Guards as constants, which a constant expression keeps only in a constant of their own.
+macro_rules! guards {
+    ($($guard:expr),* $(,)?) => { const { &[$($guard),*] } };
+}
+pub(crate) use guards;
 
 /// A condition on the contact: a quantity, by field arithmetic, and the sign that it must have.
 pub struct Guard<L, N> {
@@ -23,22 +33,38 @@ pub struct Guard<L, N> {
     pub relation: Relation,
 }
 
+/// The one number of a regime that field arithmetic does not reach.
+pub struct Root<L, N> {
+    /// The polynomial c₀ + c₁·x + …, of degree three at most.
+    pub coefficients: fn(&L, &Contact<N>) -> Vec<N>,
+    /// The interval of which the greatest root is meant; the signs at its ends differ.
+    pub between: fn(&L, &Contact<N>) -> (N, N),
+}
+
 /// A part of the domain on which the impulse is one branch-free formula.
 ///
-/// Choosing the regime is the only comparison that a law makes. On rational functions, which have
-/// no order, the guards become hypotheses.
+/// Regimes are written for contacts that face forwards; the others are their mirror images, so
+/// that every law is odd by construction. Choosing the regime is the only comparison that a law
+/// makes. On rational functions, which have no order, guards become hypotheses.
 pub struct Regime<L: 'static, N: 'static> {
     /// What happens at the contact, for people.
     pub name: &'static str,
     /// All must hold.
     pub guards: &'static [Guard<L, N>],
-    /// I_x in N·s, by field arithmetic.
-    pub impulse: fn(&L, &Contact<N>) -> N,
+    /// The root that the formulas may use; without one they are given zero.
+    pub root: Option<Root<L, N>>,
+    /// The impulse in N·s, by field arithmetic in the contact and the root.
+    pub impulse: fn(&L, &Contact<N>, &N) -> Impulse<N>,
+    /// `v_t⁺`, where v + W·p would cancel; m/s.
+    pub slip: Option<fn(&L, &Contact<N>, &N) -> N>,
+    /// The work of friction, where `p_t`·(`v_t` + `v_t⁺`)/2 would cancel; J.
+    pub work: Option<fn(&L, &Contact<N>, &N) -> N>,
 }
 
-/// Why no regime was chosen.
+/// Why a law gives no impulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoRegime {
+#[non_exhaustive]
+pub enum NoImpulse {
     /// The number system cannot tell whether the regime applies.
     #[error("{law}: cannot decide whether the contact is in the regime \"{regime}\"")]
     Undecided {
@@ -47,77 +73,225 @@ pub enum NoRegime {
         /// The first regime in question.
         regime: &'static str,
     },
-    /// The guards leave a gap in the domain, which is a defect of the law.
-    #[error("{law}: no regime covers the contact")]
-    Uncovered {
+    /// The number system does not hold the root that the regime needs.
+    #[error("{law}: the impulse of the regime \"{regime}\" is no number of this system")]
+    Unrepresentable {
         /// The law's id.
         law: &'static str,
+        /// The regime that applies.
+        regime: &'static str,
+    },
+    /// The law says nothing of such a contact.
+    #[error("{law}: {reason}")]
+    Outside {
+        /// The law's id.
+        law: &'static str,
+        /// What the law lacks there.
+        reason: &'static str,
     },
 }
 
-/// A law that gives the tangential impulse of a collision.
-pub trait ImpactLaw: Sized + 'static {
-    /// The name of the law in every table and report; printed and true forms differ.
-    const ID: &'static str;
+/// The hypothesis by which the coefficient of restitution ends a collision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Restitution {
+    /// Kinematic: `v_n⁺` = −e·`v_n`.
+    Newton,
+    /// Kinetic: the normal impulse of restitution is e times that of compression.
+    Poisson,
+    /// Energetic, after Stronge: the normal work of restitution is e² times that of compression.
+    Energetic,
+}
 
-    /// The constitutive relation in the derivation language, for v_t > 0, in the symbols of
-    /// [`Ratios`]: what the law adds to momentum and restitution.
+/// A law that gives the impulse of a collision.
+pub trait ImpactLaw: Clone + 'static {
+    /// The name of the law in every table and report; printed and true forms differ.
+    fn id(&self) -> &'static str;
+
+    /// What the law adds to momentum and restitution, in the derivation language, one claim a
+    /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
+    /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters. Laws that integrate a process
+    /// state what it comes to where the contact does not couple.
     fn statement(&self) -> &'static str;
 
-    /// The regimes in order; the first whose guards hold is taken.
+    /// The law's own parameters by the names of the statement, beyond μ and e.
+    fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        Vec::new()
+    }
+
+    /// The hypothesis of restitution; Newton's unless the law says otherwise.
+    fn restitution(&self) -> Restitution {
+        Restitution::Newton
+    }
+
+    /// The regimes in order, for contacts that face forwards; the first whose guards hold is taken.
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>];
 
-    /// The law in terms of α, for v_t > 0, or `None` where it has no finite value.
-    fn ratios<N: Number>(&self, alpha: &Alpha<N>) -> Option<Ratios<N>>;
+    /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
+    fn gap(&self) -> Option<&'static str> {
+        None
+    }
 
-    /// Gives the tangential impulse I_x in N·s, by the first regime that applies.
+    /// A quantity of the impulse that must not be negative for the law to accept it, at a contact
+    /// that faces forwards; where it is negative there is a [`gap`](Self::gap).
+    fn acceptance<N: Number>(&self, _: &Contact<N>, _: &Impulse<N>) -> Option<N> {
+        None
+    }
+
+    /// The limit of k in normal collision, α → ∞, where `i_x` and Δe vanish; `None` without a limit.
+    fn normal_collision(&self) -> Option<Rational>;
+
+    /// The regime that applies, with the contact turned to face forwards and the root.
+    ///
+    /// # Errors
+    /// [`NoImpulse`] if no regime applies, or none can be chosen in this number system.
+    fn regime<N: Real>(&self, contact: &Contact<N>) -> Result<Chosen<Self, N>, NoImpulse> {
+        let law = self.id();
+        let undecided = |regime| NoImpulse::Undecided { law, regime };
+        let facing = contact.facing().ok_or(undecided("forward or backward slip"))?;
+        let contact = match facing {
+            Facing::Forward => contact.clone(),
+            Facing::Backward => contact.mirrored(),
+        };
+        for regime in self.regimes() {
+            if !regime.applies(self, &contact).ok_or(undecided(regime.name))? {
+                continue;
+            }
+            let root = match &regime.root {
+                None => N::zero(),
+                Some(root) => root
+                    .solve(self, &contact)
+                    .ok_or(NoImpulse::Unrepresentable { law, regime: regime.name })?,
+            };
+            return Ok(Chosen { regime, facing, contact, root });
+        }
+        Err(outside(self))
+    }
+
+    /// Gives the impulse in N·s, by the first regime that applies.
     ///
     /// Exact in exact numbers; see each law for its bound in floats. A float beyond the range is
     /// ±∞ or NaN, as everywhere in IEEE 754.
     ///
     /// # Errors
-    /// [`NoRegime`] if the number system cannot decide on the regime. Neither rationals nor
-    /// floats ever fail so, because a [`Contact`] holds no NaN.
-    fn resolve<N: Ordered>(&self, contact: &Contact<N>) -> Result<N, NoRegime> {
-        for regime in self.regimes() {
-            match regime.applies(self, contact) {
-                Some(true) => return Ok((regime.impulse)(self, contact)),
-                Some(false) => {}
-                None => {
-                    let (law, regime) = (Self::ID, regime.name);
-                    return Err(NoRegime::Undecided { law, regime });
-                }
+    /// [`NoImpulse`], see [`regime`](Self::regime).
+    fn impulse<N: Real>(&self, contact: &Contact<N>) -> Result<Impulse<N>, NoImpulse> {
+        let Chosen { regime, facing, contact, root } = self.regime(contact)?;
+        let impulse = (regime.impulse)(self, &contact, &root);
+        accept(self, regime.name, &contact, &impulse)?;
+        Ok(match facing {
+            Facing::Forward => impulse,
+            Facing::Backward => impulse.mirrored(),
+        })
+    }
+
+    /// Gives the impulse with all that follows from it at the contact.
+    ///
+    /// # Errors
+    /// [`NoImpulse`], see [`regime`](Self::regime).
+    fn resolve<N: Real>(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
+        let Chosen { regime, facing, contact, root } = self.regime(contact)?;
+        let outcome = regime.outcome(self, &contact, &root);
+        accept(self, regime.name, &contact, &outcome.impulse)?;
+        Ok(match facing {
+            Facing::Forward => outcome,
+            Facing::Backward => outcome.mirrored(),
+        })
+    }
+
+    /// The law in terms of α, for `v_t` > 0, or `None` where it has no finite value: its outcome on
+    /// [`Contact::of_alpha`].
+    ///
+    /// Exact in exact numbers; see each law for its bound in floats.
+    fn ratios<N: Real>(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {
+        let alpha = match alpha {
+            Alpha::Finite(alpha) => alpha,
+            Alpha::Infinite => {
+                let k = N::from_rational(&self.normal_collision()?);
+                return Some(Ratios { k, impulse: N::zero(), energy: N::zero() });
             }
-        }
-        Err(NoRegime::Uncovered { law: Self::ID })
+        };
+        let outcome = self.resolve(&Contact::of_alpha(alpha.clone())).ok()?;
+        // v_t = 1/2 and μ·p_n = 1
+        Some(Ratios {
+            k: outcome.slip.double(),
+            impulse: -outcome.impulse.tangential,
+            energy: outcome.work.tangential.double(),
+        })
     }
 }
 
-impl<L, N: Number> Regime<L, N> {
-    /// The three regimes of a law that only asks which way the contact slips, and gives no
-    /// tangential impulse where it does not.
-    #[must_use]
-    pub const fn by_slip(
-        forward: fn(&L, &Contact<N>) -> N,
-        backward: fn(&L, &Contact<N>) -> N,
-    ) -> [Self; 3] {
-        [
-            Self {
-                name: "forward slip",
-                guards: const { &[Guard::slip(Relation::Positive)] },
-                impulse: forward,
-            },
-            Self {
-                name: "no slip",
-                guards: const { &[Guard::slip(Relation::Zero)] },
-                impulse: |_, _| N::zero(),
-            },
-            Self {
-                name: "backward slip",
-                guards: const { &[Guard::slip(Relation::Negative)] },
-                impulse: backward,
-            },
-        ]
+fn outside<L: ImpactLaw>(law: &L) -> NoImpulse {
+    let reason = law.gap().unwrap_or("no regime applies, which is a defect of the law");
+    NoImpulse::Outside { law: law.id(), reason }
+}
+
+fn accept<L: ImpactLaw, N: Real>(
+    law: &L,
+    regime: &'static str,
+    contact: &Contact<N>,
+    impulse: &Impulse<N>,
+) -> Result<(), NoImpulse> {
+    let Some(quantity) = law.acceptance(contact, impulse) else { return Ok(()) };
+    match quantity.sign().is_at_least() {
+        Some(true) => Ok(()),
+        Some(false) => Err(outside(law)),
+        None => Err(NoImpulse::Undecided { law: law.id(), regime }),
+    }
+}
+
+/// A regime that applies, and what its formulas are given.
+pub struct Chosen<L: 'static, N: 'static> {
+    /// The regime.
+    pub regime: &'static Regime<L, N>,
+    /// Which way the contact faced.
+    pub facing: Facing,
+    /// The contact, turned to face forwards.
+    pub contact: Contact<N>,
+    /// The root, or zero if the regime has none.
+    pub root: N,
+}
+
+impl<L: ImpactLaw, N: Number> Regime<L, N> {
+    /// A regime in closed form.
+    pub(crate) const fn new(
+        name: &'static str,
+        guards: &'static [Guard<L, N>],
+        impulse: fn(&L, &Contact<N>, &N) -> Impulse<N>,
+    ) -> Self {
+        Self { name, guards, root: None, impulse, slip: None, work: None }
+    }
+
+    /// The same, with a root.
+    pub(crate) const fn with_root(self, root: Root<L, N>) -> Self {
+        Self { root: Some(root), ..self }
+    }
+
+    /// What follows at a contact that faces forwards, given the root.
+    pub fn outcome(&self, law: &L, contact: &Contact<N>, root: &N) -> Outcome<N> {
+        let impulse = (self.impulse)(law, contact, root);
+        let slip = match self.slip {
+            Some(slip) => slip(law, contact, root),
+            None => contact.slip_after(&impulse),
+        };
+        let half = |x: N| x / N::one().double();
+        let tangential = match self.work {
+            Some(work) => work(law, contact, root),
+            None => half((slip.clone() + contact.slip()) * &impulse.tangential),
+        };
+        let (separation, normal) = match law.restitution() {
+            Restitution::Newton => {
+                let (e, a) = (contact.restitution(), contact.approach());
+                let loss = (N::one() - e) * a * &impulse.normal;
+                (e.clone() * a, -half(loss))
+            }
+            Restitution::Poisson | Restitution::Energetic => {
+                let separation = contact.separation_after(&impulse);
+                let mean = separation.clone() - contact.approach();
+                (separation, half(mean * &impulse.normal))
+            }
+        };
+        let work = Work { normal, tangential };
+        Outcome { regime: self.name, impulse, slip, separation, work }
     }
 }
 
@@ -137,10 +311,41 @@ impl<L, N: Ordered> Regime<L, N> {
     }
 }
 
+impl<L, N: Real> Root<L, N> {
+    /// The root, or `None` if it is no number of this system or cannot be told.
+    fn solve(&self, law: &L, contact: &Contact<N>) -> Option<N> {
+        let (lower, upper) = (self.between)(law, contact);
+        N::greatest_root(&(self.coefficients)(law, contact), &lower, &upper)
+    }
+}
+
 impl<L, N: Number> Guard<L, N> {
-    /// Asks for the sign of the slip v_t.
-    const fn slip(relation: Relation) -> Self {
-        Self { quantity: |_, contact| contact.slip().clone(), relation }
+    /// Asks for the sign of a quantity.
+    pub(crate) const fn new(relation: Relation, quantity: fn(&L, &Contact<N>) -> N) -> Self {
+        Self { quantity, relation }
+    }
+
+    /// `v_t` = 0.
+    pub(crate) const fn no_slip() -> Self {
+        Self::new(Relation::Zero, |_, contact| contact.slip().clone())
+    }
+
+    /// `W_tn` = 0.
+    pub(crate) const fn uncoupled() -> Self {
+        Self::new(Relation::Zero, |_, contact| contact.delassus().tn().clone())
+    }
+
+    /// `W_nn` − μ·`W_tn` > 0: forward sliding separates the bodies.
+    pub(crate) const fn slides_apart() -> Self {
+        Self::new(Relation::Positive, |_, contact| contact.separation_rate())
+    }
+
+    /// `v_t⁺` ≥ 0 if the contact slides forwards all the time, given that it slides apart.
+    pub(crate) const fn slides_on() -> Self {
+        Self::new(Relation::NotNegative, |_, contact| {
+            let before = contact.slip().clone() * contact.separation_rate();
+            before - contact.closing() * contact.slowing_rate()
+        })
     }
 }
 
@@ -149,7 +354,9 @@ impl<L, N: Ordered> Guard<L, N> {
         let sign = (self.quantity)(law, contact).sign();
         match self.relation {
             Relation::Positive => sign.is_greater(),
+            Relation::NotNegative => sign.is_at_least(),
             Relation::Zero => sign.is_equal(),
+            Relation::NotPositive => sign.is_at_most(),
             Relation::Negative => sign.is_less(),
         }
     }

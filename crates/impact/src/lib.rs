@@ -2,10 +2,12 @@
 //!
 //! A law maps a [`Contact`] to the tangential impulse. It is generic over
 //! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
-//! rationals, and the two can be compared digit by digit.
+//! rationals, and the two can be compared digit by digit. The laws are in [`laws`], what collides is
+//! in [`bodies`].
 //!
 //! ```
-//! use kane_impact::{Motion, SphereOnPlane, WangSuLi};
+//! use kane_impact::bodies::{CollideError, Motion, SphereOnPlane};
+//! use kane_impact::laws::WangSuLi;
 //! use kane_number::{Rational, parse};
 //!
 //! // A solid sphere, J = 2/5·m·r², that arrives at 45° without spin.
@@ -19,12 +21,12 @@
 //!     before: Motion { vx: n("1"), vy: n("1"), omega: n("0") },
 //! };
 //! // α = 7/2·μ(1 + e)/2 = 1: the contact point comes to rest, k = 0, and i_x = 1/2.
-//! assert_eq!(sphere.contact()?.alpha(), Some(n("1")));
+//! assert_eq!(sphere.alpha()?, Some(n("1")));
 //! let rebound = sphere.collide(&WangSuLi)?;
 //! assert_eq!(rebound.tangential_impulse, n("2/7"));
 //! assert_eq!(rebound.after.vx, rebound.after.omega); // v_x − ω·r = 0
 //! assert_eq!(rebound.energy.total(), n("-1/7"));
-//! # Ok::<(), kane_impact::CollideError<Rational>>(())
+//! # Ok::<(), CollideError<Rational>>(())
 //! ```
 //!
 //! # Signs
@@ -43,17 +45,20 @@
 #![deny(clippy::float_arithmetic)]
 
 mod alpha;
+mod arithmetic;
+pub mod bodies;
 mod contact;
-mod energy;
+mod delassus;
+mod impulse;
+mod invalid;
 mod law;
-mod sphere;
-mod wang_su_li;
-mod whittaker;
+pub mod laws;
+mod outcome;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
-pub use contact::{Contact, InvalidInput};
-pub use energy::Ledger;
-pub use law::{Guard, ImpactLaw, NoRegime, Regime, Relation};
-pub use sphere::{CollideError, Motion, Rebound, SphereOnPlane};
-pub use wang_su_li::WangSuLi;
-pub use whittaker::WhittakerUncapped;
+pub use contact::{Contact, Facing};
+pub use delassus::Delassus;
+pub use impulse::Impulse;
+pub use invalid::InvalidInput;
+pub use law::{Chosen, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
+pub use outcome::{Outcome, Work};

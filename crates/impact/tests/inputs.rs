@@ -1,8 +1,8 @@
 //! What is refused at the door, by name and with its value.
 
-use kane_impact::{
-    Alpha, CollideError, InvalidAlpha, InvalidInput, Motion, SphereOnPlane, WangSuLi,
-};
+use kane_impact::bodies::{CollideError, Motion, SphereOnPlane};
+use kane_impact::laws::WangSuLi;
+use kane_impact::{Alpha, InvalidAlpha, InvalidInput};
 
 const SPHERE: SphereOnPlane<f64> = SphereOnPlane {
     mass: 2.0,
@@ -56,7 +56,7 @@ fn leaving_the_range_of_floats_is_an_error_and_not_a_nan() {
     let Err(CollideError::Invalid(InvalidInput::NotFinite { quantity, value })) = error else {
         unreachable!("{error:?}");
     };
-    assert_eq!((quantity, value), ("the slip", f64::INFINITY));
+    assert_eq!((quantity, value), ("the slip after", f64::INFINITY));
 }
 
 #[test]

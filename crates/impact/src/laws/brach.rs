@@ -1,0 +1,80 @@
+//! Brach's impulse ratio, within the bound that energy sets.
+
+use kane_number::{Number, Rational};
+
+use super::whittaker_uncapped::frictionless;
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+
+/// A given ratio of the impulses, `p_t` = −`μ_B`·`p_n`, admitted where it does not create energy
+/// (id `brach`).
+///
+/// `μ_B` is a datum of the collision, given here as a share of μ: i_x = `μ_B`/μ. Where the contact
+/// does not couple, k = 1 − 2α·i_x, and the bound on the tangential energy alone would be `μ_B` ≤
+/// 2·`μ_c` with the ratio `μ_c` = μ/(2α) that just stops the slip. The bound used here is on all
+/// energy, ΔT ≤ 0.
+///
+/// Source: R. M. Brach, J. Appl. Mech. 51 (1984) 164–170 and 56 (1989) 133–138, from memory of their
+/// use in the literature; the energy bound is derived here from ΔT = p·(v + v⁺)/2.
+///
+/// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Brach {
+    /// `μ_B`/μ, a pure number.
+    pub share: Rational,
+}
+
+impl Default for Brach {
+    /// `μ_B` = μ.
+    fn default() -> Self {
+        Self { share: Rational::one() }
+    }
+}
+
+impl Brach {
+    fn ratio<N: Number>(&self, contact: &Contact<N>) -> N {
+        N::from_rational(&self.share) * contact.friction()
+    }
+}
+
+impl ImpactLaw for Brach {
+    fn id(&self) -> &'static str {
+        "brach"
+    }
+
+    fn statement(&self) -> &'static str {
+        "i_x = share"
+    }
+
+    fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        vec![("share", self.share.clone())]
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        None // k falls without bound, until the bound forbids it
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some("the impulse ratio mu_B would create energy, or has no normal impulse that pushes")
+    }
+
+    fn acceptance<N: Number>(&self, contact: &Contact<N>, impulse: &Impulse<N>) -> Option<N> {
+        Some(contact.energy_loss(impulse))
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const {
+            &[
+                Regime::new("no slip", guards![Guard::no_slip()], frictionless),
+                Regime::new(
+                    "given ratio",
+                    guards![Guard::new(Relation::Positive, |law: &Self, contact: &Contact<N>| {
+                        let w = contact.delassus();
+                        (-law.ratio(contact)).mul_add(w.tn(), w.nn())
+                    })],
+                    |law, contact, _| contact.with_ratio(&-law.ratio(contact)),
+                ),
+            ]
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Garwin's superball, and the same within Coulomb's bound.
+
+use kane_number::{Number, Rational};
+
+use super::walton::{PULL, excess, push, rebound};
+use super::whittaker_uncapped::slide;
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+
+/// The superball: the slip is reversed whatever friction it takes, k = −1 (id `garwin`).
+///
+/// Friction does no work: Δe = 0. Coulomb's bound is not asked; on a sphere it is kept for α ≥ 1.
+///
+/// Source: R. L. Garwin, Am. J. Phys. 37 (1969) 88–92, for e = 1; abstract consulted.
+///
+/// In floats, barring under- and overflow, within 4 ulp where the contact does not couple.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Garwin;
+
+/// The superball on a surface of finite friction: k = max(−1, 1 − 2α) (id `garwin-capped`).
+///
+/// Sliding forwards all the time if it does not reverse the slip entirely, else [`Garwin`]'s
+/// reversal.
+///
+/// Source: Garwin's law with Coulomb's bound, as used for balls by Cross (2002); derived here.
+///
+/// In floats, barring under- and overflow, within 7 ulp where the contact does not couple.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GarwinCapped;
+
+fn reversal<L, N: Number>(_: &L, contact: &Contact<N>, _: &N) -> Impulse<N> {
+    rebound(contact, &N::one())
+}
+
+/// The regime of total reversal, with the slip and the work that follow without rounding.
+const fn reverse<L: ImpactLaw, N: Number>() -> Regime<L, N> {
+    Regime {
+        slip: Some(|_, contact, _| -contact.slip().clone()),
+        work: Some(|_, _, _| N::zero()),
+        ..Regime::new(
+            "reverse",
+            guards![Guard::new(Relation::NotNegative, |_, contact: &Contact<N>| push(
+                contact,
+                &N::one()
+            ))],
+            reversal,
+        )
+    }
+}
+
+impl ImpactLaw for Garwin {
+    fn id(&self) -> &'static str {
+        "garwin"
+    }
+
+    fn statement(&self) -> &'static str {
+        "k = -1"
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        Some(-Rational::one())
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some(PULL)
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const { &[reverse()] }
+    }
+}
+
+impl ImpactLaw for GarwinCapped {
+    fn id(&self) -> &'static str {
+        "garwin-capped"
+    }
+
+    fn statement(&self) -> &'static str {
+        "k >= -1\ni_x = 1 when k > -1\ni_x <= 1 when k = -1"
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        Some(-Rational::one())
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some(PULL)
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const {
+            &[
+                Regime::new(
+                    "slide",
+                    guards![
+                        Guard::slides_apart(),
+                        Guard::new(Relation::NotNegative, |_, contact: &Contact<N>| excess(
+                            contact,
+                            &N::one()
+                        )),
+                    ],
+                    slide,
+                ),
+                reverse(),
+            ]
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The law printed under Smith's name: Whittaker's with a share η.
+
+use kane_number::{Number, Rational};
+
+use super::whittaker_uncapped::{JAM, frictionless};
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+
+/// Sliding with the share η of the friction: i_x = η (id `smith-printed`).
+///
+/// Where the contact does not couple, k = 1 − 2η·α. Energy is created for α > 1/η. This is not the
+/// law of Smith's paper, for which see [`Smith1991`](crate::laws::Smith1991).
+///
+/// Source: Wang, Su and Li, the text above equation (24), with η = 0.4; their (25) prints `i_xW` = 1
+/// for it, which contradicts momentum.
+///
+/// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SmithPrinted {
+    /// η, a pure number; 2/5 in the paper.
+    pub share: Rational,
+}
+
+impl Default for SmithPrinted {
+    fn default() -> Self {
+        Self { share: Rational::new(2.into(), 5.into()) }
+    }
+}
+
+impl SmithPrinted {
+    fn friction<N: Number>(&self, friction: &N) -> N {
+        N::from_rational(&self.share) * friction
+    }
+}
+
+impl ImpactLaw for SmithPrinted {
+    fn id(&self) -> &'static str {
+        "smith-printed"
+    }
+
+    fn statement(&self) -> &'static str {
+        "i_x = eta"
+    }
+
+    fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        vec![("eta", self.share.clone())]
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        None // k falls without bound
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some(JAM)
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const {
+            &[
+                Regime::new("no slip", guards![Guard::no_slip()], frictionless),
+                Regime::new(
+                    "slide",
+                    guards![Guard::new(Relation::Positive, |law: &Self, contact: &Contact<N>| {
+                        let w = contact.delassus();
+                        (-law.friction(contact.friction())).mul_add(w.tn(), w.nn())
+                    })],
+                    |law, contact, _| contact.with_ratio(&-law.friction(contact.friction())),
+                ),
+            ]
+        }
+    }
+}

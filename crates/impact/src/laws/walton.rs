@@ -1,0 +1,105 @@
+//! Walton's three parameters: e, μ and the tangential restitution β0.
+
+use kane_number::{Number, Rational};
+
+use super::whittaker_uncapped::slide;
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+
+/// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
+///
+/// Sliding forwards all the time if it ends with v_t⁺ ≥ −β0·v_t; else the impulse that ends with
+/// v_t⁺ = −β0·v_t. The law is published for spheres; carried over to contacts that couple it may
+/// leave the friction cone, and where its normal impulse would pull it has no answer.
+///
+/// Source: O. R. Walton, in *Particulate Two-Phase Flow*, ed. Roco (1993), as quoted by Foerster et
+/// al. (1994); original not consulted. The default β0 = 0.44 is theirs for glass spheres, from
+/// memory.
+///
+/// In floats, barring under- and overflow, within 7 ulp where the contact does not couple.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Walton {
+    /// β0, the tangential restitution at sticking; 0 ≤ β0 ≤ 1.
+    pub restitution: Rational,
+}
+
+impl Default for Walton {
+    fn default() -> Self {
+        Self { restitution: Rational::new(11.into(), 25.into()) }
+    }
+}
+
+/// (1 + β0)·v_t·(`W_nn` − μ·`W_tn`) − (1 + e)·a·(μ·`W_tt` − `W_tn`): not negative where sliding ends
+/// with v_t⁺ ≥ −β0·v_t.
+pub(crate) fn excess<N: Number>(contact: &Contact<N>, restitution: &N) -> N {
+    let jump = (N::one() + restitution) * contact.slip() * contact.separation_rate();
+    jump - contact.closing() * contact.slowing_rate()
+}
+
+/// The impulse that ends with v_t⁺ = −β0·v_t. Without coupling that is (1 + β0)·v_t/`W_tt`.
+pub(crate) fn rebound<N: Number>(contact: &Contact<N>, restitution: &N) -> Impulse<N> {
+    contact.ending_at(&-(restitution.clone() * contact.slip()))
+}
+
+/// det W times its normal part.
+pub(crate) fn push<N: Number>(contact: &Contact<N>, restitution: &N) -> N {
+    contact.numerators_ending_at(&-(restitution.clone() * contact.slip())).1
+}
+
+pub(crate) const PULL: &str = "the rebound of the slip has no normal impulse that pushes";
+
+impl Walton {
+    fn factor<N: Number>(&self) -> N {
+        N::from_rational(&self.restitution)
+    }
+}
+
+impl ImpactLaw for Walton {
+    fn id(&self) -> &'static str {
+        "walton"
+    }
+
+    fn statement(&self) -> &'static str {
+        "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0"
+    }
+
+    fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        vec![("beta0", self.restitution.clone())]
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        Some(-self.restitution.clone())
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some(PULL)
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const {
+            &[
+                Regime::new(
+                    "slide",
+                    guards![
+                        Guard::slides_apart(),
+                        Guard::new(Relation::NotNegative, |law: &Self, contact: &Contact<N>| {
+                            excess(contact, &law.factor())
+                        }),
+                    ],
+                    slide,
+                ),
+                Regime {
+                    slip: Some(|law: &Self, contact, _| -(law.factor::<N>() * contact.slip())),
+                    ..Regime::new(
+                        "rebound of the slip",
+                        guards![Guard::new(
+                            Relation::NotNegative,
+                            |law: &Self, contact: &Contact<N>| { push(contact, &law.factor()) }
+                        )],
+                        |law, contact, _| rebound(contact, &law.factor()),
+                    )
+                },
+            ]
+        }
+    }
+}

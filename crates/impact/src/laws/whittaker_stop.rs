@@ -1,0 +1,60 @@
+//! Whittaker's hypothesis with the test whether the slip stops.
+
+use kane_number::{Number, Rational};
+
+use super::whittaker_uncapped::slide;
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+
+/// Friction that slides to the end, or else stops the slip: k = max(0, 1 − 2α) on a sphere
+/// (id `whittaker-stop`).
+///
+/// If sliding forwards all the time would reverse the slip, the surfaces are taken as perfectly
+/// rough instead: the impulse is what ends with v_t⁺ = 0. No test asks whether that impulse is
+/// inside the friction cone; on a sphere it always is. On a contact that couples it may not be, and
+/// where it would pull the bodies together the law has no answer.
+///
+/// Source: the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not
+/// consulted.
+///
+/// In floats, barring under- and overflow, each regime is a quotient of few positive terms where the
+/// contact does not couple: the impulse is within 6 ulp. With coupling the bound is the width of the
+/// result on intervals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WhittakerStop;
+
+impl ImpactLaw for WhittakerStop {
+    fn id(&self) -> &'static str {
+        "whittaker-stop"
+    }
+
+    fn statement(&self) -> &'static str {
+        "k >= 0\ni_x = 1 when k > 0"
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        Some(Rational::zero())
+    }
+
+    fn gap(&self) -> Option<&'static str> {
+        Some("neither sliding nor stopping the slip has a normal impulse that pushes")
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        const {
+            &[
+                Regime::new("slide", guards![Guard::slides_apart(), Guard::slides_on()], slide),
+                Regime {
+                    slip: Some(|_, _, _| N::zero()),
+                    ..Regime::new(
+                        "stop",
+                        guards![Guard::new(Relation::NotNegative, |_, contact: &Contact<N>| {
+                            contact.numerators_ending_at(&N::zero()).1
+                        })],
+                        |_, contact, _| contact.ending_at(&N::zero()),
+                    )
+                },
+            ]
+        }
+    }
+}
