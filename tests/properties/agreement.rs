@@ -161,6 +161,8 @@ fn k_is_nearly_correctly_rounded_where_the_plain_quotient_is_worst() {
     assert!(error_of_k(19_173_958.0_f32) <= bound);
     for step in 0..4 {
         assert!(error_of_k(f64::from_bits((1.0_f64 / 3.0).to_bits() + step)) <= bound);
+    }
+    for step in 0..4 {
         assert!(error_of_k(f32::from_bits((1.0_f32 / 3.0).to_bits() + step)) <= bound);
     }
 }
