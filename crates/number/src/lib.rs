@@ -19,29 +19,35 @@
 //! the one private module that implements [`Number`] for `f32` and `f64`.
 #![deny(clippy::float_arithmetic)]
 
+mod algebraic;
 mod binary;
 mod comparison;
 mod decimal;
 mod decode;
+mod directed;
 mod double_double;
 mod encode;
 mod error_free;
 mod float;
+mod interval;
 mod number;
 mod operators;
 mod parse;
 mod rational;
 mod root;
 mod scaled;
+mod sturm;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 mod ulp;
 
+pub use algebraic::Algebraic;
 pub use binary::Binary;
 pub use comparison::Comparison;
 pub use decode::{NotFinite, decode};
 pub use double_double::DoubleDouble;
 pub use encode::{Rounding, encode};
+pub use interval::Interval;
 pub use number::{Number, Ordered, Real};
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
 pub use rational::{Integer, Rational};

@@ -4,6 +4,7 @@ use num_integer::Integer as _;
 use num_traits::{Signed, Zero};
 use polycore::Uni;
 
+use crate::sturm::Sturm;
 use crate::{Integer, Rational};
 
 /// The greatest root in \[lower, upper\] of a polynomial of degree 3 at most, if that root is
@@ -29,9 +30,6 @@ pub(crate) fn greatest_root(
         [_, _, _, _] => {
             let f = &f / &f.gcd(&f.derivative());
             let (low, high) = topmost(&f, lower, upper)?;
-            if f.eval(lower).is_zero() && high == *lower {
-                return Some(high);
-            }
             rational_in(&f, low, high)
         }
         _ => None,
@@ -66,13 +64,14 @@ pub(crate) fn square_root(square: &Rational) -> Option<Rational> {
 /// square-free polynomial. A root at `lower` itself is given as (lower, lower].
 fn topmost(f: &Uni<Rational>, lower: &Rational, upper: &Rational) -> Option<(Rational, Rational)> {
     let (mut low, mut high) = (lower.clone(), upper.clone());
-    let mut count = f.sturm(&low, &high);
+    let sturm = Sturm::new(f);
+    let mut count = sturm.count(&low, &high);
     if count == 0 {
         return f.eval(lower).is_zero().then(|| (lower.clone(), lower.clone()));
     }
     while count > 1 {
         let middle = (&low + &high) / Integer::from(2);
-        let above = f.sturm(&middle, &high);
+        let above = sturm.count(&middle, &high);
         if above > 0 {
             (low, count) = (middle, above);
         } else {
