@@ -6,8 +6,14 @@
 mod agreement;
 /// The limits of normal collision and of non-collision, with their rates.
 mod connection;
+/// Contacts that couple, aimed at every guard.
+mod contacts;
 /// Who creates energy, and exactly when.
 mod energy;
+/// Closed forms against the integration of their process.
+mod process;
+/// What laws state, solved exactly, against their code.
+mod statement;
 /// Inputs for all of these.
 mod strategies;
 /// Mirror symmetry, zero slip, grazing, and inputs without any sense.

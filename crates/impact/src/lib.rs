@@ -53,6 +53,7 @@ mod impulse;
 mod invalid;
 mod law;
 pub mod laws;
+pub mod oracle;
 mod outcome;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};

@@ -49,6 +49,10 @@ impl ImpactLaw for DjerassiNewton {
         UNCOUPLED
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -79,6 +83,10 @@ impl ImpactLaw for DjerassiPoisson {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -99,6 +107,10 @@ impl ImpactLaw for DjerassiStronge {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {

@@ -290,6 +290,10 @@ impl ImpactLaw for RouthNewton {
         UNCOUPLED
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -312,6 +316,10 @@ impl ImpactLaw for Keller1986 {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -332,6 +340,10 @@ impl ImpactLaw for Stronge1990 {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {
