@@ -37,7 +37,7 @@ fn elements_of_one_cubic_field_are_an_ordered_field() {
 
 #[test]
 fn surds_of_different_radicands_are_an_ordered_field() {
-    let elements = [whole(2), root_of(2), root_of(3) - whole(1)];
+    let elements = [root_of(2), root_of(3) - whole(1)];
     field_axioms(&elements);
     ordered_field_axioms(&elements);
 }

@@ -46,13 +46,13 @@ macro_rules! suite {
 }
 
 suite! {
-    f32s: f32, 250;
-    f64s: f64, 250;
-    double_doubles: DoubleDouble, 250;
-    scaled_numbers: Scaled, 250;
-    intervals: Interval, 250;
-    rationals: Rational, 100;
-    algebraic_numbers: Algebraic, 100;
+    f32s: f32, 80;
+    f64s: f64, 80;
+    double_doubles: DoubleDouble, 80;
+    scaled_numbers: Scaled, 80;
+    intervals: Interval, 80;
+    rationals: Rational, 80;
+    algebraic_numbers: Algebraic, 80;
 }
 
 /// Two numbers at random, and a third that almost cancels their product.

@@ -23,7 +23,7 @@ fn points_give_the_tightest_enclosure() {
         let quotient = y == rational(0, 1) || a.abs() < 1e-280 || tight(p / q, &x / &y);
         tight(p + q, &x + &y) && tight(p - q, &x - &y) && tight(p * q, &x * &y) && quotient
     }
-    quickcheck(20_000).quickcheck(holds as fn(_, _) -> bool);
+    quickcheck(6_000).quickcheck(holds as fn(_, _) -> bool);
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn every_choice_of_operands_is_enclosed() {
             && quotient
             && root
     }
-    quickcheck(20_000).quickcheck(holds as fn(_, _) -> bool);
+    quickcheck(6_000).quickcheck(holds as fn(_, _) -> bool);
 }
 
 #[test]

@@ -60,7 +60,7 @@ macro_rules! suite {
             fn holds(f: (i8, i16, i16, i16), signs: (i8, i8)) -> bool {
                 greatest_roots::<$system>(&[random_problem(f, signs)]) <= 1
             }
-            quickcheck(20).quickcheck(holds as fn(_, _) -> bool);
+            quickcheck(8).quickcheck(holds as fn(_, _) -> bool);
         }
     )*};
 }

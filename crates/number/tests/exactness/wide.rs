@@ -16,7 +16,7 @@ fn a_scaled_number_rounds_once_to_either_format() {
         let single: f32 = encode(&held, Rounding::NearestEven);
         number.to_f64() == nearest && number.to_f32() == single
     }
-    quickcheck(20_000).quickcheck(holds as fn(_, _, _) -> bool);
+    quickcheck(6_000).quickcheck(holds as fn(_, _, _) -> bool);
 }
 
 #[test]
@@ -46,8 +46,8 @@ fn every_float_survives_widening() {
         let float = f32::from_bits(bits);
         f32::narrow(&float.widen()).to_bits() == bits || float.is_nan()
     }
-    quickcheck(20_000).quickcheck(f64_survives as fn(_) -> bool);
-    quickcheck(20_000).quickcheck(f32_survives as fn(_) -> bool);
+    quickcheck(6_000).quickcheck(f64_survives as fn(_) -> bool);
+    quickcheck(6_000).quickcheck(f32_survives as fn(_) -> bool);
     for float in [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::from_bits(1), f64::MAX] {
         assert!(f64_survives(float.to_bits()), "{float}");
     }
