@@ -49,6 +49,7 @@ mod arithmetic;
 pub mod bodies;
 mod contact;
 mod delassus;
+pub mod double;
 mod impulse;
 mod invalid;
 mod law;

@@ -36,7 +36,8 @@ pub struct DjerassiPoisson;
 /// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B; introduction of its sequel
 /// consulted.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// With coupling plain floats are heuristic once the slip has stopped, and intervals enclose the
+/// impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiStronge;
 
