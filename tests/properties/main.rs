@@ -14,6 +14,8 @@ mod dyadic;
 mod energy;
 /// Closed forms against the integration of their process.
 mod process;
+/// What every law does on any planar contact.
+mod rigid;
 /// Floats from physical inputs, of every size.
 mod rounding;
 /// What laws state, solved exactly, against their code.
