@@ -12,6 +12,8 @@ mod contacts;
 mod dyadic;
 /// Who creates energy, and exactly when.
 mod energy;
+/// The same on very many contacts, by intervals.
+mod long_run;
 /// Closed forms against the integration of their process.
 mod process;
 /// What every law does on any planar contact.

@@ -57,6 +57,8 @@ pub mod laws;
 pub mod oracle;
 mod outcome;
 
+pub mod puzzle;
+
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
