@@ -43,10 +43,8 @@ impl SignTable {
     /// [`Rejection::Budget`].
     pub fn new(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Self, Rejection> {
         let bases = coprime_bases(polys, fuel)?;
-        let factored = polys
-            .iter()
-            .map(|p| factor_over(p, &bases, fuel))
-            .collect::<Result<Vec<_>, _>>()?;
+        let factored =
+            polys.iter().map(|p| factor_over(p, &bases, fuel)).collect::<Result<Vec<_>, _>>()?;
         let mut roots = Vec::new();
         for base in &bases {
             isolate(base, &mut roots, fuel)?;
