@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use kane_impact::ImpactLaw;
-use kane_impact::bodies::{Direction, DoublePendulum};
+use kane_impact::bodies::{Collision, Direction, DoublePendulum, Motion, PlanarBody};
 use kane_impact::laws::{KaneLevinson, LawVisitor, visit_laws};
 use kane_impact::puzzle::Tip;
 use kane_number::{Algebraic, Interval, Rational, Real, Rounding, encode, parse};
@@ -100,7 +100,53 @@ fn every_law_on_kanes_pendulum() {
     crate::settings().bind(|| insta::assert_snapshot!("kane-puzzle", table));
 }
 
+/// A uniform rod, half-tangent 1/2, that falls without spin and slides into its slope.
+fn rod(friction: &str, restitution: &str) -> Collision<Rational> {
+    let before = Motion { vx: number("-1"), vy: number("-1"), omega: number("0") };
+    let direction = Direction::of_half_tangent(&number("1/2"));
+    Collision {
+        body: PlanarBody::rod_tip(number("1"), number("2"), &direction, before),
+        other: None,
+        friction: number(friction),
+        restitution: number(restitution),
+    }
+}
+
+struct RodRow<'a> {
+    table: &'a mut String,
+    rod: &'a Collision<Rational>,
+}
+
+impl LawVisitor for RodRow<'_> {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        let exact = self.rod.map(|x| Algebraic::from(x.clone()));
+        let cell = match exact.collide(law) {
+            Ok(collided) => {
+                let one = Algebraic::from(number("1"));
+                let ratio = one + collided.outcome.work.total() / exact.kinetic_energy();
+                format!("{:.6}  {}", ratio.to_f64(), collided.outcome.regime)
+            }
+            Err(error) => error.to_string(),
+        };
+        writeln!(self.table, "  {:<20} {cell}", law.id()).expect("a string takes all");
+    }
+}
+
+/// The rod slides towards its tip, slows down, reverses or jams.
+#[test]
+fn every_law_on_a_rod_tip() {
+    let mut table =
+        String::from("T+/T of a rod that falls on its tip, half-tangent 1/2, v = (-1, -1)\n");
+    for (friction, restitution) in [("1/2", "1/2"), ("1/2", "1"), ("3/2", "1/2"), ("3/2", "1")] {
+        writeln!(table, "\nmu = {friction}, e = {restitution}").expect("a string takes all");
+        let rod = rod(friction, restitution);
+        visit_laws(&mut RodRow { table: &mut table, rod: &rod });
+    }
+    crate::settings().bind(|| insta::assert_snapshot!("rod-tip", table));
+}
+
 struct Map {
+    body: &'static str,
     tip: Tip,
     rows: String,
 }
@@ -118,7 +164,9 @@ impl LawVisitor for Map {
                 let e = decimal(&gain.restitution);
                 let from = decimal(&gain.from);
                 let to = gain.to.as_ref().map_or_else(String::new, decimal);
-                writeln!(self.rows, "{},{e},{from},{to}", law.id()).expect("a string takes all");
+                let body = self.body;
+                writeln!(self.rows, "{body},{},{e},{from},{to}", law.id())
+                    .expect("a string takes all");
             }
         }
     }
@@ -130,8 +178,11 @@ const MAP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/data/kane-puzzle.cs
 #[test]
 fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
     let tip = Tip::of(&exact_pendulum()).expect("it touches");
-    let rows = String::from("law,e,mu_from,mu_to\n");
-    let mut map = Map { tip, rows };
+    let rows = String::from("body,law,e,mu_from,mu_to\n");
+    let mut map = Map { body: "double pendulum", tip, rows };
+    visit_laws(&mut map);
+    let contact = rod("0", "0").contact().expect("it touches");
+    let mut map = Map { body: "rod tip", tip: Tip::touching(contact), rows: map.rows };
     visit_laws(&mut map);
     if std::env::var_os("KANE_WRITE_DOCS").is_some() {
         std::fs::write(MAP, &map.rows).expect("docs/data can be written");

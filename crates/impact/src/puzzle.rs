@@ -1,4 +1,6 @@
 //! Kane's puzzle as data: where in the plane of friction and restitution a law creates energy.
+//!
+//! Kane's was a double pendulum; the tip of a rod will do, and any contact that couples.
 
 use kane_number::{Algebraic, Number, Ordered as _, Rational};
 
@@ -26,7 +28,7 @@ pub const MOST_FRICTION: i32 = 2;
 /// Steps of μ between zero and [`MOST_FRICTION`]; a stretch shorter than one may be missed.
 const STEPS: i32 = 50;
 
-/// The tip of a pendulum as a contact, of which friction and restitution vary.
+/// A contact of which friction and restitution vary: the tip of a pendulum, of a rod, of any body.
 #[derive(Clone, Debug)]
 pub struct Tip {
     contact: Contact<Rational>,
@@ -39,6 +41,12 @@ impl Tip {
     /// [`InvalidInput`] if the pendulum has no contact.
     pub fn of(pendulum: &DoublePendulum<Rational>) -> Result<Self, InvalidInput<Rational>> {
         Ok(Self { contact: pendulum.contact()? })
+    }
+
+    /// The contact of any body; its own friction and restitution do not matter.
+    #[must_use]
+    pub const fn touching(contact: Contact<Rational>) -> Self {
+        Self { contact }
     }
 
     /// The contact with another friction and restitution; both must be in their domains.
