@@ -54,6 +54,7 @@ mod invalid;
 mod law;
 pub mod laws;
 mod outcome;
+mod spatial;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};
@@ -62,3 +63,4 @@ pub use impulse::Impulse;
 pub use invalid::InvalidInput;
 pub use law::{Chosen, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
 pub use outcome::{Outcome, Work};
+pub use spatial::{SpatialDelassus, Symmetric};
