@@ -279,7 +279,7 @@ const TAIL: &str = "
 
 On a sphere many of these are the same law. They differ on contacts that couple.
 
-*Exact in exact numbers* means that the same code, run in rational numbers, makes no error at all. Bounds in ulps are for floats.
+*Exact in exact numbers* means that the same code, run in rational numbers or in algebraic ones where it takes a root, makes no error at all. Bounds in ulps are for floats; *heuristic* means that none has been derived.
 ";
 
 #[test]

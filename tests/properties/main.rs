@@ -2,12 +2,22 @@
 //!
 //! `PROPTEST_CASES` scales every property; 256 is the gate, 25600 asks a hundred times as much.
 
-/// Floats against exact numbers, and the two ways through the physics against each other.
+/// Floats against exact numbers in α, and the two ways through the physics against each other.
 mod agreement;
 /// The limits of normal collision and of non-collision, with their rates.
 mod connection;
+/// Contacts that couple, aimed at every guard.
+mod contacts;
+/// Exact arithmetic on floats without fractions.
+mod dyadic;
 /// Who creates energy, and exactly when.
 mod energy;
+/// Closed forms against the integration of their process.
+mod process;
+/// Floats from physical inputs, of every size.
+mod rounding;
+/// What laws state, solved exactly, against their code.
+mod statement;
 /// Inputs for all of these.
 mod strategies;
 /// Mirror symmetry, zero slip, grazing, and inputs without any sense.

@@ -49,10 +49,12 @@ mod arithmetic;
 pub mod bodies;
 mod contact;
 mod delassus;
+pub mod double;
 mod impulse;
 mod invalid;
 mod law;
 pub mod laws;
+pub mod oracle;
 mod outcome;
 mod spatial;
 

@@ -2,5 +2,7 @@
 
 /// Bracketed Newton on monotone pieces, for all the floating systems.
 pub(crate) mod float;
+/// Exclusion from the top, and closed forms, on intervals.
+pub(crate) mod interval;
 /// By the rational root theorem, or not at all.
 pub(crate) mod rational;

@@ -42,15 +42,15 @@ pub struct DjerassiPoisson;
 ///
 /// The impulse of [`Stronge1990`](crate::laws::Stronge1990), always accepted.
 ///
-/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers as
-/// long as the square root of `Stronge1990` is rational, as it always is without coupling; else
-/// they have no answer.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
+/// algebraic ones hold the square root, rational ones only where it is rational, as it always is
+/// without coupling.
 ///
 /// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B, original not consulted;
 /// introduction of its sequel consulted.
 ///
-/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
-/// few ulp.
+/// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
+/// stopped, plain floats have no bound, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiStronge;
 
@@ -61,6 +61,10 @@ impl ImpactLaw for DjerassiNewton {
 
     fn statement(&self) -> &'static str {
         UNCOUPLED
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {
@@ -93,6 +97,10 @@ impl ImpactLaw for DjerassiPoisson {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -113,6 +121,10 @@ impl ImpactLaw for DjerassiStronge {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {

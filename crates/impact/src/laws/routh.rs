@@ -56,14 +56,15 @@ pub struct Keller1986;
 /// the normal work of compression. If the slip stops before, that takes a square root. Energy never
 /// rises for 0 ≤ e ≤ 1.
 ///
-/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers as
-/// long as the square root is rational, as it always is without coupling; else they have no answer.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
+/// algebraic ones hold the square root, rational ones only where it is rational, as it always is
+/// without coupling.
 ///
 /// Source: W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169–181, from memory of its use in the
 /// literature, and J. Appl. Mech. 58 (1991) 1049–1055, abstract consulted; closed form derived here.
 ///
-/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
-/// few ulp.
+/// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
+/// stopped, plain floats have no bound, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stronge1990;
 
@@ -303,6 +304,10 @@ impl ImpactLaw for RouthNewton {
         UNCOUPLED
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -325,6 +330,10 @@ impl ImpactLaw for Keller1986 {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -345,6 +354,10 @@ impl ImpactLaw for Stronge1990 {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {
