@@ -1,7 +1,8 @@
 //! `docs/laws.md` is made of what the laws say of themselves: their docstrings, and the catalogue.
 //!
 //! Only the first table has words of its own, who and when, and k(α) on a sphere as a formula; the
-//! formulas are judged by the auditor against what the code says exactly.
+//! formulas are judged by the auditor: they follow from what the laws state, and they are what the code
+//! says exactly.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -277,6 +278,8 @@ Symbols, as in the paper: `k = v_t⁺/v_t` is the slip after by before, `i_x` th
 const TAIL: &str = "
 *Known by* says on what the formula rests. **original**: the publication was read. **abstract**: of the publication only the abstract was at hand, and the formula was derived anew from what it says. **through others**: the formula is the one that other publications quote under that name; the original was not consulted, so that this page is no evidence of what it says. The paragraph *Source* of each law tells more.
 
+The formulas for k on a sphere are proved: they follow from what each law states, for every `α > 0`.
+
 On a sphere many of these are the same law. They differ on contacts that couple.
 
 *Exact in exact numbers* means that the same code, run in rational numbers or in algebraic ones where it takes a root, makes no error at all. Bounds in ulps are for floats; *heuristic* means that none has been derived.
@@ -316,6 +319,51 @@ fn every_law_states_its_formula_domain_exactness_bound_and_source() {
         assert_ne!(provenance(doc), "not stated", "{} says how it is known", entry.id);
     }
     assert_eq!(docs.len(), HEADLINES.len(), "every struct with an id is in the catalogue");
+}
+
+/// What leads from Smith's statement to the square root, for the auditor.
+const SMITH: &str = "\
+claim neg: k <= 0 when alpha >= 1/2 from (9), s0
+claim quad: k^2 - 2*alpha*k + 1 - 2*alpha = 0 when k <= 0 from (9), s1
+claim factors: (alpha - k - sqrt(alpha^2 + 2*alpha - 1))*(alpha - k + sqrt(alpha^2 + 2*alpha - 1)) = 0
+    when alpha >= 1/2 from neg, quad
+claim positive: alpha - k + sqrt(alpha^2 + 2*alpha - 1) > 0 when alpha >= 1/2 from neg
+";
+
+/// The formulas in the first table against the laws' statements, for every α > 0 and every value of
+/// the laws' parameters.
+#[test]
+fn the_formulas_for_the_sphere_follow_from_the_statements() {
+    for entry in catalogue() {
+        let mut text = String::from(
+            "var alpha > 0, k, i_x, share, eta, 0 <= beta0 <= 1, -1 <= e_t <= 1\n\
+             given (9): 2*alpha*i_x = 1 - k\n",
+        );
+        let mut from = String::from("(9)");
+        for (n, line) in entry.statement.lines().enumerate() {
+            let _ = writeln!(text, "given s{n}: {line}");
+            let _ = write!(from, ", s{n}");
+        }
+        if entry.id == "smith-1991" {
+            text.push_str(SMITH);
+            from.push_str(", factors, positive");
+        }
+        let mut lower = "0";
+        for (n, (until, formula)) in headline(entry.id).k.iter().enumerate() {
+            let upper =
+                if until.is_empty() { String::new() } else { format!(", alpha <= {until}") };
+            let _ = writeln!(
+                text,
+                "claim formula-{n}: k = {formula} when alpha > {lower}{upper} from {from}"
+            );
+            lower = until;
+        }
+        let audit = judged(&text);
+        for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
+            let fine = matches!(judgement.verdict, Verdict::Proved | Verdict::Assumed);
+            assert!(fine, "{}: {} is {}", entry.id, statement.label, judgement.verdict);
+        }
+    }
 }
 
 /// The formulas in the first table against the code, judged by the auditor.

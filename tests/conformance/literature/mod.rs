@@ -5,7 +5,7 @@
 
 use kane::impact::laws::{LawVisitor, visit_laws};
 use kane::impact::{Alpha, ImpactLaw};
-use kane::number::{Number, Rational, decode, parse};
+use kane::number::{Algebraic, Number, Rational, decode, parse};
 
 mod experiment; // measured points, and how far each law is from them
 mod granular; // a reference case of granular mechanics
@@ -25,46 +25,45 @@ fn magnitude(number: Rational) -> Rational {
 
 /// Whether a value rounds to what is printed: within half a unit of the last printed digit, both
 /// neighbours allowed at a tie. An integer is taken to be meant exactly.
-fn rounds_to(value: &Rational, printed: &str) -> bool {
+fn rounds_to(value: impl Into<Algebraic>, printed: &str) -> bool {
     let places = printed.split_once('.').map_or(0, |(_, digits)| digits.len());
-    let difference = magnitude(value - exact(printed));
+    let (value, printed) = (value.into(), exact(printed));
     if places == 0 {
-        return difference == Rational::zero();
+        return value == printed.into();
     }
-    let unit =
-        (0..places).fold(Rational::one(), |unit, _| unit / Rational::from_integer(10.into()));
-    &difference + &difference <= unit
+    let half = (0..places).fold(exact("1/2"), |unit, _| unit / Rational::from_integer(10.into()));
+    let (lower, upper) = (Algebraic::from(&printed - &half), Algebraic::from(printed + half));
+    lower <= value && value <= upper
 }
 
 /// The same of a float, whose own error of a few ulp is far below any printed digit.
 #[track_caller]
 fn assert_printed(what: &str, value: f64, printed: &str) {
     let exact = decode(value).unwrap_or_else(|error| unreachable!("{what}: {error}"));
-    assert!(rounds_to(&exact, printed), "{what}: {value} is printed as {printed}");
+    assert!(rounds_to(exact, printed), "{what}: {value} is printed as {printed}");
 }
 
-/// k and i_x at a rational α: exact, or where the value is irrational the nearest that `f64` gives.
-fn ratios<L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<[Rational; 2]> {
-    if let Some(exact) = law.ratios(&Alpha::Finite(alpha.clone())) {
-        return Some([exact.k, exact.impulse]);
-    }
-    let float = law.ratios(&Alpha::Finite(f64::from_rational(alpha)))?;
-    Some([decode(float.k).ok()?, decode(float.impulse).ok()?])
+/// k and i_x at a rational α, exactly.
+fn ratios<L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<[Algebraic; 2]> {
+    let ratios = law.ratios(&Alpha::Finite(Algebraic::from(alpha.clone())))?;
+    Some([ratios.k, ratios.impulse])
 }
 
 /// The value of k at α by the law of that id, with its default parameters.
-fn k_by_id(id: &str, alpha: &Rational) -> Option<Rational> {
-    struct Named<'a>(&'a str, &'a Rational, Option<Rational>, bool);
+fn k_by_id(id: &str, alpha: &Rational) -> Option<Algebraic> {
+    struct Named<'a> {
+        id: &'a str,
+        alpha: &'a Rational,
+        found: Option<Option<Algebraic>>,
+    }
     impl LawVisitor for Named<'_> {
         fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            if law.id() == self.0 {
-                self.3 = true;
-                self.2 = ratios(law, self.1).map(|[k, _]| k);
+            if law.id() == self.id {
+                self.found = Some(ratios(law, self.alpha).map(|[k, _]| k));
             }
         }
     }
-    let mut named = Named(id, alpha, None, false);
+    let mut named = Named { id, alpha, found: None };
     visit_laws(&mut named);
-    assert!(named.3, "there is a law {id}");
-    named.2
+    named.found.unwrap_or_else(|| unreachable!("there is no law {id}"))
 }
