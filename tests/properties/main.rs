@@ -20,6 +20,8 @@ mod rounding;
 mod statement;
 /// Inputs for all of these.
 mod strategies;
+/// The code of the laws, run on symbols.
+mod symbolic;
 /// Mirror symmetry, zero slip, grazing, and inputs without any sense.
 mod totality;
 
