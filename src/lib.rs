@@ -3,7 +3,7 @@
 //! This crate re-exports the rooms of the house, from the ground up: [`number`], [`kernel`],
 //! [`algebra`], [`impact`], [`audit`], [`report`]. The program `kane` is a thin layer over them.
 //!
-//! # A guided tour
+//! # Derivations
 //!
 //! A derivation is a Markdown document; blocks tagged `kane` hold its statements. Premises are
 //! `given`, what follows from them is a `claim`. Reading judges nothing. Judging looks, for every
@@ -43,8 +43,63 @@
 //! assert!(witness.contains("e = 1"), "{witness}");
 //! ````
 //!
-//! The laws themselves are in [`impact`], written once for every number system; its page has an
-//! example that runs. [`number`] is where floats and exact numbers meet.
+//! # Laws
+//!
+//! The laws themselves are in [`impact`], written once and run in every number system. What a law
+//! sees is a contact: the relative velocity, the Delassus operator, friction and restitution. Here
+//! is one that couples, on which Newton's restitution creates energy by Kane and Levinson's rule,
+//! and by Stronge's it does not:
+//!
+//! ```
+//! use kane::impact::laws::{KaneLevinson, Stronge1990};
+//! use kane::impact::oracle::integrate;
+//! use kane::impact::{Contact, Delassus, ImpactLaw};
+//! use kane::number::{Algebraic, Interval, Number, Rational, parse};
+//!
+//! let n = |text| parse(text).expect("a literal");
+//! let delassus = Delassus::new(n("1"), n("1/2"), n("1/2"))?; // W_tt, W_tn, W_nn in 1/kg
+//! let contact = Contact::new(n("-1"), n("2"), delassus, n("2"), n("1"))?; // v_t, a, W, μ, e
+//!
+//! let outcome = KaneLevinson.resolve(&contact)?;
+//! assert_eq!(outcome.regime, "stick");
+//! assert_eq!((outcome.impulse.tangential, outcome.impulse.normal), (n("-6"), n("14")));
+//! assert_eq!(outcome.work.normal + outcome.work.tangential, n("3")); // J gained
+//!
+//! // Exact where the result is irrational, too.
+//! let exact = contact.map(|x| Algebraic::from(x.clone()));
+//! let stronge = Stronge1990.resolve(&exact)?;
+//! assert!(stronge.work.total() < Algebraic::from(n("0")));
+//!
+//! // The same law in floats, and in intervals that hold the exact answer.
+//! let float = KaneLevinson.impulse(&contact.map(f64::from_rational))?;
+//! let enclosed = KaneLevinson.impulse(&contact.map(Interval::from_rational))?;
+//! assert!((float.normal, enclosed.normal.contains(&n("14"))) == (14.0, true));
+//!
+//! // The process, integrated in impulse space: it shares no formula with the closed form.
+//! let path = integrate(&exact, Stronge1990.restitution())?;
+//! assert_eq!(path.end().impulse, stronge.impulse);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Bodies
+//!
+//! Contacts come from bodies, in physical units. Whatever is formed on the way is formed in a wider
+//! number system and rounded once, so that nothing cancels, overflows or underflows unseen:
+//!
+//! ```
+//! use kane::impact::bodies::{Motion, Shape, Collision};
+//! use kane::impact::laws::WangSuLi;
+//!
+//! let before = Motion { vx: 3.1947, vy: -2.2369, omega: 0.0 }; // m/s, m/s, rad/s
+//! let ball = Shape::Sphere.body(1.0, 0.0025, before); // kg, m
+//! let collision = Collision { body: ball, other: None, friction: 0.092, restitution: 0.98 };
+//! let collided = collision.collide(&WangSuLi)?;
+//! assert_eq!(collided.after.vy, 0.98 * 2.2369);
+//! assert!(collided.outcome.work.total() < 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`number`] has the number systems and says when to use which.
 //!
 //! # Features
 //!

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use kane::algebra::syntax::{Evaluator, NoValue};
-use kane::kernel::{Bound, Conclusion, Context, Expr, Goal, Link, Rel, Relation, Sentence};
+use kane::kernel::{Bound, Conclusion, Context, Expr, Goal, Link, Rel, Relation, Sentence, Var};
 use num_traits::{One, Signed, Zero};
 
 use crate::support::{Chance, Q, q};
@@ -23,12 +23,10 @@ pub(crate) enum At {
     Undefined,
 }
 
-fn in_range(context: &Context, point: &[Q]) -> bool {
-    context.vars.iter().zip(point).all(|(var, x)| {
-        let above = |b: &Bound| if b.strict { *x > b.value } else { *x >= b.value };
-        let below = |b: &Bound| if b.strict { *x < b.value } else { *x <= b.value };
-        var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
-    })
+fn within(var: &Var, x: &Q) -> bool {
+    let above = |b: &Bound| if b.strict { *x > b.value } else { *x >= b.value };
+    let below = |b: &Bound| if b.strict { *x < b.value } else { *x <= b.value };
+    var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
 }
 
 fn relations(sentence: &Sentence) -> impl Iterator<Item = &Relation> {
@@ -60,7 +58,7 @@ fn premise(at: &mut Evaluator<'_>, s: &Sentence, given: bool) -> Result<bool, No
 /// What a goal says about a point with a value for each symbol.
 pub(crate) fn at(goal: &Goal, point: &[Q]) -> At {
     // Ranges of symbols that nothing mentions do not matter: all are in force here.
-    if !in_range(&goal.context, point) {
+    if !goal.context.vars.iter().zip(point).all(|(var, x)| within(var, x)) {
         return At::Outside;
     }
     let mut here = Evaluator::new(&goal.context, point);
@@ -125,31 +123,38 @@ fn symbols(context: &Context, roots: &[&Expr]) -> BTreeSet<usize> {
 pub(crate) struct Sampler<'g> {
     goal: &'g Goal,
     equations: Vec<(&'g Relation, BTreeSet<usize>)>,
+    /// what else has to hold, to give up early
+    others: Vec<(&'g Relation, BTreeSet<usize>)>,
     mentioned: Vec<usize>,
     /// the order of free symbols that worked last
     order: Vec<usize>,
+    /// equations and symbols that were found to be linear
+    linear: BTreeSet<(usize, usize)>,
 }
 
 impl<'g> Sampler<'g> {
     pub(crate) fn new(goal: &'g Goal) -> Self {
         let mut all: Vec<&Relation> = goal.when.iter().collect();
+        let mut others = all.clone();
         let mut sides: Vec<&Expr> = Vec::new();
         for h in &goal.hypotheses {
             sides.extend(h.sentence.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
             sides.extend(relations(&h.sentence).flat_map(|r| [&r.lhs, &r.rhs]));
             all.extend(relations(&h.sentence));
+            if h.sentence.when.is_empty() {
+                others.extend(relations(&h.sentence));
+            }
         }
         sides.extend(goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
         if let Conclusion::Link(Link::Relation(r)) = &goal.conclusion {
             sides.extend([&r.lhs, &r.rhs]);
         }
-        let equations = all
-            .into_iter()
-            .filter(|r| r.rel == Rel::Eq)
-            .map(|r| (r, symbols(&goal.context, &[&r.lhs, &r.rhs])))
-            .collect();
+        let with_symbols = |r: &'g Relation| (r, symbols(&goal.context, &[&r.lhs, &r.rhs]));
+        let equation = |r: &&Relation| r.rel == Rel::Eq;
+        let equations = all.into_iter().filter(equation).map(with_symbols).collect();
+        let others = others.into_iter().filter(|r| !equation(r)).map(with_symbols).collect();
         let mentioned = symbols(&goal.context, &sides).into_iter().collect();
-        Self { goal, equations, mentioned, order: Vec::new() }
+        Self { goal, equations, others, mentioned, order: Vec::new(), linear: BTreeSet::new() }
     }
 
     /// A point where the hypotheses hold, as far as that is known.
@@ -179,17 +184,29 @@ impl<'g> Sampler<'g> {
         let reuse = !chance.once_in(4);
         let mut plan = if reuse { self.order.clone() } else { Vec::new() };
         plan.reverse();
-        let mut order = Vec::new();
-        while !open.is_empty() {
+        let (mut order, mut last) = (Vec::new(), None);
+        loop {
+            let decided = |symbols: &BTreeSet<usize>| {
+                last.is_some_and(|v| symbols.contains(&v)) && symbols.is_disjoint(&open)
+            };
+            for (r, _) in self.others.iter().filter(|o| decided(&o.1)) {
+                if Evaluator::new(&self.goal.context, &point).holds(r) == Ok(false) {
+                    return None;
+                }
+            }
+            if open.is_empty() {
+                break;
+            }
             let ready = self.equations.iter().zip(&used).position(|((_, symbols), used)| {
                 !used && symbols.iter().filter(|v| open.contains(v)).count() == 1
             });
             if let Some(i) = ready {
                 used[i] = true;
-                let (equation, symbols) = &self.equations[i];
+                let (_, symbols) = &self.equations[i];
                 let v = symbols.iter().copied().find(|v| open.contains(v))?;
-                point[v] = self.solved(equation, v, &point, chance)?;
+                point[v] = self.solved(i, v, &point, chance)?;
                 open.remove(&v);
+                last = Some(v);
                 continue;
             }
             let v = match plan.pop().filter(|v| open.contains(v)) {
@@ -198,6 +215,7 @@ impl<'g> Sampler<'g> {
             };
             point[v] = self.value(v, chance);
             open.remove(&v);
+            last = Some(v);
             order.push(v);
         }
         let says = at(self.goal, &point);
@@ -210,7 +228,7 @@ impl<'g> Sampler<'g> {
     /// A value in the range of a symbol: corners and near-zeros among them.
     fn value(&self, v: usize, chance: &mut Chance) -> Q {
         let var = &self.goal.context.vars[v];
-        let tiny = q(1, 1_000_000);
+        let tiny = q(1, 1_000);
         let step = match chance.below(8) {
             0 => Q::zero(),
             1 => tiny.clone(),
@@ -218,7 +236,7 @@ impl<'g> Sampler<'g> {
             3 => q(chance.within(1, 9), chance.within(1, 9)),
             4 => q(chance.within(1, 4), 1),
             5 => q(chance.within(1, 99), 100),
-            6 => q(chance.within(1, 99_999), chance.within(1, 999)),
+            6 => q(chance.within(1, 9_999), chance.within(1, 9)),
             _ => q(chance.within(1, 20), 4),
         };
         match (&var.lower, &var.upper) {
@@ -256,14 +274,31 @@ impl<'g> Sampler<'g> {
         }
     }
 
+    fn fits(&self, v: usize, t: &Q) -> bool {
+        within(&self.goal.context.vars[v], t)
+    }
+
     /// A root in v of an equation whose other symbols have values: linear, Möbius or quadratic.
-    fn solved(&self, r: &Relation, v: usize, point: &[Q], chance: &mut Chance) -> Option<Q> {
+    fn solved(&mut self, i: usize, v: usize, point: &[Q], chance: &mut Chance) -> Option<Q> {
+        let (r, context) = (self.equations[i].0, &self.goal.context);
         let mut here = point.to_vec();
         let mut gap = |t: &Q| -> Option<Q> {
             here[v] = t.clone();
-            let mut e = Evaluator::new(&self.goal.context, &here);
+            let mut e = Evaluator::new(context, &here);
             Some(e.value(&r.lhs).ok()? - e.value(&r.rhs).ok()?)
         };
+        // Most equations are linear: two points, and a third to be sure.
+        if let (Some(at_0), Some(at_1)) = (gap(&q(1, 1)), gap(&q(2, 1))) {
+            let slope = &at_1 - &at_0;
+            if !slope.is_zero() {
+                let t = q(1, 1) - at_0 / slope;
+                // once seen to be linear: all is checked again in the end
+                if self.linear.contains(&(i, v)) || gap(&t).is_some_and(|f| f.is_zero()) {
+                    self.linear.insert((i, v));
+                    return self.fits(v, &t).then_some(t);
+                }
+            }
+        }
         for scale in [q(1, 1), q(1, 7), q(-1, 1), q(13, 1)] {
             let mut seen: Vec<(Q, Q)> = Vec::new();
             for t in [1, 2, 3, 5] {
@@ -313,11 +348,8 @@ impl<'g> Sampler<'g> {
             if chance.once_in(2) {
                 found.reverse();
             }
-            let var = std::slice::from_ref(&self.goal.context.vars[v]);
-            let one = Context { vars: var.to_vec(), ..Context::default() };
             for t in found {
-                if in_range(&one, std::slice::from_ref(&t)) && gap(&t).is_some_and(|f| f.is_zero())
-                {
+                if self.fits(v, &t) && gap(&t).is_some_and(|f| f.is_zero()) {
                     return Some(t);
                 }
             }

@@ -1,6 +1,15 @@
 //! Nothing false is accepted, whoever asks.
 //!
 //! What is false is decided by evaluation at an exact point, which shares no code with the kernel.
+//! Each false statement is given to the search, whose findings must not be `proved` or `vacuous`,
+//! and to the kernel with the certificate of a true statement much like it: as it is, and mutated.
+//!
+//! The suite was tried on kernels with planted errors: all certificates or all points accepted;
+//! strictness not asked of a sum, or not on the faces of an orthant; odd powers of a lead of unknown
+//! sign below an inequality; `<` read as `<=`; a quotient without its condition; a sign table
+//! without its roots; an absolute value that keeps its sign. It found each. An odd power of a factor
+//! of unknown sign, cancelled from an inequality, it does not find, because the search never
+//! proposes one: the kernel's own rules suite does.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -15,9 +24,9 @@ use crate::mutation::{KINDS, clash, kinds, mutant};
 use crate::sampling::{At, Sampler, at, has_limits};
 use crate::support::{Case, Chance, Q, all_documents, cases, documents, many, shown};
 
-/// Enough for what random statements need; soundness does not depend on it.
+/// Small, so that many statements fit: a false one only has to be not accepted.
 const SMALL: Budget =
-    Budget { steps: 10, fuel: 400_000, check: 20_000_000, functions: 4, ideals: false };
+    Budget { steps: 10, fuel: 100_000, check: 20_000_000, functions: 4, ideals: false };
 
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {
     check(goal, certificate, Fuel::new(20_000_000)).is_ok()
@@ -138,11 +147,10 @@ fn falsifying(goal: &Goal, chance: &mut Chance) -> Option<Vec<Q>> {
 }
 
 #[test]
-#[ignore = "minutes: run with --ignored"]
 fn no_random_false_statement_is_accepted() {
     let (mut chance, mut tally, start) = (Chance::new(1), Tally::default(), Instant::now());
     let mut last: Option<Certificate> = None;
-    while tally.statements < many(4_000) {
+    while tally.statements < many(5_000) {
         let goal = any_statement(&mut chance);
         match falsifying(&goal, &mut chance) {
             Some(point) => tally.attack(&goal, &point, last.as_ref(), &mut chance),
@@ -156,11 +164,10 @@ fn no_random_false_statement_is_accepted() {
 }
 
 #[test]
-#[ignore = "minutes: run with --ignored"]
 fn no_false_neighbour_of_a_true_statement_is_accepted() {
     let (mut chance, mut tally, start) = (Chance::new(2), Tally::default(), Instant::now());
     let mut proved = 0;
-    while tally.statements < many(4_500) {
+    while tally.statements < many(5_000) {
         let goal = true_statement(&mut chance);
         let found = judge_goal(&goal, &[], SMALL).decided;
         proved += usize::from(found.is_some());
@@ -380,7 +387,6 @@ fn a_claim_and_its_negation_are_never_both_accepted() {
 }
 
 #[test]
-#[ignore = "minutes: run with --ignored"]
 fn what_is_proved_holds_at_a_thousand_points_of_its_hypotheses() {
     let (mut chance, start) = (Chance::new(8), Instant::now());
     let (mut claims, mut points, mut unknown) = (0, 0, 0);

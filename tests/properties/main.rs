@@ -12,8 +12,12 @@ mod contacts;
 mod dyadic;
 /// Who creates energy, and exactly when.
 mod energy;
+/// The same on very many contacts, by intervals.
+mod long_run;
 /// Closed forms against the integration of their process.
 mod process;
+/// What every law does on any planar contact.
+mod rigid;
 /// Floats from physical inputs, of every size.
 mod rounding;
 /// What laws state, solved exactly, against their code.

@@ -39,7 +39,7 @@ fn dissipates<N: Real>(contact: &Contact<N>, hypothesis: Restitution) -> Result<
 }
 
 proptest! {
-    #![proptest_config(cases(4000))]
+    #![proptest_config(cases(1500))]
 
     #[test]
     fn closed_forms_are_the_path_of_newton_and_poisson(contact in contact()) {
@@ -51,7 +51,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(1200))]
+    #![proptest_config(cases(700))]
 
     /// The end of the energetic hypothesis is irrational as a rule.
     #[test]

@@ -1,16 +1,18 @@
 //! Exact linear feasibility: the simplex method over the rationals with Bland's rule.
 
+use kane_kernel::Fuel;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 type Q = BigRational;
 
-/// Finds x ≥ 0 with A·x = b, or `None` if there is none or the steps run out.
+/// Finds x ≥ 0 with A·x = b, or `None` if there is none or the steps or the fuel run out.
 ///
 /// `columns[j]` lists the non-zero entries (row, value) of column j; `b` has one entry a row.
-/// Exact; Bland's rule (1977) excludes cycles, `steps` bounds the pivots.
+/// Exact; Bland's rule (1977) excludes cycles, `steps` bounds the pivots and `fuel` their work,
+/// which grows with the numbers in the tableau.
 #[must_use]
-pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize) -> Option<Vec<Q>> {
+pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel) -> Option<Vec<Q>> {
     let (rows, cols) = (b.len(), columns.len());
     // Tableau of phase one: artificial variables are the initial basis.
     let mut table = vec![vec![Q::zero(); cols + 1]; rows];
@@ -66,23 +68,31 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize) -> Option<Ve
         let clear = |row: &mut Vec<Q>| {
             let factor = row[enter].clone();
             if factor.is_zero() {
-                return;
+                return Some(());
             }
             for (x, s) in row.iter_mut().zip(&source) {
                 if !s.is_zero() {
+                    let size = words(x) + words(&factor) + words(s);
+                    fuel.spend(size.saturating_mul(size)).ok()?;
                     *x -= &factor * s;
                 }
             }
+            Some(())
         };
         for (i, row) in table.iter_mut().enumerate() {
             if i != leave {
-                clear(row);
+                clear(row)?;
             }
         }
-        clear(&mut cost);
+        clear(&mut cost)?;
         basis[leave] = Some(enter);
     }
     None
+}
+
+/// Machine words of a number. Products and sums are reduced, which takes their square.
+fn words(q: &Q) -> u64 {
+    1 + (q.numer().bits() + q.denom().bits()) / 64
 }
 
 /// A vector of whole numbers in the same ratios.
@@ -100,6 +110,10 @@ mod tests {
 
     use super::*;
 
+    fn fuel() -> Fuel {
+        Fuel::new(1 << 30)
+    }
+
     fn q(n: i64) -> Q {
         Q::from_integer(n.into())
     }
@@ -108,14 +122,14 @@ mod tests {
     fn a_feasible_system_is_solved() {
         // x + y = 3, x − y = 1
         let columns = [vec![(0, q(1)), (1, q(1))], vec![(0, q(1)), (1, q(-1))]];
-        assert_eq!(feasible(&columns, &[q(3), q(1)], 100), Some(vec![q(2), q(1)]));
+        assert_eq!(feasible(&columns, &[q(3), q(1)], 100, &fuel()), Some(vec![q(2), q(1)]));
     }
 
     #[test]
     fn an_infeasible_system_is_not() {
         // x + y = −1
         let columns = [vec![(0, q(1))], vec![(0, q(1))]];
-        assert_eq!(feasible(&columns, &[q(-1)], 100), None);
+        assert_eq!(feasible(&columns, &[q(-1)], 100, &fuel()), None);
     }
 
     #[test]
@@ -126,7 +140,7 @@ mod tests {
 
     #[test]
     fn no_steps_no_answer() {
-        assert_eq!(feasible(&[vec![(0, q(1))]], &[q(1)], 0), None);
+        assert_eq!(feasible(&[vec![(0, q(1))]], &[q(1)], 0, &fuel()), None);
     }
 
     type Rows = Vec<Vec<i64>>;
@@ -152,7 +166,7 @@ mod tests {
         #[test]
         fn a_planted_solution_makes_the_system_feasible(a in rows(), x in prop::collection::vec(0i64..4, 4)) {
             let b: Vec<Q> = a.iter().map(|row| q(dot(row, &x))).collect();
-            let found = feasible(&columns(&a), &b, 1000).expect("x is a solution");
+            let found = feasible(&columns(&a), &b, 1000, &fuel()).expect("x is a solution");
             prop_assert!(found.iter().all(|v| !v.is_negative()));
             for (row, b) in a.iter().zip(&b) {
                 let sum = row.iter().zip(&found).fold(Q::zero(), |s, (a, x)| s + q(*a) * x);
@@ -170,7 +184,7 @@ mod tests {
             }
             b[0] -= b.iter().sum::<i64>().max(0) + 1;
             let b: Vec<Q> = b.into_iter().map(q).collect();
-            prop_assert_eq!(feasible(&columns(&a), &b, 1000), None);
+            prop_assert_eq!(feasible(&columns(&a), &b, 1000, &fuel()), None);
         }
     }
 }

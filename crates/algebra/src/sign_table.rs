@@ -6,8 +6,8 @@ use kane_kernel::{Fuel, Rejection, Root, descartes, sign_at};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
-use polycore::Uni;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use polycore::{Gf, Uni};
 
 type Q = BigRational;
 
@@ -43,12 +43,8 @@ impl SignTable {
     /// [`Rejection::Budget`].
     pub fn new(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Self, Rejection> {
         let bases = coprime_bases(polys, fuel)?;
-        let factored = polys
-            .iter()
-            .map(|p| factor_over(p, &bases))
-            .collect::<Option<Vec<_>>>()
-            .ok_or(Rejection::NotAnIdentity)?;
-        let bases: Vec<Vec<BigInt>> = bases;
+        let factored =
+            polys.iter().map(|p| factor_over(p, &bases, fuel)).collect::<Result<Vec<_>, _>>()?;
         let mut roots = Vec::new();
         for base in &bases {
             isolate(base, &mut roots, fuel)?;
@@ -145,11 +141,7 @@ fn coprime_bases(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Vec<Vec<BigInt>>,
                 }
             }
         } else {
-            for (part, _) in f.squarefree() {
-                if part.deg() > 0 {
-                    coarse.push(part);
-                }
-            }
+            coarse.extend(squarefree(p, fuel)?);
         }
     }
     // Refine until nothing is shared; irreducible factors are coprime already.
@@ -157,10 +149,10 @@ fn coprime_bases(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Vec<Vec<BigInt>>,
     for mut part in coarse {
         let mut i = 0;
         while i < bases.len() && part.deg() > 0 {
-            let g = part.gcd(&bases[i]);
+            let g = gcd(&part, &bases[i], fuel)?;
             if g.deg() > 0 {
-                let rest = &bases[i] / &g;
-                part = &part / &g;
+                let rest = divided(&bases[i], &g, fuel)?.0;
+                part = divided(&part, &g, fuel)?.0;
                 if rest.deg() > 0 {
                     bases.push(rest);
                 }
@@ -175,13 +167,79 @@ fn coprime_bases(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Vec<Vec<BigInt>>,
     Ok(bases.iter().map(integers).collect())
 }
 
-fn factor_over(p: &[BigInt], bases: &[Vec<BigInt>]) -> Option<(Q, Vec<u32>)> {
+/// The square-free parts of p, without their multiplicities (Yun 1976).
+fn squarefree(p: &[BigInt], fuel: &Fuel) -> Result<Vec<Uni<Q>>, Rejection> {
+    let f = uni(p);
+    if visibly_squarefree(p, fuel)? {
+        return Ok(vec![f]);
+    }
+    let slope = f.derivative();
+    let common = gcd(&f, &slope, fuel)?;
+    let (mut rest, mut slope) = (divided(&f, &common, fuel)?.0, divided(&slope, &common, fuel)?.0);
+    let mut parts = Vec::new();
+    while rest.deg() > 0 {
+        slope = &slope - &rest.derivative();
+        let part = gcd(&rest, &slope, fuel)?;
+        (rest, slope) = (divided(&rest, &part, fuel)?.0, divided(&slope, &part, fuel)?.0);
+        parts.extend((part.deg() > 0).then_some(part));
+    }
+    Ok(parts)
+}
+
+/// Whether p keeps its degree modulo a prime and shares no root with its derivative there: it then
+/// has no square factor, and no long division is needed to see it.
+fn visibly_squarefree(p: &[BigInt], fuel: &Fuel) -> Result<bool, Rejection> {
+    const PRIME: u64 = (1 << 61) - 1;
+    let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+    fuel.spend(degree.saturating_mul(degree))?;
+    let residue = |c: &BigInt| c.mod_floor(&PRIME.into()).to_u64().unwrap_or(0);
+    let f: Uni<Gf<PRIME>> = Uni::new(p.iter().map(|c| Gf::new(residue(c))).collect());
+    Ok(f.deg() + 1 == p.len() && f.gcd(&f.derivative()).deg() == 0)
+}
+
+/// The monic greatest common divisor (Euclid). The remainders are made monic on the way, which
+/// keeps their coefficients as small as they can be.
+fn gcd(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<Uni<Q>, Rejection> {
+    let (mut a, mut b) = (a.clone(), b.monic());
+    while !b.is_zero() {
+        let rest = divided(&a, &b, fuel)?.1;
+        a = std::mem::replace(&mut b, rest.monic());
+    }
+    Ok(a.monic())
+}
+
+/// Quotient and remainder. Coefficients grow while a division runs, so each of its steps spends what
+/// it costs then.
+fn divided(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<(Uni<Q>, Uni<Q>), Rejection> {
+    let words = |q: &Q| 1 + (q.numer().bits() + q.denom().bits()) / 64;
+    let (mut rest, mut quotient) = (a.0.clone(), Vec::new());
+    let lead = b.lc();
+    while rest.len() >= b.0.len() {
+        let (at, top) = (rest.len() - b.0.len(), rest.pop().unwrap_or_else(Q::zero) / &lead);
+        for (i, c) in b.0[..b.deg()].iter().enumerate() {
+            if !top.is_zero() && !c.is_zero() {
+                let size = words(&top) + words(c) + words(&rest[at + i]);
+                fuel.spend(size.saturating_mul(size))?;
+                rest[at + i] -= &top * c;
+            }
+        }
+        quotient.push(top);
+    }
+    quotient.reverse();
+    Ok((Uni::new(quotient), Uni::new(rest)))
+}
+
+fn factor_over(
+    p: &[BigInt],
+    bases: &[Vec<BigInt>],
+    fuel: &Fuel,
+) -> Result<(Q, Vec<u32>), Rejection> {
     let mut rest = uni(p);
     let mut powers = vec![0; bases.len()];
     for (base, n) in bases.iter().zip(&mut powers) {
         let base = uni(base);
         while rest.deg() >= base.deg() {
-            let (q, r) = rest.divrem(&base);
+            let (q, r) = divided(&rest, &base, fuel)?;
             if !r.is_zero() {
                 break;
             }
@@ -189,7 +247,8 @@ fn factor_over(p: &[BigInt], bases: &[Vec<BigInt>]) -> Option<(Q, Vec<u32>)> {
             *n += 1;
         }
     }
-    (rest.deg() == 0).then(|| (rest.0.first().cloned().unwrap_or_else(Q::zero), powers))
+    let constant = rest.0.first().cloned().unwrap_or_else(Q::zero);
+    if rest.deg() == 0 { Ok((constant, powers)) } else { Err(Rejection::NotAnIdentity) }
 }
 
 /// An integer beyond all roots in absolute value (Cauchy 1829).
@@ -252,6 +311,13 @@ pub fn refine(root: &mut Root) {
 
 /// Shrinks intervals until they are disjoint and no other base has a root or sign change there.
 fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<(), Rejection> {
+    let sign_at = |p: &[BigInt], x: &Q| {
+        // Horner's rule on numbers that grow by the size of x in each step
+        let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+        let words = 1 + degree.saturating_mul(x.numer().bits() + x.denom().bits()) / 64;
+        fuel.spend(degree.saturating_mul(words))?;
+        Ok::<i8, Rejection>(sign_at(p, x))
+    };
     for _ in 0..MAX_HALVINGS {
         roots.sort_by(|a, b| (&a.lo, &a.hi).cmp(&(&b.lo, &b.hi)));
         let mut dirty = false;
@@ -263,7 +329,7 @@ fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<()
             let mut clear =
                 (i == 0 || roots[i - 1].hi < lo) && roots.get(i + 1).is_none_or(|r| hi < r.lo);
             for base in bases {
-                clear = clear && sign_at(base, &lo) != 0 && sign_at(base, &hi) != 0;
+                clear = clear && sign_at(base, &lo)? != 0 && sign_at(base, &hi)? != 0;
                 if clear && *base != roots[i].poly {
                     clear = descartes(base, Some(&lo), Some(&hi), fuel)? == 0;
                 }
@@ -276,7 +342,6 @@ fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<()
         if !dirty {
             return Ok(());
         }
-        fuel.spend(1)?;
     }
     Err(Rejection::Budget)
 }

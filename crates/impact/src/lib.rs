@@ -58,6 +58,8 @@ pub mod oracle;
 mod outcome;
 mod spatial;
 
+pub mod puzzle;
+
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};
 pub use delassus::Delassus;

@@ -232,7 +232,17 @@ impl<'c> Scope<'c> {
                 let n = n.unsigned_abs();
                 total(Fraction { num: x.num.pow(n, fuel)?, den: x.den.pow(n, fuel)? })
             }),
-            Expr::Abs(_) | Expr::Min(..) | Expr::Max(..) => self.pieces(&e.as_cases()),
+            // The cases of `Expr::as_cases`, with each operand normalised once.
+            Expr::Abs(a) => self.each(&self.pieces(a)?, |x| {
+                let atom = Atom::new(x.sign_poly(fuel)?, Sign::NonNegative);
+                Ok(either(atom, Some(x.clone()), Some(x.neg())))
+            }),
+            Expr::Min(a, b) | Expr::Max(a, b) => self.both(a, b, |x, y| {
+                let (low, high) = if matches!(e, Expr::Min(..)) { (x, y) } else { (y, x) };
+                let gap = high.add(&low.neg(), fuel)?.sign_poly(fuel)?;
+                let atom = Atom::new(gap, Sign::NonNegative);
+                Ok(either(atom, Some(x.clone()), Some(y.clone())))
+            }),
             Expr::Sqrt(a) => {
                 let position = self.roots.iter().position(|r| *r == e);
                 let s = self.context.vars.len() + position.ok_or(Rejection::UnknownSymbol)?;
@@ -275,8 +285,8 @@ impl<'c> Scope<'c> {
         let mut out = Vec::new();
         for p in pieces {
             for q in p.value.as_ref().map_or_else(|| Ok(everywhere(None)), &next)? {
-                self.fuel.spend(1)?;
-                out.extend(joined(&p.atoms, &q.atoms).map(|atoms| Piece { atoms, value: q.value }));
+                let atoms = joined(&p.atoms, &q.atoms, &self.fuel)?;
+                out.extend(atoms.map(|atoms| Piece { atoms, value: q.value }));
                 if out.len() > MAX_PIECES {
                     return Err(Rejection::Budget);
                 }
@@ -362,16 +372,19 @@ impl<'c> Scope<'c> {
 }
 
 /// The conjunction without what is trivially true; `None` if an atom is trivially false.
-fn joined(a: &[Atom], b: &[Atom]) -> Option<Atoms> {
+fn joined(a: &[Atom], b: &[Atom], fuel: &Fuel) -> Checked<Option<Atoms>> {
+    // Every new atom is compared with those before it.
+    let steps = (1 + a.len() + b.len()).saturating_mul(1 + b.len());
+    fuel.spend(u64::try_from(steps).unwrap_or(u64::MAX))?;
     let mut out = a.to_vec();
     for atom in b {
         match atom.decided() {
             Some(true) => {}
-            Some(false) => return None,
-            None if out.contains(&atom.not()) => return None,
+            Some(false) => return Ok(None),
+            None if out.contains(&atom.not()) => return Ok(None),
             None if out.contains(atom) => {}
             None => out.push(atom.clone()),
         }
     }
-    Some(out)
+    Ok(Some(out))
 }

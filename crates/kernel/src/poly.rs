@@ -38,9 +38,10 @@ impl Fuel {
 /// A product of powers: (variable, exponent ≥ 1), variables ascending.
 pub type Monomial = Vec<(usize, u32)>;
 
-/// A polynomial with integer coefficients; no zero coefficient is stored. Exact.
+/// A polynomial with integer coefficients; no zero coefficient is stored. Exact. Clones share it:
+/// regions and states repeat the same few polynomials many times.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Poly(BTreeMap<Monomial, BigInt>);
+pub struct Poly(Rc<BTreeMap<Monomial, BigInt>>);
 
 impl Poly {
     /// The constant polynomial c.
@@ -87,7 +88,7 @@ impl Poly {
         if c.is_zero() {
             return;
         }
-        match self.0.entry(m) {
+        match Rc::make_mut(&mut self.0).entry(m) {
             Entry::Vacant(e) => {
                 e.insert(c);
             }
@@ -152,7 +153,7 @@ impl Poly {
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (m, c) in &other.0 {
+        for (m, c) in other.terms() {
             sum.add_term(m.clone(), c.clone());
         }
         sum
@@ -174,7 +175,7 @@ impl Poly {
     #[must_use]
     pub fn scale(&self, k: &BigInt) -> Self {
         let terms = self.0.iter().filter(|_| !k.is_zero());
-        Self(terms.map(|(m, c)| (m.clone(), c * k)).collect())
+        Self(Rc::new(terms.map(|(m, c)| (m.clone(), c * k)).collect()))
     }
 
     /// Product.
@@ -187,8 +188,8 @@ impl Poly {
         let pairs = size(self).saturating_mul(size(other));
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
         let mut product = Self::default();
-        for (m, c) in &self.0 {
-            for (n, d) in &other.0 {
+        for (m, c) in self.terms() {
+            for (n, d) in other.terms() {
                 product.add_term(times(m, n)?, c * d);
             }
         }
@@ -218,7 +219,7 @@ impl Poly {
     pub fn coefficients(&self, v: usize) -> Vec<Self> {
         let degree = usize::try_from(self.degree(v)).unwrap_or(usize::MAX);
         let mut out = vec![Self::default(); degree + 1];
-        for (m, c) in &self.0 {
+        for (m, c) in self.terms() {
             let e = usize::try_from(exponent(m, v)).unwrap_or(usize::MAX);
             let rest = m.iter().copied().filter(|&(w, _)| w != v).collect();
             out[e].add_term(rest, c.clone());
@@ -234,7 +235,7 @@ impl Poly {
             return (BigInt::one(), self.clone());
         }
         let rest = self.0.iter().map(|(m, c)| (m.clone(), c / &content)).collect();
-        (content, Self(rest))
+        (content, Self(Rc::new(rest)))
     }
 
     /// As a polynomial in v alone, if no other variable occurs.

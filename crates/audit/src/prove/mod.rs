@@ -10,7 +10,7 @@ use std::cell::RefCell;
 
 use kane_kernel::{
     Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
-    check, claim_state, digest, premised, scope, sides,
+    Rejection, check, claim_state, digest, premised, scope, sides,
 };
 
 use functions::Effort;
@@ -92,7 +92,7 @@ impl Prover<'_> {
     pub(crate) fn judge(&self, goal: &Goal, doubt: bool) -> Verdicts {
         let mut out = Verdicts::default();
         if let Err(why) = scope(goal, self.fuel()) {
-            out.reason = format!("its normal form does not fit the budget ({why})");
+            out.reason = unfit(&why);
             return out;
         }
         match &goal.conclusion {
@@ -136,8 +136,14 @@ impl Prover<'_> {
         let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
             return Outcome::Open;
         };
-        let Ok(state) = claim_state(&scope, goal, finding) else {
-            return Outcome::Open;
+        let state = match claim_state(&scope, goal, finding) {
+            Ok(state) => state,
+            Err(why) => {
+                if why == Rejection::Budget && !guide {
+                    out.reason = unfit(&why);
+                }
+                return Outcome::Open;
+            }
         };
         let mut germs = limits::premised_sides(&state, goal);
         if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
@@ -167,6 +173,9 @@ impl Prover<'_> {
             }
         }
         out.cost += steps - search.left();
+        if !guide && scope.fuel.spend(1).is_err() {
+            out.reason = format!("neither proof nor witness within {fuel} coefficient operations");
+        }
         outcome
     }
 
@@ -295,6 +304,10 @@ impl Prover<'_> {
         }
         self.witness(goal, Finding::Refuted, out);
     }
+}
+
+fn unfit(why: &Rejection) -> String {
+    format!("its normal form does not fit the budget ({why})")
 }
 
 /// Symbols that the claim itself writes, those of its conditions above those of its conclusion.

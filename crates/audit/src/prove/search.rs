@@ -541,8 +541,10 @@ impl<'a> Search<'a> {
                 let mut partial = Partial::default();
                 match tactics::line(&special, last) {
                     None => {
-                        let simple = candidates(&special, last).into_iter().next();
-                        partial.set(last, simple.unwrap_or_else(Q::one));
+                        let Some(simple) = candidates(&special, last).into_iter().next() else {
+                            continue;
+                        };
+                        partial.set(last, simple);
                     }
                     Some((table, indices)) => {
                         let Some(cell) = tactics::open_cell(&special, &table, &indices) else {

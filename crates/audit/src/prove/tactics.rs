@@ -425,7 +425,7 @@ pub(crate) fn combination(state: &State<'_, '_>) -> Option<Proof> {
     }
     let mut b = vec![Q::zero(); height];
     b.push(Q::one());
-    let weights = whole(&feasible(&matrix, &b, 200)?);
+    let weights = whole(&feasible(&matrix, &b, 200, &state.scope.fuel)?);
     let terms = known
         .iter()
         .zip(&weights)
@@ -587,7 +587,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
     matrix.extend(multiples.iter().map(|m| entries(&m.2)));
     let mut b = vec![Q::zero(); height];
     b.push(Q::one());
-    let solution = feasible(&matrix, &b, 400)?;
+    let solution = feasible(&matrix, &b, 400, fuel)?;
     let weights = whole(&solution);
     let terms = columns
         .into_iter()

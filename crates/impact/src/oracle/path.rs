@@ -183,24 +183,24 @@ impl<'a, N: Real> Walk<'a, N> {
         })
     }
 
-    /// Friction opposes the slip; without slip it holds the contact if the cone allows, and else the
-    /// contact slides the way that it is pushed.
+    /// Friction opposes the slip, until the slip stops; what follows then lasts to the end, because
+    /// sticking stays sticking, and a slip that starts from rest only grows.
     fn friction(&self) -> Result<Friction, NoPath> {
-        let slip = match self.last().event {
-            // known to be zero, whatever rounding says
-            Event::Stick => return Ok(Friction::Sticking),
-            Event::Reverse => N::zero(),
-            _ => self.last().slip.clone(),
-        };
-        if self.decide(slip.sign().is_greater())? {
+        if self.has_stopped() {
+            return self.without_slip();
+        }
+        let slip = self.contact.slip().sign();
+        if self.decide(slip.is_greater())? {
             return Ok(Friction::Forward);
         }
-        if self.decide(slip.sign().is_less())? {
+        if self.decide(slip.is_less())? {
             return Ok(Friction::Backward);
         }
         self.without_slip()
     }
 
+    /// Without slip friction holds the contact if the cone allows, and else the contact slides the
+    /// way that it is pushed.
     fn without_slip(&self) -> Result<Friction, NoPath> {
         let (w, mu) = (self.contact.delassus(), self.contact.friction());
         let bound = mu.clone() * w.tt();
@@ -211,6 +211,10 @@ impl<'a, N: Real> Walk<'a, N> {
             return Ok(Friction::Backward);
         }
         Ok(Friction::Sticking)
+    }
+
+    fn has_stopped(&self) -> bool {
+        self.path.events.iter().any(|event| matches!(event.event, Event::Stick | Event::Reverse))
     }
 
     fn rates(&self, friction: Friction) -> Rates<N> {
@@ -227,15 +231,15 @@ impl<'a, N: Real> Walk<'a, N> {
     /// How far it is to `v_t` = 0, and what happens there.
     fn stop(&self, friction: Friction, rates: &Rates<N>) -> Result<Option<(Event, N)>, NoPath> {
         let slip = &self.last().slip;
+        if self.has_stopped() || self.decide(self.contact.slip().sign().is_equal())? {
+            return Ok(None);
+        }
         let towards = match friction {
             Friction::Forward => rates.slip.sign().is_less(),
             Friction::Backward => rates.slip.sign().is_greater(),
             Friction::Sticking => Some(false),
         };
-        if matches!(self.last().event, Event::Stick | Event::Reverse)
-            || self.decide(slip.sign().is_equal())?
-            || !self.decide(towards)?
-        {
+        if !self.decide(towards)? {
             return Ok(None);
         }
         let event = match self.without_slip()? {
