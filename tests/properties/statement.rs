@@ -165,7 +165,7 @@ impl LawVisitor for Solve<'_> {
             Ok(outcome) => vec![outcome.slip / exact.slip()],
             // what its acceptance or its gap forbids is not a solution of the statement alone
             Err(NoImpulse::Outside { .. }) => Vec::new(),
-            Err(error) => panic!("{error}"),
+            Err(error) => unreachable!("exact numbers decide: {error}"),
         };
         self.solved += solutions.len();
         let refused = computed.is_empty() && law.gap().is_some();

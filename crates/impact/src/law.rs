@@ -41,6 +41,9 @@ pub struct Root<L, N> {
     pub between: fn(&L, &Contact<N>) -> (N, N),
 }
 
+/// A formula of a regime: field arithmetic in the law, the contact and the root.
+pub type Formula<L, N, T> = fn(&L, &Contact<N>, &N) -> T;
+
 /// A part of the domain on which the impulse is one branch-free formula.
 ///
 /// Regimes are written for contacts that face forwards; the others are their mirror images, so
@@ -54,11 +57,11 @@ pub struct Regime<L: 'static, N: 'static> {
     /// The root that the formulas may use; without one they are given zero.
     pub root: Option<Root<L, N>>,
     /// The impulse in N·s, by field arithmetic in the contact and the root.
-    pub impulse: fn(&L, &Contact<N>, &N) -> Impulse<N>,
+    pub impulse: Formula<L, N, Impulse<N>>,
     /// `v_t⁺`, where v + W·p would cancel; m/s.
-    pub slip: Option<fn(&L, &Contact<N>, &N) -> N>,
+    pub slip: Option<Formula<L, N, N>>,
     /// The work of friction, where `p_t`·(`v_t` + `v_t⁺`)/2 would cancel; J.
-    pub work: Option<fn(&L, &Contact<N>, &N) -> N>,
+    pub work: Option<Formula<L, N, N>>,
 }
 
 /// Why a law gives no impulse.
@@ -261,7 +264,7 @@ impl<L: ImpactLaw, N: Number> Regime<L, N> {
     pub(crate) const fn new(
         name: &'static str,
         guards: &'static [Guard<L, N>],
-        impulse: fn(&L, &Contact<N>, &N) -> Impulse<N>,
+        impulse: Formula<L, N, Impulse<N>>,
     ) -> Self {
         Self { name, guards, root: None, impulse, slip: None, work: None }
     }

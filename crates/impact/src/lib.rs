@@ -65,6 +65,6 @@ pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
 pub use impulse::Impulse;
 pub use invalid::InvalidInput;
-pub use law::{Chosen, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
+pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
 pub use outcome::{Outcome, Work};
 pub use spatial::{SpatialDelassus, Symmetric};

@@ -94,11 +94,14 @@ fn narrow_outcome<N: Real>(wide: &Outcome<Wide<N>>) -> Result<Outcome<N>, Invali
     Ok(narrowed)
 }
 
+/// An outcome as computed, and as rounded.
+type Resolved<N> = (Outcome<Wide<N>>, Outcome<N>);
+
 /// Resolves a wide contact, and narrows the outcome.
 fn resolve<L: ImpactLaw, N: Real>(
     law: &L,
     contact: &Contact<Wide<N>>,
-) -> Result<(Outcome<Wide<N>>, Outcome<N>), CollideError<N>> {
+) -> Result<Resolved<N>, CollideError<N>> {
     let wide = law.resolve(contact)?;
     let narrowed = narrow_outcome(&wide)?;
     Ok((wide, narrowed))
