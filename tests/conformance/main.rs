@@ -6,11 +6,14 @@ mod adversarial; // what is too large ends soon
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod generate; // random statements
+mod laws_page; // docs/laws.md is what the laws say of themselves
 mod layering; // which crate may know which, and what the kernel links
+mod literature; // printed numbers and measured points
 mod mutation; // certificates changed in one place
 mod one_variable; // one variable is complete
 mod sampling; // points at which hypotheses hold, without the kernel
 mod semantics; // one small document a rule of the language
 mod several_variables; // sixty claims, and how many are decided
 mod soundness; // nothing false is accepted
+mod spatial; // the planar code against three dimensions
 mod support; // chance, documents, goals

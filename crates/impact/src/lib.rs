@@ -56,6 +56,7 @@ mod law;
 pub mod laws;
 pub mod oracle;
 mod outcome;
+mod spatial;
 
 pub mod puzzle;
 
@@ -66,3 +67,4 @@ pub use impulse::Impulse;
 pub use invalid::InvalidInput;
 pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
 pub use outcome::{Outcome, Work};
+pub use spatial::{SpatialDelassus, Symmetric};

@@ -1,7 +1,7 @@
 //! Bodies: what a contact is made of, in physical inputs, and how they move afterwards.
 //!
 //! Whatever is formed from the data of bodies, the slip above all, is formed in the wider companion
-//! of the number system ([`Number::Wide`](kane_number::Number::Wide)) and rounded once. For `f64`
+//! of the number system ([`Number::Wide`]) and rounded once. For `f64`
 //! that is a double-double with an exponent of its own, so that nothing cancels, overflows or
 //! underflows on the way.
 

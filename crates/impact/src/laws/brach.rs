@@ -9,13 +9,18 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 /// A given ratio of the impulses, `p_t` = −`μ_B`·`p_n`, admitted where it does not create energy
 /// (id `brach`).
 ///
-/// `μ_B` is a datum of the collision, given here as a share of μ: i_x = `μ_B`/μ. Where the contact
-/// does not couple, k = 1 − 2α·i_x, and the bound on the tangential energy alone would be `μ_B` ≤
-/// 2·`μ_c` with the ratio `μ_c` = μ/(2α) that just stops the slip. The bound used here is on all
-/// energy, ΔT ≤ 0.
+/// `μ_B` is a datum of the collision, given here as a share of μ: `i_x` = `μ_B`/μ. Where the
+/// contact does not couple, k = 1 − 2α·`i_x`, and the bound on the tangential energy alone would be
+/// `μ_B` ≤ 2·`μ_c` with the ratio `μ_c` = μ/(2α) that just stops the slip. The bound used here is
+/// on all energy, ΔT ≤ 0.
 ///
-/// Source: R. M. Brach, J. Appl. Mech. 51 (1984) 164–170 and 56 (1989) 133–138, from memory of their
-/// use in the literature; the energy bound is derived here from ΔT = p·(v + v⁺)/2.
+/// Domain: contacts on which the ratio has a normal impulse that pushes, `W_nn` > `μ_B`·`W_tn`, and
+/// creates no energy; elsewhere, and so for large α, the law has no answer. Without tangential
+/// impulse at `v_t` = 0. Exact in exact numbers.
+///
+/// Source: R. M. Brach, J. Appl. Mech. 51 (1984) 164–170 and 56 (1989) 133–138, from memory of
+/// their use in the literature, originals not consulted; the energy bound is derived here from ΔT =
+/// p·(v + v⁺)/2.
 ///
 /// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -8,7 +8,8 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 /// Between the frictionless and the sticking plastic impulse, inside the cone (id
 /// `chatterjee-ruina`).
 ///
-/// With the plastic impulses p_I = (0, a/`W_nn`) without friction and p_II = −W⁻¹·v of sticking,
+/// With the plastic impulses `p_I` = (0, a/`W_nn`) without friction and `p_II` = −W⁻¹·v of
+/// sticking,
 ///
 /// ```text
 /// p = (1 + e)·p_I + (1 + e_t)·(p_II − p_I)         if that is inside the friction cone,
@@ -16,12 +17,16 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 /// ```
 ///
 /// Both plastic impulses end with `v_n` = 0, so e is Newton's coefficient. On a sphere, k =
-/// max(−e_t, 1 − 2α). Energy never rises for 0 ≤ e ≤ 1 and −1 ≤ e_t ≤ 1.
+/// max(−`e_t`, 1 − 2α). Energy never rises for 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1.
 ///
-/// Source: A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939–951, in the form of a published
-/// implementation of it; abstract consulted.
+/// Domain: every contact, with 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1; the range of `e_t` is the caller's.
+/// Exact in exact numbers.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// Source: A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939–951, in the form in which the
+/// public library OpenTissue implements it; abstract consulted, original not consulted.
+///
+/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
+/// few ulp.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChatterjeeRuina {
     /// e_t, the tangential restitution, −1 ≤ e_t ≤ 1.

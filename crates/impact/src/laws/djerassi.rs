@@ -11,10 +11,15 @@ use crate::{Contact, ImpactLaw, Impulse, Regime, Restitution};
 /// The impulse of [`RouthNewton`](crate::laws::RouthNewton); where it would create energy the law
 /// has no answer. On a sphere it always has one.
 ///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37–54, part A, from memory of its use in the
-/// literature: that Newton's hypothesis needs criteria of acceptance; the criterion is ours.
+/// Domain: contacts on which that impulse creates no energy, among them all that do not couple,
+/// with k = max(0, 1 − 2α); elsewhere the law has no answer. Exact in exact numbers.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37–54, part A, from memory of its use in the
+/// literature: that Newton's hypothesis needs criteria of acceptance; original not consulted, and
+/// the criterion is ours.
+///
+/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
+/// few ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiNewton;
 
@@ -22,10 +27,14 @@ pub struct DjerassiNewton;
 ///
 /// The impulse of [`Keller1986`](crate::laws::Keller1986), always accepted.
 ///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B; introduction of its sequel
-/// consulted: the solution exists, is unique, coherent and energy-consistent.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B, original not consulted;
+/// introduction of its sequel consulted: the solution exists, is unique, coherent and
+/// energy-consistent.
+///
+/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
+/// few ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiPoisson;
 
@@ -33,11 +42,15 @@ pub struct DjerassiPoisson;
 ///
 /// The impulse of [`Stronge1990`](crate::laws::Stronge1990), always accepted.
 ///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B; introduction of its sequel
-/// consulted.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
+/// algebraic ones hold the square root, rational ones only where it is rational, as it always is
+/// without coupling.
 ///
-/// With coupling plain floats are heuristic once the slip has stopped, and intervals enclose the
-/// impulse.
+/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B, original not consulted;
+/// introduction of its sequel consulted.
+///
+/// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
+/// stopped, plain floats have no bound, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiStronge;
 

@@ -11,6 +11,9 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 ///
 /// Friction does no work: Δe = 0. Coulomb's bound is not asked; on a sphere it is kept for α ≥ 1.
 ///
+/// Domain: contacts on which the reversal has a normal impulse that pushes, among them all that do
+/// not couple, with `i_x` = 1/α; elsewhere the law has no answer. Exact in exact numbers.
+///
 /// Source: R. L. Garwin, Am. J. Phys. 37 (1969) 88–92, for e = 1; abstract consulted.
 ///
 /// In floats, barring under- and overflow, within 4 ulp where the contact does not couple.
@@ -22,7 +25,10 @@ pub struct Garwin;
 /// Sliding forwards all the time if it does not reverse the slip entirely, else [`Garwin`]'s
 /// reversal.
 ///
-/// Source: Garwin's law with Coulomb's bound, as used for balls by Cross (2002); derived here.
+/// Domain: that of [`Garwin`], and all contacts that slide. Exact in exact numbers.
+///
+/// Source: Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original
+/// not consulted; derived here.
 ///
 /// In floats, barring under- and overflow, within 7 ulp where the contact does not couple.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

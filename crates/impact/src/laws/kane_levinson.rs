@@ -8,17 +8,19 @@ use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
 
 /// Friction that opposes the slip *after* the collision (id `kane-levinson`).
 ///
-/// With Newton's restitution: if the impulse that ends with v_t⁺ = 0 lies in the friction cone, the
-/// contact sticks; otherwise `p_t` = −μ·`p_n`·sgn(v_t⁺), with the sign for which that holds. Exactly
-/// one of the three is consistent, because v_t⁺ grows with `p_t`/`p_n` wherever `p_n` > 0. On a sphere
-/// this is k = max(0, 1 − 2α). On a contact that couples it may create energy: this is the setting
-/// in which Kane found his puzzle.
+/// With Newton's restitution: if the impulse that ends with `v_t⁺` = 0 lies in the friction cone,
+/// the contact sticks; otherwise `p_t` = −μ·`p_n`·sgn(`v_t⁺`), with the sign for which that holds.
+/// Exactly one of the three is consistent, because `v_t⁺` grows with `p_t`/`p_n` wherever
+/// `p_n` > 0. On a sphere this is k = max(0, 1 − 2α). On a contact that couples it may create
+/// energy: this is the setting in which Kane found his puzzle.
+///
+/// Domain: every contact. Exact in exact numbers.
 ///
 /// Source: T. R. Kane and D. A. Levinson, *Dynamics: Theory and Applications* (1985), as quoted in
 /// the literature on the puzzle; original not consulted.
 ///
-/// In floats each regime is a quotient of few terms; with coupling they may cancel, and the bound is
-/// the width of the result on intervals.
+/// In floats each regime is a quotient of few terms; with coupling they may cancel, and the bound
+/// is the width of the result on intervals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KaneLevinson;
 

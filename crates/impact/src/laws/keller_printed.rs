@@ -7,12 +7,15 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 
 /// Two straight pieces: k = 1 − 4α/3 while k > 0, then k = 1/2 − 2α/3 (id `keller-printed`).
 ///
-/// The friction that momentum needs for it is i_x = 2/3 on the first piece and 1/3 + 1/(4α) on the
-/// second. Energy is created for α > 9/4. Only for contacts that do not couple. This is not the law
-/// of Keller's paper, for which see [`Keller1986`](crate::laws::Keller1986).
+/// The friction that momentum needs for it is `i_x` = 2/3 on the first piece and 1/3 + 1/(4α) on
+/// the second. Energy is created for α > 9/4. Only for contacts that do not couple. This is not the
+/// law of Keller's paper, for which see [`Keller1986`](crate::laws::Keller1986).
 ///
-/// Source: Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which
-/// contradicts momentum; we follow (26).
+/// Domain: contacts that do not couple; without tangential impulse at `v_t` = 0. Exact in exact
+/// numbers.
+///
+/// Source: Wang, Su and Li, equation (26). Their (27) prints `i_x` = 1/3 on the second piece, which
+/// contradicts momentum; we follow (26). Original consulted.
 ///
 /// In floats, barring under- and overflow, at most 7 roundings of positive terms, 7 ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -17,16 +17,20 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Restitution, R
 /// p_f = (1 + e)·a/a1      while slip lasts           p_f = p_s + (e·a − v_s)/a2   after it stopped
 /// ```
 ///
-/// A contact jams where a1 ≤ 0: sliding cannot separate the bodies, and the slip always stops first.
-/// On a sphere, k = max(0, 1 − 2α). With coupling, Newton's coefficient may create energy.
+/// A contact jams where a1 ≤ 0: sliding cannot separate the bodies, and the slip always stops
+/// first. On a sphere, k = max(0, 1 − 2α). With coupling, Newton's coefficient may create energy.
 ///
 /// Without approach, a = 0, there is no collision and no impulse, even where a contact that jams
 /// would start one.
 ///
-/// Source: E. J. Routh, *Dynamics of a System of Rigid Bodies*, for the process; closed form derived
-/// here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635–642.
+/// Domain: every contact. Exact in exact numbers.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// Source: E. J. Routh, *Dynamics of a System of Rigid Bodies*, for the process; closed form
+/// derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635–642, abstract
+/// consulted; Routh's original not consulted.
+///
+/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
+/// few ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RouthNewton;
 
@@ -35,9 +39,14 @@ pub struct RouthNewton;
 /// The process of [`RouthNewton`]; the collision ends when the normal impulse is (1 + e) times that
 /// of compression, `p_f` = (1 + e)·`p_c` with `v_n`(`p_c`) = 0. Energy never rises for 0 ≤ e ≤ 1.
 ///
-/// Source: J. B. Keller, J. Appl. Mech. 53 (1986) 1–4, abstract consulted; closed form derived here.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// Source: J. B. Keller, J. Appl. Mech. 53 (1986) 1–4, abstract consulted: Coulomb friction at every
+/// instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from
+/// memory of the literature; closed form derived here.
+///
+/// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
+/// few ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keller1986;
 
@@ -47,11 +56,15 @@ pub struct Keller1986;
 /// the normal work of compression. If the slip stops before, that takes a square root. Energy never
 /// rises for 0 ≤ e ≤ 1.
 ///
-/// Source: W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169–181 and J. Appl. Mech. 58 (1991)
-/// 1049–1055, abstracts consulted; closed form derived here.
+/// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
+/// algebraic ones hold the square root, rational ones only where it is rational, as it always is
+/// without coupling.
 ///
-/// With coupling plain floats are heuristic once the slip has stopped, and intervals enclose the
-/// impulse.
+/// Source: W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169–181, from memory of its use in the
+/// literature, and J. Appl. Mech. 58 (1991) 1049–1055, abstract consulted; closed form derived here.
+///
+/// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
+/// stopped, plain floats have no bound, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stronge1990;
 

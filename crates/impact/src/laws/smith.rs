@@ -7,9 +7,9 @@ use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Root};
 
 /// Friction along the mean of the slip before and after, weighted by speed (id `smith-1991`):
-/// `p_t` = −μ·`p_n`·(|v|·v + |v⁺|·v⁺)/(v² + v⁺²), that is i_x = (1 + k·|k|)/(1 + k²).
+/// `p_t` = −μ·`p_n`·(|v|·v + |v⁺|·v⁺)/(v² + v⁺²), that is `i_x` = (1 + k·|k|)/(1 + k²).
 ///
-/// Where the contact does not couple, for v_t > 0,
+/// Where the contact does not couple, for `v_t` > 0,
 ///
 /// ```text
 /// k = 1 − 2α                    i_x = 1            α ≤ 1/2
@@ -17,8 +17,12 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Root};
 /// ```
 ///
 /// With coupling and a slip that reverses, k is the root of a cubic equation; exactly one has
-/// `p_n` > 0 and k < 0, because i_x grows with k and k falls as i_x grows. Friction never gains energy
-/// and stays in the cone. At v_t = 0 the contact slides along `W_tn` if that accelerates, else sticks.
+/// `p_n` > 0 and k < 0, because `i_x` grows with k and k falls as `i_x` grows. Friction never gains
+/// energy and stays in the cone. At `v_t` = 0 the contact slides along `W_tn` if that accelerates,
+/// else sticks.
+///
+/// Domain: every contact. Exact in exact numbers: algebraic ones hold the root, rational ones only
+/// where it is rational, and always where the slip is not reversed.
 ///
 /// Source: C. E. Smith, J. Appl. Mech. 58 (1991) 754–758, as quoted by Chatterjee and Ruina (1998);
 /// original not consulted.

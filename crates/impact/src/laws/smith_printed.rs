@@ -6,13 +6,16 @@ use super::whittaker_uncapped::{JAM, frictionless};
 use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
 
-/// Sliding with the share η of the friction: i_x = η (id `smith-printed`).
+/// Sliding with the share η of the friction: `i_x` = η (id `smith-printed`).
 ///
 /// Where the contact does not couple, k = 1 − 2η·α. Energy is created for α > 1/η. This is not the
 /// law of Smith's paper, for which see [`Smith1991`](crate::laws::Smith1991).
 ///
-/// Source: Wang, Su and Li, the text above equation (24), with η = 0.4; their (25) prints `i_xW` = 1
-/// for it, which contradicts momentum.
+/// Domain: contacts on which the ratio has a normal impulse that pushes, `W_nn` > η·μ·`W_tn`;
+/// without tangential impulse at `v_t` = 0. Exact in exact numbers.
+///
+/// Source: Wang, Su and Li, the text above equation (24), with η = 0.4; their (25) prints `i_xW` =
+/// 1 for it, which contradicts momentum. Original consulted.
 ///
 /// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
 #[derive(Clone, Debug, PartialEq, Eq)]

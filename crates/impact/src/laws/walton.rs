@@ -8,9 +8,12 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
 ///
-/// Sliding forwards all the time if it ends with v_t⁺ ≥ −β0·v_t; else the impulse that ends with
-/// v_t⁺ = −β0·v_t. The law is published for spheres; carried over to contacts that couple it may
-/// leave the friction cone, and where its normal impulse would pull it has no answer.
+/// Sliding forwards all the time if it ends with `v_t⁺` ≥ −β0·`v_t`; else the impulse that ends
+/// with `v_t⁺` = −β0·`v_t`. The law is published for spheres; carried over to contacts that couple
+/// it may leave the friction cone, and where its normal impulse would pull it has no answer.
+///
+/// Domain: contacts on which the rebound has a normal impulse that pushes, among them all that do
+/// not couple, with 0 ≤ β0 ≤ 1; the range of β0 is the caller's. Exact in exact numbers.
 ///
 /// Source: O. R. Walton, in *Particulate Two-Phase Flow*, ed. Roco (1993), as quoted by Foerster et
 /// al. (1994); original not consulted. The default β0 = 0.44 is theirs for glass spheres, from

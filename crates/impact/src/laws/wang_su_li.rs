@@ -6,29 +6,32 @@ use crate::arithmetic::two_sum;
 use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
 
-/// Friction that fades from sliding to reversal: i_x = (1 + k)/2 (id `wang-su-li`).
+/// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
 ///
-/// Where the contact does not couple it gives, with momentum, for v_t > 0 and 0 ≤ α ≤ ∞,
+/// Where the contact does not couple it gives, with momentum, for `v_t` > 0 and 0 ≤ α ≤ ∞,
 ///
 /// ```text
 /// k = (1 − α)/(1 + α)    i_x = 1/(1 + α)    Δe = −1/(1 + α)²
 /// ```
 ///
-/// Source: X. Wang, Q. Su, S. Li, "Resolving Kane's Puzzle in Oblique Collisions of Rigid
-/// Bodies", equations (15) to (17) and (19). Theirs is v_t > 0; here the law is total: odd in the
-/// slip, and without tangential impulse at v_t = 0, where I_x = μ·I_y/(1 + α) tends to zero from
-/// both sides. At μ·I_y = 0 and v_t ≠ 0 nothing happens, k = 1.
+/// Source: X. Wang, Q. Su, S. Li, "Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies",
+/// equations (15) to (17) and (19); original consulted. Theirs is `v_t` > 0; here the law is total:
+/// odd in the slip, and without tangential impulse at `v_t` = 0, where `I_x` = μ·`I_y`/(1 + α)
+/// tends to zero from both sides. At μ·`I_y` = 0 and `v_t` ≠ 0 nothing happens, k = 1.
 ///
-/// They derive it for a sphere. On a contact that couples, the ansatz i_x = (1 + k)/2 with Newton's
-/// restitution is a quadratic equation in k, of which exactly one root has `p_n` > 0: friction then
-/// never gains energy, but may leave the friction cone (k > 1). At v_t = 0 the limit is taken,
-/// which is sticking.
+/// They derive it for a sphere. On a contact that couples, the ansatz `i_x` = (1 + k)/2 with
+/// Newton's restitution is a quadratic equation in k, of which exactly one root has `p_n` > 0:
+/// friction then never gains energy, but may leave the friction cone (k > 1). At `v_t` = 0 the
+/// limit is taken, which is sticking.
 ///
-/// The impulse is formed from homogeneous quantities, I_x = S·q/(q + `W_tt`·S) with q = 2·v_t and
-/// S = μ·I_y, so that α need not exist. In floats, barring under- and overflow, and to first order
-/// in the unit roundoff, a contact whose entries are each rounded once gives I_x within 13/2 ulp:
-/// S has four errors of at most one ulp, weighted by 1/(1 + α), q and `W_tt` have one each, weighted
-/// by α/(1 + α), and sum, quotient and product add 1 + 1 + 1/2. From an exact α,
+/// Domain: every contact. Exact in exact numbers; with coupling algebraic ones hold the root, and
+/// rational ones only where it is rational.
+///
+/// The impulse is formed from homogeneous quantities, `I_x` = S·q/(q + `W_tt`·S) with q = 2·`v_t`
+/// and S = μ·`I_y`, so that α need not exist. In floats, barring under- and overflow, and to first
+/// order in the unit roundoff, a contact whose entries are each rounded once gives `I_x` within
+/// 13/2 ulp: S has four errors of at most one ulp, weighted by 1/(1 + α), q and `W_tt` have one
+/// each, weighted by α/(1 + α), and sum, quotient and product add 1 + 1 + 1/2. From an exact α,
 /// [`ratios`](ImpactLaw::ratios) gives k within 51/100 ulp, `i_x` within 3/2 and Δe within 4. With
 /// coupling plain floats are heuristic, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

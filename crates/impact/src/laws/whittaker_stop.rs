@@ -10,16 +10,19 @@ use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
 /// (id `whittaker-stop`).
 ///
 /// If sliding forwards all the time would reverse the slip, the surfaces are taken as perfectly
-/// rough instead: the impulse is what ends with v_t⁺ = 0. No test asks whether that impulse is
+/// rough instead: the impulse is what ends with `v_t⁺` = 0. No test asks whether that impulse is
 /// inside the friction cone; on a sphere it always is. On a contact that couples it may not be, and
 /// where it would pull the bodies together the law has no answer.
+///
+/// Domain: contacts on which sliding or stopping has a normal impulse that pushes, among them all
+/// that do not couple. Exact in exact numbers.
 ///
 /// Source: the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not
 /// consulted.
 ///
-/// In floats, barring under- and overflow, each regime is a quotient of few positive terms where the
-/// contact does not couple: the impulse is within 6 ulp. With coupling the bound is the width of the
-/// result on intervals.
+/// In floats, barring under- and overflow, each regime is a quotient of few positive terms where
+/// the contact does not couple: the impulse is within 6 ulp. With coupling the bound is the width
+/// of the result on intervals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WhittakerStop;
 

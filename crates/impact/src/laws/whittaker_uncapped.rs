@@ -5,18 +5,21 @@ use kane_number::{Number, Rational};
 use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, Impulse, Regime};
 
-/// Friction that slides to the end, whatever the slip does: i_x = 1 (id `whittaker-uncapped`).
+/// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
-/// Where the contact does not couple, for v_t > 0 and 0 ≤ α < ∞,
+/// Where the contact does not couple, for `v_t` > 0 and 0 ≤ α < ∞,
 ///
 /// ```text
 /// k = 1 − 2α    i_x = 1    Δe = α − 1
 /// ```
 ///
 /// so that energy is created for large α; this is Kane's puzzle. Odd in the slip, and without
-/// tangential impulse at v_t = 0, where the law jumps from −μ·I_y to μ·I_y. On a contact that
-/// couples, `p_n` = (1 + e)·a/(`W_nn` − μ·`W_tn`); where that denominator is not positive the contact
-/// jams, and sliding in one direction has no admissible impulse.
+/// tangential impulse at `v_t` = 0, where the law jumps from −μ·`I_y` to μ·`I_y`. On a contact that
+/// couples, `p_n` = (1 + e)·a/(`W_nn` − μ·`W_tn`); where that denominator is not positive the
+/// contact jams, and sliding in one direction has no admissible impulse.
+///
+/// Domain: contacts with `W_nn` > μ·`W_tn`, among them all that do not couple; elsewhere the law
+/// has no answer. k has no limit for α → ∞. Exact in exact numbers.
 ///
 /// Source: E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original
 /// not consulted. As published the law is said to stop the slip at zero; this is the form without
