@@ -86,25 +86,36 @@ impl ImpactLaw for ChatterjeeRuina {
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
         const {
             &[
-                Regime::new(
-                    "inside the cone",
-                    guards![
-                        Guard::new(Relation::NotNegative, |law: &Self, contact: &Contact<N>| {
-                            law.margin(contact, |t| t)
-                        }),
-                        Guard::new(Relation::NotNegative, |law: &Self, contact: &Contact<N>| {
-                            law.margin(contact, |t| -t)
-                        }),
-                    ],
-                    |law, contact, _| {
-                        let (tangential, normal) = law.numerators(contact);
-                        let determinant = contact.delassus().determinant();
-                        Impulse {
-                            tangential: tangential / &determinant,
-                            normal: normal / determinant,
-                        }
-                    },
-                ),
+                Regime {
+                    // v_t⁺ = −e_t·v_t + (e − e_t)·a·W_tn/W_nn, from W·p_I and W·p_II
+                    slip: Some(|law: &Self, contact: &Contact<N>, _| {
+                        let restitution = N::from_rational(&law.restitution);
+                        let (w, e) = (contact.delassus(), contact.restitution().clone());
+                        let pushed = (e - &restitution) * contact.approach() * w.tn() / w.nn();
+                        pushed - restitution * contact.slip()
+                    }),
+                    ..Regime::new(
+                        "inside the cone",
+                        guards![
+                            Guard::new(
+                                Relation::NotNegative,
+                                |law: &Self, contact: &Contact<N>| { law.margin(contact, |t| t) }
+                            ),
+                            Guard::new(
+                                Relation::NotNegative,
+                                |law: &Self, contact: &Contact<N>| { law.margin(contact, |t| -t) }
+                            ),
+                        ],
+                        |law, contact, _| {
+                            let (tangential, normal) = law.numerators(contact);
+                            let determinant = contact.delassus().determinant();
+                            Impulse {
+                                tangential: tangential / &determinant,
+                                normal: normal / determinant,
+                            }
+                        },
+                    )
+                },
                 Regime::new(
                     "on the cone, against the slip",
                     guards![Guard::new(Relation::Negative, |law: &Self, contact: &Contact<N>| {
