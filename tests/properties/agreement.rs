@@ -23,7 +23,7 @@ use kane_impact::{Alpha, ImpactLaw, Ratios};
 use kane_number::{Binary, Number, Ordered, Rational, Real, decode, error_in_ulps};
 use proptest::prelude::*;
 
-use crate::strategies::{alpha, exact, float_sphere, map, sphere};
+use crate::strategies::{alpha, exact, float_sphere, sphere};
 use crate::{cases, rational, two_to};
 
 fn magnitude(number: Rational) -> Rational {
@@ -86,7 +86,7 @@ proptest! {
     /// r/J, 19u and u. The second order is far below u/100.
     #[test]
     fn exact_and_float_agree_on_spheres(float in float_sphere()) {
-        let truth = map(&float, |&x| exact(x));
+        let truth = float.map(|&x| exact(x));
         let (computed, rebound) = (float.collide(&WangSuLi)?, truth.collide(&WangSuLi)?);
         let near = |computed: f64, truth: &Rational, terms: &[(i32, Rational)]| {
             let bound = terms.iter().fold(rational(0, 1), |sum, (roundings, size)| {

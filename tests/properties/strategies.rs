@@ -107,19 +107,6 @@ pub(crate) fn float_sphere() -> impl Strategy<Value = SphereOnPlane<f64>> {
     )
 }
 
-/// The same sphere in another number system.
-pub(crate) fn map<A, B>(sphere: &SphereOnPlane<A>, to: impl Fn(&A) -> B) -> SphereOnPlane<B> {
-    let before = &sphere.before;
-    SphereOnPlane {
-        mass: to(&sphere.mass),
-        radius: to(&sphere.radius),
-        inertia: to(&sphere.inertia),
-        friction: to(&sphere.friction),
-        restitution: to(&sphere.restitution),
-        before: Motion { vx: to(&before.vx), vy: to(&before.vy), omega: to(&before.omega) },
-    }
-}
-
 pub(crate) fn exact(float: f64) -> Rational {
     decode(float).expect("the strategy gives finite floats")
 }

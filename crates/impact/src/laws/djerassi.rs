@@ -1,9 +1,6 @@
 //! Djerassi's solutions of the planar collision with friction.
 
-use kane_number::{Number, Rational};
-
-use super::routh::{UNCOUPLED, regimes};
-use crate::{Contact, ImpactLaw, Impulse, Regime, Restitution};
+use super::routh::process_law;
 
 /// Routh's process with Newton's restitution, accepted where energy does not rise (id
 /// `djerassi-newton`).
@@ -54,84 +51,11 @@ pub struct DjerassiPoisson;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiStronge;
 
-impl ImpactLaw for DjerassiNewton {
-    fn id(&self) -> &'static str {
-        "djerassi-newton"
-    }
-
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
-
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some("Newton's hypothesis would create energy here, so its solution is not accepted")
-    }
-
-    fn acceptance<N: Number>(&self, contact: &Contact<N>, impulse: &Impulse<N>) -> Option<N> {
-        Some(contact.energy_loss(impulse))
-    }
-
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(newton, newton)
-    }
-}
-
-impl ImpactLaw for DjerassiPoisson {
-    fn id(&self) -> &'static str {
-        "djerassi-poisson"
-    }
-
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
-
-    fn restitution(&self) -> Restitution {
-        Restitution::Poisson
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
-
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
-
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(poisson_compression, poisson_restitution)
-    }
-}
-
-impl ImpactLaw for DjerassiStronge {
-    fn id(&self) -> &'static str {
-        "djerassi-stronge"
-    }
-
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
-
-    fn restitution(&self) -> Restitution {
-        Restitution::Energetic
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
-
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
-
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(energetic_compression, energetic_restitution)
-    }
-}
+process_law!(
+    DjerassiNewton, "djerassi-newton", Newton: newton, newton,
+    "Newton's hypothesis would create energy here, so its solution is not accepted" by energy_loss
+);
+process_law!(DjerassiPoisson, "djerassi-poisson", Poisson: poisson_compression, poisson_restitution);
+process_law!(
+    DjerassiStronge, "djerassi-stronge", Energetic: energetic_compression, energetic_restitution
+);

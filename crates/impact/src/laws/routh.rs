@@ -1,9 +1,9 @@
 //! Coulomb friction at every instant of the impact, in closed form.
 
-use kane_number::{Number, Rational};
+use kane_number::Number;
 
 use crate::arithmetic::difference_of_products;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Restitution, Root};
+use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
 
 /// Routh's process with Newton's restitution (id `routh-newton`).
 ///
@@ -295,76 +295,53 @@ impl When {
 /// What the process comes to on a contact that does not couple, under every hypothesis.
 pub(crate) const UNCOUPLED: &str = "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0";
 
-impl ImpactLaw for RouthNewton {
-    fn id(&self) -> &'static str {
-        "routh-newton"
-    }
+/// The implementation of a law that is the process under one hypothesis.
+macro_rules! process_law {
+    ($law:ty, $id:literal, $hypothesis:ident: $compression:ident, $restitution:ident
+     $(, $refuses:literal by $acceptance:ident)?) => {
+        impl $crate::ImpactLaw for $law {
+            fn id(&self) -> &'static str {
+                $id
+            }
 
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
+            fn statement(&self) -> &'static str {
+                $crate::laws::routh::UNCOUPLED
+            }
 
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
+            fn is_stated_for_coupling(&self) -> bool {
+                false
+            }
 
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
+            fn restitution(&self) -> $crate::Restitution {
+                $crate::Restitution::$hypothesis
+            }
 
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(newton, newton)
-    }
+            fn normal_collision(&self) -> Option<kane_number::Rational> {
+                Some(kane_number::Number::zero())
+            }
+
+            $(
+                fn gap(&self) -> Option<&'static str> {
+                    Some($refuses)
+                }
+
+                fn acceptance<N: kane_number::Number>(
+                    &self,
+                    contact: &$crate::Contact<N>,
+                    impulse: &$crate::Impulse<N>,
+                ) -> Option<N> {
+                    Some(contact.$acceptance(impulse))
+                }
+            )?
+
+            fn regimes<N: kane_number::Number>(&self) -> &'static [$crate::Regime<Self, N>] {
+                $crate::laws::routh::regimes!($compression, $restitution)
+            }
+        }
+    };
 }
+pub(crate) use process_law;
 
-impl ImpactLaw for Keller1986 {
-    fn id(&self) -> &'static str {
-        "keller-1986"
-    }
-
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
-
-    fn restitution(&self) -> Restitution {
-        Restitution::Poisson
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
-
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
-
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(poisson_compression, poisson_restitution)
-    }
-}
-
-impl ImpactLaw for Stronge1990 {
-    fn id(&self) -> &'static str {
-        "stronge-1990"
-    }
-
-    fn statement(&self) -> &'static str {
-        UNCOUPLED
-    }
-
-    fn restitution(&self) -> Restitution {
-        Restitution::Energetic
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
-
-    fn normal_collision(&self) -> Option<Rational> {
-        Some(Rational::zero())
-    }
-
-    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        regimes!(energetic_compression, energetic_restitution)
-    }
-}
+process_law!(RouthNewton, "routh-newton", Newton: newton, newton);
+process_law!(Keller1986, "keller-1986", Poisson: poisson_compression, poisson_restitution);
+process_law!(Stronge1990, "stronge-1990", Energetic: energetic_compression, energetic_restitution);
