@@ -43,12 +43,16 @@
 //! assert!(witness.contains("e = 1"), "{witness}");
 //! ````
 //!
+//! [`collide`] puts one collision to every law, in every number system, and reports what they say.
+//!
 //! The laws themselves are in [`impact`], written once for every number system; its page has an
 //! example that runs. [`number`] is where floats and exact numbers meet.
 //!
 //! # Features
 //!
 //! `cli`, on by default: the program `kane` and everything that only it needs.
+
+pub mod collide;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;

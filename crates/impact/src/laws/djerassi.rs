@@ -45,6 +45,10 @@ impl ImpactLaw for DjerassiNewton {
         "djerassi-newton"
     }
 
+    fn source(&self) -> &'static str {
+        "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37-54, part A, from memory of its use in the literature; the criterion of acceptance is ours"
+    }
+
     fn statement(&self) -> &'static str {
         UNCOUPLED
     }
@@ -71,6 +75,10 @@ impl ImpactLaw for DjerassiPoisson {
         "djerassi-poisson"
     }
 
+    fn source(&self) -> &'static str {
+        "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B; introduction of its sequel consulted"
+    }
+
     fn statement(&self) -> &'static str {
         UNCOUPLED
     }
@@ -91,6 +99,10 @@ impl ImpactLaw for DjerassiPoisson {
 impl ImpactLaw for DjerassiStronge {
     fn id(&self) -> &'static str {
         "djerassi-stronge"
+    }
+
+    fn source(&self) -> &'static str {
+        "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B; introduction of its sequel consulted"
     }
 
     fn statement(&self) -> &'static str {

@@ -33,6 +33,10 @@ impl ImpactLaw for KellerPrinted {
         "keller-printed"
     }
 
+    fn source(&self) -> &'static str {
+        "Wang, Su and Li, equation (26); their (27) prints i_x = 1/3 on the second piece, which contradicts momentum"
+    }
+
     fn statement(&self) -> &'static str {
         "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0"
     }

@@ -286,6 +286,10 @@ impl ImpactLaw for RouthNewton {
         "routh-newton"
     }
 
+    fn source(&self) -> &'static str {
+        "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642"
+    }
+
     fn statement(&self) -> &'static str {
         UNCOUPLED
     }
@@ -302,6 +306,10 @@ impl ImpactLaw for RouthNewton {
 impl ImpactLaw for Keller1986 {
     fn id(&self) -> &'static str {
         "keller-1986"
+    }
+
+    fn source(&self) -> &'static str {
+        "J. B. Keller, J. Appl. Mech. 53 (1986) 1-4, abstract consulted; closed form derived here"
     }
 
     fn statement(&self) -> &'static str {
@@ -324,6 +332,10 @@ impl ImpactLaw for Keller1986 {
 impl ImpactLaw for Stronge1990 {
     fn id(&self) -> &'static str {
         "stronge-1990"
+    }
+
+    fn source(&self) -> &'static str {
+        "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181 and J. Appl. Mech. 58 (1991) 1049-1055, abstracts consulted; closed form derived here"
     }
 
     fn statement(&self) -> &'static str {

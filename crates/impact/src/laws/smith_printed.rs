@@ -38,6 +38,10 @@ impl ImpactLaw for SmithPrinted {
         "smith-printed"
     }
 
+    fn source(&self) -> &'static str {
+        "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_x = 1 for it, which contradicts momentum"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = eta"
     }
