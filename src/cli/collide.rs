@@ -70,6 +70,11 @@ fn collision(args: &CollideArgs) -> Result<Collision, Fault> {
     if let Some(law) = law {
         known_law(law)?;
     }
+    for (flag, value) in flags::pairs(&args.body) {
+        if value.starts_with("--") {
+            return Err(Fault::Message(format!("{flag} has no value: `{value}` follows")));
+        }
+    }
     let parameters = parameters(&args.param)?;
     let mut question = match &args.file {
         Some(path) => file::question(path, &args.body)?,
@@ -102,6 +107,11 @@ fn known_law(law: &str) -> Result<(), String> {
     if ids.contains(&law) {
         return Ok(());
     }
+    let family: Vec<&str> = ids.iter().copied().filter(|id| id.contains(law)).collect();
+    if !law.is_empty() && !family.is_empty() {
+        let family = family.join("` or `");
+        return Err(format!("--law: no law is called `{law}`; did you mean `{family}`?"));
+    }
     match nearest(law, ids.iter().copied()) {
         Some(near) => Err(format!("--law: no law is called `{law}`; did you mean `{near}`?")),
         None => Err(format!("--law: no law is called `{law}`; there are {}", ids.join(", "))),
@@ -117,7 +127,7 @@ fn parameters(given: &[String]) -> Result<Parameters, String> {
                 "--param: `{text}` has no value; write LAW.NAME=VALUE, as in walton.beta0=0.44"
             ));
         };
-        let value = number::read(value).map_err(|error| format!("--param {path}: {error}"))?;
+        let value = number::read(value).map_err(|error| format!("--param {path} {error}"))?;
         parameters.set(path, value).map_err(|error| format!("--param: {error}"))?;
     }
     Ok(parameters)

@@ -61,10 +61,7 @@ pub(super) fn of_contact<N: Real>(contact: &Contact<N>) -> Vec<Value<N>> {
     .into_iter()
     .map(|(quantity, value)| (quantity, Some(value.clone())))
     .chain([
-        (
-            quantity("S", "N·s", "mu*(1 + e)*a/W_nn, friction of full sliding"),
-            Some(contact.sliding_impulse()),
-        ),
+        (quantity("S", "N·s", "mu*(1 + e)*a/W_nn"), Some(contact.sliding_impulse())),
         (quantity("alpha", "", "W_tt*S/(2*v_t)"), contact.alpha()),
     ])
     .collect()

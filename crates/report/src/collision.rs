@@ -209,15 +209,15 @@ impl Given {
     }
 }
 
-/// A float with few digits, for a table.
+/// A float with four digits, for a table.
 fn brief(float: f64) -> String {
-    let rounded = format!("{float:.4e}");
+    let rounded = format!("{float:.3e}");
     let Some((mantissa, power)) = rounded.split_once('e') else { return rounded };
     let digits = mantissa.trim_end_matches('0').trim_end_matches('.');
     match power.parse::<i32>() {
         Ok(0) if digits == "0" || digits == "-0" => "0".to_owned(),
-        Ok(power @ -3..=4) => {
-            let places = usize::try_from(4 - power).unwrap_or(0);
+        Ok(power @ -3..=3) => {
+            let places = usize::try_from(3 - power).unwrap_or(0);
             format!("{float:.places$}")
         }
         _ => format!("{digits}e{power}"),
@@ -226,6 +226,9 @@ fn brief(float: f64) -> String {
 
 /// A float with all digits that identify it.
 fn full(float: f64) -> String {
+    if float == 0.0 {
+        return "0".to_owned();
+    }
     let text = format!("{float:?}");
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
@@ -253,10 +256,10 @@ mod tests {
         for (float, shown) in [
             (0.0, "0"),
             (-0.0, "0"),
-            (1.0, "1.0000"),
-            (-0.312_504, "-0.31250"),
-            (0.000_123_456, "1.2346e-4"),
-            (12_345.6, "12346"),
+            (1.0, "1.000"),
+            (-0.312_504, "-0.3125"),
+            (0.000_123_456, "1.235e-4"),
+            (12_345.6, "1.235e4"),
             (1e300, "1e300"),
         ] {
             assert_eq!(brief(float), shown);
@@ -267,6 +270,7 @@ mod tests {
     fn all_digits_are_those_that_identify_the_float() {
         assert_eq!(full(0.1), "0.1");
         assert_eq!(full(2.0), "2");
+        assert_eq!(full(-0.0), "0");
         assert_eq!(full(-1e300), "-1e300");
     }
 

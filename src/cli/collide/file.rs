@@ -179,7 +179,7 @@ impl Reader<'_> {
             _ => String::new(),
         };
         let value = read_in(&written, domain)
-            .map_err(|error| self.fault(number.span(), format!("{symbol}: {error}")))?;
+            .map_err(|error| self.fault(number.span(), format!("{symbol} {error}")))?;
         self.given.push(Given { symbol: symbol.to_owned(), value: written, unit, assumed: false });
         Ok(value)
     }
@@ -231,7 +231,7 @@ impl Reader<'_> {
                 // one turn and a bit: nobody means more
                 let degrees = self.number(degrees, (&symbol, "°"), Domain::Within(u8::MAX))?;
                 let direction = direction(&degrees);
-                self.notes.push(of_floats(&direction));
+                self.notes.push(of_floats(&direction, &symbol));
                 Ok(direction)
             }
             (None, Some(tangent)) => {

@@ -84,7 +84,7 @@ impl Reader {
         text: &str,
         domain: Domain,
     ) -> Result<Rational, String> {
-        let value = read_in(text, domain).map_err(|error| format!("--{flag}: {error}"))?;
+        let value = read_in(text, domain).map_err(|error| format!("--{flag} {error}"))?;
         self.note(symbol, text, unit, false);
         Ok(value)
     }
@@ -202,7 +202,7 @@ impl Reader {
             (Some(text), None) => {
                 let degrees = self.read(("angle", "angle", "°"), text, Domain::Within(90))?;
                 let direction = direction(&degrees);
-                self.notes.push(of_floats(&direction));
+                self.notes.push(of_floats(&direction, "angle"));
                 Ok(direction)
             }
             (None, Some(text)) => {
@@ -215,10 +215,10 @@ impl Reader {
 }
 
 /// Says what stands for an angle in degrees.
-pub(super) fn of_floats(direction: &Direction<Rational>) -> String {
+pub(super) fn of_floats(direction: &Direction<Rational>, angle: &str) -> String {
     let float = |x: &Rational| Algebraic::from(x.clone()).to_f64();
     format!(
-        "The direction is the float pair cos = {}, sin = {}, taken exactly.",
+        "The direction of {angle} is the float pair cos = {}, sin = {}, taken exactly.",
         float(&direction.cos),
         float(&direction.sin)
     )

@@ -1,6 +1,6 @@
 //! Exact numbers from what people type, and their domains.
 
-use kane::number::{Rational, Rounding, encode, parse};
+use kane::number::{ParseError, Rational, Rounding, encode, parse};
 
 /// What a value must be.
 #[derive(Clone, Copy, Debug)]
@@ -47,17 +47,31 @@ impl Domain {
 /// Reads an exact number of a size that floats have too.
 pub(super) fn read(text: &str) -> Result<Rational, String> {
     let value = parse(text).map_err(|error| {
-        let shown: String = text.chars().take(40).collect();
-        let more = if shown.len() < text.len() { "…" } else { "" };
-        format!("`{shown}{more}` is not a number: {error}; write a decimal (0.092, 1e-3) or a fraction (1/3)")
+        let hint = match error {
+            ParseError::TooManyDigits { .. } | ParseError::ExponentTooLarge { .. } => "",
+            _ => "; write a decimal (0.092, 1e-3) or a fraction (1/3)",
+        };
+        format!("cannot be {}: {error}{hint}", shown(text))
     })?;
     let float: f64 = encode(&value, Rounding::NearestEven);
     let zero = Rational::default();
     let vanishes = value != zero && kane::number::decode(float).is_ok_and(|float| float == zero);
     if !float.is_finite() || vanishes {
-        return Err("is beyond the range of f64, about 1e-323 to 1e308".to_owned());
+        return Err(format!("is {}, beyond the range of f64, about 1e-323 to 1e308", shown(text)));
     }
     Ok(value)
+}
+
+/// The text, or its beginning.
+fn shown(text: &str) -> String {
+    let start: String = text.chars().take(40).collect();
+    if start.is_empty() {
+        "empty".to_owned()
+    } else if start.len() < text.len() {
+        format!("{start}…")
+    } else {
+        start
+    }
 }
 
 /// Reads a number of a domain.
@@ -66,6 +80,6 @@ pub(super) fn read_in(text: &str, domain: Domain) -> Result<Rational, String> {
     if domain.holds(&value) {
         Ok(value)
     } else {
-        Err(format!("is {text}, but must be {}", domain.in_words()))
+        Err(format!("is {}, but must be {}", shown(text), domain.in_words()))
     }
 }

@@ -50,8 +50,8 @@ impl Column {
 }
 
 /// The lines of the table, in blocks of columns that fit into `width` and begin with the first
-/// column; blocks are separated by an empty line.
-pub(super) fn lines(columns: &[Column], width: usize) -> Vec<Vec<String>> {
+/// column. Words are cut there only if `cut`.
+pub(super) fn lines(columns: &[Column], width: usize, cut: bool) -> Vec<Vec<String>> {
     let Some((name, others)) = columns.split_first() else { return Vec::new() };
     let gap = 2;
     let mut blocks: Vec<Vec<&Column>> = Vec::new();
@@ -69,7 +69,10 @@ pub(super) fn lines(columns: &[Column], width: usize) -> Vec<Vec<String>> {
             }
         }
     }
-    blocks.iter().map(|block| block_lines(name, block, width)).collect()
+    blocks
+        .iter()
+        .map(|block| block_lines(name, block, if cut { width } else { usize::MAX }))
+        .collect()
 }
 
 fn block_lines(name: &Column, block: &[&Column], width: usize) -> Vec<String> {
@@ -131,9 +134,9 @@ mod tests {
             Column::right("k", cells(&["-0.5", "1"])),
             Column::right("v", cells(&["2", "3"])),
         ];
-        assert_eq!(lines(&columns, 20), [["law     k  v", "one  -0.5  2", "two     1  3"]]);
+        assert_eq!(lines(&columns, 20, true), [["law     k  v", "one  -0.5  2", "two     1  3"]]);
         assert_eq!(
-            lines(&columns, 10),
+            lines(&columns, 10, true),
             [["law     k", "one  -0.5", "two     1"], ["law  v", "one  2", "two  3"]]
         );
     }
@@ -144,7 +147,8 @@ mod tests {
             Column::left("law", cells(&["one"])),
             Column::words("regime", cells(&["sliding all the time"]), 6),
         ];
-        assert_eq!(lines(&columns, 15), [["law  regime", "one  sliding a…"]]);
+        assert_eq!(lines(&columns, 15, true), [["law  regime", "one  sliding a…"]]);
+        assert_eq!(lines(&columns, 15, false), [["law  regime", "one  sliding all the time"]]);
     }
 
     #[test]

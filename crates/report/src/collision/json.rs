@@ -122,7 +122,9 @@ struct Lanes {
 
 impl<'a> Reading<'a> {
     fn of(reading: &'a super::Reading) -> Self {
-        let finite = |float: f64| Some(float).filter(|float| float.is_finite());
+        // zero has no sign here
+        let positive = |float: f64| if float == 0.0 { 0.0 } else { float };
+        let finite = |float: f64| Some(float).filter(|float| float.is_finite()).map(positive);
         let lanes = reading.errors.map(|errors| Lanes {
             plain: reading.plain.and_then(finite),
             error_of_inputs: errors.inputs.and_then(finite),

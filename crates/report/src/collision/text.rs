@@ -7,36 +7,49 @@ use anstyle::{AnsiColor, Style};
 use super::columns::{Column, lines, wrapped};
 use super::{Answer, Collision, Energy, LawAnswer, Reading, brief, full, ulps};
 use crate::Page;
+use crate::shorten::padded;
 
 /// Columns of a page that has no width of its own, as in a file.
 const WIDTH: usize = 100;
 /// The least that the column of regimes is cut to.
-const REGIME: usize = 14;
+const REGIME: usize = 15;
+/// The least that the column of meanings is cut to.
+const MEANING: usize = 24;
+/// Columns of the words at the margin, over a table and in depth.
+const TABLE_LABEL: usize = 8;
+const DEPTH_LABEL: usize = 13;
 
 /// The collision as text.
 #[must_use]
 pub fn text(collision: &Collision, page: Page) -> String {
-    let width = page.width.unwrap_or(WIDTH);
+    // words run on in a file, as they do in the report of an audit
+    let (width, cut) = (page.width.unwrap_or(WIDTH), page.width.is_some());
     let ink = |style| if page.colour { style } else { Style::new() };
     let mut out = String::new();
     let _ = writeln!(out, "{}", collision.title);
     let bold = ink(Style::new().bold());
     let _ = writeln!(out, "{bold}{}{bold:#}\n", collision.headline());
+    let label = |word: &str| label(collision, word);
     let given: Vec<String> = collision.given.iter().map(super::Given::in_words).collect();
-    paragraph(&mut out, "given   ", &unbroken(&given), width);
+    paragraph(&mut out, &label("given"), &unbroken(&given), width);
     if !collision.in_depth {
         let before: Vec<String> = collision.before.iter().filter_map(in_words).collect();
-        paragraph(&mut out, "before  ", &unbroken(&before), width);
+        paragraph(&mut out, &label("before"), &unbroken(&before), width);
     }
     for note in &collision.notes {
-        paragraph(&mut out, "        ", note, width);
+        paragraph(&mut out, &label(""), note, width);
     }
     match collision.laws.first() {
-        Some(law) if collision.in_depth => depth(&mut out, law, width, ink(alarm())),
-        _ => table(&mut out, collision, width, ink(alarm())),
+        Some(law) if collision.in_depth => depth(&mut out, law, (width, cut), ink(alarm())),
+        _ => table(&mut out, collision, (width, cut), ink(alarm())),
     }
     let _ = writeln!(out, "\nkane {}: {}", env!("CARGO_PKG_VERSION"), collision.command);
     out.replace('\u{a0}', " ")
+}
+
+/// The words at the margin stand in one column.
+fn label(collision: &Collision, word: &str) -> String {
+    padded(word, if collision.in_depth { DEPTH_LABEL } else { TABLE_LABEL })
 }
 
 /// A list whose items are not torn at the end of a line.
@@ -61,7 +74,7 @@ fn paragraph(out: &mut String, head: &str, text: &str, width: usize) {
 }
 
 /// All laws, one line each; then those that have no outcome, with the reason.
-fn table(out: &mut String, collision: &Collision, width: usize, alarm: Style) {
+fn table(out: &mut String, collision: &Collision, (width, cut): (usize, bool), alarm: Style) {
     let outcomes: Vec<(&LawAnswer, &Answer)> = collision.outcomes().collect();
     if let Some((_, first)) = outcomes.first() {
         let names = outcomes.iter().map(|(law, _)| law.id.to_owned()).collect();
@@ -71,7 +84,7 @@ fn table(out: &mut String, collision: &Collision, width: usize, alarm: Style) {
         }
         let regimes = outcomes.iter().map(|(_, answer)| regime(answer)).collect();
         columns.push(Column::words("regime", regimes, REGIME));
-        for block in lines(&columns, width) {
+        for block in lines(&columns, width, cut) {
             out.push('\n');
             for (index, line) in block.iter().enumerate() {
                 let answer = index.checked_sub(1).and_then(|row| outcomes.get(row));
@@ -84,7 +97,7 @@ fn table(out: &mut String, collision: &Collision, width: usize, alarm: Style) {
     let creators = collision.creators();
     if !creators.is_empty() {
         out.push('\n');
-        paragraph(out, "creates energy: ", &creators.join(", "), width);
+        paragraph(out, "energy is created by: ", &creators.join(", "), width);
     }
     let without =
         collision.laws.iter().filter_map(|law| law.answer.as_ref().err().map(|e| (law, e)));
@@ -119,25 +132,25 @@ fn shown(reading: &Reading) -> String {
 
 fn regime(answer: &Answer) -> String {
     match answer.energy {
-        Energy::Created => format!("{} (creates energy)", answer.regime),
+        Energy::Created => format!("creates energy: {}", answer.regime),
         Energy::Lost | Energy::Kept => answer.regime.to_owned(),
     }
 }
 
 /// One law: what it says, every quantity in every number system, the checks.
-fn depth(out: &mut String, law: &LawAnswer, width: usize, alarm: Style) {
+fn depth(out: &mut String, law: &LawAnswer, (width, cut): (usize, bool), alarm: Style) {
     out.push('\n');
     let mut says = law.statement.lines();
-    paragraph(out, "law     ", law.id, width);
-    paragraph(out, "says    ", says.next().unwrap_or_default(), width);
+    paragraph(out, &padded("law", DEPTH_LABEL), law.id, width);
+    paragraph(out, &padded("says", DEPTH_LABEL), says.next().unwrap_or_default(), width);
     for line in says {
-        paragraph(out, "        ", line, width);
+        paragraph(out, &padded("", DEPTH_LABEL), line, width);
     }
-    paragraph(out, "ends    ", law.restitution, width);
+    paragraph(out, &padded("restitution", DEPTH_LABEL), law.restitution, width);
     let parameters: Vec<String> =
         law.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    paragraph(out, "with    ", &parameters.join(", "), width);
-    paragraph(out, "source  ", law.source, width);
+    paragraph(out, &padded("with", DEPTH_LABEL), &parameters.join(", "), width);
+    paragraph(out, &padded("source", DEPTH_LABEL), law.source, width);
     let answer = match &law.answer {
         Ok(answer) => answer,
         Err(reason) => {
@@ -146,7 +159,7 @@ fn depth(out: &mut String, law: &LawAnswer, width: usize, alarm: Style) {
             return;
         }
     };
-    paragraph(out, "regime  ", &regime(answer), width);
+    paragraph(out, &padded("regime", DEPTH_LABEL), &regime(answer), width);
 
     let readings: Vec<&Reading> =
         answer.readings.iter().filter(|reading| reading.exact.is_some()).collect();
@@ -156,17 +169,19 @@ fn depth(out: &mut String, law: &LawAnswer, width: usize, alarm: Style) {
     let float = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), full);
     let error = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), ulps);
     let errors = |reading: &Reading| reading.errors.unwrap_or_default();
-    let columns = [
+    let mut columns = vec![
         Column::left("quantity", column(&name)),
         Column::right("exact", column(&|r| r.exact.clone().unwrap_or_default())),
         Column::right("f64", column(&|r| float(r.float))),
         Column::right("inputs", column(&|r| error(errors(r).inputs))),
         Column::right("plain", column(&|r| error(errors(r).plain))),
         Column::right("wide", column(&|r| error(errors(r).wide))),
-        Column::left("enclosure of the exact value", column(&enclosure)),
-        Column::left("meaning", column(&|r| r.meaning.to_owned())),
     ];
-    for block in lines(&columns, width) {
+    if readings.iter().any(|reading| reading.enclosure.is_some()) {
+        columns.push(Column::left("enclosure of the exact value", column(&enclosure)));
+    }
+    columns.push(Column::words("meaning", column(&|r| r.meaning.to_owned()), MEANING));
+    for block in lines(&columns, width, cut) {
         out.push('\n');
         for line in block {
             let _ = writeln!(out, "{line}");
