@@ -3,6 +3,7 @@
 mod collide; // one collision under all laws, or under one in depth
 mod fixture;
 mod laws; // what the impact laws return, over a range of states
+mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 
 /// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.

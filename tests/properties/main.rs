@@ -2,14 +2,30 @@
 //!
 //! `PROPTEST_CASES` scales every property; 256 is the gate, 25600 asks a hundred times as much.
 
-/// Floats against exact numbers, and the two ways through the physics against each other.
+/// Floats against exact numbers in α, and the two ways through the physics against each other.
 mod agreement;
 /// The limits of normal collision and of non-collision, with their rates.
 mod connection;
+/// Contacts that couple, aimed at every guard.
+mod contacts;
+/// Exact arithmetic on floats without fractions.
+mod dyadic;
 /// Who creates energy, and exactly when.
 mod energy;
+/// The same on very many contacts, by intervals.
+mod long_run;
+/// Closed forms against the integration of their process.
+mod process;
+/// What every law does on any planar contact.
+mod rigid;
+/// Floats from physical inputs, of every size.
+mod rounding;
+/// What laws state, solved exactly, against their code.
+mod statement;
 /// Inputs for all of these.
 mod strategies;
+/// The code of the laws, run on symbols.
+mod symbolic;
 /// Mirror symmetry, zero slip, grazing, and inputs without any sense.
 mod totality;
 

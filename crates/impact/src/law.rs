@@ -112,9 +112,14 @@ pub trait ImpactLaw: Clone + 'static {
 
     /// What the law adds to momentum and restitution, in the derivation language, one claim a
     /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
-    /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters. Laws that integrate a process
-    /// state what it comes to where the contact does not couple.
+    /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.
     fn statement(&self) -> &'static str;
+
+    /// Whether the statement also determines the impulse on contacts that couple, or only, as for
+    /// the laws that integrate a process, what they come to where the contact does not.
+    fn is_stated_for_coupling(&self) -> bool {
+        true
+    }
 
     /// The law's own parameters by the names of the statement, beyond μ and e.
     fn parameters(&self) -> Vec<(&'static str, Rational)> {

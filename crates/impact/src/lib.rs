@@ -49,11 +49,15 @@ mod arithmetic;
 pub mod bodies;
 mod contact;
 mod delassus;
+pub mod double;
 mod impulse;
 mod invalid;
 mod law;
 pub mod laws;
+pub mod oracle;
 mod outcome;
+
+pub mod puzzle;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};

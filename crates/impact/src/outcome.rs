@@ -21,8 +21,9 @@ pub struct Outcome<N> {
 
 /// The work of an impulse: p·(v + v⁺)/2 in each direction; J, negative for a loss.
 ///
-/// On a sphere the tangential part is the change of tangential and rotational energy together
-/// (Wang, Su, Li, equation (18)). The sum is the change of all kinetic energy, for any bodies.
+/// The sum is exact for any bodies; the parts are those of an impulse spread evenly over the
+/// collision, which a [path](crate::oracle) may divide otherwise. On a sphere the tangential part is the change of tangential and rotational energy together
+/// (Wang, Su, Li, equation (18)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work<N> {
     /// `p_n`·(`v_n` + `v_n⁺`)/2.

@@ -44,6 +44,10 @@ pub struct DoubleDouble {
     low: f64,
 }
 
+/// 2^1000 and 2^−64, to divide the greatest numbers.
+const NEAR_OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
+const DOWN: f64 = f64::from_bits((1023 - 64) << 52);
+
 impl DoubleDouble {
     /// The sum of two floats of any size. Exact, unless it overflows.
     #[must_use]
@@ -126,6 +130,11 @@ impl DoubleDouble {
 
     /// Algorithm 17: one float quotient and its correction.
     fn quotient(&self, other: &Self) -> Self {
+        if self.high.abs() > NEAR_OVERFLOW && self.is_finite() {
+            // The product with the rounded quotient could overflow though the quotient does not.
+            let quotient = self.times(DOWN).quotient(other);
+            return Self::of((quotient.high / DOWN, quotient.low / DOWN));
+        }
         let quotient = self.high / other.high;
         if !quotient.is_finite() || other.high.is_infinite() {
             return Self::of((quotient, 0.0));
@@ -188,10 +197,10 @@ impl PartialOrd for DoubleDouble {
 }
 
 impl fmt::Display for DoubleDouble {
-    /// 33 significant digits, which identify the number unless its parts lie far apart.
+    /// 31 significant digits: every decimal of so many comes back as it was written.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self.to_rational() {
-            Ok(exact) => f.write_str(&significant(&exact, 33)),
+            Ok(exact) => f.write_str(&significant(&exact, 31)),
             Err(_) => write!(f, "{}", self.high),
         }
     }
@@ -222,7 +231,10 @@ impl Number for DoubleDouble {
     fn from_rational(exact: &Rational) -> Self {
         let high: f64 = encode(exact, Rounding::NearestEven);
         match decode(high) {
-            Ok(taken) => Self { high, low: encode(&(exact - taken), Rounding::NearestEven) },
+            // Near a tie the rest may round to the tie itself, and then the other float is high.
+            Ok(taken) => {
+                Self::of(fast_two_sum(high, encode(&(exact - taken), Rounding::NearestEven)))
+            }
             Err(_) => Self::from(high),
         }
     }

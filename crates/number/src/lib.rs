@@ -1,9 +1,46 @@
-//! Exact numbers, their floating-point counterparts, and the distance between them.
+//! Number systems, from floats to exact real algebraic numbers, and the distances between them.
 //!
-//! A law is written once over the trait [`Number`] and runs in every number system that
-//! implements it. This crate holds the two ends of that scale, exact rationals and IEEE floats,
-//! and the bridge between them: [`decode`] loses nothing, [`encode`] rounds correctly, and
-//! [`error_in_ulps`] says exactly how far a float is from the truth.
+//! A law is written once over the trait [`Number`] (with [`Ordered`] and [`Real`] for what needs
+//! an order or a root) and runs in every system that implements it:
+//!
+//! | system | what is exact | when to use it |
+//! |---|---|---|
+//! | `f32`, `f64` | nothing; each operation is the nearest float | speed |
+//! | [`DoubleDouble`] | nothing; 106 bits, relative error about 2^−104 | rounding errors of `f64` made visible |
+//! | [`Scaled`] | nothing; the same without over- or underflow | the quantities of a body, rounded once |
+//! | [`Interval`] | that the result lies inside | what is certain in spite of rounding |
+//! | [`Rational`] | all but irrational roots | the reference, and guards decided exactly |
+//! | [`Algebraic`] | everything, roots included | the reference for laws that take a root |
+//!
+//! ```
+//! use kane_number::{
+//!     Algebraic, DoubleDouble, Interval, Number, Rational, Real, Scaled, parse,
+//! };
+//!
+//! /// The greatest solution of a·x² = b between 0 and b.
+//! fn solve<N: Real>(a: &Rational, b: &Rational) -> Option<N> {
+//!     let [a, b] = [a, b].map(N::from_rational);
+//!     N::greatest_root(&[-b.clone(), N::zero(), a], &N::zero(), &b)
+//! }
+//!
+//! let (half, one, two) = (parse("1/2")?, parse("1")?, parse("2")?);
+//! assert_eq!(solve::<f64>(&one, &two), Some(1.4142135623730951));
+//! assert_eq!(solve::<f32>(&one, &two), Some(1.4142135));
+//! let shown = |root: Option<String>| root.unwrap_or_default();
+//! let double = solve::<DoubleDouble>(&one, &two).map(|x| x.to_string());
+//! assert!(shown(double).starts_with("1.4142135623730950488016887242"));
+//! assert_eq!(solve::<Scaled>(&one, &two).map(Scaled::to_f64), Some(1.4142135623730951));
+//! let enclosure = solve::<Interval>(&one, &two).map(|x| x.to_string());
+//! assert_eq!(shown(enclosure), "[1.414213562373095, 1.4142135623730951]");
+//! assert_eq!(solve::<Rational>(&one, &two), None);
+//! assert_eq!(solve::<Rational>(&half, &two), Some(two.clone()));
+//! assert_eq!(shown(solve::<Algebraic>(&one, &two).map(|x| x.to_string())), "sqrt(2)");
+//! # Ok::<(), kane_number::ParseError>(())
+//! ```
+//!
+//! The bridge between exact numbers and floats loses nothing that it need not: [`decode`] is
+//! exact, [`encode`] rounds correctly, and [`error_in_ulps`] says how far a float is from the
+//! truth.
 //!
 //! ```
 //! use kane_number::{Rounding, encode, error_in_ulps, parse};
@@ -15,8 +52,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Floats are taken apart and put together by their bits alone; float arithmetic is confined to
-//! the one private module that implements [`Number`] for `f32` and `f64`.
+//! Exact modules touch floats by their bits alone; float arithmetic is denied for the crate and
+//! allowed, with a reason, in each module that is made of it.
 #![deny(clippy::float_arithmetic)]
 
 mod algebraic;

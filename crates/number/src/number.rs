@@ -7,7 +7,9 @@ use crate::{Comparison, Rational};
 
 /// A number system in which a law can be evaluated: field operations and constants, no order.
 ///
-/// Implemented for [`Rational`] (exact), `f32` and `f64` (each operation correctly rounded).
+/// Implemented for [`Rational`] and [`Algebraic`](crate::Algebraic) (exact), `f32` and `f64` (each
+/// operation correctly rounded), [`DoubleDouble`](crate::DoubleDouble) and
+/// [`Scaled`](crate::Scaled) (bounded), and [`Interval`](crate::Interval) (enclosing).
 /// Operations take the right operand by value or by reference, so that numbers on the heap are
 /// not copied. Exact systems satisfy the field axioms; floats satisfy them up to rounding.
 ///
@@ -54,7 +56,8 @@ pub trait Number:
     #[must_use]
     fn from_rational(exact: &Rational) -> Self;
 
-    /// `self·factor + addend` with a single rounding.
+    /// `self·factor + addend` with a single rounding, or in systems wider than a float with a
+    /// bound that holds whatever cancels; each says which.
     ///
     /// A difference of nearly equal products keeps no correct digit if it is rounded twice, and
     /// then no error bound in ulps holds. Hence this is an operation of its own, without a

@@ -271,11 +271,11 @@ impl PartialOrd for Scaled {
 }
 
 impl fmt::Display for Scaled {
-    /// 33 significant digits; beyond 2^±16384 the mantissa and the power of two.
+    /// 31 significant digits; beyond 2^±16384 the mantissa and the power of two.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let moderate = (self.exponent.abs() <= 16_384).then(|| self.to_rational()).flatten();
         match moderate {
-            Some(exact) => f.write_str(&significant(&exact, 33)),
+            Some(exact) => f.write_str(&significant(&exact, 31)),
             None if self.is_finite() => write!(f, "{}*2^{}", self.mantissa, self.exponent),
             None => write!(f, "{}", self.mantissa),
         }

@@ -3,9 +3,99 @@
 //! For tests only (feature `testkit`). Each function takes the elements to try, edge cases first,
 //! and panics with the first equation that fails, in mathematical notation.
 
+mod contract;
+
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
-use crate::{Number, Ordered};
+use crate::{Algebraic, Number, Ordered, Rational, Real};
+
+pub use contract::Contract;
+
+/// Checks that a number system keeps its [`Contract`] on every constant, conversion, operation
+/// and comparison, for all triples of `elements` (those that the system can hold).
+///
+/// # Panics
+/// If a result is outside the contract.
+pub fn conformance<N: Contract>(elements: &[Rational]) {
+    let integer = |n: i64| Rational::from_integer(n.into());
+    holds::<N>("0 is 0", &[], N::admits(&N::zero(), &integer(0)));
+    holds::<N>("1 is 1", &[], N::admits(&N::one(), &integer(1)));
+    for exact in elements {
+        let converted = N::from_rational(exact);
+        holds("a rational is converted", &[&converted], N::admits(&converted, exact));
+    }
+    let held: Vec<(N, Rational)> = elements.iter().filter_map(N::operand).collect();
+    for (a, x) in &held {
+        let keeps = |law: &str, result: &N, exact: &Rational| {
+            assert!(N::admits(result, exact), "{law} fails at {a}: {result:?} for {exact}");
+        };
+        keeps("−a", &-a.clone(), &-x);
+        keeps("2a", &a.double(), &(x + x));
+        keeps("a²", &a.square(), &(x * x));
+        holds("a is a number", &[a], a.is_finite());
+        holds("a widened and narrowed is a", &[a], N::narrow(&a.widen()) == *a);
+        holds("a/0 is refused", &[a], a.checked_div(&N::zero()).is_none());
+    }
+    for ((a, x), (b, y)) in pairs(&held) {
+        let keeps = |law: &str, result: &N, exact: &Rational| {
+            assert!(N::admits(result, exact), "{law} fails at {a}, {b}: {result:?} for {exact}");
+        };
+        keeps("a + b", &(a.clone() + b), &(x + y));
+        keeps("a − b", &(a.clone() - b), &(x - y));
+        keeps("a·b", &(a.clone() * b), &(x * y));
+        match a.checked_div(b) {
+            Some(quotient) => keeps("a/b", &quotient, &(x / y)),
+            None => holds("only a/0 is refused", &[a, b], *y == integer(0)),
+        }
+        holds("the order is the exact one", &[a, b], agrees(a, b, x.cmp(y)));
+        for (c, z) in &held {
+            let fused = a.mul_add(b, c);
+            let exact = x * y + z;
+            let law = "fma(a, b, c)";
+            assert!(N::admits(&fused, &exact), "{law} fails at {a}, {b}, {c}: {fused:?}");
+        }
+    }
+}
+
+/// Whether the answers of a comparison, where there are any, are those of the exact order.
+fn agrees<N: Ordered>(a: &N, b: &N, exact: Ordering) -> bool {
+    let known = a.compare(b);
+    let right = |answer: Option<bool>, truth: bool| answer.is_none_or(|answer| answer == truth);
+    right(known.is_less(), exact.is_lt())
+        && right(known.is_equal(), exact.is_eq())
+        && right(known.is_greater(), exact.is_gt())
+        && right(known.is_at_most(), exact.is_le())
+        && right(known.is_at_least(), exact.is_ge())
+}
+
+/// A polynomial by ascending coefficients, and the two ends between which a root is wanted.
+pub type RootProblem = (Vec<Rational>, Rational, Rational);
+
+/// Checks the greatest root of each polynomial against the exact one, and gives how many had
+/// one: in a rounding system the polynomial is the rounded one, which may have lost it.
+///
+/// # Panics
+/// If an answer is outside the contract.
+pub fn greatest_roots<N: Contract>(problems: &[RootProblem]) -> usize {
+    let mut asked = 0;
+    for (coefficients, lower, upper) in problems {
+        let operands: Option<Vec<(N, Rational)>> = coefficients.iter().map(N::operand).collect();
+        let ends = (operands, N::operand(lower), N::operand(upper));
+        let (Some(operands), Some((low, lower)), Some((high, upper))) = ends else { continue };
+        let (numbers, exact): (Vec<N>, Vec<Algebraic>) =
+            operands.into_iter().map(|(number, exact)| (number, exact.into())).unzip();
+        let (from, to) = (lower.into(), upper.into());
+        let Some(root) = Algebraic::greatest_root(&exact, &from, &to) else { continue };
+        asked += 1;
+        let answer = N::greatest_root(&numbers, &low, &high);
+        assert!(
+            N::admits_root(answer.as_ref(), &root),
+            "the greatest root of {numbers:?} in [{low}, {high}] is {root}, not {answer:?}"
+        );
+    }
+    asked
+}
 
 /// Checks the field axioms on every triple of `elements`; for exact systems only.
 ///

@@ -74,6 +74,10 @@ impl ImpactLaw for ChatterjeeRuina {
         vec![("e_t", self.restitution.clone())]
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(-self.restitution.clone())
     }

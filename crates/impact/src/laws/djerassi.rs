@@ -36,7 +36,8 @@ pub struct DjerassiPoisson;
 /// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B; introduction of its sequel
 /// consulted.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// With coupling plain floats are heuristic once the slip has stopped, and intervals enclose the
+/// impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DjerassiStronge;
 
@@ -51,6 +52,10 @@ impl ImpactLaw for DjerassiNewton {
 
     fn statement(&self) -> &'static str {
         UNCOUPLED
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {
@@ -87,6 +92,10 @@ impl ImpactLaw for DjerassiPoisson {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -111,6 +120,10 @@ impl ImpactLaw for DjerassiStronge {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {

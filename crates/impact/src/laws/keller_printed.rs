@@ -41,6 +41,10 @@ impl ImpactLaw for KellerPrinted {
         "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0"
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         None // k falls without bound
     }

@@ -50,7 +50,8 @@ pub struct Keller1986;
 /// Source: W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169–181 and J. Appl. Mech. 58 (1991)
 /// 1049–1055, abstracts consulted; closed form derived here.
 ///
-/// In floats the bound with coupling is the width of the result on intervals.
+/// With coupling plain floats are heuristic once the slip has stopped, and intervals enclose the
+/// impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stronge1990;
 
@@ -294,6 +295,10 @@ impl ImpactLaw for RouthNewton {
         UNCOUPLED
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -320,6 +325,10 @@ impl ImpactLaw for Keller1986 {
         Restitution::Poisson
     }
 
+    fn is_stated_for_coupling(&self) -> bool {
+        false
+    }
+
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
     }
@@ -344,6 +353,10 @@ impl ImpactLaw for Stronge1990 {
 
     fn restitution(&self) -> Restitution {
         Restitution::Energetic
+    }
+
+    fn is_stated_for_coupling(&self) -> bool {
+        false
     }
 
     fn normal_collision(&self) -> Option<Rational> {

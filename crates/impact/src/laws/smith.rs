@@ -24,8 +24,8 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Root};
 /// original not consulted.
 ///
 /// In floats, from an exact α, [`ratios`](ImpactLaw::ratios) has no cancellation: k is formed as
-/// (1 − 2α)·x/(2 − x) with the root x = 1 + k. With coupling the bound is the width of the result
-/// on intervals.
+/// (1 − 2α)·x/(2 − x) with the root x = 1 + k. With coupling plain floats are heuristic where the
+/// slip reverses, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Smith1991;
 
@@ -33,6 +33,15 @@ pub struct Smith1991;
 fn ratio<N: Number>(contact: &Contact<N>, k: &N) -> N {
     let square = k.square();
     -((N::one() - &square) / (N::one() + square) * contact.friction())
+}
+
+/// The impulse by the change of slip, (W_tt·r + W_tn)·p_n = (k − 1)·v: where k ≤ 0, k − 1 does not
+/// cancel, while W_nn + r·W_tn may where the contact all but jams.
+fn reversed<N: Number>(contact: &Contact<N>, k: &N) -> Impulse<N> {
+    let (w, ratio) = (contact.delassus(), ratio(contact, k));
+    let change = (k.clone() - N::one()) * contact.slip();
+    let normal = change / ratio.mul_add(w.tt(), w.tn());
+    Impulse { tangential: normal.clone() * ratio, normal }
 }
 
 /// (k − 1)·v·(W_nn·(1 + k²) − μ·(1 − k²)·W_tn) + (1 + e)·a·(μ·(1 − k²)·W_tt − (1 + k²)·W_tn).
@@ -112,16 +121,14 @@ impl ImpactLaw for Smith1991 {
                 }),
                 // the signs of the coefficients at −k are −, −, +, +: one negative root, and
                 // Cauchy's bound on its size
-                Regime::new("reverse, jammed", &[], |_, contact, k| {
-                    contact.with_ratio(&ratio(contact, k))
-                })
-                .with_root(Root {
-                    coefficients: |_, contact| cubic(contact).to_vec(),
-                    between: |_, contact| {
-                        let [c0, c1, c2, c3] = cubic(contact);
-                        (-((c0 - c1 - c2) / c3 + N::one()), N::zero())
-                    },
-                }),
+                Regime::new("reverse, jammed", &[], |_, contact, k| reversed(contact, k))
+                    .with_root(Root {
+                        coefficients: |_, contact| cubic(contact).to_vec(),
+                        between: |_, contact| {
+                            let [c0, c1, c2, c3] = cubic(contact);
+                            (-((c0 - c1 - c2) / c3 + N::one()), N::zero())
+                        },
+                    }),
             ]
         }
     }

@@ -30,7 +30,7 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
 /// S has four errors of at most one ulp, weighted by 1/(1 + α), q and `W_tt` have one each, weighted
 /// by α/(1 + α), and sum, quotient and product add 1 + 1 + 1/2. From an exact α,
 /// [`ratios`](ImpactLaw::ratios) gives k within 51/100 ulp, `i_x` within 3/2 and Δe within 4. With
-/// coupling the bound is the width of the result on intervals.
+/// coupling plain floats are heuristic, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WangSuLi;
 
@@ -95,14 +95,15 @@ impl ImpactLaw for WangSuLi {
                         },
                     )
                 },
-                // The impulses' ratio is negative, so the slip ends below the one without friction.
+                // The impulses' ratio is negative, so the slip ends below the one without friction. By
+                // the change of slip the impulse is a sum of terms of one sign.
                 Regime::new(
                     "fading friction, slip speeds up the separation",
                     guards![Guard::new(Relation::Positive, |_, contact: &Contact<N>| contact
                         .delassus()
                         .tn()
                         .clone())],
-                    |_, contact, k| contact.with_ratio(&ratio(contact, k)),
+                    |_, contact, k| contact.ending_at(&(k.clone() * contact.slip())),
                 )
                 .with_root(Root {
                     coefficients: |_, contact| coefficients(contact),

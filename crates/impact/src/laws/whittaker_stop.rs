@@ -33,7 +33,7 @@ impl ImpactLaw for WhittakerStop {
     }
 
     fn statement(&self) -> &'static str {
-        "k >= 0\ni_x = 1 when k > 0"
+        "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0"
     }
 
     fn normal_collision(&self) -> Option<Rational> {

@@ -1,11 +1,13 @@
 //! Number fields with a real place: ℚ(θ) for one real root θ of a polynomial.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use num_traits::{One, Signed, Zero};
 use polycore::Uni;
 
 use super::linear::solve;
+use crate::root::rational::{integer_coefficients, sign_at};
 use crate::{Integer, Rational};
 
 /// ℚ(θ), where θ is the only root of a square-free monic polynomial in an open interval.
@@ -16,6 +18,8 @@ use crate::{Integer, Rational};
 #[derive(Debug)]
 pub(super) struct NumberField {
     modulus: Uni<Rational>,
+    /// Its coefficients made coprime integers, to find signs by.
+    integers: Vec<Integer>,
     /// The polynomial has opposite signs at the two ends.
     low: Rational,
     high: Rational,
@@ -27,7 +31,8 @@ const FIRST_BITS: u32 = 32;
 impl NumberField {
     /// The field of the one root in (low, high), which is irrational and a simple one.
     pub(super) fn new(modulus: &Uni<Rational>, low: Rational, high: Rational) -> Self {
-        let field = Self { modulus: modulus.monic(), low, high };
+        let field =
+            Self { modulus: modulus.monic(), integers: integer_coefficients(modulus), low, high };
         let (low, high) = field.generator(FIRST_BITS);
         Self { low, high, ..field }
     }
@@ -40,14 +45,14 @@ impl NumberField {
     pub(super) fn generator(&self, bits: u32) -> (Rational, Rational) {
         let width = Rational::new(Integer::one(), Integer::one() << bits);
         let (mut low, mut high) = (self.low.clone(), self.high.clone());
-        let negative_above = self.modulus.eval(&high).is_negative();
+        let above = sign_at(&self.integers, &high);
         while &high - &low > width {
             let middle = (&low + &high) / Integer::from(2);
-            let value = self.modulus.eval(&middle);
-            if value.is_zero() {
-                return (middle.clone(), middle);
+            match sign_at(&self.integers, &middle) {
+                Ordering::Equal => return (middle.clone(), middle),
+                sign if sign == above => high = middle,
+                _ => low = middle,
             }
-            if value.is_negative() == negative_above { high = middle } else { low = middle }
         }
         (low, high)
     }
@@ -98,7 +103,7 @@ impl NumberField {
         }
         let rest = &self.modulus / &common;
         let (low, high) = (self.low.clone(), self.high.clone());
-        let field = Arc::new(Self { modulus: rest, low, high });
+        let field = Arc::new(Self::new(&rest, low, high));
         field.invert(&(residue % &field.modulus))
     }
 

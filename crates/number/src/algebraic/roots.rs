@@ -41,7 +41,7 @@ fn root_in(
     mut low: Rational,
     mut high: Rational,
 ) -> Root {
-    if let Some(root) = rational_in(free, low.clone(), high.clone()) {
+    if let Some(root) = rational_in(free, &low, &high) {
         return Root::Rational(root);
     }
     // The upper end is no root, but the lower one may be: another one.

@@ -1,6 +1,7 @@
 //! The greatest root if it is rational: exact.
 
-use num_integer::Integer as _;
+use std::cmp::Ordering;
+
 use num_traits::{Signed, Zero};
 use polycore::Uni;
 
@@ -30,7 +31,7 @@ pub(crate) fn greatest_root(
         [_, _, _, _] => {
             let f = &f / &f.gcd(&f.derivative());
             let (low, high) = topmost(&f, lower, upper)?;
-            rational_in(&f, low, high)
+            rational_in(&f, &low, &high)
         }
         _ => None,
     }
@@ -82,29 +83,49 @@ fn topmost(f: &Uni<Rational>, lower: &Rational, upper: &Rational) -> Option<(Rat
 }
 
 /// The rational root in an interval (low, high] that holds one root of a square-free polynomial.
-pub(crate) fn rational_in(
-    f: &Uni<Rational>,
-    mut low: Rational,
-    mut high: Rational,
-) -> Option<Rational> {
-    let leading = f.primitive().lc().to_integer();
-    if f.eval(&high).is_zero() {
-        return Some(high);
+///
+/// With a the leading coefficient and n the degree, aⁿ⁻¹·f(y/a) has integer coefficients and the
+/// leading one 1, so its rational roots are integers: they are sought by halving.
+pub(crate) fn rational_in(f: &Uni<Rational>, low: &Rational, high: &Rational) -> Option<Rational> {
+    let integers = integer_coefficients(f);
+    let (leading, rest) = integers.split_last()?;
+    let above = sign_at(&integers, high);
+    if above == Ordering::Equal {
+        return Some(high.clone());
     }
-    // No root at the upper end and at most one inside: the sign at it tells where the root is.
-    let negative_above = f.eval(&high).is_negative();
-    let width = Rational::new(Integer::from(1), leading.abs());
-    while &high - &low >= width {
-        let middle = (&low + &high) / Integer::from(2);
-        let value = f.eval(&middle);
-        if value.is_zero() {
-            return Some(middle);
+    let value = |y: &Integer| {
+        let (mut sum, mut power) = (Integer::from(1), Integer::from(1));
+        for c in rest.iter().rev() {
+            sum = sum * y + c * &power;
+            power *= leading;
         }
-        if value.is_negative() == negative_above { high = middle } else { low = middle }
+        sum
+    };
+    let scaled = |x: &Rational| (x * leading).floor().to_integer();
+    // Every integer strictly between the two is a candidate in (low, high].
+    let (mut below, mut beyond) = (scaled(low), scaled(high) + 1);
+    while &beyond - &below > Integer::from(1) {
+        let middle: Integer = (&below + &beyond) >> 1;
+        match value(&middle).cmp(&Integer::ZERO) {
+            Ordering::Equal => return Some(Rational::new(middle, leading.clone())),
+            sign if sign == above => beyond = middle,
+            _ => below = middle,
+        }
     }
-    // The one integer n in (low·a, high·a], if any, is the numerator over a.
-    let scaled = &high * &leading;
-    let numerator = scaled.numer().div_floor(scaled.denom());
-    let candidate = Rational::new(numerator, leading);
-    (low < candidate && f.eval(&candidate).is_zero()).then_some(candidate)
+    None
+}
+
+/// The coefficients of the primitive polynomial: coprime integers, the last one positive.
+pub(crate) fn integer_coefficients(f: &Uni<Rational>) -> Vec<Integer> {
+    f.primitive().0.iter().map(Rational::to_integer).collect()
+}
+
+/// The sign of an integer polynomial at n/d, as that of Σ cᵢ·nⁱ·dᵏ⁻ⁱ: without a fraction to reduce.
+pub(crate) fn sign_at(coefficients: &[Integer], x: &Rational) -> Ordering {
+    let (mut sum, mut power) = (Integer::ZERO, Integer::from(1));
+    for c in coefficients.iter().rev() {
+        sum = sum * x.numer() + c * &power;
+        power *= x.denom();
+    }
+    sum.cmp(&Integer::ZERO)
 }

@@ -1,15 +1,25 @@
 //! The exact numbers satisfy their axioms, and every bridge to the floats keeps its promise.
 
+/// Exact algebraic numbers: a field, an order, and a way to write them.
+mod algebraic;
 /// Field and order axioms, through the testkit that later number systems share.
 mod axioms;
+/// Every number system against its promise, by one suite.
+mod conformance;
 /// Correct rounding, against two other ways of telling the nearest float.
 mod encoding;
+/// Enclosures.
+mod intervals;
 /// What is read, what is refused, and where.
 mod parsing;
+/// The greatest root of a polynomial, in every system.
+mod roots;
 /// Float to rational and back, on random bit patterns.
 mod round_trip;
 /// Units in the last place and steps, with the comparison's three answers.
 mod ulps;
+/// Twice the precision, with and without limits.
+mod wide;
 
 use kane_number::{Integer, Rational};
 use quickcheck::{Gen, QuickCheck};

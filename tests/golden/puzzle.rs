@@ -1,0 +1,144 @@
+//! Kane's puzzle: his double pendulum, law by law, as numbers and as a map.
+
+use std::fmt::Write as _;
+
+use kane_impact::ImpactLaw;
+use kane_impact::bodies::{Direction, DoublePendulum};
+use kane_impact::laws::{KaneLevinson, LawVisitor, visit_laws};
+use kane_impact::puzzle::Tip;
+use kane_number::{Algebraic, Interval, Rational, Real, Rounding, encode, parse};
+
+fn number(text: &str) -> Rational {
+    parse(text).expect("a literal")
+}
+
+/// tan(q1/2) = 3/17 and tan(q2/2) = 4/15: 20.02° and 29.86°.
+fn exact_pendulum() -> DoublePendulum<Rational> {
+    let direction = |text| Direction::of_half_tangent(&number(text));
+    DoublePendulum {
+        mass: number("1"),
+        length: number("1"),
+        angles: [direction("3/17"), direction("4/15")],
+        before: [number("-1/10"), number("-1/5")],
+        friction: number("1/2"),
+        restitution: number("7/10"),
+    }
+}
+
+/// 20° and 30°, in any number system that has roots: 8·c³ − 6·c − 1 = 0 for c = cos 20°, from the
+/// cosine of the triple angle.
+fn pendulum_in_degrees<N: Real>(friction: &str, restitution: &str) -> DoublePendulum<N> {
+    let n = |text: &str| N::from_rational(&number(text));
+    let root = |coefficients: &[&str]| {
+        let coefficients: Vec<N> = coefficients.iter().map(|text| n(text)).collect();
+        N::greatest_root(&coefficients, &n("0"), &n("1")).expect("a root in [0, 1]")
+    };
+    let square_root = |square: N| {
+        N::greatest_root(&[-square, N::zero(), N::one()], &n("0"), &n("1")).expect("a square root")
+    };
+    let cos20 = root(&["-1", "-6", "0", "8"]);
+    let sin20 = square_root(N::one() - cos20.square());
+    let cos30 = root(&["-3", "0", "4"]);
+    DoublePendulum {
+        mass: N::one(),
+        length: N::one(),
+        angles: [Direction { cos: cos20, sin: sin20 }, Direction { cos: cos30, sin: n("1/2") }],
+        before: [n("-0.1"), n("-0.2")],
+        friction: n(friction),
+        restitution: n(restitution),
+    }
+}
+
+/// The energy ratio of Kane and Levinson's law at 20° and 30° is proved to be above one: an interval
+/// that holds it, from intervals that hold the cosines.
+#[test]
+fn energy_rises_in_kanes_pendulum_and_intervals_prove_it() {
+    for (restitution, shown) in [("0.7", 2.7576), ("0.5", 1.5875)] {
+        let float = pendulum_in_degrees::<f64>("0.5", restitution).collide(&KaneLevinson);
+        let float = float.expect("it collides").energy_ratio;
+        assert!((float - shown).abs() < 5e-5, "{float}");
+        let enclosed = pendulum_in_degrees::<Interval>("0.5", restitution).collide(&KaneLevinson);
+        let enclosed = enclosed.expect("intervals decide").energy_ratio;
+        assert!(enclosed.lower() > 1.0 && enclosed.upper() < 3.0, "{enclosed}");
+    }
+}
+
+struct Row<'a> {
+    table: &'a mut String,
+    pendulum: &'a DoublePendulum<Rational>,
+}
+
+impl LawVisitor for Row<'_> {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        let exact = self.pendulum.map(|x| Algebraic::from(x.clone()));
+        let cell = match exact.collide(law) {
+            Ok(swung) => {
+                let float: f64 = swung.energy_ratio.encode(Rounding::NearestEven);
+                let exact = swung.energy_ratio.to_string();
+                let exact = if exact.len() > 60 { "irrational, or long".into() } else { exact };
+                format!("{:.6}  {:<32} {exact}", float, swung.outcome.regime)
+            }
+            Err(error) => error.to_string(),
+        };
+        writeln!(self.table, "  {:<20} {cell}", law.id()).expect("a string takes all");
+    }
+}
+
+/// T⁺/T of every law, on the pendulum with rational directions.
+#[test]
+fn every_law_on_kanes_pendulum() {
+    let mut table =
+        String::from("T+/T of Kane's double pendulum, tan(q1/2) = 3/17, tan(q2/2) = 4/15\n");
+    for (friction, restitution) in [("1/2", "7/10"), ("1/2", "1/2"), ("1/10", "1/2"), ("7/10", "1")]
+    {
+        writeln!(table, "\nmu = {friction}, e = {restitution}").expect("a string takes all");
+        let friction = number(friction);
+        let restitution = number(restitution);
+        let pendulum = DoublePendulum { friction, restitution, ..exact_pendulum() };
+        visit_laws(&mut Row { table: &mut table, pendulum: &pendulum });
+    }
+    crate::settings().bind(|| insta::assert_snapshot!("kane-puzzle", table));
+}
+
+struct Map {
+    tip: Tip,
+    rows: String,
+}
+
+impl LawVisitor for Map {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        for tenth in 0..=10 {
+            let restitution = Rational::new(tenth.into(), 10.into());
+            let stretches = self.tip.stretches(law, &restitution).expect("inside the domain");
+            for gain in stretches {
+                let decimal = |x: &Rational| {
+                    let float: f64 = encode(x, Rounding::NearestEven);
+                    format!("{float:.4}")
+                };
+                let e = decimal(&gain.restitution);
+                let from = decimal(&gain.from);
+                let to = gain.to.as_ref().map_or_else(String::new, decimal);
+                writeln!(self.rows, "{},{e},{from},{to}", law.id()).expect("a string takes all");
+            }
+        }
+    }
+}
+
+const MAP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/data/kane-puzzle.csv");
+
+/// For every law and restitution, where friction makes energy rise; every sign is exact.
+#[test]
+fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
+    let tip = Tip::of(&exact_pendulum()).expect("it touches");
+    let rows = String::from("law,e,mu_from,mu_to\n");
+    let mut map = Map { tip, rows };
+    visit_laws(&mut map);
+    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
+        std::fs::write(MAP, &map.rows).expect("docs/data can be written");
+    }
+    let committed = std::fs::read_to_string(MAP).unwrap_or_default();
+    assert!(
+        committed == map.rows,
+        "docs/data/kane-puzzle.csv is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden puzzle"
+    );
+}

@@ -1,0 +1,118 @@
+//! The process in closed form against its path on very many contacts: by intervals, and exactly
+//! where intervals are in doubt.
+//!
+//! Two enclosures that overlap do not prove equality; `process` proves that on fewer contacts. Here
+//! enclosures that do not overlap would prove a difference, and an enclosure of the energy below
+//! zero proves that there is no gain. The long run is
+//!
+//! ```sh
+//! cargo test --release --test properties ten_million -- --ignored --nocapture
+//! ```
+
+use kane_impact::laws::{Keller1986, Stronge1990};
+use kane_impact::oracle::integrate;
+use kane_impact::{Contact, Delassus, ImpactLaw};
+use kane_number::{Algebraic, Interval, Ordered as _, decode};
+
+/// A small generator of the xorshift family (Marsaglia 2003), so that a run can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    /// Between zero and one.
+    fn unit(&mut self) -> f64 {
+        f64::from_bits(1.0_f64.to_bits() | self.bits() >> 12) - 1.0
+    }
+
+    /// 2 to a power between −10 and 10.
+    fn size(&mut self) -> f64 {
+        (20.0 * self.unit() - 10.0).exp2()
+    }
+
+    /// A contact that couples; restitution at an end one time in eight.
+    fn contact(&mut self) -> Option<Contact<f64>> {
+        let (tt, nn) = (self.size(), self.size());
+        let tn = (2.0 * self.unit() - 1.0) * (tt * nn).sqrt();
+        let slip = self.size() * if self.bits() & 1 == 0 { 1.0 } else { -1.0 };
+        let restitution = match self.bits() % 16 {
+            0 => 0.0,
+            1 => 1.0,
+            _ => self.unit(),
+        };
+        let delassus = Delassus::new(tt, tn, nn).ok()?;
+        Contact::new(slip, self.size(), delassus, self.size(), restitution).ok()
+    }
+}
+
+#[derive(Debug, Default)]
+struct Count {
+    contacts: u64,
+    by_intervals: u64,
+    exactly: u64,
+}
+
+impl Count {
+    fn ask<L: ImpactLaw>(&mut self, law: &L, contact: &Contact<f64>) {
+        let enclosed = contact.map(|&x| Interval::from(x));
+        let overlap = |a: &Interval, b: &Interval| a.intersection(b).is_some();
+        let closed = law.resolve(&enclosed).ok();
+        let path = integrate(&enclosed, law.restitution()).ok();
+        let decided = closed.zip(path).is_some_and(|(closed, path)| {
+            let (mine, end) = (&closed.impulse, &path.end().impulse);
+            assert!(
+                overlap(&mine.tangential, &end.tangential) && overlap(&mine.normal, &end.normal),
+                "{}: {mine:?} against {end:?} at {contact:?}",
+                law.id()
+            );
+            let loss = end_energy(&path).sign().is_at_most();
+            assert!(loss != Some(false), "{} gains energy at {contact:?}", law.id());
+            loss == Some(true)
+        });
+        self.contacts += 1;
+        if decided {
+            self.by_intervals += 1;
+            return;
+        }
+        let exact = contact.map(|&x| Algebraic::from(decode(x).expect("a finite float")));
+        let closed = law.resolve(&exact).expect("exact numbers decide");
+        let path = integrate(&exact, law.restitution()).expect("exact numbers decide");
+        assert_eq!(closed.impulse, path.end().impulse, "{} at {contact:?}", law.id());
+        let gains = closed.work.total().sign().is_greater() == Some(true);
+        assert!(!gains, "{} gains energy at {contact:?}", law.id());
+        self.exactly += 1;
+    }
+}
+
+fn end_energy<N: kane_number::Real>(path: &kane_impact::oracle::Path<N>) -> N {
+    path.end().normal_work.clone() + &path.end().tangential_work
+}
+
+fn run(contacts: u64) -> Count {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut count = Count::default();
+    while count.contacts < 2 * contacts {
+        let Some(contact) = random.contact() else { continue };
+        count.ask(&Keller1986, &contact);
+        count.ask(&Stronge1990, &contact);
+    }
+    count
+}
+
+#[test]
+fn poisson_and_energetic_restitution_follow_their_path_and_gain_nothing() {
+    let count = run(20_000);
+    println!("{count:?}");
+    assert!(count.by_intervals > 9 * count.exactly, "{count:?}");
+}
+
+#[test]
+#[ignore = "minutes: the long run"]
+fn the_same_on_ten_million_contacts() {
+    println!("{:?}", run(10_000_000));
+}
