@@ -101,6 +101,17 @@ fn one_law_in_depth_has_all_lanes_and_its_source() {
 }
 
 #[test]
+fn inputs_of_a_thousand_digits_do_not_hang() {
+    let mu = format!("0.3{}", "1234567".repeat(140));
+    let mut arguments = with("--mu", &mu);
+    let run_all = run(&arguments);
+    assert_eq!(run_all.code, 0, "{}", run_all.stderr);
+    assert!(run_all.stdout.contains("no outcome: smith-1991: the outcome is irrational"));
+    arguments.extend(["--law", "smith-1991"].map(str::to_owned));
+    assert_eq!(run(&arguments).code, 3);
+}
+
+#[test]
 fn an_exact_direction_gives_short_fractions() {
     let arguments =
         "collide --sphere 7/2 --speed 1 --half-tangent 1/3 --mu 1/2 --e 1 --law wang-su-li";

@@ -218,7 +218,7 @@ impl Reader {
 pub(super) fn of_floats(direction: &Direction<Rational>, angle: &str) -> String {
     let float = |x: &Rational| Algebraic::from(x.clone()).to_f64();
     format!(
-        "The direction of {angle} is the float pair cos = {}, sin = {}, taken exactly.",
+        "{angle}: the direction is the float pair cos = {}, sin = {}, taken exactly.",
         float(&direction.cos),
         float(&direction.sin)
     )
