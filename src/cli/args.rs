@@ -65,7 +65,7 @@ pub(crate) enum Verb {
     Audit(AuditArgs),
     /// Put one collision to every law, exactly and in floats
     #[command(after_help = COLLIDE_EXAMPLES)]
-    Collide(CollideArgs),
+    Collide(Box<CollideArgs>),
 }
 
 #[derive(Args, Debug)]

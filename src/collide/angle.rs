@@ -44,7 +44,7 @@ fn near_zero(degrees: &Rational) -> (Rational, Rational) {
     let mut term = Rational::from_integer(1.into());
     let mut order = 0_u32;
     while !term.is_zero() {
-        let sum = if order % 2 == 0 { &mut cos } else { &mut sin };
+        let sum = if order.is_multiple_of(2) { &mut cos } else { &mut sin };
         if order % 4 < 2 {
             *sum += &term;
         } else {

@@ -275,6 +275,39 @@ mod tests {
     }
 
     #[test]
+    fn one_check_that_fails_is_not_as_expected_and_says_so() {
+        let check = |holds| Check { claim: "momentum".to_owned(), holds };
+        let answer = Answer {
+            regime: "slide",
+            energy: Energy::Lost,
+            readings: Vec::new(),
+            checks: vec![check(true), check(false)],
+            remarks: Vec::new(),
+        };
+        let law = LawAnswer {
+            id: "some-law",
+            statement: "i_x = 1",
+            source: "nobody",
+            restitution: "Newton",
+            parameters: Vec::new(),
+            answer: Ok(answer),
+        };
+        let collision = Collision {
+            title: "A test".to_owned(),
+            given: Vec::new(),
+            notes: Vec::new(),
+            before: Vec::new(),
+            laws: vec![law],
+            in_depth: true,
+            command: "kane".to_owned(),
+        };
+        assert!(!collision.as_expected());
+        assert!(text(&collision, crate::Page::default()).contains("DOES NOT HOLD  momentum"));
+        assert!(markdown(&collision).contains("1 of 2 exact checks hold"));
+        assert!(json(&collision).contains("\"as_expected\": false"));
+    }
+
+    #[test]
     fn small_and_great_errors_stay_short() {
         for (error, shown) in [(0.0, "0"), (-0.001, "<0.01"), (0.5, "+0.50"), (2e9, "+2.0e9")] {
             assert_eq!(ulps(error), shown);
