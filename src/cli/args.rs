@@ -100,7 +100,7 @@ pub(crate) struct CollideArgs {
     #[command(flatten)]
     pub(crate) body: BodyArgs,
 
-    /// Show one law with every quantity, its errors in floats, its source and its checks
+    /// Show one law, by its id in the table: every quantity, its errors in floats, source and checks
     #[arg(long, value_name = "ID", help_heading = "Report")]
     pub(crate) law: Option<String>,
 
@@ -173,10 +173,10 @@ pub(crate) struct BodyArgs {
 /// How a report is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// the news, then one line a statement
+    /// for people: the news, then a line each
     Text,
-    /// for programs; see docs/report-schema.md
+    /// for programs; the schemas are in docs
     Json,
-    /// for the web, with formulas and proofs
+    /// for the web
     Markdown,
 }

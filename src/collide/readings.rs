@@ -277,3 +277,43 @@ fn holds(enclosure: Interval, exact: &Algebraic) -> bool {
     let below = end(enclosure.upper()).is_none_or(|upper| *exact <= upper);
     above && below
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::bodies::{Motion, SphereOnPlane};
+    use crate::impact::laws::{Smith1991, Walton, WangSuLi};
+    use crate::number::parse;
+
+    fn system() -> System<Rational> {
+        let n = |text| parse(text).expect("a literal");
+        System::Sphere(SphereOnPlane {
+            mass: n("0.3"),
+            radius: n("0.7"),
+            inertia: n("0.0588"),
+            friction: n("0.092"),
+            restitution: n("0.98"),
+            before: Motion { vx: n("1.3"), vy: n("3.6"), omega: n("-0.2") },
+        })
+    }
+
+    fn agrees<L: ImpactLaw>(law: &L) {
+        let floats = in_floats(&system());
+        let ours = in_double_double(law, &floats).expect("the input is ordinary");
+        let theirs = floats.collide(law).expect("the input is ordinary");
+        let impulse = theirs.outcome.impulse;
+        assert_eq!(ours.get("p_t"), Some(&impulse.tangential), "{}", law.id());
+        assert_eq!(ours.get("p_n"), Some(&impulse.normal), "{}", law.id());
+        assert_eq!(ours.get("v_t+"), Some(&theirs.outcome.slip), "{}", law.id());
+        for (&(symbol, ..), after) in floats.velocities().iter().zip(&theirs.after) {
+            assert_eq!(ours.get(symbol), Some(after), "{} {symbol}", law.id());
+        }
+    }
+
+    #[test]
+    fn the_wide_lane_is_what_colliding_floats_gives() {
+        agrees(&WangSuLi);
+        agrees(&Smith1991);
+        agrees(&Walton::default());
+    }
+}
