@@ -99,11 +99,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! [`collide`] puts one collision to every law, in every number system, and reports what they say.
 //! [`number`] has the number systems and says when to use which.
 //!
 //! # Features
 //!
 //! `cli`, on by default: the program `kane` and everything that only it needs.
+
+pub mod collide;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;

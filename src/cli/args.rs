@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Checks the derivations of collision laws, line by line.
+/// Checks the derivations and the arithmetic of collision laws.
 #[derive(Debug, Parser)]
 #[command(name = "kane", version, arg_required_else_help = true, after_help = EXIT)]
 pub(crate) struct Cli {
@@ -36,11 +36,36 @@ Exit codes:
   2  bad input or usage
   3  no document has a claim";
 
+const COLLIDE_EXAMPLES: &str = "\
+Examples:
+  kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98
+                                    all laws, for a solid sphere at 20° from the normal
+  kane collide --body hoop --vx 1/3 --vy 1 --spin -2 --mu 0.1 --e 1/2
+                                    another body, exact velocities
+  kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98 --law smith-1991
+                                    one law: every quantity, exactly and in floats
+  kane collide --sphere 7/2 --speed 1 --half-tangent 1/3 --mu 0.5 --e 1 --param walton.beta0=0.3
+                                    an exact direction, cos = 4/5; a law's own parameter
+  kane collide docs/collisions/double-pendulum.toml
+                                    other bodies, from a file; see docs/collide-format.md
+
+Numbers are exact: 0.092 is 23/250, and 1/3 is a third. Parameters of laws:
+  brach.share (1), smith-printed.eta (2/5), walton.beta0 (11/25), chatterjee-ruina.e_t (0)
+
+Exit codes:
+  0  there is an answer
+  1  a check of the law asked for fails
+  2  bad input or usage
+  3  no law has an outcome";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
+    /// Put one collision to every law, exactly and in floats
+    #[command(after_help = COLLIDE_EXAMPLES)]
+    Collide(Box<CollideArgs>),
 }
 
 #[derive(Args, Debug)]
@@ -66,13 +91,92 @@ pub(crate) struct AuditArgs {
     pub(crate) explain: Option<String>,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct CollideArgs {
+    /// A collision in a file, instead of the flags below
+    #[arg(value_name = "FILE.toml")]
+    pub(crate) file: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) body: BodyArgs,
+
+    /// Show one law, by its id in the table: every quantity, its errors in floats, source and checks
+    #[arg(long, value_name = "ID", help_heading = "Report")]
+    pub(crate) law: Option<String>,
+
+    /// Give a law's own parameter another value; may be repeated
+    #[arg(long, value_name = "LAW.NAME=VALUE", help_heading = "Report")]
+    pub(crate) param: Vec<String>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text, help_heading = "Report")]
+    pub(crate) format: Format,
+
+    /// Also write NAME.txt, NAME.md and NAME.json into this directory
+    #[arg(long, value_name = "DIR", help_heading = "Report")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A round body on a fixed plane. Every value is text here, to be read as an exact number.
+#[derive(Args, Debug, Default)]
+#[command(next_help_heading = "A round body meets a fixed plane")]
+pub(crate) struct BodyArgs {
+    /// The mobility ratio j_p = 1 + m*r^2/J, above 1: 7/2 for a solid sphere
+    #[arg(long, value_name = "J_P", allow_hyphen_values = true)]
+    pub(crate) sphere: Option<String>,
+
+    /// The shape in a word, instead: sphere, hollow-sphere, disc or hoop
+    #[arg(long, value_name = "SHAPE")]
+    pub(crate) body: Option<String>,
+
+    /// Coulomb's coefficient of friction, at least 0
+    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
+    pub(crate) mu: Option<String>,
+
+    /// The coefficient of normal restitution, from 0 to 1
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(crate) e: Option<String>,
+
+    /// The speed of the centre, m/s; with --angle or --half-tangent
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) speed: Option<String>,
+
+    /// Its direction from the normal, degrees between -90 and 90
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    pub(crate) angle: Option<String>,
+
+    /// The tangent of half that angle, between -1 and 1, for an exact direction
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub(crate) half_tangent: Option<String>,
+
+    /// The velocity along the plane, m/s, instead of a speed [default: 0]
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) vx: Option<String>,
+
+    /// The velocity into the plane, m/s, at least 0
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) vy: Option<String>,
+
+    /// The angular velocity, rad/s; positive spin moves the contact point against x, so that the slip is vx - spin*radius [default: 0]
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    pub(crate) spin: Option<String>,
+
+    /// kg [default: 1]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    pub(crate) mass: Option<String>,
+
+    /// m [default: 1]
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    pub(crate) radius: Option<String>,
+}
+
 /// How a report is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// the news, then one line a statement
+    /// for people: the news, then a line each
     Text,
-    /// for programs; see docs/report-schema.md
+    /// for programs; the schemas are in docs
     Json,
-    /// for the web, with formulas and proofs
+    /// for the web
     Markdown,
 }

@@ -2,6 +2,7 @@
 
 mod args;
 mod audit;
+mod collide;
 mod input;
 mod labels;
 mod output;
@@ -41,6 +42,7 @@ impl From<Outcome> for ExitCode {
 pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Audit(args) => audit::run(&args),
+        Verb::Collide(args) => collide::run(&args),
     };
     outcome.into()
 }

@@ -46,7 +46,7 @@ fn a_document_without_claims_exits_3() {
 fn bad_usage_exits_2_and_says_how_it_goes() {
     for arguments in [
         &[][..],
-        &["collide"],
+        &["collide", "--colour", "red"],
         &["audit", "--format", "html"],
         &["audit", "--explain", "9", "--only", "9"],
     ] {

@@ -1,5 +1,6 @@
 //! The program as its user meets it: what it prints, where, and how it exits.
 
+mod collide; // the second verb: messages, exit codes, forms
 mod errors; // what bad input gets
 mod exits; // exit codes
 mod files; // --out

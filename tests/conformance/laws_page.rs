@@ -76,6 +76,7 @@ fn headline(id: &str) -> &'static Headline {
 /// What the catalogue says of a law.
 struct Entry {
     id: &'static str,
+    source: &'static str,
     statement: &'static str,
     parameters: Vec<(&'static str, Rational)>,
     restitution: Restitution,
@@ -95,6 +96,7 @@ impl LawVisitor for Catalogue {
         };
         self.0.push(Entry {
             id: law.id(),
+            source: law.source(),
             statement: law.statement(),
             parameters: law.parameters(),
             restitution: law.restitution(),
@@ -301,6 +303,23 @@ fn the_page_of_laws_is_what_the_laws_say() {
     );
 }
 
+/// A docstring in the letters of a terminal, as the program shows sources.
+fn spelled_out(text: &str) -> String {
+    let letters = [
+        ("–", "-"),
+        ("`", ""),
+        ("*", ""),
+        ("η", "eta"),
+        ("β0", "beta0"),
+        ("μ", "mu"),
+        ("α", "alpha"),
+        ("Δ", "d"),
+        ("·", "*"),
+        ("⁺", "+"),
+    ];
+    letters.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
+}
+
 #[test]
 fn every_law_states_its_formula_domain_exactness_bound_and_source() {
     let docs = docstrings();
@@ -317,6 +336,9 @@ fn every_law_states_its_formula_domain_exactness_bound_and_source() {
             |line: &&String| line.starts_with(['>', '#', '+', '*', '-']) && !line.starts_with("**");
         assert_eq!(doc.lines.iter().find(marked), None, "{}", entry.id);
         assert_ne!(provenance(doc), "not stated", "{} says how it is known", entry.id);
+        let told = spelled_out(&text.replace('\n', " "));
+        let source = format!("Source: {}", entry.source);
+        assert!(told.contains(&source), "{}: the docstring has another source", entry.id);
     }
     assert_eq!(docs.len(), HEADLINES.len(), "every struct with an id is in the catalogue");
 }

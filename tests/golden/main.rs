@@ -1,5 +1,6 @@
 //! Snapshots of what the program prints: every file under `snapshots/` has one test here that owns it.
 
+mod collide; // one collision under all laws, or under one in depth
 mod fixture;
 mod laws; // what the impact laws return, over a range of states
 mod puzzle; // Kane's double pendulum, as numbers and as a map

@@ -110,6 +110,9 @@ pub trait ImpactLaw: Clone + 'static {
     /// The name of the law in every table and report; printed and true forms differ.
     fn id(&self) -> &'static str;
 
+    /// Who published the law, and what was consulted: one sentence without its full stop.
+    fn source(&self) -> &'static str;
+
     /// What the law adds to momentum and restitution, in the derivation language, one claim a
     /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
     /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.

@@ -129,7 +129,7 @@ fn math(latex: &str) -> String {
 }
 
 /// The text as it is, also where it has characters that Markdown or HTML would read.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -148,7 +148,7 @@ fn escape(text: &str) -> String {
 }
 
 /// The text as code, on one line.
-fn code(text: &str) -> String {
+pub(crate) fn code(text: &str) -> String {
     let text = text.replace('\n', " ");
     let fence = "`".repeat(longest_run(&text, '`') + 1);
     let pad = if text.starts_with('`') || text.ends_with('`') { " " } else { "" };

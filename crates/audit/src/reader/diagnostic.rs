@@ -63,6 +63,13 @@ impl Diagnostic {
         }
     }
 
+    /// A fault of a file that is no derivation document, shown in the same way.
+    #[must_use]
+    pub fn of_file(file: &str, text: &str, span: Range<usize>, message: String) -> Self {
+        let fault = Fault::new(span, message);
+        Self::new(file, text, &mut Lines::new(text), fault)
+    }
+
     /// A fault of the file as a whole.
     pub(super) fn at_start(file: &str, message: String) -> Self {
         Self {

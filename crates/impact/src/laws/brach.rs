@@ -47,6 +47,10 @@ impl ImpactLaw for Brach {
         "brach"
     }
 
+    fn source(&self) -> &'static str {
+        "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = share"
     }

@@ -67,6 +67,10 @@ impl ImpactLaw for ChatterjeeRuina {
         "chatterjee-ruina"
     }
 
+    fn source(&self) -> &'static str {
+        "A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939-951, in the form in which the public library OpenTissue implements it; abstract consulted, original not consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "k >= -e_t\ni_x = 1 when k > -e_t\ni_x <= 1 when k = -e_t"
     }

@@ -59,6 +59,10 @@ impl ImpactLaw for Garwin {
         "garwin"
     }
 
+    fn source(&self) -> &'static str {
+        "R. L. Garwin, Am. J. Phys. 37 (1969) 88-92, for e = 1; abstract consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "k = -1"
     }
@@ -79,6 +83,10 @@ impl ImpactLaw for Garwin {
 impl ImpactLaw for GarwinCapped {
     fn id(&self) -> &'static str {
         "garwin-capped"
+    }
+
+    fn source(&self) -> &'static str {
+        "Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original not consulted; derived here"
     }
 
     fn statement(&self) -> &'static str {

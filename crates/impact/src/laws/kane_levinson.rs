@@ -35,6 +35,10 @@ impl ImpactLaw for KaneLevinson {
         "kane-levinson"
     }
 
+    fn source(&self) -> &'static str {
+        "T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications (1985), as quoted in the literature on the puzzle; original not consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = 1 when k > 0\ni_x <= 1 when k = 0\ni_x >= -1 when k = 0\ni_x = -1 when k < 0"
     }

@@ -36,6 +36,10 @@ impl ImpactLaw for KellerPrinted {
         "keller-printed"
     }
 
+    fn source(&self) -> &'static str {
+        "Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which contradicts momentum; we follow (26). Original consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0"
     }

@@ -297,11 +297,15 @@ pub(crate) const UNCOUPLED: &str = "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k 
 
 /// The implementation of a law that is the process under one hypothesis.
 macro_rules! process_law {
-    ($law:ty, $id:literal, $hypothesis:ident: $compression:ident, $restitution:ident
+    ($law:ty, $id:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
      $(, $refuses:literal by $acceptance:ident)?) => {
         impl $crate::ImpactLaw for $law {
             fn id(&self) -> &'static str {
                 $id
+            }
+
+            fn source(&self) -> &'static str {
+                $source
             }
 
             fn statement(&self) -> &'static str {
@@ -342,6 +346,21 @@ macro_rules! process_law {
 }
 pub(crate) use process_law;
 
-process_law!(RouthNewton, "routh-newton", Newton: newton, newton);
-process_law!(Keller1986, "keller-1986", Poisson: poisson_compression, poisson_restitution);
-process_law!(Stronge1990, "stronge-1990", Energetic: energetic_compression, energetic_restitution);
+process_law!(
+    RouthNewton,
+    "routh-newton",
+    "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642, abstract consulted; Routh's original not consulted",
+    Newton: newton, newton
+);
+process_law!(
+    Keller1986,
+    "keller-1986",
+    "J. B. Keller, J. Appl. Mech. 53 (1986) 1-4, abstract consulted: Coulomb friction at every instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from memory of the literature; closed form derived here",
+    Poisson: poisson_compression, poisson_restitution
+);
+process_law!(
+    Stronge1990,
+    "stronge-1990",
+    "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181, from memory of its use in the literature, and J. Appl. Mech. 58 (1991) 1049-1055, abstract consulted; closed form derived here",
+    Energetic: energetic_compression, energetic_restitution
+);

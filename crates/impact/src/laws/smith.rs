@@ -63,6 +63,10 @@ impl ImpactLaw for Smith1991 {
         "smith-1991"
     }
 
+    fn source(&self) -> &'static str {
+        "C. E. Smith, J. Appl. Mech. 58 (1991) 754-758, as quoted by Chatterjee and Ruina (1998); original not consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = 1 when k >= 0\ni_x = (1 - k^2)/(1 + k^2) when k <= 0"
     }

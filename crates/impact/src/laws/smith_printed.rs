@@ -41,6 +41,10 @@ impl ImpactLaw for SmithPrinted {
         "smith-printed"
     }
 
+    fn source(&self) -> &'static str {
+        "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_xW = 1 for it, which contradicts momentum. Original consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = eta"
     }

@@ -62,6 +62,10 @@ impl ImpactLaw for Walton {
         "walton"
     }
 
+    fn source(&self) -> &'static str {
+        "O. R. Walton, in Particulate Two-Phase Flow, ed. Roco (1993), as quoted by Foerster et al. (1994); original not consulted. The default beta0 = 0.44 is theirs for glass spheres, from memory"
+    }
+
     fn statement(&self) -> &'static str {
         "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0"
     }

@@ -64,6 +64,10 @@ impl ImpactLaw for WangSuLi {
         "wang-su-li"
     }
 
+    fn source(&self) -> &'static str {
+        "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = (k + 1)/2"
     }

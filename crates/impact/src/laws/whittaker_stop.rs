@@ -31,6 +31,10 @@ impl ImpactLaw for WhittakerStop {
         "whittaker-stop"
     }
 
+    fn source(&self) -> &'static str {
+        "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0"
     }

@@ -48,6 +48,10 @@ impl ImpactLaw for WhittakerUncapped {
         "whittaker-uncapped"
     }
 
+    fn source(&self) -> &'static str {
+        "E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original not consulted"
+    }
+
     fn statement(&self) -> &'static str {
         "i_x = 1"
     }

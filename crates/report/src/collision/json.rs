@@ -1,0 +1,171 @@
+//! A collision for programs; the schema is documented in `docs/collide-format.md`.
+
+use serde::Serialize;
+
+use super::Collision;
+
+/// The name of the schema.
+pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
+/// The version of the schema.
+pub const COLLISION_SCHEMA_VERSION: u32 = 1;
+
+/// The collision as JSON, ended by a line feed. Floats are finite or null.
+#[must_use]
+pub fn json(collision: &Collision) -> String {
+    let file = File {
+        schema: Schema { name: COLLISION_SCHEMA_NAME, version: COLLISION_SCHEMA_VERSION },
+        program: Schema { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        command: &collision.command,
+        title: &collision.title,
+        headline: collision.headline(),
+        as_expected: collision.as_expected(),
+        given: collision
+            .given
+            .iter()
+            .map(|given| Given {
+                symbol: &given.symbol,
+                value: &given.value,
+                unit: given.unit,
+                assumed: given.assumed,
+            })
+            .collect(),
+        notes: &collision.notes,
+        before: collision.before.iter().map(Reading::of).collect(),
+        laws: collision.laws.iter().map(Law::of).collect(),
+    };
+    let mut out =
+        serde_json::to_string_pretty(&file).expect("strings, numbers and lists always serialise");
+    out.push('\n');
+    out
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema<u32>,
+    program: Schema<&'static str>,
+    command: &'a str,
+    title: &'a str,
+    headline: String,
+    as_expected: bool,
+    given: Vec<Given<'a>>,
+    notes: &'a [String],
+    before: Vec<Reading<'a>>,
+    laws: Vec<Law<'a>>,
+}
+
+#[derive(Serialize)]
+struct Schema<V> {
+    name: &'static str,
+    version: V,
+}
+
+#[derive(Serialize)]
+struct Given<'a> {
+    symbol: &'a str,
+    value: &'a str,
+    unit: &'a str,
+    assumed: bool,
+}
+
+#[derive(Serialize)]
+struct Law<'a> {
+    id: &'a str,
+    statement: &'a str,
+    source: &'a str,
+    restitution: &'a str,
+    parameters: Vec<Parameter<'a>>,
+    reason: Option<&'a str>,
+    outcome: Option<Outcome<'a>>,
+}
+
+#[derive(Serialize)]
+struct Parameter<'a> {
+    name: &'a str,
+    value: &'a str,
+}
+
+#[derive(Serialize)]
+struct Outcome<'a> {
+    regime: &'a str,
+    energy: &'a str,
+    quantities: Vec<Reading<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<Check<'a>>,
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    remarks: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Check<'a> {
+    claim: &'a str,
+    holds: bool,
+}
+
+#[derive(Serialize)]
+struct Reading<'a> {
+    symbol: &'a str,
+    unit: &'a str,
+    exact: Option<&'a str>,
+    float: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lanes: Option<Lanes>,
+}
+
+#[derive(Serialize)]
+struct Lanes {
+    plain: Option<f64>,
+    error_of_inputs: Option<f64>,
+    error_of_plain: Option<f64>,
+    error_of_wide: Option<f64>,
+    enclosure: Option<[Option<f64>; 2]>,
+}
+
+impl<'a> Reading<'a> {
+    fn of(reading: &'a super::Reading) -> Self {
+        // zero has no sign here
+        let positive = |float: f64| if float == 0.0 { 0.0 } else { float };
+        let finite = |float: f64| Some(float).filter(|float| float.is_finite()).map(positive);
+        let lanes = reading.errors.map(|errors| Lanes {
+            plain: reading.plain.and_then(finite),
+            error_of_inputs: errors.inputs.and_then(finite),
+            error_of_plain: errors.plain.and_then(finite),
+            error_of_wide: errors.wide.and_then(finite),
+            enclosure: reading.enclosure.map(|ends| ends.map(finite)),
+        });
+        Self {
+            symbol: reading.symbol,
+            unit: reading.unit,
+            exact: reading.exact.as_deref(),
+            float: reading.float.and_then(finite),
+            lanes,
+        }
+    }
+}
+
+impl<'a> Law<'a> {
+    fn of(law: &'a super::LawAnswer) -> Self {
+        Self {
+            id: law.id,
+            statement: law.statement,
+            source: law.source,
+            restitution: law.restitution,
+            parameters: law
+                .parameters
+                .iter()
+                .map(|(name, value)| Parameter { name, value })
+                .collect(),
+            reason: law.answer.as_ref().err().map(String::as_str),
+            outcome: law.answer.as_ref().ok().map(|answer| Outcome {
+                regime: answer.regime,
+                energy: answer.energy.word(),
+                quantities: answer.readings.iter().map(Reading::of).collect(),
+                checks: answer
+                    .checks
+                    .iter()
+                    .map(|check| Check { claim: &check.claim, holds: check.holds })
+                    .collect(),
+                remarks: &answer.remarks,
+            }),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! What must hold of an outcome in exact numbers, whatever the law.
+
+use crate::impact::bodies::{CollideError, Ledger};
+use crate::impact::{ImpactLaw, Restitution};
+use crate::number::Real;
+use crate::report::collision::Check;
+
+use super::{Happened, System};
+
+/// Checks the outcome against momentum, restitution and energy, by other ways than the law's.
+pub(super) fn checks<L: ImpactLaw, N: Real>(
+    law: &L,
+    system: &System<N>,
+) -> Result<Vec<Check>, CollideError<N>> {
+    let contact = system.contact()?;
+    let Happened { outcome, after, ledger } = system.collide(law)?;
+    let equal = |a: &N, b: &N| a.compare(b).is_equal() == Some(true);
+    let check = |claim: &str, holds: bool| Check { claim: claim.to_owned(), holds };
+    let work = outcome.work.total();
+
+    let mut checks = vec![
+        check(
+            "momentum along the tangent: v_t+ = v_t + W_tt*p_t + W_tn*p_n",
+            equal(&outcome.slip, &contact.slip_after(&outcome.impulse)),
+        ),
+        check(
+            "momentum along the normal: v_n+ = -a + W_tn*p_t + W_nn*p_n",
+            equal(&outcome.separation, &contact.separation_after(&outcome.impulse)),
+        ),
+    ];
+    let moving = system.moving(&after);
+    if law.restitution() == Restitution::Newton {
+        let separation = contact.restitution().clone() * contact.approach();
+        let holds = equal(&outcome.separation, &separation);
+        checks.push(check("restitution after Newton: v_n+ = e*a", holds));
+    }
+    let change = moving.kinetic_energy() - system.kinetic_energy();
+    checks.push(check("energy: T+ - T- of the bodies = dE_t + dE_n", equal(&change, &work)));
+    if let Some(Ledger { normal, tangential, rotational }) = ledger {
+        let sum = normal + tangential + rotational;
+        checks.push(check("energy by parts: dT_x + dT_y + dT_rot = dE", equal(&sum, &work)));
+    }
+    let uncoupled = contact.delassus().tn().sign().is_equal() == Some(true);
+    if let (true, Some(alpha), Some(ratios)) =
+        (uncoupled, contact.alpha(), outcome.ratios(&contact))
+    {
+        let one = N::one();
+        let momentum = alpha.double() * &ratios.impulse;
+        let holds = equal(&momentum, &(one.clone() - &ratios.k));
+        checks.push(check("without coupling: 2*alpha*i_x = 1 - k", holds));
+        let twice = -(ratios.impulse.clone() * (one + &ratios.k));
+        let holds = equal(&ratios.energy.double(), &twice);
+        checks.push(check("without coupling: 2*de = -i_x*(1 + k)", holds));
+    }
+    Ok(checks)
+}

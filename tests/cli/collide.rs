@@ -1,0 +1,305 @@
+//! `kane collide`: exit codes, messages, formats, files.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::{kane, scratch};
+
+const EXAMPLE: [&str; 11] = [
+    "collide", "--sphere", "7/2", "--speed", "3.9", "--angle", "20", "--mu", "0.092", "--e", "0.98",
+];
+
+/// The example with one flag's value exchanged.
+fn with(flag: &str, value: &str) -> Vec<String> {
+    let mut arguments = EXAMPLE.map(str::to_owned).to_vec();
+    match arguments.iter().position(|argument| argument == flag) {
+        Some(at) => arguments[at + 1] = value.to_owned(),
+        None => arguments.extend([flag.to_owned(), value.to_owned()]),
+    }
+    arguments
+}
+
+fn run(arguments: &[String]) -> crate::Run {
+    kane(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+#[test]
+fn all_laws_answer_in_one_table() {
+    let run = kane(&EXAMPLE);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for law in kane::collide::law_ids() {
+        assert!(run.stdout.lines().any(|line| line.starts_with(law)), "{law}\n{}", run.stdout);
+    }
+    assert!(run.stdout.contains("alpha = 0.8758"), "{}", run.stdout);
+    assert!(run.stdout.contains("m = 1 kg (default)"), "{}", run.stdout);
+    assert!(run.stdout.contains("float pair cos = 0.9396926207859084"), "{}", run.stdout);
+}
+
+#[test]
+fn each_wrong_value_is_named_with_its_flag_and_domain() {
+    for (flag, value, message) in [
+        ("--mu", "-1", "--mu is -1, but must be at least 0"),
+        ("--mu", "NaN", "--mu cannot be NaN: expected a digit"),
+        ("--e", "1.1", "--e is 1.1, but must be from 0 to 1"),
+        ("--angle", "90", "--angle is 90, but must be between -90 and 90"),
+        ("--speed", "-3", "--speed is -3, but must be at least 0"),
+        ("--speed", "1e999999", "--speed cannot be 1e999999: exponent 999999"),
+        ("--speed", "1e400", "--speed is 1e400, beyond the range of f64"),
+        ("--speed", "1e-400", "--speed is 1e-400, beyond the range of f64"),
+        ("--speed", "inf", "--speed cannot be inf"),
+        ("--sphere", "1", "--sphere is 1, but must be above 1"),
+        ("--sphere", "hoop", "write --body hoop"),
+        ("--mass", "0", "--mass is 0, but must be above 0"),
+        ("--radius", "-1/2", "--radius is -1/2, but must be above 0"),
+        ("--mass", "1/0", "--mass cannot be 1/0: the denominator"),
+        ("--body", "hoop", "--sphere and --body"),
+        ("--half-tangent", "1/3", "--angle and --half-tangent"),
+        ("--vy", "1", "either --speed with its direction, or --vx and --vy"),
+        ("--spin", "--law", "--spin has no value: `--law` follows"),
+        ("--law", "smith", "did you mean `smith-1991` or `smith-printed`?"),
+        ("--law", "waltom", "did you mean `walton`?"),
+        ("--param", "walton.beta0", "`walton.beta0` has no value"),
+        ("--param", "walton.beta0=2", "walton.beta0 is 2, but must be at least 0 and at most 1"),
+        ("--param", "walton.beta=0", "there are brach.share"),
+    ] {
+        let run = run(&with(flag, value));
+        assert_eq!(run.code, 2, "{flag} {value}: {}", run.stderr);
+        assert!(run.stdout.is_empty(), "{flag} {value}: {}", run.stdout);
+        assert!(run.stderr.contains(message), "{flag} {value}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn what_is_missing_is_asked_for() {
+    for (arguments, message) in [
+        (&["collide"][..], "what collides?"),
+        (&["collide", "--body", "disc"], "how fast?"),
+        (&["collide", "--body", "disc", "--speed", "1"], "--angle is missing"),
+        (&["collide", "--body", "disc", "--angle", "1"], "--speed is missing"),
+        (&["collide", "--body", "disc", "--vx", "1"], "--vy is missing"),
+        (&["collide", "--body", "disc", "--vx", "1", "--vy", "1"], "--mu is missing"),
+        (&["collide", "--body", "disc", "--vy", "1", "--mu", "1"], "--e is missing"),
+        (&["collide", "--body", "disc", "--vy", "-1", "--mu", "1", "--e", "1"], "moves away"),
+    ] {
+        let run = kane(arguments);
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.stderr.contains(message), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn one_law_in_depth_has_all_lanes_and_its_source() {
+    let run = run(&with("--law", "smith-1991"));
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for part in
+        ["8 of 8 exact checks hold", "algebraic", "root", "plain", "enclosure", "C. E. Smith"]
+    {
+        assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
+    }
+    assert!(!run.stdout.contains("DOES NOT HOLD") && !run.stdout.contains("NaN"), "{}", run.stdout);
+}
+
+#[test]
+fn inputs_of_a_thousand_digits_do_not_hang() {
+    let mu = format!("0.3{}", "1234567".repeat(140));
+    let mut arguments = with("--mu", &mu);
+    let run_all = run(&arguments);
+    assert_eq!(run_all.code, 0, "{}", run_all.stderr);
+    assert!(run_all.stdout.contains("no outcome: smith-1991: the outcome is irrational"));
+    arguments.extend(["--law", "smith-1991"].map(str::to_owned));
+    assert_eq!(run(&arguments).code, 3);
+}
+
+#[test]
+fn an_exact_direction_gives_short_fractions() {
+    let arguments =
+        "collide --sphere 7/2 --speed 1 --half-tangent 1/3 --mu 1/2 --e 1 --law wang-su-li";
+    let run = kane(&arguments.split(' ').collect::<Vec<_>>());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    // v_t = 3/5, a = 4/5: alpha = 7/2*1/2*2*(4/5)/(2*3/5) = 7/3
+    let alpha = run.stdout.lines().find(|line| line.starts_with("alpha"));
+    assert!(alpha.is_some_and(|line| line.contains(" 7/3 ")), "{}", run.stdout);
+    let k = run.stdout.lines().find(|line| line.starts_with("k "));
+    assert!(k.is_some_and(|line| line.contains(" -2/5 ")), "{}", run.stdout);
+}
+
+#[test]
+fn a_parameter_reaches_its_law_and_the_command() {
+    let run = run(&with("--param", "walton.beta0=1/8"));
+    let walton = run.stdout.lines().find(|line| line.starts_with("walton"));
+    assert!(walton.is_some_and(|line| line.contains("-0.1250")), "{}", run.stdout);
+    assert!(run.stdout.contains("--param walton.beta0=1/8"), "{}", run.stdout);
+}
+
+#[test]
+fn a_law_that_creates_energy_is_marked_in_words() {
+    let run =
+        kane(&"collide --body hoop --vx 1/2 --vy 2 --mu 1 --e 1".split(' ').collect::<Vec<_>>());
+    assert_eq!(run.code, 0, "a table is information: {}", run.stderr);
+    assert!(run.stdout.contains("whittaker-uncapped"), "{}", run.stdout);
+    assert!(run.stdout.contains("creates energy: slide"), "{}", run.stdout);
+    assert!(run.stdout.contains("energy is created by: whittaker-uncapped"), "{}", run.stdout);
+}
+
+#[test]
+fn a_law_without_an_outcome_says_why_and_alone_exits_3() {
+    let file = "docs/collisions/double-pendulum.toml";
+    let table = kane(&["collide", file]);
+    assert_eq!(table.code, 0, "{}", table.stderr);
+    assert!(table.stdout.contains("no outcome: keller-printed: the law is printed for contacts"));
+    let alone = kane(&["collide", file, "--law", "keller-printed"]);
+    assert_eq!(alone.code, 3, "{}", alone.stdout);
+    assert!(alone.stdout.contains("keller-printed: no outcome"), "{}", alone.stdout);
+}
+
+#[test]
+fn nothing_that_is_printed_is_nan() {
+    for (vx, vy, mass) in [
+        ("0", "0", "1"),
+        ("1e308", "1e308", "1e-300"),
+        ("1e-320", "1e-310", "1e300"),
+        ("0", "1", "1"),
+    ] {
+        for format in ["text", "json", "markdown"] {
+            for law in [None, Some("wang-su-li"), Some("smith-1991")] {
+                let mut arguments = vec![
+                    "collide", "--body", "sphere", "--vx", vx, "--vy", vy, "--mass", mass, "--mu",
+                    "0.1", "--e", "1", "--format", format,
+                ];
+                arguments.extend(law.iter().flat_map(|law| ["--law", law]));
+                let run = kane(&arguments);
+                assert_eq!(run.code, 0, "{arguments:?}: {}", run.stderr);
+                assert!(!run.stdout.contains("NaN"), "{arguments:?}: {}", run.stdout);
+            }
+        }
+    }
+}
+
+#[test]
+fn json_has_every_law_and_is_documented() {
+    let schema = include_str!("../../docs/collide-format.md");
+    let mut undocumented = Vec::new();
+    for law in [None, Some("walton")] {
+        let mut arguments = with("--format", "json");
+        arguments.extend(law.iter().flat_map(|law| ["--law".to_owned(), (*law).to_owned()]));
+        let run = run(&arguments);
+        let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+        assert_eq!(report["schema"]["name"], "kane-collide");
+        assert_eq!(report["laws"].as_array().map(Vec::len), Some(law.map_or(18, |_| 1)));
+        fields(&report, &mut |field| {
+            if !schema.contains(&format!("`{field}`")) {
+                undocumented.push(field.to_owned());
+            }
+        });
+    }
+    assert!(undocumented.is_empty(), "not in docs/collide-format.md: {undocumented:?}");
+}
+
+/// Calls `see` with the name of every field, at any depth.
+fn fields(value: &Value, see: &mut impl FnMut(&str)) {
+    match value {
+        Value::Object(object) => object.iter().for_each(|(name, value)| {
+            see(name);
+            fields(value, see);
+        }),
+        Value::Array(array) => array.iter().for_each(|value| fields(value, see)),
+        _ => {}
+    }
+}
+
+#[test]
+fn out_writes_every_form() {
+    let dir = scratch("collide-out");
+    let target = dir.join("new");
+    let path = target.to_str().expect("UTF-8");
+    let run = kane(&["collide", "docs/collisions/rod-tip.toml", "--out", path]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for (ending, format) in [("txt", "text"), ("md", "markdown"), ("json", "json")] {
+        let written = fs::read_to_string(target.join(format!("rod-tip.{ending}")));
+        let shown = kane(&["collide", "docs/collisions/rod-tip.toml", "--format", format]).stdout;
+        assert_eq!(written.expect("it was written"), shown, "{format}");
+    }
+    let count = fs::read_dir(&target).expect("it was made").count();
+    assert_eq!(count, 3, "no temporary file is left");
+}
+
+#[test]
+fn a_file_s_fault_is_shown_in_its_line() {
+    let dir = scratch("collide-files");
+    let good = "friction = 0.3\nrestitution = 0.5\n";
+    let rod = "[rod-tip]\nmass_kg = 1\nlength_m = 1\nhalf_tangent = \"1/2\"\n";
+    for (name, text, place, message) in [
+        ("unknown", format!("{good}colour = 1\n"), ":3:1", "unknown field `colour`"),
+        ("missing", format!("{good}{rod}"), ":3:1", "missing field `velocity_m_s`"),
+        ("syntax", "friction = = 1\n".to_owned(), ":1:12", ""),
+        ("none", good.to_owned(), "none.toml", "exactly one of"),
+        (
+            "domain",
+            format!("friction = -0.3\nrestitution = 0.5\n{rod}velocity_m_s = [0, -1]\n"),
+            ":1:12",
+            "mu is -0.3, but must be at least 0",
+        ),
+        (
+            "word",
+            format!("{good}{rod}velocity_m_s = [\"fast\", -1]\n"),
+            ":7:17",
+            "v_x0 cannot be fast",
+        ),
+        ("nan", format!("{good}{rod}velocity_m_s = [nan, -1]\n"), ":7:17", "v_x0 cannot be nan"),
+        (
+            "apart",
+            format!("{good}{rod}velocity_m_s = [0, 1]\n"),
+            "",
+            "the bodies move apart: the approach speed is -1",
+        ),
+    ] {
+        let path = dir.join(format!("{name}.toml"));
+        fs::write(&path, text).expect("the scratch directory is writable");
+        let run = kane(&["collide", path.to_str().expect("UTF-8")]);
+        assert_eq!(run.code, 2, "{name}: {}", run.stdout);
+        assert!(run.stderr.starts_with("error: "), "{name}: {}", run.stderr);
+        assert!(
+            run.stderr.contains(message) && run.stderr.contains(place),
+            "{name}: {}",
+            run.stderr
+        );
+        if place.starts_with(':') {
+            assert!(run.stderr.contains('^'), "{name}: {}", run.stderr);
+        }
+    }
+}
+
+#[test]
+fn a_file_and_flags_are_two_collisions() {
+    let run = kane(&["collide", "docs/collisions/ellipse.toml", "--mu", "0.1"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("--mu and docs/collisions/ellipse.toml"), "{}", run.stderr);
+}
+
+#[test]
+fn decimals_in_a_file_are_exact() {
+    let dir = scratch("collide-exact");
+    let path = dir.join("exact.toml");
+    let text = "friction = 0.1\nrestitution = 1\n[sphere]\nmass_kg = 1\nradius_m = 1\nvelocity_m_s = [0.1, 0.3]\n";
+    fs::write(&path, text).expect("the scratch directory is writable");
+    let run = kane(&["collide", path.to_str().expect("UTF-8"), "--law", "wang-su-li"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    // alpha = 7/2*1/10*2*(3/10)/(2*1/10)
+    let alpha = run.stdout.lines().find(|line| line.starts_with("alpha"));
+    assert!(alpha.is_some_and(|line| line.contains(" 21/20 ")), "{}", run.stdout);
+}
+
+#[test]
+fn help_shows_examples_parameters_and_exit_codes() {
+    let run = kane(&["collide", "--help"]);
+    assert_eq!(run.code, 0);
+    for part in [
+        "kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98",
+        "docs/collisions/double-pendulum.toml",
+        "walton.beta0 (11/25)",
+        "Exit codes:",
+    ] {
+        assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
+    }
+}
