@@ -300,8 +300,15 @@ impl<'a, N: Real> Walk<'a, N> {
 
     fn advance(&self, event: Event, rates: &Rates<N>, step: &N) -> PathEvent<N> {
         let here = self.last();
-        let slip = here.slip.clone() + rates.slip.clone() * step;
-        let normal = here.normal_velocity.clone() + rates.normal.clone() * step;
+        // an event that is a zero has it exactly, also where the step to it is only enclosed
+        let slip = match event {
+            Event::Stick | Event::Reverse => N::zero(),
+            _ => here.slip.clone() + rates.slip.clone() * step,
+        };
+        let normal = match event {
+            Event::Compressed => N::zero(),
+            _ => here.normal_velocity.clone() + rates.normal.clone() * step,
+        };
         // the mean velocity of a piece is the mean of its ends
         let mean = |a: &N, b: &N| (a.clone() + b) / N::one().double();
         let friction = rates.friction.clone() * step;
