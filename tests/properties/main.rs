@@ -8,6 +8,8 @@ mod agreement;
 mod connection;
 /// Contacts that couple, aimed at every guard.
 mod contacts;
+/// Decisions in stages against exact numbers, with ties planted.
+mod decide;
 /// Exact arithmetic on floats without fractions.
 mod dyadic;
 /// Who creates energy, and exactly when.

@@ -48,6 +48,7 @@ mod alpha;
 mod arithmetic;
 pub mod bodies;
 mod contact;
+pub mod decide;
 mod delassus;
 pub mod double;
 mod impulse;
