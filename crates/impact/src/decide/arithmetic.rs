@@ -72,7 +72,7 @@ impl Arithmetic for Interval {
             return *self;
         }
         // both signs are possible: from 0 to the farther end
-        Self::between(0.0, part.upper().max(-self.lower()))
+        Self::between(0.0, part.upper().max(self.lower().abs()))
     }
 
     fn sign(&self) -> Option<Ordering> {

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::arithmetic::Arithmetic;
 
 const LIMBS: usize = 16;
+const BITS: i64 = 1024;
 
 /// An integer n with |n| < 2^1024 times 2^exponent, or the admission that it does not fit.
 ///
@@ -73,7 +74,7 @@ impl Fixed {
         if shift == 0 {
             return *self;
         }
-        let room = 64 * LIMBS as i64 - i64::from(self.bits());
+        let room = BITS - i64::from(self.bits());
         let (Ok(places), true) = (usize::try_from(shift), shift <= room) else {
             return Self::LOST;
         };
