@@ -13,8 +13,10 @@ use std::cmp::Ordering;
 use kane_impact::InvalidInput;
 use kane_impact::bodies::{Motion, SphereOnPlane};
 use kane_impact::decide::{self, Decision, Shares, Stage};
-use kane_impact::laws::WhittakerUncapped;
-use kane_number::Rational;
+use kane_impact::exact::wang_su_li;
+use kane_impact::laws::{WangSuLi, WhittakerUncapped};
+use kane_impact::{Alpha, ImpactLaw};
+use kane_number::{Rational, Rounding, encode};
 
 use crate::dyadic::Dyadic;
 use crate::rational;
@@ -328,6 +330,35 @@ fn energy_is_that_of_the_law() {
         let decided = case.decide().expect("valid").sign;
         assert_eq!(decided, outcome.work.tangential.cmp(&zero), "{case:?}");
     }
+}
+
+/// k and i_x as unreduced integers against fractions: exactly, and as the nearest floats.
+#[test]
+fn unreduced_ratios_are_those_of_fractions() {
+    let (mut random, mut by_fixed) = (Random(11), 0);
+    for count in 0..4_000 {
+        let mut case = case(&mut random, 0);
+        if count % 8 == 0 {
+            case.sphere = random.sphere(Random::wild);
+        }
+        let ratios = wang_su_li(&case.sphere).expect("valid");
+        let sphere = case.sphere.map(|&x| exact(x));
+        let Some(alpha) = sphere.alpha().expect("valid") else {
+            let ratios = ratios.map(|ratios| (ratios.k.to_f64(), ratios.impulse.to_f64()));
+            assert!(matches!(ratios, None | Some((-1.0, 0.0))), "{case:?}");
+            continue;
+        };
+        let alpha = if alpha < rational(0, 1) { -alpha } else { alpha };
+        let truth = WangSuLi.ratios(&Alpha::Finite(alpha)).expect("finite");
+        let ratios = ratios.expect("it slips");
+        for (fraction, exact) in [(&ratios.k, &truth.k), (&ratios.impulse, &truth.impulse)] {
+            by_fixed += u32::from(fraction.is_fixed());
+            assert_eq!(fraction.to_rational(), *exact, "{case:?}");
+            let nearest: f64 = encode(exact, Rounding::NearestEven);
+            assert_eq!(fraction.to_f64().to_bits(), nearest.to_bits(), "{case:?}");
+        }
+    }
+    assert!(by_fixed > 6_000, "{by_fixed}");
 }
 
 /// Each input at each special value: the same refusal as a collision's, or the right sign.

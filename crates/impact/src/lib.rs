@@ -51,6 +51,7 @@ mod contact;
 pub mod decide;
 mod delassus;
 pub mod double;
+pub mod exact;
 mod impulse;
 mod invalid;
 mod law;

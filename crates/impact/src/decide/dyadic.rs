@@ -10,8 +10,8 @@ use super::fixed::parts;
 /// n·2^exponent. Exact, without division and without a gcd.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
-    integer: Integer,
-    exponent: i64,
+    pub(super) integer: Integer,
+    pub(super) exponent: i64,
 }
 
 impl Dyadic {

@@ -59,17 +59,40 @@ impl Fixed {
     const ZERO: Self = Self { negative: false, fits: true, len: 0, exponent: 0, limbs: [0; LIMBS] };
     const LOST: Self = Self { fits: false, ..Self::ZERO };
 
-    fn is_zero(&self) -> bool {
+    /// Whether every operation so far had room.
+    pub(super) const fn fits(&self) -> bool {
+        self.fits
+    }
+
+    /// The integer's limbs with the least first, whether it is negative, and the exponent of two.
+    pub(super) fn integer(&self) -> (&[u64], bool, i64) {
+        (&self.limbs[..self.len], self.negative, self.exponent)
+    }
+
+    /// A positive integer.
+    pub(super) fn integral(value: u64) -> Self {
+        let mut limbs = [0; LIMBS];
+        limbs[0] = value;
+        Self { len: usize::from(value != 0), limbs, ..Self::ZERO }
+    }
+
+    /// The same integer with another exponent.
+    pub(super) fn scaled(&self, exponent: i64) -> Self {
+        Self { exponent, ..*self }
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
         self.len == 0
     }
 
-    fn bits(&self) -> u32 {
+    /// How many bits the integer has.
+    pub(super) fn bits(&self) -> u32 {
         let Some(top) = self.limbs[..self.len].last() else { return 0 };
         64 * u32::try_from(self.len).unwrap_or(u32::MAX) - top.leading_zeros()
     }
 
     /// The same number with the integer shifted up to a smaller exponent.
-    fn with_exponent(&self, exponent: i64) -> Self {
+    pub(super) fn with_exponent(&self, exponent: i64) -> Self {
         let shift = self.exponent - exponent;
         if shift == 0 {
             return *self;

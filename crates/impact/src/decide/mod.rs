@@ -29,11 +29,16 @@
 //! [`collide`](crate::bodies::SphereOnPlane::collide) refuses; they never refuse a result for
 //! its size.
 
-mod arithmetic;
+pub(crate) mod arithmetic;
 mod dyadic;
 mod filter;
 mod fixed;
-mod question;
+mod fraction;
+pub(crate) mod question;
+
+pub(crate) use dyadic::Dyadic;
+pub(crate) use fixed::Fixed;
+pub use fraction::Fraction;
 
 use std::cmp::Ordering;
 
@@ -43,9 +48,7 @@ use crate::InvalidInput;
 use crate::bodies::SphereOnPlane;
 use crate::invalid::{finite, fraction, not_negative, positive};
 use arithmetic::Arithmetic;
-use dyadic::Dyadic;
 use filter::Filter;
-use fixed::Fixed;
 use question::{Cone, FrictionGain, Gain, Question, Sliding, Slip};
 
 /// What it took to decide a sign, the cheapest first.
@@ -229,7 +232,7 @@ fn is_usual(sphere: &SphereOnPlane<f64>) -> bool {
 }
 
 /// The domains in the order and the words of [`collide`](SphereOnPlane::collide).
-fn check(sphere: &SphereOnPlane<f64>) -> Result<(), InvalidInput<f64>> {
+pub(crate) fn check(sphere: &SphereOnPlane<f64>) -> Result<(), InvalidInput<f64>> {
     positive("the radius", sphere.radius)?;
     positive("the mass", sphere.mass)?;
     positive("the moment of inertia", sphere.inertia)?;

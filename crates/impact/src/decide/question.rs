@@ -19,21 +19,21 @@ pub(super) trait Question {
 
 /// v = v_x − ω·r.
 #[inline]
-pub(super) fn slip<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
+pub(crate) fn slip<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
     let turning = A::number(sphere.before.omega).times(&A::size(sphere.radius));
     A::number(sphere.before.vx).minus(&turning)
 }
 
 /// s = μ·(1 + e)·v_y.
 #[inline]
-pub(super) fn sliding<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
+pub(crate) fn sliding<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
     let closing = A::one_and(sphere.restitution).times(&A::size(sphere.before.vy));
     A::size(sphere.friction).times(&closing)
 }
 
 /// b·s with b = J + m·r²: what sliding takes from J·|v|.
 #[inline]
-pub(super) fn slowing<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
+pub(crate) fn slowing<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
     let radius = A::size(sphere.radius);
     let orbit = A::size(sphere.mass).times(&radius).times(&radius);
     A::size(sphere.inertia).plus(&orbit).times(&sliding(sphere))
@@ -41,7 +41,7 @@ pub(super) fn slowing<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
 
 /// J·|v|.
 #[inline]
-pub(super) fn reach<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
+pub(crate) fn reach<A: Arithmetic>(sphere: &SphereOnPlane<f64>) -> A {
     A::size(sphere.inertia).times(&slip::<A>(sphere).abs())
 }
 
