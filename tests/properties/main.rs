@@ -4,6 +4,8 @@
 
 /// Floats against exact numbers in α, and the two ways through the physics against each other.
 mod agreement;
+/// Laws over columns of floats.
+mod batch;
 /// The limits of normal collision and of non-collision, with their rates.
 mod connection;
 /// Contacts that couple, aimed at every guard.

@@ -46,6 +46,7 @@
 
 mod alpha;
 mod arithmetic;
+pub mod batch;
 pub mod bodies;
 mod contact;
 pub mod decide;
