@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 
 use kane_impact::InvalidInput;
 use kane_impact::bodies::{Motion, SphereOnPlane};
-use kane_impact::decide::{self, Decision, Shares, Stage};
+use kane_impact::decide::{self, Decision, Shares, Spheres, Stage};
 use kane_impact::exact::wang_su_li;
 use kane_impact::laws::{WangSuLi, WhittakerUncapped};
 use kane_impact::{Alpha, ImpactLaw};
@@ -310,8 +310,60 @@ fn ordinary_inputs_hardly_ever_leave_the_filter() {
         }
     }
     println!("random inputs: {shares:?}");
-    // a filter fails where terms cancel to within 20u or so: one time in 2^40
+    // a filter fails where terms cancel to within 20u or so: one time in 2^48
     assert_eq!(shares.total() - shares.filter, 0);
+}
+
+/// Every remainder of a block, rows in doubt among others, and the first row that is refused.
+#[test]
+fn columns_decide_as_single_spheres_do() {
+    let mut random = Random(5);
+    for rows in [0, 1, 63, 64, 65, 640, 1000] {
+        let mut spheres: Vec<_> = (0..rows)
+            .map(|row| match row % 128 {
+                0..64 => random.sphere(Random::size),
+                _ => case(&mut random, 2).sphere,
+            })
+            .collect();
+        let (decided, signs) = by_columns(&spheres);
+        let shares = decided.expect("all are in their domains");
+        let mut expected = Shares::default();
+        for (sphere, sign) in spheres.iter().zip(signs) {
+            let decision = decide::sliding(sphere).expect("in its domain");
+            assert_eq!(sign, decision.sign, "{sphere:?}");
+            expected.count(decision.stage);
+        }
+        assert_eq!(shares, expected);
+        for row in [rows / 2, rows.saturating_sub(1)] {
+            let Some(sphere) = spheres.get_mut(row) else { continue };
+            sphere.before.omega = f64::NAN;
+            let (row_refused, error) = by_columns(&spheres).0.expect_err("a NaN");
+            assert_eq!(row_refused, rows / 2);
+            assert_eq!(error.to_string(), "the angular velocity is NaN, which is not finite");
+        }
+    }
+}
+
+type Refusal = (usize, InvalidInput<f64>);
+
+fn by_columns(spheres: &[SphereOnPlane<f64>]) -> (Result<Shares, Refusal>, Vec<Ordering>) {
+    let column = |of: fn(&SphereOnPlane<f64>) -> f64| spheres.iter().map(of).collect::<Vec<_>>();
+    let (mass, radius, inertia) = (column(|s| s.mass), column(|s| s.radius), column(|s| s.inertia));
+    let (friction, restitution) = (column(|s| s.friction), column(|s| s.restitution));
+    let (vx, vy) = (column(|s| s.before.vx), column(|s| s.before.vy));
+    let omega = column(|s| s.before.omega);
+    let mut signs = vec![Ordering::Equal; spheres.len()];
+    let columns = Spheres {
+        mass: &mass,
+        radius: &radius,
+        inertia: &inertia,
+        friction: &friction,
+        restitution: &restitution,
+        vx: &vx,
+        vy: &vy,
+        omega: &omega,
+    };
+    (decide::sliding_all(columns, &mut signs), signs)
 }
 
 /// The law itself, run on fractions.

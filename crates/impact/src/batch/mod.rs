@@ -123,32 +123,48 @@ fn fill_contacts<K: Kernel>(
     }
 }
 
-/// So many rows are surveyed side by side, which leaves the order of the maxima open.
+/// Rows are surveyed by the block, whose results stay in the first-level cache.
+const BLOCK: usize = 256;
+
+/// So many maxima are kept side by side, which leaves their order open.
 const LANES: usize = 8;
 
-/// A survey of rows in lanes.
-#[derive(Clone, Copy)]
+/// A survey of blocks.
 struct Tally {
-    outside: [u64; LANES],
-    gains: [u64; LANES],
-    beyond_cone: [u64; LANES],
+    outside: u64,
+    gains: u64,
+    beyond_cone: u64,
     greatest_energy: [f64; LANES],
     least_k: [f64; LANES],
 }
 
 impl Tally {
+    /// Two loops, since counts vectorise as they are, but the order of maxima must be given up by hand.
     #[inline]
-    fn add<K: Kernel>(&mut self, kernel: K, rows: &[f64; LANES]) {
-        for (lane, &alpha) in rows.iter().enumerate() {
+    fn add<K: Kernel>(&mut self, kernel: K, alpha: &[f64; BLOCK]) {
+        let (mut energies, mut ks) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let (mut outside, mut gains, mut beyond_cone) = (0, 0, 0);
+        for ((&alpha, e), l) in alpha.iter().zip(&mut energies).zip(&mut ks) {
             let inside = alpha >= 0.0;
             let Row { k, impulse, energy } = kernel.row(alpha);
-            self.outside[lane] += u64::from(!inside);
-            self.gains[lane] += u64::from(inside & (energy > 0.0));
-            self.beyond_cone[lane] += u64::from(inside & (impulse.abs() > 1.0));
-            // comparisons with NaN are false, so that no such row is taken
-            let (energies, ks) = (&mut self.greatest_energy[lane], &mut self.least_k[lane]);
-            *energies = if inside & (energy > *energies) { energy } else { *energies };
-            *ks = if inside & (k < *ks) { k } else { *ks };
+            outside += u64::from(!inside);
+            gains += u64::from(inside & (energy > 0.0));
+            beyond_cone += u64::from(inside & (impulse.abs() > 1.0));
+            *e = if inside { energy } else { f64::NEG_INFINITY };
+            *l = if inside { k } else { f64::INFINITY };
+        }
+        self.outside += outside;
+        self.gains += gains;
+        self.beyond_cone += beyond_cone;
+        for row in energies.as_chunks::<LANES>().0 {
+            for (most, &energy) in self.greatest_energy.iter_mut().zip(row) {
+                *most = if energy > *most { energy } else { *most };
+            }
+        }
+        for row in ks.as_chunks::<LANES>().0 {
+            for (least, &k) in self.least_k.iter_mut().zip(row) {
+                *least = if k < *least { k } else { *least };
+            }
         }
     }
 }
@@ -160,26 +176,26 @@ impl Tally {
 pub fn survey<L: Batched>(law: &L, alpha: &[f64]) -> Survey {
     let kernel = law.kernel();
     let mut tally = Tally {
-        outside: [0; LANES],
-        gains: [0; LANES],
-        beyond_cone: [0; LANES],
+        outside: 0,
+        gains: 0,
+        beyond_cone: 0,
         greatest_energy: [f64::NEG_INFINITY; LANES],
         least_k: [f64::INFINITY; LANES],
     };
-    let (whole, rest) = alpha.as_chunks::<LANES>();
+    let (whole, rest) = alpha.as_chunks::<BLOCK>();
     for rows in whole {
         tally.add(kernel, rows);
     }
     // the last rows are filled up with NaN, which counts as outside and nowhere else
-    let mut padded = [f64::NAN; LANES];
+    let mut padded = [f64::NAN; BLOCK];
     padded[..rest.len()].copy_from_slice(rest);
     tally.add(kernel, &padded);
-    let padding = u64::try_from(LANES - rest.len()).unwrap_or(0);
+    let padding = u64::try_from(BLOCK - rest.len()).unwrap_or(0);
     Survey {
         rows: alpha.len(),
-        outside: tally.outside.iter().sum::<u64>() - padding,
-        gains: tally.gains.iter().sum(),
-        beyond_cone: tally.beyond_cone.iter().sum(),
+        outside: tally.outside - padding,
+        gains: tally.gains,
+        beyond_cone: tally.beyond_cone,
         greatest_energy: tally.greatest_energy.into_iter().fold(f64::NEG_INFINITY, f64::max),
         least_k: tally.least_k.into_iter().fold(f64::INFINITY, f64::min),
     }

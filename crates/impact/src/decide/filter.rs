@@ -2,75 +2,81 @@
 //!
 //! u = 2⁻⁵³. Every node of a formula carries its value x̂ in floats and a magnitude X̂, formed by the
 //! same operations with − replaced by + and every input by its absolute value. Write x and X for what
-//! exact arithmetic gives, D for the count of roundings below, and θ(D) = (1 + u)^D − 1.
+//! exact arithmetic gives, D for the count of roundings, and θ(D) = (1 + u)^D − 1. All inputs are at
+//! most 2^[`CAP`] in magnitude; so |x|, X, |x̂| and X̂ are at most 2^size with the sizes below, because
+//! rounding is monotone and powers of two are floats.
 //!
-//! **Claim.** Where nothing under- or overflows, |x̂ − x| ≤ θ(D)·X, |x| ≤ X and X̂ ≥ (1 − u)^D·X.
+//! **Claim.** |x̂ − x| ≤ θ(D)·X + η, where η = 2^`lost` bounds what underflow took; the same for X̂.
 //!
-//! - *Input:* exact, D = 0. *1 ± e:* one rounding of a number that is not negative, D = 1, and the
-//!   magnitude may be the value itself.
-//! - *Sum or difference*, D = max(a, b) + 1: before rounding the error is at most θ(a)·X + θ(b)·Y;
-//!   rounding adds u times the computed sum: together at most ((1 + u)(1 + θ(max)) − 1)·(X + Y).
-//! - *Product*, D = a + b + 1: |x̂·ŷ − x·y| ≤ |x̂|·|ŷ − y| + |y|·|x̂ − x| ≤ ((1 + θ(a))(1 + θ(b)) − 1)·X·Y
-//!   and 1 + θ(a + b) = (1 + θ(a))(1 + θ(b)); then rounding as above.
+//! - *Input:* exact, D = 0, η = 0. *1 ± e:* one rounding of a number that is not negative, D = 1, and
+//!   the magnitude may be the value itself; a sum never underflows.
+//! - *Sum or difference*, D = max(a, b) + 1: before rounding the error is at most
+//!   θ(a)·X + θ(b)·Y + η + η′, and rounding adds u times the computed sum: together at most
+//!   ((1 + u)(1 + θ(max)) − 1)·(X + Y) + (1 + u)(η + η′), and the last is at most four times the larger.
+//! - *Product*, D = a + b + 1: |x̂·ŷ − x·y| ≤ |x̂|·|ŷ − y| + |y|·|x̂ − x|, and |x̂| ≤ (1 + θ(a))·X + η:
+//!   at most θ(a + b)·X·Y + η·(1 + θ(b))·Y + η′·|x̂|. Rounding multiplies by 1 + u, adds u·X·Y, and
+//!   in the subnormal range at most 2⁻¹⁰⁷⁵: at most θ(D)·X·Y and four times the largest of
+//!   2·η·2^size(y), η′·2^size(x) and 2⁻¹⁰⁷⁵.
 //! - *Absolute value:* ||x̂| − |x|| ≤ |x̂ − x|.
-//! - X̂ is made of sums and products of numbers ≥ 0, so that every rounding costs at most 1 − u.
 //!
-//! **Bound.** |x̂ − x| ≤ θ(D)·(1 − u)^−D·X̂ ≤ (D + 1)·u·X̂ for D < 2²⁰, where D²·u is far below 1/8.
-//! The product (D + 2)·u·X̂ is rounded once and still at least that. So |x̂| > fl((D + 2)·u·X̂) proves
-//! that x has the sign of x̂.
+//! **Bound.** From the claim for X̂, X ≤ (X̂ + η)/(1 − θ(D)), so that |x̂ − x| ≤ θ/(1 − θ)·(X̂ + η) + η,
+//! at most (D + 1)·u·X̂ + 2η for D < 2²⁰, where D²·u is far below 1/8. In floats we form
+//! fl(fl((D + 2)·u·X̂) + 4η) with η ≥ 2⁻¹⁰²⁴: two roundings take less than u each from D + 2, an
+//! underflow of the product less than η. So |x̂| beyond that proves that x has the sign of x̂.
 //!
-//! **Overflow.** Rounding is monotone, so |x̂| ≤ X̂ at every node: if something overflows, or is NaN,
-//! the last X̂ is ∞ or NaN, and the comparison fails.
+//! **Overflow** is excluded by the sizes; a NaN fails the comparison.
 //!
-//! **Underflow.** An input that is 0 or at least 2⁻¹⁰⁰ in magnitude is a multiple of 2⁻¹⁵², and so
-//! is no smaller unless it is 0; 1 ± e in floats is a multiple of 2⁻⁵³. A product of multiples of 2⁻ᵃ
-//! and 2⁻ᵇ is a multiple of 2^−(a + b), a sum of 2^−max(a, b), and rounding keeps that, since it
-//! either leaves a number alone or makes it a multiple of a larger power. A multiple of 2⁻¹⁰⁷⁴ that is
-//! below the normal range is a float, and loses nothing. So with h for the exponent that results,
-//! there is no underflow if h ≤ 1074; for the product with the constant, which is at least 2⁻⁵³, we
-//! ask h + 53 ≤ 1022. If an input is smaller, the stage abstains.
-//!
-//! D and h are fields, and as every formula is inlined the compiler folds them to constants: a new
-//! question derives its bound by itself.
+//! D, size and lost are fields, and as every formula is inlined the compiler folds them to constants:
+//! a new question derives its bound by itself.
 #![allow(clippy::float_arithmetic, reason = "a float filter with a proved bound")]
 
 use std::cmp::Ordering;
 
 use super::arithmetic::Arithmetic;
 
-/// 2⁻¹⁰⁰: inputs below it may underflow.
-const LEAST: u64 = (1023 - 100) << 52;
+/// Inputs are at most 2^this in magnitude, as the caller sees to.
+const CAP: i32 = 100;
 
-/// An input of that size or above is a multiple of 2^−this.
-const INPUT_HALVINGS: u32 = 100 + 52;
+/// The bits of 2^[`CAP`]: magnitudes are ordered as their bits are.
+pub(super) const GREATEST: u64 = (1023 + CAP.unsigned_abs() as u64) << 52;
+
+/// 2^[`CAP`].
+pub(super) const LIMIT: f64 = f64::from_bits(GREATEST);
+
+/// Whether an input of either sign is at most 2^[`CAP`] in magnitude; false for NaN.
+#[inline]
+pub(super) const fn is_small(input: f64) -> bool {
+    input.to_bits() << 1 <= GREATEST << 1
+}
 
 /// 2⁻⁵³.
 const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// A number in floats with a running bound on its error.
+/// Below every exponent that matters: nothing is lost.
+const NOTHING: i32 = -1_000_000;
+
+/// A number in floats with a running bound on its error, for inputs of at most 2^[`CAP`].
 #[derive(Clone, Copy)]
 pub(super) struct Filter {
     value: f64,
     magnitude: f64,
     /// D.
-    roundings: u32,
-    /// h: value and magnitude are multiples of 2^−h.
-    halvings: u32,
-    /// Whether every input is 0 or at least 2⁻¹⁰⁰.
-    in_range: bool,
+    roundings: i32,
+    size: i32,
+    lost: i32,
+}
+
+/// 2^exponent for a normal one, which folds to a constant.
+#[inline]
+fn power(exponent: i32) -> f64 {
+    f64::from_bits(u64::from((1023 + exponent).unsigned_abs()) << 52)
 }
 
 impl Filter {
-    /// A number that is not negative, rounded once and a multiple of 2⁻⁵³.
+    /// A number from 0 to 2, rounded once.
     #[inline]
     fn rounded_once(value: f64) -> Self {
-        Self { value, magnitude: value, roundings: 1, halvings: 53, in_range: true }
-    }
-
-    #[inline]
-    fn is_in_range(input: f64) -> bool {
-        // twice the bits drop the sign, and 0 − 1 is the greatest integer: one comparison
-        (input.to_bits() << 1).wrapping_sub(1) >= (LEAST << 1) - 1
+        Self { value, magnitude: value, roundings: 1, size: 1, lost: NOTHING }
     }
 
     #[inline]
@@ -79,18 +85,34 @@ impl Filter {
             value,
             magnitude: self.magnitude + other.magnitude,
             roundings: self.roundings.max(other.roundings) + 1,
-            halvings: self.halvings.max(other.halvings),
-            in_range: self.in_range & other.in_range,
+            size: self.size.max(other.size) + 1,
+            lost: self.lost.max(other.lost) + 2,
         }
+    }
+}
+
+impl Filter {
+    /// The value, which has the sign of the exact one if it exceeds the bound in magnitude.
+    #[inline]
+    pub(super) const fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// The bound; ∞ for a formula that is too long for one.
+    #[inline]
+    pub(super) fn bound(&self) -> f64 {
+        let slack = (self.lost + 2).max(-1022);
+        if self.size > 1023 || self.roundings >= 1 << 20 || slack > 1023 {
+            return f64::INFINITY;
+        }
+        f64::from(self.roundings + 2) * UNIT * self.magnitude + power(slack)
     }
 }
 
 impl Arithmetic for Filter {
     #[inline]
     fn number(input: f64) -> Self {
-        let in_range = Self::is_in_range(input);
-        let halvings = INPUT_HALVINGS;
-        Self { value: input, magnitude: input.abs(), roundings: 0, halvings, in_range }
+        Self { value: input, magnitude: input.abs(), roundings: 0, size: CAP, lost: NOTHING }
     }
 
     /// The magnitude is the value, which the compiler then computes once for both.
@@ -121,12 +143,13 @@ impl Arithmetic for Filter {
 
     #[inline]
     fn times(&self, other: &Self) -> Self {
+        let lost = (self.lost + other.size + 1).max(other.lost + self.size).max(-1075);
         Self {
             value: self.value * other.value,
             magnitude: self.magnitude * other.magnitude,
             roundings: self.roundings + other.roundings + 1,
-            halvings: self.halvings + other.halvings,
-            in_range: self.in_range & other.in_range,
+            size: self.size + other.size,
+            lost: lost + 2,
         }
     }
 
@@ -137,11 +160,12 @@ impl Arithmetic for Filter {
 
     #[inline]
     fn sign(&self) -> Option<Ordering> {
-        let bound = f64::from(self.roundings + 2) * UNIT * self.magnitude;
-        let proved = self.halvings <= 1022 - 53
-            && self.roundings < 1 << 20
-            && self.in_range & (self.value.abs() > bound);
-        proved.then_some(if self.value > 0.0 { Ordering::Greater } else { Ordering::Less })
+        let bound = self.bound();
+        (self.value.abs() > bound).then_some(if self.value > 0.0 {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        })
     }
 }
 
@@ -150,31 +174,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_range_begins_at_its_least_input() {
-        let least = f64::from_bits(LEAST);
-        assert_eq!(least, 2.0_f64.powi(-100));
-        for inside in [0.0, -0.0, least, -least, 1.0, f64::MAX] {
-            assert!(Filter::is_in_range(inside), "{inside}");
-        }
-        for outside in [least.next_down(), -least.next_down(), f64::from_bits(1)] {
-            assert!(!Filter::is_in_range(outside), "{outside}");
-        }
-    }
-
-    #[test]
     fn it_abstains_where_nothing_is_proved() {
         let x = Filter::number;
-        let large = x(1e300);
-        assert_eq!(large.times(&large).sign(), None); // overflow
+        assert_eq!(f64::from_bits(GREATEST), 2.0_f64.powi(CAP));
         assert_eq!(x(f64::NAN).sign(), None);
-        assert_eq!(x(1e-40).times(&x(1e-40)).sign(), None); // may underflow
+        assert_eq!(x(1e-200).times(&x(1e-200)).sign(), None); // underflow
+        assert_eq!(x(1e-100).times(&x(1e-100)).sign(), Some(Ordering::Greater));
         assert_eq!(x(1.0).minus(&x(1.0)).sign(), None); // a tie is for a later stage
         let mut product = x(1.0);
-        for _ in 0..6 {
+        for _ in 0..10 {
             product = product.times(&x(1.0));
         }
-        assert_eq!(product.sign(), None); // too long a product to exclude underflow
+        assert_eq!(product.sign(), None); // too long a product to exclude overflow
         assert_eq!(x(1.0).minus(&x(1.0_f64.next_up())).sign(), None); // within 3u of 2
         assert_eq!(x(1.0).minus(&x(1.0 + 8.0 * f64::EPSILON)).sign(), Some(Ordering::Less));
+    }
+
+    /// What underflow takes from a factor grows with the cofactor.
+    #[test]
+    fn a_large_cofactor_does_not_hide_an_underflow() {
+        let x = Filter::number;
+        let (tiny, large) = (x(2.0_f64.powi(-538)), x(2.0_f64.powi(100)));
+        let lost = tiny.times(&tiny); // 2^−1076 in truth, 0 in floats
+        let raised = (0..5).fold(lost, |product, _| product.times(&large)); // 2^−576 in truth
+        let other = x(2.0_f64.powi(-600));
+        assert_eq!(raised.minus(&other).sign(), None);
     }
 }

@@ -30,12 +30,14 @@
 //! its size.
 
 pub(crate) mod arithmetic;
+mod column;
 mod dyadic;
 mod filter;
 mod fixed;
 mod fraction;
 pub(crate) mod question;
 
+pub use column::{Spheres, sliding_all};
 pub(crate) use dyadic::Dyadic;
 pub(crate) use fixed::Fixed;
 pub use fraction::Fraction;
@@ -206,6 +208,7 @@ fn decide<Q: Question>(
     sphere: &SphereOnPlane<f64>,
 ) -> Result<Decision, InvalidInput<f64>> {
     if is_usual(sphere)
+        && question.is_usual()
         && let Some(sign) = question.value::<Filter>(sphere).sign()
     {
         return Ok(Decision { sign, stage: Stage::Filter });
@@ -213,22 +216,20 @@ fn decide<Q: Question>(
     decide_later(question, sphere)
 }
 
-/// Whether all inputs are in their domains, by their bits; says no to −0 where no sign is allowed,
-/// which [`check`] then accepts.
+/// Whether all inputs are in their domains and at most what the filter allows, each by one comparison
+/// of its bits; says no to −0 where no sign is allowed, which [`check`] then accepts.
 #[inline]
 fn is_usual(sphere: &SphereOnPlane<f64>) -> bool {
-    const INFINITE: u64 = f64::INFINITY.to_bits();
-    let positive = |x: f64| x.to_bits().wrapping_sub(1) < INFINITE - 1;
-    let not_negative = |x: f64| x.to_bits() < INFINITE;
-    let finite = |x: f64| x.to_bits() << 1 < INFINITE << 1;
+    let positive = |x: f64| x.to_bits().wrapping_sub(1) < filter::GREATEST;
+    let not_negative = |x: f64| x.to_bits() <= filter::GREATEST;
     positive(sphere.mass)
-        & positive(sphere.radius)
-        & positive(sphere.inertia)
-        & not_negative(sphere.friction)
-        & (sphere.restitution.to_bits() <= 1.0_f64.to_bits())
-        & not_negative(sphere.before.vy)
-        & finite(sphere.before.vx)
-        & finite(sphere.before.omega)
+        && positive(sphere.radius)
+        && positive(sphere.inertia)
+        && not_negative(sphere.friction)
+        && sphere.restitution.to_bits() <= 1.0_f64.to_bits()
+        && not_negative(sphere.before.vy)
+        && filter::is_small(sphere.before.vx)
+        && filter::is_small(sphere.before.omega)
 }
 
 /// The domains in the order and the words of [`collide`](SphereOnPlane::collide).

@@ -9,10 +9,17 @@
 //! so that every sign in terms of α becomes one of sums and products.
 
 use super::arithmetic::Arithmetic;
+use super::filter::is_small;
 use crate::bodies::SphereOnPlane;
 
 /// A quantity whose sign is asked.
 pub(super) trait Question {
+    /// Whether its inputs besides the sphere's are finite and at most what the filter allows.
+    #[inline]
+    fn is_usual(&self) -> bool {
+        true
+    }
+
     /// The quantity, up to a positive factor.
     fn value<A: Arithmetic>(&self, sphere: &SphereOnPlane<f64>) -> A;
 }
@@ -95,6 +102,11 @@ pub(super) struct Cone {
 }
 
 impl Question for Cone {
+    #[inline]
+    fn is_usual(&self) -> bool {
+        is_small(self.tangential)
+    }
+
     #[inline]
     fn value<A: Arithmetic>(&self, sphere: &SphereOnPlane<f64>) -> A {
         let limit = A::size(sphere.mass).times(&sliding(sphere));

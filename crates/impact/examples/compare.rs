@@ -8,12 +8,12 @@ use std::hint::black_box;
 use std::io::{BufRead, Write};
 use std::time::Instant;
 
-use kane::impact::batch::{self, Columns};
-use kane::impact::bodies::{Motion, SphereOnPlane};
-use kane::impact::decide::{self, Stage};
-use kane::impact::exact::wang_su_li;
-use kane::impact::laws::WangSuLi;
-use kane::number::{Number, Rational, decode};
+use kane_impact::batch::{self, Columns};
+use kane_impact::bodies::{Motion, SphereOnPlane};
+use kane_impact::decide::{self, Spheres, Stage};
+use kane_impact::exact::wang_su_li;
+use kane_impact::laws::WangSuLi;
+use kane_number::{Number, Rational, decode};
 
 type Sphere = SphereOnPlane<f64>;
 
@@ -75,8 +75,21 @@ fn plain(sphere: &Sphere) -> bool {
     inertia * (before.vx - before.omega * radius).abs() > slowing
 }
 
+/// The same over columns.
+#[inline(never)]
+fn plain_columns(columns: &[Vec<f64>; 8]) -> usize {
+    let rows = columns[0].len();
+    let [m, r, j, mu, e, vx, vy, w] = columns.each_ref().map(|column| &column[..rows]);
+    let slides = |row: usize| {
+        let sliding = mu[row] * ((1.0 + e[row]) * vy[row]);
+        let slowing = (j[row] + m[row] * r[row] * r[row]) * sliding;
+        j[row] * (vx[row] - w[row] * r[row]).abs() > slowing
+    };
+    (0..rows).map(|row| usize::from(slides(row))).sum()
+}
+
 /// The same with the domains.
-fn plain_checked(sphere: &Sphere) -> Option<bool> {
+fn plain_checked(sphere: &Sphere) -> bool {
     let Sphere { mass, radius, inertia, friction, restitution, before } = sphere;
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let valid = positive(*mass)
@@ -89,7 +102,7 @@ fn plain_checked(sphere: &Sphere) -> Option<bool> {
         && before.vy.is_finite()
         && before.vx.is_finite()
         && before.omega.is_finite();
-    valid.then(|| plain(sphere))
+    valid & plain(sphere)
 }
 
 /// k and i_x by the formulas of the paper in fractions.
@@ -111,6 +124,8 @@ struct Data {
     columns: [Vec<f64>; 3],
     spheres: Vec<Sphere>,
     tied: Vec<Sphere>,
+    sphere_columns: [Vec<f64>; 8],
+    signs: Vec<std::cmp::Ordering>,
     rationals: Vec<SphereOnPlane<Rational>>,
 }
 
@@ -126,6 +141,20 @@ impl Data {
             "decide-tied" => data.tied = (0..rows).map(|_| nearly_tied(&mut random)).collect(),
             _ => data.spheres = (0..rows).map(|_| random.sphere()).collect(),
         }
+        if work.ends_with("-columns") {
+            let fields: [fn(&Sphere) -> f64; 8] = [
+                |s| s.mass,
+                |s| s.radius,
+                |s| s.inertia,
+                |s| s.friction,
+                |s| s.restitution,
+                |s| s.before.vx,
+                |s| s.before.vy,
+                |s| s.before.omega,
+            ];
+            data.sphere_columns = fields.map(|field| data.spheres.iter().map(field).collect());
+        }
+        data.signs = vec![std::cmp::Ordering::Equal; data.spheres.len()];
         if work == "exact-rational" {
             let exactly = |x: &f64| decode(*x).expect("finite");
             data.rationals = data.spheres.iter().map(|sphere| sphere.map(exactly)).collect();
@@ -145,14 +174,22 @@ impl Data {
                 _ = black_box(self.spheres.iter().filter(|sphere| plain(sphere)).count());
             }
             "decide-plain-checked" => {
-                let slides = |sphere: &&Sphere| plain_checked(sphere) == Some(true);
-                _ = black_box(self.spheres.iter().filter(slides).count());
+                let slides = self.spheres.iter().filter(|sphere| plain_checked(sphere));
+                _ = black_box(slides.count());
             }
             "decide" | "decide-tied" => {
                 let spheres = if work == "decide" { &self.spheres } else { &self.tied };
                 let slides =
                     |sphere: &&Sphere| decide::sliding(sphere).is_ok_and(|d| d.sign.is_gt());
                 _ = black_box(spheres.iter().filter(slides).count());
+            }
+            "plain-columns" => _ = black_box(plain_columns(&self.sphere_columns)),
+            "decide-columns" => {
+                let [mass, radius, inertia, friction, restitution, vx, vy, omega] =
+                    &self.sphere_columns;
+                let spheres =
+                    Spheres { mass, radius, inertia, friction, restitution, vx, vy, omega };
+                _ = black_box(decide::sliding_all(spheres, &mut self.signs).is_ok());
             }
             "exact" => {
                 for sphere in &self.spheres {
