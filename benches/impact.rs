@@ -1,8 +1,8 @@
 //! How long collisions take: `cargo bench --bench impact`.
 //!
-//! `columns` stores k, i_x and Δe, `surveys` stores nothing; their items are rows, in the first-level
-//! cache and far beyond the last. `decisions` are by what it takes to decide, with all stages before;
-//! `exactly` is one collision in three kinds of exact arithmetic. `scripts/compare/run` sets them beside
+//! `stored` fills columns with k, i_x and Δe, `survey` stores nothing; their items are rows, in the
+//! first-level cache and far beyond the last. `decision` is by what it takes to decide, with all stages
+//! before; `exactly` is one collision in exact arithmetic. `scripts/compare/run` sets them beside
 //! other languages.
 
 use divan::counter::ItemsCount;

@@ -25,14 +25,18 @@ fn single<L: ImpactLaw>(law: &L, alpha: f64) -> Ratios<f64> {
     law.ratios(&Alpha::new(alpha).expect("α ≥ 0")).expect("finite")
 }
 
-/// The same floats; −0 equals 0. The single lane rounds half of Δe and doubles it, which in the
-/// subnormal range is a rounding to even multiples of 2^−1074: there they may differ by one of them.
+/// The same floats; −0 equals 0. From one product the single lane rounds half of Δe and doubles it:
+/// in the subnormal range, in units of 2^−1074, the product is off by 1/2, its half by 1/4 + 1/2, and
+/// so Δe by 3/2; the columns are off by 1/4 + 1/2. Both are whole: they differ by 2 at most.
 fn equals_the_single_lane<L: Batched>(law: &L, alphas: &[f64]) -> Result<(), TestCaseError> {
     let least = f64::from_bits(1);
     for (&alpha, mut row) in alphas.iter().zip(columns(law, alphas)) {
         let single = single(law, alpha);
         if single.energy.abs() < 2.0 * f64::MIN_POSITIVE {
-            prop_assert!((row.energy - single.energy).abs() <= least, "{row:?} and {single:?}");
+            prop_assert!(
+                (row.energy - single.energy).abs() <= 2.0 * least,
+                "{row:?} and {single:?}"
+            );
             row.energy = single.energy;
         }
         if law.id() == WangSuLi.id() {

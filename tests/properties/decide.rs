@@ -318,7 +318,7 @@ fn ordinary_inputs_hardly_ever_leave_the_filter() {
 #[test]
 fn columns_decide_as_single_spheres_do() {
     let mut random = Random(5);
-    for rows in [0, 1, 63, 64, 65, 640, 1000] {
+    for rows in [0_usize, 1, 63, 64, 65, 640, 1000] {
         let mut spheres: Vec<_> = (0..rows)
             .map(|row| match row % 128 {
                 0..64 => random.sphere(Random::size),

@@ -27,7 +27,7 @@ pub trait Kernel: Copy {
 /// A law with a branch-free float lane for contacts that do not couple.
 ///
 /// "As the single lane" means: the very float that [`ratios`](ImpactLaw::ratios) gives, at any α from
-/// 0 to ∞, the sign of a zero aside; a subnormal Δe may differ by 2⁻¹⁰⁷⁴, because that lane doubles a
+/// 0 to ∞, the sign of a zero aside; a subnormal Δe may differ by 2⁻¹⁰⁷³, because that lane doubles a
 /// rounded half. Bounds are against the exact law at the float α; u = 2⁻⁵³.
 pub trait Batched: ImpactLaw {
     /// What is left of the law in the loop.
