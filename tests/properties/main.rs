@@ -4,12 +4,16 @@
 
 /// Floats against exact numbers in α, and the two ways through the physics against each other.
 mod agreement;
+/// Laws over columns of floats.
+mod batch;
 /// From bodies to contacts and back.
 mod bodies;
 /// The limits of normal collision and of non-collision, with their rates.
 mod connection;
 /// Contacts that couple, aimed at every guard.
 mod contacts;
+/// Decisions in stages against exact numbers, with ties planted.
+mod decide;
 /// Exact arithmetic on floats without fractions.
 mod dyadic;
 /// Who creates energy, and exactly when.

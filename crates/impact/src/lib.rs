@@ -46,10 +46,13 @@
 
 mod alpha;
 mod arithmetic;
+pub mod batch;
 pub mod bodies;
 mod contact;
+pub mod decide;
 mod delassus;
 pub mod double;
+pub mod exact;
 mod impulse;
 mod invalid;
 mod law;
