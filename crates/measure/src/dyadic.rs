@@ -10,33 +10,36 @@ use crate::{Arithmetic, Format};
 /// Arithmetic with this many bits, each operation within one unit of the last of them.
 ///
 /// Sums and products are exact as long as they fit. There is no over- or underflow, so what a
-/// formula loses here is what cancels in it, and with enough bits nothing visible is left of that.
-/// Heuristic: the caller gives more bits than can cancel.
+/// formula loses here is what cancels in it. Every number carries a bound on its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Dyadic {
     /// Bits that are kept.
     pub bits: u64,
 }
 
-/// mantissa · 2^exponent.
+/// mantissa · 2^exponent, within 2^doubt of the exact result.
 #[derive(Clone, Debug)]
 pub struct DyadicNumber {
     mantissa: Integer,
     exponent: i64,
+    doubt: i64,
 }
+
+/// The doubt of what is exact.
+const NONE: i64 = i64::MIN / 4;
 
 fn length(n: &Integer) -> i64 {
     i64::try_from(n.bits()).unwrap_or(i64::MAX)
 }
 
 impl Dyadic {
-    fn rounded(self, mantissa: Integer, exponent: i64) -> DyadicNumber {
+    fn rounded(self, mantissa: Integer, exponent: i64, doubt: i64) -> DyadicNumber {
         let excess = mantissa.bits().saturating_sub(self.bits);
         if excess == 0 {
-            return DyadicNumber { mantissa, exponent };
+            return DyadicNumber { mantissa, exponent, doubt };
         }
         let exponent = exponent + i64::try_from(excess).unwrap_or(i64::MAX);
-        DyadicNumber { mantissa: mantissa >> excess, exponent }
+        DyadicNumber { mantissa: mantissa >> excess, exponent, doubt: doubt.max(exponent) + 1 }
     }
 
     fn target(self) -> i64 {
@@ -53,7 +56,19 @@ impl DyadicNumber {
         let exact = decode(float)?;
         // a float's denominator is a power of two
         let exponent = 1 - length(exact.denom());
-        Ok(Self { mantissa: exact.numer().clone(), exponent })
+        Ok(Self { mantissa: exact.numer().clone(), exponent, doubt: NONE })
+    }
+
+    /// How many leading bits are certainly right; none if the number cannot be told from 0.
+    #[must_use]
+    pub fn certain_bits(&self) -> i64 {
+        if self.doubt == NONE { i64::MAX } else { self.binade() - self.doubt }
+    }
+
+    /// Exactly 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self { mantissa: Integer::ZERO, exponent: 0, doubt: NONE }
     }
 
     /// Whether this is 0.
@@ -71,7 +86,7 @@ impl DyadicNumber {
     /// The integer b with 2^b ≤ |x| < 2^(b+1); far below every format for 0. Exact.
     #[must_use]
     pub fn binade(&self) -> i64 {
-        if self.is_zero() { i64::MIN / 4 } else { length(&self.mantissa) - 1 + self.exponent }
+        if self.is_zero() { NONE } else { length(&self.mantissa) - 1 + self.exponent }
     }
 
     /// log₂|x| in hundredths, rounded down to what its leading 16 bits tell; `None` for 0.
@@ -127,7 +142,7 @@ impl DyadicNumber {
             return self.binade() >= above;
         }
         let sign = if self.is_negative() { -1 } else { 1 };
-        let limit = Self { mantissa: Integer::from(sign), exponent: above };
+        let limit = Self { mantissa: Integer::from(sign), exponent: above, doubt: NONE };
         let half_step = F::GREATEST_EXPONENT - i64::from(F::PRECISION);
         limit.minus(self).compare_magnitude(half_step) != Ordering::Greater
     }
@@ -153,7 +168,7 @@ impl Arithmetic for Dyadic {
     type Value = DyadicNumber;
 
     fn number(&self, exact: &Rational) -> DyadicNumber {
-        let of = |n: &Integer| DyadicNumber { mantissa: n.clone(), exponent: 0 };
+        let of = |n: &Integer| DyadicNumber { mantissa: n.clone(), exponent: 0, doubt: NONE };
         let (numer, denom) = (of(exact.numer()), of(exact.denom()));
         if exact.is_integer() {
             return numer;
@@ -162,21 +177,22 @@ impl Arithmetic for Dyadic {
     }
 
     fn neg(&self, a: &DyadicNumber) -> DyadicNumber {
-        DyadicNumber { mantissa: -&a.mantissa, exponent: a.exponent }
+        DyadicNumber { mantissa: -&a.mantissa, ..*a }
     }
 
     fn add(&self, a: &DyadicNumber, b: &DyadicNumber) -> DyadicNumber {
+        // both errors add up
+        let doubt = if a.doubt.max(b.doubt) == NONE { NONE } else { a.doubt.max(b.doubt) + 1 };
         if a.is_zero() {
-            return b.clone();
+            return DyadicNumber { doubt, ..b.clone() };
         }
         if b.is_zero() {
-            return a.clone();
+            return DyadicNumber { doubt, ..a.clone() };
         }
-        // a term far below the last bit of the other only tells its side
         let (low, high) = if a.exponent <= b.exponent { (a, b) } else { (b, a) };
         let gap = (high.exponent - low.exponent).unsigned_abs();
         let sum = &low.mantissa + (&high.mantissa << gap);
-        self.rounded(sum, low.exponent)
+        self.rounded(sum, low.exponent, doubt)
     }
 
     fn sub(&self, a: &DyadicNumber, b: &DyadicNumber) -> DyadicNumber {
@@ -184,30 +200,54 @@ impl Arithmetic for Dyadic {
     }
 
     fn mul(&self, a: &DyadicNumber, b: &DyadicNumber) -> DyadicNumber {
-        self.rounded(&a.mantissa * &b.mantissa, a.exponent.saturating_add(b.exponent))
+        // |xy − ab| ≤ |a|·δb + |b|·δa + δa·δb with |a| < 2^(binade + 1)
+        let (m, n) = (a.binade().max(a.doubt), b.binade().max(b.doubt));
+        let doubt = match (a.doubt, b.doubt) {
+            (NONE, NONE) => NONE,
+            _ => (m.saturating_add(b.doubt)).max(n.saturating_add(a.doubt)) + 3,
+        };
+        self.rounded(&a.mantissa * &b.mantissa, a.exponent.saturating_add(b.exponent), doubt)
     }
 
     fn div(&self, a: &DyadicNumber, b: &DyadicNumber) -> Option<DyadicNumber> {
-        if b.is_zero() {
+        // a divisor that may be 0 has no reciprocal
+        if b.certain_bits() < 2 || b.is_zero() {
             return None;
         }
+        // |a/b − x/y| ≤ (δa + |a/b|·δb)/|y| with |y| > |b|/2
+        let ratio = a.binade() - b.binade() + 1;
+        let doubt = match (a.doubt, b.doubt) {
+            (NONE, NONE) => NONE,
+            _ => (a.doubt - b.binade()).max(ratio + b.doubt - b.binade()) + 3,
+        };
         let shift = (self.target() + 1 + length(&b.mantissa) - length(&a.mantissa)).max(0);
         let quotient = (&a.mantissa << shift.unsigned_abs()) / &b.mantissa;
-        Some(self.rounded(quotient, a.exponent - b.exponent - shift))
+        let last = a.exponent - b.exponent - shift;
+        Some(self.rounded(quotient, last, doubt.max(last) + 1))
     }
 
     fn sqrt(&self, a: &DyadicNumber) -> Option<DyadicNumber> {
-        if a.is_negative() {
+        if a.is_negative() && a.certain_bits() > 0 {
             return None;
         }
+        if a.certain_bits() <= 0 || a.is_zero() {
+            let doubt = if a.doubt == NONE { NONE } else { a.doubt / 2 + 1 };
+            return Some(DyadicNumber { doubt, ..DyadicNumber::zero() });
+        }
+        // |√a − √x| ≤ δa/√a
+        let doubt = if a.doubt == NONE { NONE } else { a.doubt - a.binade() / 2 + 1 };
         let mut shift = (2 * self.target() + 2 - length(&a.mantissa)).max(0);
         shift += (a.exponent - shift).rem_euclid(2);
         let root = (&a.mantissa << shift.unsigned_abs()).sqrt();
-        Some(self.rounded(root, (a.exponent - shift) / 2))
+        let last = (a.exponent - shift) / 2;
+        Some(self.rounded(root, last, doubt.max(last) + 1))
     }
 
     fn compare(&self, a: &DyadicNumber, b: &DyadicNumber) -> Option<Ordering> {
         let difference = a.minus(b);
+        if difference.certain_bits() <= 0 {
+            return Some(Ordering::Equal);
+        }
         Some(difference.mantissa.cmp(&Integer::ZERO))
     }
 }

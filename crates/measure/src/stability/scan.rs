@@ -9,26 +9,28 @@ use crate::Axis;
 /// that is quadratic in the input may cancel twice as many, and a third is in reserve.
 const BITS: u64 = 256;
 const BITS_PER_BINADE: u64 = 3;
-/// Bits at the end of the reference that may be rounding.
-const NOISE: i64 = 32;
+/// Certain bits of the reference that are enough.
+const NEEDED: i64 = 96;
 
 /// The reference arithmetic for inputs so many binades away from 1.
 pub(super) fn reference(binades: u64) -> Dyadic {
     Dyadic { bits: BITS + BITS_PER_BINADE * binades }
 }
 
-/// The value of a program in the reference arithmetic, where all that is left of a sum that cancels
-/// exactly is rounding: that counts as 0.
+/// The value of a program in the reference arithmetic. Where all that is left of a sum that cancels
+/// exactly is rounding, that counts as 0.
 pub(super) fn reference_value(
     program: &Program,
     arithmetic: &Dyadic,
     inputs: &[DyadicNumber],
 ) -> Option<DyadicNumber> {
-    let mut results = program.values(arithmetic, &program.constants(arithmetic), inputs);
-    let value = results.pop().flatten()?;
-    let greatest = results.iter().flatten().map(DyadicNumber::binade).max().unwrap_or(0);
-    let noise = greatest - i64::try_from(arithmetic.bits).unwrap_or(i64::MAX) + NOISE;
-    Some(if value.binade() < noise { value.minus(&value) } else { value })
+    let value = program.value(arithmetic, inputs)?;
+    if value.certain_bits() >= NEEDED {
+        return Some(value);
+    }
+    // once more with twice the bits; what is then no different from 0 is taken for 0
+    let value = program.value(&Dyadic { bits: 2 * arithmetic.bits }, inputs)?;
+    Some(if value.certain_bits() > 0 { value } else { DyadicNumber::zero() })
 }
 
 /// A formula of one input, ready to be asked about any float.
