@@ -36,11 +36,30 @@ Exit codes:
   2  bad input or usage
   3  no document has a claim";
 
+const STABILITY_EXAMPLES: &str = "\
+Examples:
+  kane stability                          the paper, and the equal forms that the program knows
+  kane stability notes.md                 the formulas of a document of yours
+  kane stability --out maps               also writes maps/oblique-collision-stability.svg,
+                                          .csv, .json and .md
+
+A formula is evaluated as written, in f32 and in f64, over all positive inputs of its domain. It
+fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
+or where more than half of its bits are wrong. Ranges end at representable numbers.
+
+Exit codes:
+  0  the formulas are examined, whatever is found
+  2  bad input or usage
+  3  the document has no formula of one or two inputs";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
+    /// Find where the formulas of a derivation document fail in floating point
+    #[command(after_help = STABILITY_EXAMPLES)]
+    Stability(StabilityArgs),
 }
 
 #[derive(Args, Debug)]
@@ -64,6 +83,21 @@ pub(crate) struct AuditArgs {
     /// Print the proof or the witness of the statement with this label, step by step
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
     pub(crate) explain: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct StabilityArgs {
+    /// The document; without one, the paper on oblique collisions
+    #[arg(value_name = "DOCUMENT")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Also write NAME-stability.md, .json, .csv and .svg into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
 }
 
 /// How a report is printed.

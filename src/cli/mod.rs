@@ -6,6 +6,7 @@ mod input;
 mod labels;
 mod output;
 mod progress;
+mod stability;
 
 use std::process::ExitCode;
 
@@ -41,6 +42,7 @@ impl From<Outcome> for ExitCode {
 pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Audit(args) => audit::run(&args),
+        Verb::Stability(args) => stability::run(&args),
     };
     outcome.into()
 }

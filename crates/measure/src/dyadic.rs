@@ -160,7 +160,11 @@ impl DyadicNumber {
             return Ordering::Less;
         }
         let is_power = self.mantissa.magnitude().count_ones() == 1;
-        self.binade().cmp(&exponent).then(if is_power { Ordering::Equal } else { Ordering::Greater })
+        self.binade().cmp(&exponent).then(if is_power {
+            Ordering::Equal
+        } else {
+            Ordering::Greater
+        })
     }
 }
 

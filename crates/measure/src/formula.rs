@@ -57,8 +57,7 @@ pub struct Condition {
 impl Condition {
     /// Whether it holds at a point, as far as the arithmetic can tell.
     pub fn holds<A: Arithmetic>(&self, arithmetic: &A, inputs: &[A::Value]) -> bool {
-        let (lhs, rhs) =
-            (self.lhs.value(arithmetic, inputs), self.rhs.value(arithmetic, inputs));
+        let (lhs, rhs) = (self.lhs.value(arithmetic, inputs), self.rhs.value(arithmetic, inputs));
         let order: Option<Ordering> =
             lhs.zip(rhs).and_then(|(lhs, rhs)| arithmetic.compare(&lhs, &rhs));
         order.is_some_and(|order| holds(self.rel, order))

@@ -77,7 +77,14 @@ impl Program {
         values: &BTreeMap<usize, Expr>,
         inputs: &[usize],
     ) -> Result<Self, Unsupported> {
-        let mut builder = Builder { context, values, inputs, operations: vec![], texts: vec![], known: HashMap::new() };
+        let mut builder = Builder {
+            context,
+            values,
+            inputs,
+            operations: vec![],
+            texts: vec![],
+            known: HashMap::new(),
+        };
         let last = builder.expr(expr)?;
         let (mut operations, mut texts) = (builder.operations, builder.texts);
         if last + 1 != operations.len() {

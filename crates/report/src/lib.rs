@@ -11,6 +11,7 @@ mod json;
 mod markdown;
 mod report;
 mod shorten;
+pub mod stability;
 mod summary;
 mod text;
 

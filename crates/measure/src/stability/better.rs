@@ -109,7 +109,8 @@ pub(super) fn better<F: Format>(
                 }
             }
         }
-        let key = (if lost <= SMALL { 0 } else { lost }, failures.get(*other).copied().unwrap_or(0));
+        let key =
+            (if lost <= SMALL { 0 } else { lost }, failures.get(*other).copied().unwrap_or(0));
         if sound && best.as_ref().is_none_or(|(known, _)| key < *known) {
             best = Some((key, Better { formula: *other, lost }));
         }

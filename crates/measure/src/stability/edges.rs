@@ -116,7 +116,8 @@ fn edge<F: Format>(
         for step in 1..=TRIES {
             // finely nearby and evenly further out
             let distance = if step <= 64 { step } else { reach / TRIES * step + step * step };
-            let place = if up { bad.saturating_add(distance) } else { bad.saturating_sub(distance) };
+            let place =
+                if up { bad.saturating_add(distance) } else { bad.saturating_sub(distance) };
             if place < F::infinity_bits() && place > 0 && is_bad(place) {
                 outermost = Some(place);
             }

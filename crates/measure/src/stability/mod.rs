@@ -198,13 +198,7 @@ pub fn examine(
         lines.extend(<[_; 2]>::from(pair).into_iter().flatten());
     }
     progress(steps, steps);
-    Stability {
-        name: document.name.clone(),
-        title: document.title.clone(),
-        subject,
-        lines,
-        planes,
-    }
+    Stability { name: document.name.clone(), title: document.title.clone(), subject, lines, planes }
 }
 
 /// Says for each range which equal formula is better there.
@@ -230,7 +224,8 @@ fn line<F: Format>(subject: &Subject, index: usize) -> Option<Examined> {
     for range in &mut ranges {
         range.cause = cause::cause(&probe, range.worst.place, range.fault);
     }
-    let worst = samples.iter().max_by_key(|s| (s.sample.fault, s.sample.lost, u64::MAX - s.place))?;
+    let worst =
+        samples.iter().max_by_key(|s| (s.sample.fault, s.sample.lost, u64::MAX - s.place))?;
     let (worst_place, worst_lost) = (worst.place, worst.sample.lost);
     Some(Examined {
         formula: index,

@@ -102,7 +102,13 @@ impl<'a, F: Format> Probe<'a, F> {
             Some(computed) => judge(computed, &exact),
             None => Sample { fault: Some(Fault::Nan), lost: all },
         };
-        let sign = if exact.is_zero() { 0 } else if exact.is_negative() { -1 } else { 1 };
+        let sign = if exact.is_zero() {
+            0
+        } else if exact.is_negative() {
+            -1
+        } else {
+            1
+        };
         Some(Tried { place, sample, sign })
     }
 }
