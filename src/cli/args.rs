@@ -36,6 +36,16 @@ Exit codes:
   2  bad input or usage
   3  no document has a claim";
 
+const CHART_EXAMPLES: &str = "\
+Examples:
+  kane chart --quick                      a first look, in some seconds
+  kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
+
+A method is a form of a law in a number system. Its error is that at the worst of some hundred
+inputs, alpha from 2^-30 to 2^30, against the exact value; its time is the median of several
+rounds in which all methods take turns. A warning says where the clock contradicts the costs that
+are counted in docs/data/methods.csv.";
+
 const STABILITY_EXAMPLES: &str = "\
 Examples:
   kane stability                          the paper, and the equal forms that the program knows
@@ -57,6 +67,9 @@ pub(crate) enum Verb {
     /// Judge every statement of derivation documents
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
+    /// Chart speed against accuracy: what the next digit costs
+    #[command(after_help = CHART_EXAMPLES)]
+    Chart(ChartArgs),
     /// Find where the formulas of a derivation document fail in floating point
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
@@ -83,6 +96,21 @@ pub(crate) struct AuditArgs {
     /// Print the proof or the witness of the statement with this label, step by step
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
     pub(crate) explain: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ChartArgs {
+    /// Fewer and shorter rounds
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// Also write chart.md, .json, .csv and .svg into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the table
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
 }
 
 #[derive(Args, Debug)]

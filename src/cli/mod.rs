@@ -2,6 +2,7 @@
 
 mod args;
 mod audit;
+mod chart;
 mod input;
 mod labels;
 mod output;
@@ -42,6 +43,7 @@ impl From<Outcome> for ExitCode {
 pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Audit(args) => audit::run(&args),
+        Verb::Chart(args) => chart::run(&args),
         Verb::Stability(args) => stability::run(&args),
     };
     outcome.into()

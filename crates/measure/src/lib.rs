@@ -21,6 +21,7 @@
 
 mod arithmetic;
 mod axis;
+pub mod chart;
 mod dyadic;
 mod error;
 mod expand;

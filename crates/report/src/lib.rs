@@ -6,6 +6,8 @@
 //! their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
+pub mod chart;
+mod chart_picture;
 mod explain;
 mod json;
 mod markdown;
@@ -15,6 +17,7 @@ pub mod stability;
 mod summary;
 mod text;
 
+pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use markdown::markdown;

@@ -56,7 +56,7 @@ struct Line<'a> {
     worst: &'a str,
     bits_lost: String,
     ranges: Vec<Range<'a>>,
-    /// binade, bits lost, fault
+    /// binade, bits lost, fault; in between nothing changes by more than half a bit
     profile: Vec<(i64, String, Option<&'static str>)>,
 }
 
@@ -164,12 +164,9 @@ fn line<'a>(report: &StabilityReport<'a>, line: &'a kane_measure::Examined) -> L
         worst: &line.worst.0.text,
         bits_lost: bits(line.worst.1),
         ranges: line.ranges.iter().map(range).collect(),
-        profile: line
-            .profile
-            .iter()
-            .map(|(binade, lost, fault)| {
-                (*binade, bits(*lost), fault.map(kane_measure::Fault::name))
-            })
+        profile: super::thinned(line)
+            .into_iter()
+            .map(|(binade, lost, fault)| (binade, bits(lost), fault.map(kane_measure::Fault::name)))
             .collect(),
     }
 }

@@ -6,9 +6,10 @@ mod markdown;
 mod picture;
 mod text;
 
-use kane_measure::{Better, Examined, Formula, Plane, Point, Range, Stability};
+use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Stability};
 
 pub use csv::csv;
+pub(crate) use csv::quoted;
 pub use json::json;
 pub use markdown::markdown;
 pub use picture::{PictureError, picture};
@@ -95,6 +96,24 @@ pub(crate) fn named(formula: &Formula) -> String {
     }
 }
 
+/// A profile without what repeats itself: binades at which the fault changes or the loss does by
+/// half a bit, and those before them.
+pub(crate) fn thinned(line: &Examined) -> Vec<(i64, i64, Option<Fault>)> {
+    let mut kept: Vec<(i64, i64, Option<Fault>)> = Vec::new();
+    let mut before = None;
+    for &now in &line.profile {
+        let changes =
+            kept.last().is_none_or(|last| last.2 != now.2 || (last.1 - now.1).abs() >= 50);
+        if changes {
+            kept.extend(before.filter(|b| kept.last() != Some(b)));
+            kept.push(now);
+        }
+        before = Some(now);
+    }
+    kept.extend(before.filter(|b| kept.last() != Some(b)));
+    kept
+}
+
 /// Hundredths of bits as bits with one decimal, rounded down.
 pub(crate) fn bits(hundredths: i64) -> String {
     format!("{}.{}", hundredths / 100, hundredths % 100 / 10)
@@ -123,5 +142,10 @@ pub(crate) fn interval(range: &Range) -> String {
     if range.from == range.to {
         return format!("at {}", short(&range.from));
     }
-    format!("[{}, {}]", short(&range.from), short(&range.to))
+    let (from, to) = (short(&range.from), short(&range.to));
+    if from == to {
+        // so close that four digits do not tell them apart
+        return format!("[{}, {}]", range.from.text, range.to.text);
+    }
+    format!("[{from}, {to}]")
 }

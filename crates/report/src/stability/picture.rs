@@ -148,7 +148,7 @@ fn lines(area: &Area<'_>, entry: &Entry<'_>) -> Result<(), PictureError> {
                 chart.draw_series(std::iter::once(PathElement::new(dash, colour)))?;
             }
         }
-        let points = line.profile.iter().map(|(binade, lost, _)| (*binade, *lost));
+        let points = super::thinned(line).into_iter().map(|(binade, lost, _)| (binade, lost));
         chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
     }
     Ok(())

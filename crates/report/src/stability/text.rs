@@ -38,7 +38,7 @@ pub fn text(report: &StabilityReport<'_>, page: Page) -> String {
             for range in &line.ranges {
                 let mark = mark(report, &betters, range.better.as_ref());
                 let row = format!(
-                    "  {:4}{} {} {:>5} of {} at {} {}{mark}",
+                    "  {:4}{} {} {:>5} of {} at {} {mark}{}",
                     line.format,
                     padded(&range.fault.to_string(), 12),
                     padded(&interval(range), 24),
@@ -67,7 +67,7 @@ pub fn text(report: &StabilityReport<'_>, page: Page) -> String {
         }
         for (index, better) in betters.iter().enumerate() {
             let mark = if betters.len() > 1 { letter(index) } else { String::new() };
-            let row = format!("  {} {better}", padded(&format!("better{mark}"), 15));
+            let row = format!("  {} {better}", padded(&format!("better {mark}"), 15));
             let _ = writeln!(out, "{}", shorten(&row, width));
         }
     }
@@ -109,18 +109,18 @@ fn mark(
     better: Option<&kane_measure::Better>,
 ) -> String {
     let Some(better) = better.and_then(|better| report.better(better)) else {
-        return if betters.is_empty() { String::new() } else { " [none better]".to_owned() };
+        return if betters.is_empty() { String::new() } else { "[none] ".to_owned() };
     };
     let name = named(better);
     match betters.iter().position(|known| *known == name) {
-        Some(index) if betters.len() > 1 => letter(index),
+        Some(index) if betters.len() > 1 => format!("{} ", letter(index)),
         _ => String::new(),
     }
 }
 
 fn letter(index: usize) -> String {
     let letters = "abcdefghijklmnopqrstuvwxyz";
-    letters.chars().nth(index).map_or_else(String::new, |letter| format!(" [{letter}]"))
+    letters.chars().nth(index).map_or_else(String::new, |letter| format!("[{letter}]"))
 }
 
 /// The formulas that never lose half of the digits, with the worst that they do.
