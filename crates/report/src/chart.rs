@@ -283,7 +283,7 @@ struct Row<'a> {
     system: String,
     digits_worst: String,
     digits_median: String,
-    worst_alpha: f32,
+    worst_alpha: f64,
     inputs: usize,
     counted_cost: Option<u64>,
     picoseconds: Option<[u64; 3]>,

@@ -141,15 +141,15 @@ fn panel(
         marker(&area.strip_coord_spec(), local(area, at), measured.method.system)?;
         if *on_front {
             let (x, mut y) = local(area, at);
-            // labels of neighbours in a column give way upward
+            // labels of neighbours in a column give way downward
             while labels.iter().any(|(a, b)| (a - x).abs() < 150 && (b - y).abs() < 13) {
-                y -= 13;
+                y += 13;
             }
             labels.push((x, y));
             let text = format!("{} {}", measured.method.name, measured.method.text);
             let text = if measured.method.is_law { "the law's code".to_owned() } else { text };
             let font = ("sans-serif", 11).into_font();
-            area.draw(&Text::new(shorten(&text, 34), (x + 9, y - 13), font))?;
+            area.draw(&Text::new(shorten(&text, 34), (x + 9, y + 2), font))?;
         }
     }
     Ok(())

@@ -20,33 +20,49 @@ pub struct Accuracy {
     /// digits that are right at the median input
     pub median: i64,
     /// the worst input
-    pub at: f32,
+    pub at: f64,
     /// the worst error in hundredths of log₂ ulps of the format, for `f32` and `f64`
     pub ulps: Option<i64>,
     /// how many inputs were tried
     pub tried: usize,
 }
 
-/// The inputs: floats that every system holds, evenly drawn over the binades, with powers of two and
-/// the neighbours of 1.
+/// The inputs of a method: floats of its own format, evenly drawn over the binades, with powers of
+/// two and the neighbours of 1. `f64` serves the systems that are wider.
 #[must_use]
-pub(super) fn inputs(least: i32) -> Vec<f32> {
-    let place = |exponent: i32| -> u32 { u32::try_from((127 + exponent) << 23).unwrap_or(0) };
-    let (first, last) = (place(least.max(DOMAIN.0)), place(DOMAIN.1));
+pub(super) fn inputs(method: &Method) -> Vec<f64> {
+    match method.system {
+        System::F32 => drawn::<f32>(method.least),
+        _ => drawn::<f64>(method.least),
+    }
+}
+
+fn drawn<F: Format>(least: i32) -> Vec<f64> {
+    let place = |exponent: i32| -> u64 {
+        let biased = i64::from(exponent) + F::GREATEST_EXPONENT;
+        u64::try_from(biased).unwrap_or(0) << (F::PRECISION - 1)
+    };
+    let least = least.max(DOMAIN.0);
+    let (first, last) = (place(least), place(DOMAIN.1));
     let mut seed = 0x5851_f42d_4c95_7f2d_u64;
-    let mut places: Vec<u32> = (least.max(DOMAIN.0)..=DOMAIN.1).map(place).collect();
-    for bit in 0..22 {
+    let mut places: Vec<u64> = (least..=DOMAIN.1).map(place).collect();
+    for bit in 0..F::PRECISION - 2 {
         places.extend([place(0) - (1 << bit), place(0) + (1 << bit)]);
     }
     for _ in 0..DRAWN {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let width = u64::from(last - first);
-        places.push(first + u32::try_from((seed >> 33) % width.max(1)).unwrap_or(0));
+        let mixed = (seed ^ (seed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        places.push(first + (mixed >> 1) % (last - first).max(1));
     }
     places.retain(|place| (first..=last).contains(place));
     places.sort_unstable();
     places.dedup();
-    places.into_iter().map(f32::from_bits).collect()
+    let value = |place: u64| {
+        kane_number::decode(F::at(place)).map_or(f64::NAN, |exact| {
+            kane_number::encode(&exact, kane_number::Rounding::NearestEven)
+        })
+    };
+    places.into_iter().map(value).collect()
 }
 
 /// The form of a method as a program over α, read from its text.
@@ -64,9 +80,9 @@ pub(super) fn program(method: &Method) -> Option<Program> {
 pub fn accuracy(method: &Method) -> Option<Accuracy> {
     let program = program(method)?;
     let reference = Dyadic { bits: BITS };
-    let mut digits: Vec<(i64, f32)> = Vec::new();
+    let mut digits: Vec<(i64, f64)> = Vec::new();
     let mut ulps: Option<i64> = None;
-    let inputs = inputs(method.least);
+    let inputs = inputs(method);
     let tried = inputs.len();
     for alpha in inputs {
         let exact = program.value(&reference, &[alpha.exactly()?])?;

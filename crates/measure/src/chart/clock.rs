@@ -49,9 +49,9 @@ pub fn clock(
     let (rounds, least) = effort.plan();
     let mut prepared = Vec::new();
     for method in methods {
-        let all = inputs(method.least);
+        let all = inputs(method);
         let step = (all.len() / INPUTS).max(1);
-        let some: Vec<f32> = all.into_iter().step_by(step).take(INPUTS).collect();
+        let some: Vec<f64> = all.into_iter().step_by(step).take(INPUTS).collect();
         let run = method.prepare(&some);
         // the warm-up, which also says how often a turn repeats
         let start = Instant::now();

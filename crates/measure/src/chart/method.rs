@@ -3,7 +3,7 @@
 use std::fmt;
 use std::hint::black_box;
 
-use kane_number::{DoubleDouble, Interval, Rational, Real, decode};
+use kane_number::{DoubleDouble, Interval, Rational, Real, Rounding, decode, encode};
 
 use crate::PlainNumber;
 
@@ -54,8 +54,8 @@ pub trait Lane: Real + PlainNumber {
     /// Which one it is.
     const SYSTEM: System;
 
-    /// The number equal to a float that every system holds.
-    fn of_f32(float: f32) -> Self;
+    /// The number equal to a float; `f32` is only given floats of its own.
+    fn of(float: f64) -> Self;
 
     /// A small integer, exact in every system.
     fn small(integer: u8) -> Self;
@@ -67,8 +67,8 @@ pub trait Lane: Real + PlainNumber {
 impl Lane for f32 {
     const SYSTEM: System = System::F32;
 
-    fn of_f32(float: f32) -> Self {
-        float
+    fn of(float: f64) -> Self {
+        decode(float).map_or(Self::NAN, |exact| encode(&exact, Rounding::NearestEven))
     }
 
     fn small(integer: u8) -> Self {
@@ -83,8 +83,8 @@ impl Lane for f32 {
 impl Lane for f64 {
     const SYSTEM: System = System::F64;
 
-    fn of_f32(float: f32) -> Self {
-        Self::from(float)
+    fn of(float: f64) -> Self {
+        float
     }
 
     fn small(integer: u8) -> Self {
@@ -99,8 +99,8 @@ impl Lane for f64 {
 impl Lane for DoubleDouble {
     const SYSTEM: System = System::DoubleDouble;
 
-    fn of_f32(float: f32) -> Self {
-        Self::from(f64::from(float))
+    fn of(float: f64) -> Self {
+        Self::from(float)
     }
 
     fn small(integer: u8) -> Self {
@@ -115,8 +115,8 @@ impl Lane for DoubleDouble {
 impl Lane for Interval {
     const SYSTEM: System = System::Interval;
 
-    fn of_f32(float: f32) -> Self {
-        Self::from(f64::from(float))
+    fn of(float: f64) -> Self {
+        Self::from(float)
     }
 
     fn small(integer: u8) -> Self {
@@ -131,7 +131,7 @@ impl Lane for Interval {
 impl Lane for Rational {
     const SYSTEM: System = System::Rational;
 
-    fn of_f32(float: f32) -> Self {
+    fn of(float: f64) -> Self {
         decode(float).unwrap_or_else(|_| Self::from_integer(0.into()))
     }
 
@@ -163,8 +163,8 @@ pub struct Method {
     pub least: i32,
     /// where it runs
     pub system: System,
-    answer: fn(f32) -> Option<Answer>,
-    prepare: fn(&[f32]) -> Box<dyn Fn()>,
+    answer: fn(f64) -> Option<Answer>,
+    prepare: fn(&[f64]) -> Box<dyn Fn()>,
 }
 
 /// What a line of the registry says.
@@ -183,8 +183,8 @@ impl Method {
     pub(super) fn new(
         form: Form,
         system: System,
-        answer: fn(f32) -> Option<Answer>,
-        prepare: fn(&[f32]) -> Box<dyn Fn()>,
+        answer: fn(f64) -> Option<Answer>,
+        prepare: fn(&[f64]) -> Box<dyn Fn()>,
     ) -> Self {
         let Form { law, quantity, name, text, k, is_law, least } = form;
         Self { law, quantity, name, text, k, is_law, least, system, answer, prepare }
@@ -192,21 +192,21 @@ impl Method {
 
     /// What it returns at α; `None` if that is no finite number.
     #[must_use]
-    pub fn answer(&self, alpha: f32) -> Option<Answer> {
+    pub fn answer(&self, alpha: f64) -> Option<Answer> {
         (self.answer)(alpha)
     }
 
     /// An evaluation at each α, ready to be timed: inputs are converted beforehand, and the compiler
     /// is kept from seeing inputs and results, so that nothing is moved out of the loop.
     #[must_use]
-    pub fn prepare(&self, alphas: &[f32]) -> Box<dyn Fn()> {
+    pub fn prepare(&self, alphas: &[f64]) -> Box<dyn Fn()> {
         (self.prepare)(alphas)
     }
 }
 
 /// The loop that is timed.
-pub(super) fn repeatedly<N: Lane>(alphas: &[f32], form: fn(&N) -> Option<N>) -> Box<dyn Fn()> {
-    let inputs: Vec<N> = alphas.iter().map(|alpha| N::of_f32(*alpha)).collect();
+pub(super) fn repeatedly<N: Lane>(alphas: &[f64], form: fn(&N) -> Option<N>) -> Box<dyn Fn()> {
+    let inputs: Vec<N> = alphas.iter().map(|alpha| N::of(*alpha)).collect();
     Box::new(move || {
         for input in &inputs {
             black_box(form(black_box(input)));

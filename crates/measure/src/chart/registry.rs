@@ -47,7 +47,7 @@ macro_rules! registry {
         $all.push(Method::new(
             $form,
             <$system>::SYSTEM,
-            |alpha| $id::<$system>(&<$system>::of_f32(alpha))?.answer(),
+            |alpha| $id::<$system>(&<$system>::of(alpha))?.answer(),
             |alphas| repeatedly::<$system>(alphas, $id::<$system>),
         ));
     )* };
@@ -114,4 +114,40 @@ registry! {
         };
     s_law: "smith-1991" "k" "law" "alpha - sqrt(alpha^2 + 2*alpha - 1)" ["", true, 0]
         |a| Some(law(&Smith1991, a)?.k);
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_number::decode;
+
+    use super::super::System;
+    use super::super::accuracy::{inputs, program};
+    use super::super::method::Answer;
+    use super::*;
+    use crate::Plain;
+
+    /// What is timed is what the text says, operation by operation.
+    #[test]
+    fn the_code_of_a_form_is_its_text_bit_by_bit() {
+        let mut compared = 0;
+        for method in registry().iter().filter(|method| !method.is_law) {
+            let program = program(method).expect("the text of a form is well formed");
+            for alpha in inputs(method) {
+                let written = match method.system {
+                    System::F32 => {
+                        let value = program.value(&Plain::new(), &[f32::of(alpha)]).unwrap();
+                        decode(value).ok()
+                    }
+                    System::F64 => decode(program.value(&Plain::new(), &[alpha]).unwrap()).ok(),
+                    _ => continue,
+                };
+                let coded = method.answer(alpha).map(|answer| match answer {
+                    Answer::Number(x) | Answer::Between(x, _) => x,
+                });
+                assert_eq!(coded, written, "{} at {alpha:e}", method.text);
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000);
+    }
 }

@@ -56,8 +56,9 @@ impl<'a> StabilityReport<'a> {
         let entries = self.entries();
         let failing = entries.iter().filter(|entry| entry.fails()).count();
         let formulas = if entries.len() == 1 { "formula" } else { "formulas" };
+        let fail = if failing == 1 { "fails" } else { "fail" };
         let mut headline =
-            format!("{} {formulas} in f32 and f64: {failing} fail somewhere", entries.len());
+            format!("{} {formulas} in f32 and f64: {failing} {fail} somewhere", entries.len());
         let larger = self.stability.subject.larger.len();
         if larger > 0 {
             headline.push_str(&format!("; {larger} not examined, with more than two inputs"));
@@ -85,6 +86,16 @@ impl Entry<'_> {
             notes.push("an equal form".to_owned());
         }
         notes.join("; ")
+    }
+}
+
+/// What a formula is called: its label, unless that is what it is a formula of, and the equation.
+pub(crate) fn title(formula: &Formula) -> String {
+    let equation = format!("{} = {}", formula.quantity, formula.text);
+    if formula.label == formula.quantity {
+        equation
+    } else {
+        format!("{}  {equation}", formula.label)
     }
 }
 

@@ -1,10 +1,12 @@
 //! A picture: digits lost against the binade of the input, one panel a formula.
 
+use std::collections::BTreeSet;
+
 use kane_measure::{Examined, Fault, Plane};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::{Entry, StabilityReport};
+use super::{Entry, StabilityReport, title};
 use crate::shorten::shorten;
 
 /// Size of a panel and of the header, in pixels; panels in a row.
@@ -113,7 +115,7 @@ fn caption(entry: &Entry<'_>) -> String {
     } else {
         format!(", with {}", formula.by.join(", "))
     };
-    shorten(&format!("{}  {} = {}{with}", formula.label, formula.quantity, formula.text), 62)
+    shorten(&format!("{}{with}", title(formula)), 62)
 }
 
 fn lines(area: &Area<'_>, entry: &Entry<'_>) -> Result<(), PictureError> {
@@ -162,8 +164,12 @@ fn draw_plane(area: &Area<'_>, entry: &Entry<'_>, plane: &Plane) -> Result<(), P
         (all().min().unwrap_or(0), all().max().unwrap_or(1))
     };
     let (x, y) = (ends(&|(x, _)| x), ends(&|(_, y)| y));
-    let step = |(first, last): (i64, i64)| ((last - first) / 54).max(1);
-    let (width, height) = (step(x), step(y));
+    // the widest gap between neighbours of the grid, so that no gap shows
+    let step = |of: &dyn Fn((i64, i64)) -> i64| {
+        let all: BTreeSet<i64> = plane.cells.iter().map(|cell| of(cell.binades)).collect();
+        all.iter().zip(all.iter().skip(1)).map(|(a, b)| b - a).max().unwrap_or(1)
+    };
+    let (width, height) = (step(&|(x, _)| x), step(&|(_, y)| y));
     let mut chart = ChartBuilder::on(area)
         .caption(caption(entry), ("sans-serif", 13))
         .margin(8)

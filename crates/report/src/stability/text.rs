@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use anstyle::{AnsiColor, Style};
 use kane_measure::Fault;
 
-use super::{Entry, StabilityReport, bits, interval, named, short};
+use super::{Entry, StabilityReport, bits, interval, named, short, title};
 use crate::Page;
 use crate::shorten::{padded, shorten};
 
@@ -85,7 +85,7 @@ fn heading(entry: &Entry<'_>) -> String {
     let formula = entry.formula;
     let notes = entry.notes();
     let notes = if notes.is_empty() { notes } else { format!("    {notes}") };
-    format!("{}  {} = {}{notes}", formula.label, formula.quantity, formula.text)
+    format!("{}{notes}", title(formula))
 }
 
 /// The formulas that are better somewhere, in the order of their first mention.
