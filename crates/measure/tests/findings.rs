@@ -36,9 +36,10 @@ fn better(range: &Range) -> &'static str {
     &paper().subject.formulas[index].text
 }
 
-/// 2^exponent.
+/// 2^exponent, subnormal or not: in two factors, so that neither over- nor underflows.
 fn power(exponent: i32) -> f64 {
-    f64::powi(2.0, exponent)
+    let half = exponent / 2;
+    f64::powi(2.0, half) * f64::powi(2.0, exponent - half)
 }
 
 #[test]
