@@ -32,6 +32,8 @@ fn the_table_of_the_paper() {
     assert!(markdown(&report).contains("| f64 | 0 instead |"));
     let svg = picture(&report).expect("a picture can be drawn");
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    assert!(svg.contains("bits lost") && svg.contains("log2 alpha") && svg.contains("f64 (53 bits)"));
+    assert!(
+        svg.contains("bits lost") && svg.contains("log2 alpha") && svg.contains("f64 (53 bits)")
+    );
     assert_eq!(svg, picture(&report).expect("again"), "the same in every run");
 }

@@ -34,7 +34,7 @@ pub use axis::{Axis, Format};
 pub use dyadic::{Dyadic, DyadicNumber};
 pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
-pub use program::{Operation, Program, Unsupported};
+pub use program::{Branch, Operation, Program, Unsupported};
 pub use stability::{
     Better, Cell, Examined, Plane, Point, Range, Stability, Subject, equal_forms, examine,
 };

@@ -38,8 +38,11 @@ pub enum Operation {
     /// the larger of two
     Max(usize, usize),
     /// the first branch whose guards all hold, otherwise the last
-    Cases(Vec<(Vec<(Rel, usize, usize)>, usize)>, Option<usize>),
+    Cases(Vec<Branch>, Option<usize>),
 }
+
+/// The guards of a branch, as a comparison of two results each, and its value.
+pub type Branch = (Vec<(Rel, usize, usize)>, usize);
 
 /// A straight line of operations, the last of which is the value.
 ///

@@ -51,7 +51,11 @@ fn the_energy_by_k_squared_cancels_at_both_ends() {
         for range in [small, large] {
             assert_eq!(range.cause, "1 - k^2 cancels");
             assert_eq!(better(range), "-(1/(1 + alpha))^2");
-            assert!(range.lost > 100 * i64::from(precision - 2), "nothing is left at {:?}", range.worst);
+            assert!(
+                range.lost > 100 * i64::from(precision - 2),
+                "nothing is left at {:?}",
+                range.worst
+            );
         }
         // half of the digits go where α is about the square root of the unit roundoff, or beyond
         // its inverse
