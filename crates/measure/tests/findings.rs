@@ -24,7 +24,8 @@ fn line(label: &str, text: &str, by: &[&str], format: &str) -> &'static Examined
             && formula.by == by
             && line.format == format
     });
-    found.unwrap_or_else(|| panic!("{label}: {text} with {by:?} in {format} was not examined"))
+    assert!(found.is_some(), "{label}: {text} with {by:?} in {format} was not examined");
+    found.expect("it was found just now")
 }
 
 fn ranges(line: &Examined, fault: Fault) -> Vec<&Range> {
