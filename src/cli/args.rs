@@ -58,6 +58,32 @@ Exit codes:
   2  bad input or usage
   3  no law has an outcome";
 
+const CHART_EXAMPLES: &str = "\
+Examples:
+  kane chart --quick                      a first look, in some seconds
+  kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
+
+A method is a form of a law in a number system. Its error is that at the worst of some hundred
+inputs, alpha from 2^-30 to 2^30, against the exact value; its time is the median of several
+rounds in which all methods take turns. A warning says where the clock contradicts the costs that
+are counted in docs/data/methods.csv.";
+
+const STABILITY_EXAMPLES: &str = "\
+Examples:
+  kane stability                          the paper, and the equal forms that the program knows
+  kane stability notes.md                 the formulas of a document of yours
+  kane stability --out maps               also writes maps/oblique-collision-stability.svg,
+                                          .csv, .json and .md
+
+A formula is evaluated as written, in f32 and in f64, over all positive inputs of its domain. It
+fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
+or where more than half of its bits are wrong. Ranges end at representable numbers.
+
+Exit codes:
+  0  the formulas are examined, whatever is found
+  2  bad input or usage
+  3  the document has no formula of one or two inputs";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
@@ -66,6 +92,12 @@ pub(crate) enum Verb {
     /// Put one collision to every law, exactly and in floats
     #[command(after_help = COLLIDE_EXAMPLES)]
     Collide(Box<CollideArgs>),
+    /// Chart speed against accuracy: what the next digit costs
+    #[command(after_help = CHART_EXAMPLES)]
+    Chart(ChartArgs),
+    /// Find where the formulas of a derivation document fail in floating point
+    #[command(after_help = STABILITY_EXAMPLES)]
+    Stability(StabilityArgs),
 }
 
 #[derive(Args, Debug)]
@@ -168,6 +200,36 @@ pub(crate) struct BodyArgs {
     /// m [default: 1]
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) radius: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ChartArgs {
+    /// Fewer and shorter rounds
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// Also write chart.md, .json, .csv and .svg into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the table
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct StabilityArgs {
+    /// The document; without one, the paper on oblique collisions
+    #[arg(value_name = "DOCUMENT")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Also write NAME-stability.md, .json, .csv and .svg into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
 }
 
 /// How a report is printed.

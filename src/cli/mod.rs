@@ -2,11 +2,13 @@
 
 mod args;
 mod audit;
+mod chart;
 mod collide;
 mod input;
 mod labels;
 mod output;
 mod progress;
+mod stability;
 
 use std::process::ExitCode;
 
@@ -43,6 +45,8 @@ pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Audit(args) => audit::run(&args),
         Verb::Collide(args) => collide::run(&args),
+        Verb::Chart(args) => chart::run(&args),
+        Verb::Stability(args) => stability::run(&args),
     };
     outcome.into()
 }

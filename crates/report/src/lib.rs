@@ -7,15 +7,19 @@
 //! their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
+pub mod chart;
+mod chart_picture;
 pub mod collision;
 mod explain;
 mod json;
 mod markdown;
 mod report;
 mod shorten;
+pub mod stability;
 mod summary;
 mod text;
 
+pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use markdown::markdown;

@@ -1,0 +1,153 @@
+//! The methods. A new form is one line here, and runs in every number system.
+
+use kane_impact::laws::{Smith1991, WangSuLi, WhittakerUncapped};
+use kane_impact::{Alpha, ImpactLaw, Ratios};
+use kane_number::{DoubleDouble, Interval, Rational};
+
+use super::method::{Form, Lane, Method, repeatedly};
+
+/// α runs from 2 to the power of the first to that of the second, where a form says nothing else.
+pub const DOMAIN: (i32, i32) = (-30, 30);
+
+/// A small integer of a form.
+fn n<N: Lane>(integer: u8) -> N {
+    N::small(integer)
+}
+
+/// What a law itself says.
+fn law<N: Lane, L: ImpactLaw>(law: &L, alpha: &N) -> Option<Ratios<N>> {
+    law.ratios(&Alpha::Finite(alpha.clone()))
+}
+
+/// k of the paper's law, by (16).
+fn k16<N: Lane>(a: &N) -> Option<N> {
+    (n::<N>(1) - a).quotient(&(n::<N>(1) + a))
+}
+
+macro_rules! registry {
+    ($($id:ident: $law:literal $quantity:literal $name:literal $text:literal
+        [$k:literal, $is_law:literal, $least:expr] |$a:ident| $body:expr;)*) => {
+        $( fn $id<N: Lane>($a: &N) -> Option<N> { $body } )*
+
+        /// Every form in every number system, by law and quantity.
+        #[must_use]
+        pub fn registry() -> Vec<Method> {
+            let mut all = Vec::new();
+            $(
+                let form = Form {
+                    law: $law, quantity: $quantity, name: $name, text: $text, k: $k,
+                    is_law: $is_law, least: $least,
+                };
+                registry!(@systems all form $id: f32, f64, DoubleDouble, Interval, Rational);
+            )*
+            all
+        }
+    };
+    (@systems $all:ident $form:ident $id:ident: $($system:ty),*) => { $(
+        $all.push(Method::new(
+            $form,
+            <$system>::SYSTEM,
+            |alpha| $id::<$system>(&<$system>::of(alpha))?.answer(),
+            |alphas| repeatedly::<$system>(alphas, $id::<$system>),
+        ));
+    )* };
+}
+
+registry! {
+    // law, quantity, where it stands, the form; k where it is used, whether it is code, least α
+    k_16: "wang-su-li" "k" "(16)" "(1 - alpha)/(1 + alpha)" ["", false, -30]
+        |a| (n::<N>(1) - a).quotient(&(n::<N>(1) + a));
+    k_b: "wang-su-li" "k" "k_b" "2/(1 + alpha) - 1" ["", false, -30]
+        |a| Some(n::<N>(2).quotient(&(n::<N>(1) + a))? - n::<N>(1));
+    k_c: "wang-su-li" "k" "k_c" "1 - 2*alpha/(1 + alpha)" ["", false, -30]
+        |a| Some(n::<N>(1) - (n::<N>(2) * a).quotient(&(n::<N>(1) + a))?);
+    k_law: "wang-su-li" "k" "law" "(1 - alpha)/(1 + alpha)" ["", true, -30]
+        |a| Some(law(&WangSuLi, a)?.k);
+    i_17: "wang-su-li" "i_x" "(17)" "1/(1 + alpha)" ["", false, -30]
+        |a| n::<N>(1).quotient(&(n::<N>(1) + a));
+    i_9: "wang-su-li" "i_x" "(9)" "1/(2*alpha)*(1 - k)" ["(1 - alpha)/(1 + alpha)", false, -30]
+        |a| Some(n::<N>(1).quotient(&(n::<N>(2) * a))? * (n::<N>(1) - k16(a)?));
+    i_15: "wang-su-li" "i_x" "(15)" "1/2*(k + 1)" ["(1 - alpha)/(1 + alpha)", false, -30]
+        |a| Some(n::<N>(1).quotient(&n::<N>(2))? * (k16(a)? + n::<N>(1)));
+    i_law: "wang-su-li" "i_x" "law" "1/(1 + alpha)" ["", true, -30]
+        |a| Some(law(&WangSuLi, a)?.impulse);
+    e_19: "wang-su-li" "Delta_e" "(19)" "-1/(4*alpha)*(1 - k^2)"
+        ["(1 - alpha)/(1 + alpha)", false, -30]
+        |a| {
+            let k = k16(a)?;
+            let factor = n::<N>(1).quotient(&(n::<N>(4) * a))?;
+            Some(-(factor * (n::<N>(1) - k.clone() * &k)))
+        };
+    e_19x: "wang-su-li" "Delta_e" "(19x)" "-1/(1 + alpha)^2" ["", false, -30]
+        |a| {
+            let sum = n::<N>(1) + a;
+            Some(-n::<N>(1).quotient(&(sum.clone() * &sum))?)
+        };
+    e_a: "wang-su-li" "Delta_e" "e_a" "-(1/(1 + alpha))^2" ["", false, -30]
+        |a| {
+            let share = n::<N>(1).quotient(&(n::<N>(1) + a))?;
+            Some(-(share.clone() * &share))
+        };
+    e_law: "wang-su-li" "Delta_e" "law" "-1/(1 + alpha)^2" ["", true, -30]
+        |a| Some(law(&WangSuLi, a)?.energy);
+    w_22: "whittaker-uncapped" "k" "(22)" "-2*alpha + 1" ["", false, -30]
+        |a| Some(-(n::<N>(2) * a) + n::<N>(1));
+    w_law: "whittaker-uncapped" "k" "law" "-2*alpha + 1" ["", true, -30]
+        |a| Some(law(&WhittakerUncapped, a)?.k);
+    s_a: "smith-1991" "k" "s_a" "(1/alpha - 2)/(1 + sqrt(1 + (2 - 1/alpha)/alpha))" ["", false, 0]
+        |a| {
+            let inverse = n::<N>(1).quotient(a)?;
+            let radicand = n::<N>(1) + (n::<N>(2) - &inverse).quotient(a)?;
+            (inverse - n::<N>(2)).quotient(&(n::<N>(1) + radicand.root()?))
+        };
+    s_b: "smith-1991" "k" "s_b" "(1 - 2*alpha)/(alpha + sqrt(alpha^2 + 2*alpha - 1))"
+        ["", false, 0]
+        |a| {
+            let twice = n::<N>(2) * a;
+            let radicand = a.clone() * a + &twice - n::<N>(1);
+            (n::<N>(1) - twice).quotient(&(a.clone() + radicand.root()?))
+        };
+    s_c: "smith-1991" "k" "s_c" "alpha - sqrt(alpha^2 + 2*alpha - 1)" ["", false, 0]
+        |a| {
+            let radicand = a.clone() * a + n::<N>(2) * a - n::<N>(1);
+            Some(a.clone() - radicand.root()?)
+        };
+    s_law: "smith-1991" "k" "law" "alpha - sqrt(alpha^2 + 2*alpha - 1)" ["", true, 0]
+        |a| Some(law(&Smith1991, a)?.k);
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_number::decode;
+
+    use super::super::System;
+    use super::super::accuracy::{inputs, program};
+    use super::super::method::Answer;
+    use super::*;
+    use crate::Plain;
+
+    /// What is timed is what the text says, operation by operation.
+    #[test]
+    fn the_code_of_a_form_is_its_text_bit_by_bit() {
+        let mut compared = 0;
+        for method in registry().iter().filter(|method| !method.is_law) {
+            let program = program(method).expect("the text of a form is well formed");
+            for alpha in inputs(method) {
+                let written = match method.system {
+                    System::F32 => {
+                        let value = program.value(&Plain::new(), &[f32::of(alpha)]).unwrap();
+                        decode(value).ok()
+                    }
+                    System::F64 => decode(program.value(&Plain::new(), &[alpha]).unwrap()).ok(),
+                    _ => continue,
+                };
+                let coded = method.answer(alpha).map(|answer| match answer {
+                    Answer::Number(x) | Answer::Between(x, _) => x,
+                });
+                assert_eq!(coded, written, "{} at {alpha:e}", method.text);
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000);
+    }
+}

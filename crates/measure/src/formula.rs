@@ -1,0 +1,216 @@
+//! The formulas of a derivation document, as programs over their inputs.
+
+use std::cmp::Ordering;
+
+use kane_algebra::syntax::Notation;
+use kane_audit::{Body, Document};
+use kane_kernel::{Bound, Expr, Rel, Relation};
+use kane_number::Rational;
+
+use crate::expand::{Choice, Expansions, conditions, relations, symbols};
+use crate::program::holds;
+use crate::{Arithmetic, Program};
+
+/// The most inputs of a formula that can be examined.
+const MAX_INPUTS: usize = 2;
+
+/// A formula with everything that is needed to evaluate it.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    /// the label of the statement that prints it
+    pub label: String,
+    /// labels of further statements that print the same, with the same definitions
+    pub also: Vec<String>,
+    /// what it is a formula of: the other side
+    pub quantity: String,
+    /// as written
+    pub text: String,
+    /// labels of the statements whose formulas stand for symbols in it, evaluated first
+    pub by: Vec<String>,
+    /// the inputs
+    pub inputs: Vec<Input>,
+    /// its operations
+    pub program: Program,
+    /// where it holds, beyond the ranges of the inputs
+    pub conditions: Vec<Condition>,
+}
+
+/// An input and its range.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Input {
+    /// name as written
+    pub name: String,
+    /// lower end, −∞ if absent
+    pub lower: Option<Bound>,
+    /// upper end, +∞ if absent
+    pub upper: Option<Bound>,
+}
+
+/// A relation between two programs over the same inputs.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    lhs: Program,
+    rel: Rel,
+    rhs: Program,
+}
+
+impl Condition {
+    /// Whether it holds at a point, as far as the arithmetic can tell.
+    pub fn holds<A: Arithmetic>(&self, arithmetic: &A, inputs: &[A::Value]) -> bool {
+        let (lhs, rhs) = (self.lhs.value(arithmetic, inputs), self.rhs.value(arithmetic, inputs));
+        let order: Option<Ordering> =
+            lhs.zip(rhs).and_then(|(lhs, rhs)| arithmetic.compare(&lhs, &rhs));
+        order.is_some_and(|order| holds(self.rel, order))
+    }
+}
+
+impl Formula {
+    /// Whether a point is in its domain, the ranges of the inputs apart.
+    pub fn admits<A: Arithmetic>(&self, arithmetic: &A, inputs: &[A::Value]) -> bool {
+        self.conditions.iter().all(|condition| condition.holds(arithmetic, inputs))
+    }
+}
+
+/// What was found in a document.
+#[derive(Clone, Debug, Default)]
+pub struct Formulas {
+    /// formulas of one or two inputs, in the order of the text
+    pub formulas: Vec<Formula>,
+    /// labels of formulas that were left out because they have more inputs
+    pub larger: Vec<String>,
+}
+
+/// Finds the formulas of a document: the body of each `let`, and each side of an equation of which
+/// the first side is a symbol.
+///
+/// A symbol that varies with another is replaced by the formula which the document gives for it, in
+/// every way that belongs to the statement: two statements belong together if some statement rests
+/// on both. Inputs are the symbols that remain, in the order of declaration; a `given` that compares
+/// one of them with a number narrows its range.
+#[must_use]
+pub fn formulas(document: &Document) -> Formulas {
+    let expansions = Expansions::of(document);
+    let mut found = Formulas::default();
+    for (index, statement) in document.statements.iter().enumerate() {
+        let label = &statement.label;
+        let mut add = |quantity: &str, expr: &Expr| {
+            for choice in expansions.choices(expr, index) {
+                found.add(document, index, label, quantity, expr, &choice);
+            }
+        };
+        match &statement.body {
+            Body::Let(definition) => {
+                if let Some(definition) = document.context.lets.get(*definition) {
+                    add(&definition.name, &definition.body);
+                }
+            }
+            body => {
+                let relations = relations(body);
+                let mut quantity: Option<String> = None;
+                let mut last: Option<&Expr> = None;
+                for relation in relations {
+                    if last != Some(&relation.lhs) {
+                        let named = matches!(relation.lhs, Expr::Var(_) | Expr::Let(_));
+                        quantity = named.then(|| relation.lhs.plain(&document.context));
+                    }
+                    last = Some(&relation.rhs);
+                    if let (Rel::Eq, Some(quantity)) = (relation.rel, &quantity) {
+                        add(quantity, &relation.rhs);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+impl Formulas {
+    fn add(
+        &mut self,
+        document: &Document,
+        index: usize,
+        label: &str,
+        quantity: &str,
+        expr: &Expr,
+        choice: &Choice,
+    ) {
+        let context = &document.context;
+        let mut inputs = symbols(expr, context);
+        for (symbol, value) in &choice.values {
+            inputs.remove(symbol);
+            inputs.extend(symbols(value, context));
+        }
+        let inputs: Vec<usize> = inputs.into_iter().collect();
+        if inputs.is_empty() || matches!(expr, Expr::Var(_) | Expr::Let(_)) {
+            return;
+        }
+        if inputs.len() > MAX_INPUTS {
+            if !self.larger.iter().any(|known| known == label) {
+                self.larger.push(label.to_owned());
+            }
+            return;
+        }
+        let Ok(program) = Program::new(expr, context, &choice.values, &inputs) else { return };
+        let side = |expr| Program::new(expr, context, &choice.values, &inputs);
+        let body = document.statements.get(index).map(|statement| &statement.body);
+        let conditions: Vec<Condition> = body
+            .map_or(&[][..], conditions)
+            .iter()
+            .filter_map(|Relation { lhs, rel, rhs }| {
+                Some(Condition { lhs: side(lhs).ok()?, rel: *rel, rhs: side(rhs).ok()? })
+            })
+            .collect();
+        let inputs: Vec<Input> = inputs.iter().filter_map(|s| input(document, *s)).collect();
+        let same = self.formulas.iter_mut().find(|known| {
+            known.inputs == inputs
+                && known.program.operations() == program.operations()
+                && (known.conditions.is_empty() || known.conditions.len() == conditions.len())
+        });
+        if let Some(known) = same {
+            if known.label != label && !known.also.iter().any(|other| other == label) {
+                known.also.push(label.to_owned());
+            }
+            return;
+        }
+        let label_of = |index: &usize| document.statements.get(*index).map(|s| s.label.clone());
+        self.formulas.push(Formula {
+            label: label.to_owned(),
+            also: vec![],
+            quantity: quantity.to_owned(),
+            text: expr.plain(context),
+            by: choice.by.iter().filter_map(label_of).collect(),
+            inputs,
+            program,
+            conditions,
+        });
+    }
+}
+
+/// The symbol with its range, narrowed by what is given of it.
+fn input(document: &Document, symbol: usize) -> Option<Input> {
+    let var = document.context.vars.get(symbol)?;
+    let (mut lower, mut upper) = (var.lower.clone(), var.upper.clone());
+    for statement in &document.statements {
+        let Body::Given(sentence) = &statement.body else { continue };
+        let ([kane_kernel::Link::Relation(relation)], []) =
+            (sentence.links.as_slice(), sentence.when.as_slice())
+        else {
+            continue;
+        };
+        let (Expr::Var(about), Expr::Num(value)) = (&relation.lhs, &relation.rhs) else { continue };
+        if *about != symbol {
+            continue;
+        }
+        let bound = |strict| Bound { value: Rational::clone(value), strict };
+        match relation.rel {
+            Rel::Gt | Rel::Ge if lower.as_ref().is_none_or(|b| b.value <= *value) => {
+                lower = Some(bound(relation.rel == Rel::Gt));
+            }
+            Rel::Lt | Rel::Le if upper.as_ref().is_none_or(|b| b.value >= *value) => {
+                upper = Some(bound(relation.rel == Rel::Lt));
+            }
+            _ => {}
+        }
+    }
+    Some(Input { name: var.name.clone(), lower, upper })
+}

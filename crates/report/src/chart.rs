@@ -1,0 +1,374 @@
+//! Speed against accuracy: text, Markdown, JSON and CSV. The picture is in `chart_picture`.
+
+use std::fmt::Write as _;
+
+use anstyle::{AnsiColor, Style};
+use kane_measure::chart::{Measured, System, contradictions, front};
+use serde::Serialize;
+
+use crate::Page;
+use crate::shorten::{padded, shorten};
+use crate::stability::quoted;
+
+/// Columns where the page has no width.
+const WIDTH: usize = 100;
+
+/// The methods with their errors, their times if they were taken, and where that was.
+#[derive(Clone, Debug)]
+pub struct ChartReport<'a> {
+    /// the methods, by law and quantity
+    pub all: &'a [Measured],
+    /// machine and compiler, for the footer
+    pub machine: String,
+    /// a command that prints this report
+    pub command: String,
+}
+
+/// Hundredths of digits as digits with one decimal.
+pub(crate) fn digits(hundredths: i64) -> String {
+    if hundredths == i64::MAX {
+        return "exact".to_owned();
+    }
+    format!("{}.{}", hundredths / 100, hundredths % 100 / 10)
+}
+
+/// Picoseconds as nanoseconds to three digits or so.
+pub(crate) fn nanoseconds(picoseconds: u64) -> String {
+    match picoseconds {
+        0..10_000 => format!("{}.{:02}", picoseconds / 1000, picoseconds % 1000 / 10),
+        10_000..100_000 => format!("{}.{}", picoseconds / 1000, picoseconds % 1000 / 100),
+        _ => (picoseconds / 1000).to_string(),
+    }
+}
+
+/// An error in hundredths of log₂ ulps, as ulps.
+fn ulps(hundredths: Option<i64>) -> String {
+    match hundredths {
+        None => String::new(),
+        Some(h) if h <= 0 => "<= 1".to_owned(),
+        Some(h) => format!("2^{}.{}", h / 100, h % 100 / 10),
+    }
+}
+
+impl ChartReport<'_> {
+    /// Groups of methods for one quantity of one law, in the order of the registry, each with the
+    /// cheaper method first.
+    pub(crate) fn groups(&self) -> Vec<((&'static str, &'static str), Vec<usize>)> {
+        let mut groups: Vec<((&str, &str), Vec<usize>)> = Vec::new();
+        for (index, measured) in self.all.iter().enumerate() {
+            let key = (measured.method.law, measured.method.quantity);
+            match groups.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, group)) => group.push(index),
+                None => groups.push((key, vec![index])),
+            }
+        }
+        let price = |index: &usize| {
+            let measured = self.all.get(*index);
+            let time = measured.and_then(|m| m.time.as_ref()).map(|time| time.median);
+            let cost = measured.and_then(|m| m.cost);
+            (time, cost.unwrap_or(u64::MAX), measured.map(|m| m.method.system))
+        };
+        for (_, group) in &mut groups {
+            group.sort_by_key(price);
+        }
+        groups
+    }
+
+    /// What the clock says against the counted costs, one line a pair, at most some.
+    fn warnings(&self) -> Vec<String> {
+        let name = |index: usize| {
+            self.all.get(index).map_or_else(String::new, |m| {
+                format!(
+                    "{} {} {} in {}",
+                    m.method.law, m.method.quantity, m.method.name, m.method.system
+                )
+            })
+        };
+        contradictions(self.all)
+            .into_iter()
+            .map(|(a, b)| {
+                format!("warning: counted as cheaper, but slower: {} than {}", name(a), name(b))
+            })
+            .collect()
+    }
+}
+
+/// The table for a terminal. Stars mark the Pareto front: nothing else is both cheaper and better.
+#[must_use]
+pub fn text(report: &ChartReport<'_>, page: Page) -> String {
+    let width = page.width.unwrap_or(WIDTH);
+    let ink = |style: Style| if page.colour { style } else { Style::new() };
+    let bold = ink(Style::new().bold());
+    let green = ink(Style::new().fg_color(Some(AnsiColor::Green.into())));
+    let front = front(report.all);
+    let mut out = String::from(
+        "What does the next digit cost? Per group the cheapest comes first; * nothing else is both\n\
+         cheaper and better. Digits that are right, at the worst and at the median input.\n",
+    );
+    for ((law, quantity), group) in report.groups() {
+        let _ = writeln!(out, "\n{bold}{law}  {quantity}{bold:#}");
+        let _ = writeln!(
+            out,
+            "    {:>7} {:>15}  {:>5} {:>6}  {:>6}  {:>10}  {:13}  form",
+            "ns", "quartiles", "worst", "median", "ulps", "at alpha", "system"
+        );
+        for index in group {
+            let Some(measured) = report.all.get(index) else { continue };
+            let on_front = front.get(index).copied().unwrap_or(false);
+            let (time, quartiles) = match &measured.time {
+                Some(time) => {
+                    let (low, high) = time.quartiles;
+                    (
+                        nanoseconds(time.median),
+                        format!("{} .. {}", nanoseconds(low), nanoseconds(high)),
+                    )
+                }
+                None => (String::new(), String::new()),
+            };
+            let accuracy = &measured.accuracy;
+            let exact = accuracy.worst == i64::MAX;
+            let at = if exact { String::new() } else { format!("{:.3e}", accuracy.at) };
+            let row = format!(
+                "  {} {time:>7} {quartiles:>15}  {:>5} {:>6}  {:>6}  {at:>10}  {}  {}  {}",
+                if on_front { "*" } else { " " },
+                digits(accuracy.worst),
+                digits(accuracy.median),
+                if exact { String::new() } else { ulps(accuracy.ulps) },
+                padded(&measured.method.system.to_string(), 13),
+                padded(measured.method.name, 5),
+                if measured.method.is_law { "the program's own" } else { measured.method.text },
+            );
+            let ink = if on_front { green } else { Style::new() };
+            let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&row, width));
+        }
+    }
+    let warnings = report.warnings();
+    if !warnings.is_empty() {
+        out.push('\n');
+    }
+    for warning in warnings.iter().take(5) {
+        let _ = writeln!(out, "{}", shorten(warning, width));
+    }
+    if warnings.len() > 5 {
+        let _ = writeln!(out, "warning: and {} more pairs", warnings.len() - 5);
+    }
+    let _ = writeln!(
+        out,
+        "\n{}\nkane {}: {}",
+        report.machine,
+        env!("CARGO_PKG_VERSION"),
+        report.command
+    );
+    out
+}
+
+/// The table for the web.
+#[must_use]
+pub fn markdown(report: &ChartReport<'_>) -> String {
+    let front = front(report.all);
+    let mut out = String::from(
+        "# Speed against accuracy\n\nBold: nothing else is both cheaper and better.\n",
+    );
+    for ((law, quantity), group) in report.groups() {
+        let _ = writeln!(out, "\n## {law}: {quantity}\n");
+        out.push_str("| ns | quartiles | digits, worst | digits, median | worst alpha | system | form |\n|---|---|---|---|---|---|---|\n");
+        for index in group {
+            let Some(measured) = report.all.get(index) else { continue };
+            let (time, quartiles) = measured.time.as_ref().map_or_else(Default::default, |time| {
+                let (low, high) = time.quartiles;
+                (nanoseconds(time.median), format!("{}–{}", nanoseconds(low), nanoseconds(high)))
+            });
+            let worst = digits(measured.accuracy.worst);
+            let on_front = front.get(index).copied().unwrap_or(false);
+            let worst = if on_front { format!("**{worst}**") } else { worst };
+            let method = &measured.method;
+            let form = if method.is_law { "the program's own" } else { method.text };
+            let _ = writeln!(
+                out,
+                "| {time} | {quartiles} | {worst} | {} | {:e} | {} | {} `{form}` |",
+                digits(measured.accuracy.median),
+                measured.accuracy.at,
+                method.system,
+                method.name,
+            );
+        }
+    }
+    for warning in report.warnings() {
+        let _ = writeln!(out, "\n{warning}");
+    }
+    let _ = writeln!(
+        out,
+        "\n{}\n\nkane {}: `{}`",
+        report.machine,
+        env!("CARGO_PKG_VERSION"),
+        report.command
+    );
+    out
+}
+
+/// The table as CSV; times, where there are any, in nanoseconds.
+#[must_use]
+pub fn csv(report: &ChartReport<'_>) -> String {
+    let front = front(report.all);
+    let mut out = String::from(
+        "law,quantity,name,form,k,system,alpha_from,alpha_to,digits_worst,digits_median,log2_ulps_worst,worst_alpha,counted_cost,ns,ns_first_quartile,ns_third_quartile,pareto\n",
+    );
+    for (index, measured) in report.all.iter().enumerate() {
+        let method = &measured.method;
+        let time = |of: &dyn Fn(&kane_measure::chart::Time) -> u64| {
+            measured.time.as_ref().map_or_else(String::new, |time| nanoseconds(of(time)))
+        };
+        let hundredths = |h: i64| format!("{}.{:02}", h / 100, h % 100);
+        let exact = measured.accuracy.worst == i64::MAX;
+        let (first, last) = kane_measure::chart::DOMAIN;
+        let cells = [
+            method.law.to_owned(),
+            method.quantity.to_owned(),
+            method.name.to_owned(),
+            if method.is_law { "the program's own".to_owned() } else { method.text.to_owned() },
+            method.k.to_owned(),
+            method.system.to_string(),
+            format!("2^{}", method.least.max(first)),
+            format!("2^{last}"),
+            digits(measured.accuracy.worst),
+            digits(measured.accuracy.median),
+            measured
+                .accuracy
+                .ulps
+                .filter(|_| !exact)
+                .map_or_else(String::new, |h| hundredths(h.max(0))),
+            if exact { String::new() } else { format!("{:e}", measured.accuracy.at) },
+            measured.cost.map_or_else(String::new, |cost| cost.to_string()),
+            time(&|time| time.median),
+            time(&|time| time.quartiles.0),
+            time(&|time| time.quartiles.1),
+            front.get(index).copied().unwrap_or(false).to_string(),
+        ];
+        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
+        let _ = writeln!(out, "{}", cells.join(","));
+    }
+    out
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    command: &'a str,
+    machine: &'a str,
+    warnings: Vec<String>,
+    methods: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Schema {
+    name: &'static str,
+    version: u32,
+}
+
+#[derive(Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    law: &'a str,
+    quantity: &'a str,
+    name: &'a str,
+    form: &'a str,
+    k: &'a str,
+    own_code: bool,
+    system: String,
+    digits_worst: String,
+    digits_median: String,
+    worst_alpha: f64,
+    inputs: usize,
+    counted_cost: Option<u64>,
+    picoseconds: Option<[u64; 3]>,
+    rounds: Option<usize>,
+    pareto: bool,
+}
+
+/// The table for programs, ended by a line feed; times as first quartile, median, third quartile.
+#[must_use]
+pub fn json(report: &ChartReport<'_>) -> String {
+    let front = front(report.all);
+    let row = |(index, measured): (usize, &'_ Measured)| {
+        let method = &measured.method;
+        Row {
+            law: method.law,
+            quantity: method.quantity,
+            name: method.name,
+            form: method.text,
+            k: method.k,
+            own_code: method.is_law,
+            system: method.system.to_string(),
+            digits_worst: digits(measured.accuracy.worst),
+            digits_median: digits(measured.accuracy.median),
+            worst_alpha: measured.accuracy.at,
+            inputs: measured.accuracy.tried,
+            counted_cost: measured.cost,
+            picoseconds: measured
+                .time
+                .as_ref()
+                .map(|time| [time.quartiles.0, time.median, time.quartiles.1]),
+            rounds: measured.time.as_ref().map(|time| time.rounds),
+            pareto: front.get(index).copied().unwrap_or(false),
+        }
+    };
+    let file = File {
+        schema: Schema { name: "kane-chart", version: 1 },
+        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        command: &report.command,
+        machine: &report.machine,
+        warnings: report.warnings(),
+        methods: report.all.iter().enumerate().map(row).collect(),
+    };
+    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
+    out.push('\n');
+    out
+}
+
+/// The table that is committed: the errors and the counted costs, and how they were made. No times.
+#[must_use]
+pub fn committed(all: &[Measured]) -> String {
+    let mut out = String::from(
+        "law,quantity,name,system,alpha_from,alpha_to,inputs,digits_worst,digits_median,log2_ulps_worst,worst_alpha,counted_cost,rank\n",
+    );
+    for measured in all {
+        let method = &measured.method;
+        let same = |other: &&Measured| {
+            (other.method.law, other.method.quantity) == (method.law, method.quantity)
+        };
+        let cheaper = |cost: u64| {
+            all.iter().filter(same).filter(|other| other.cost.is_some_and(|c| c < cost)).count()
+        };
+        let exact = measured.accuracy.worst == i64::MAX;
+        let (first, last) = kane_measure::chart::DOMAIN;
+        let _ = writeln!(
+            out,
+            "{},{},{},{},2^{},2^{last},{},{},{},{},{},{},{}",
+            method.law,
+            method.quantity,
+            method.name,
+            method.system,
+            method.least.max(first),
+            measured.accuracy.tried,
+            digits(measured.accuracy.worst),
+            digits(measured.accuracy.median),
+            measured.accuracy.ulps.filter(|_| !exact).map_or_else(String::new, |h| {
+                let h = h.max(0);
+                format!("{}.{}", h / 100, h % 100 / 10)
+            }),
+            if exact { String::new() } else { format!("{:e}", measured.accuracy.at) },
+            measured.cost.map_or_else(String::new, |cost| cost.to_string()),
+            measured.cost.map_or_else(String::new, |cost| (cheaper(cost) + 1).to_string()),
+        );
+    }
+    out
+}
+
+/// The systems, in the order of legends.
+pub(crate) const SYSTEMS: [System; 5] = System::ALL;

@@ -1,0 +1,192 @@
+//! The report for programs. The schema is documented in `docs/report-schema.md`.
+
+use serde::Serialize;
+
+use super::{Entry, StabilityReport, bits};
+
+/// The name of the schema.
+const SCHEMA_NAME: &str = "kane-stability";
+/// The version of the schema.
+const SCHEMA_VERSION: u32 = 1;
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    command: &'a str,
+    document: &'a str,
+    title: Option<&'a str>,
+    not_examined: &'a [String],
+    formulas: Vec<Formula<'a>>,
+}
+
+#[derive(Serialize)]
+struct Schema {
+    name: &'static str,
+    version: u32,
+}
+
+#[derive(Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Serialize)]
+struct Formula<'a> {
+    label: &'a str,
+    also: &'a [String],
+    quantity: &'a str,
+    text: &'a str,
+    with: &'a [String],
+    inputs: Vec<&'a str>,
+    of_the_document: bool,
+    equal: Vec<&'a str>,
+    lines: Vec<Line<'a>>,
+    planes: Vec<Plane<'a>>,
+}
+
+#[derive(Serialize)]
+struct Line<'a> {
+    format: &'a str,
+    precision: u32,
+    from: &'a str,
+    to: &'a str,
+    tried: usize,
+    worst: &'a str,
+    bits_lost: String,
+    ranges: Vec<Range<'a>>,
+    /// binade, bits lost, fault; in between nothing changes by more than half a bit
+    profile: Vec<(i64, String, Option<&'static str>)>,
+}
+
+#[derive(Serialize)]
+struct Range<'a> {
+    fault: &'static str,
+    from: &'a str,
+    to: &'a str,
+    from_is_end_of_domain: bool,
+    to_is_end_of_domain: bool,
+    worst: &'a str,
+    bits_lost: String,
+    returns: &'a str,
+    exact: &'a str,
+    cause: &'a str,
+    better: Option<Better<'a>>,
+}
+
+#[derive(Serialize)]
+struct Better<'a> {
+    label: &'a str,
+    text: &'a str,
+    with: &'a [String],
+    bits_lost: String,
+}
+
+#[derive(Serialize)]
+struct Plane<'a> {
+    format: &'a str,
+    precision: u32,
+    cells: usize,
+    worst: [&'a str; 2],
+    bits_lost: String,
+    faults: Vec<Cells<'a>>,
+}
+
+#[derive(Serialize)]
+struct Cells<'a> {
+    fault: &'static str,
+    cells: usize,
+    example: [&'a str; 2],
+}
+
+/// The report as JSON, ended by a line feed. Inputs are the shortest decimals that name them.
+#[must_use]
+pub fn json(report: &StabilityReport<'_>) -> String {
+    let stability = report.stability;
+    let entries = report.entries();
+    let file = File {
+        schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
+        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        command: &report.command,
+        document: &stability.name,
+        title: stability.title.as_deref(),
+        not_examined: &stability.subject.larger,
+        formulas: entries.iter().enumerate().map(|(i, e)| formula(report, i, e)).collect(),
+    };
+    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
+    out.push('\n');
+    out
+}
+
+fn formula<'a>(report: &StabilityReport<'a>, index: usize, entry: &Entry<'a>) -> Formula<'a> {
+    let subject = &report.stability.subject;
+    let formula = entry.formula;
+    let equal = subject.equal.get(index).into_iter().flatten();
+    Formula {
+        label: &formula.label,
+        also: &formula.also,
+        quantity: &formula.quantity,
+        text: &formula.text,
+        with: &formula.by,
+        inputs: formula.inputs.iter().map(|input| input.name.as_str()).collect(),
+        of_the_document: entry.is_own,
+        equal: equal.filter_map(|i| subject.formulas.get(*i)).map(|f| f.text.as_str()).collect(),
+        lines: entry.lines.iter().map(|line| self::line(report, line)).collect(),
+        planes: entry.planes.iter().map(|plane| self::plane(plane)).collect(),
+    }
+}
+
+fn line<'a>(report: &StabilityReport<'a>, line: &'a kane_measure::Examined) -> Line<'a> {
+    let range = |range: &'a kane_measure::Range| Range {
+        fault: range.fault.name(),
+        from: &range.from.text,
+        to: &range.to.text,
+        from_is_end_of_domain: range.open.0,
+        to_is_end_of_domain: range.open.1,
+        worst: &range.worst.text,
+        bits_lost: bits(range.lost),
+        returns: &range.computed,
+        exact: &range.exact,
+        cause: &range.cause,
+        better: range.better.as_ref().and_then(|better| {
+            let formula = report.better(better)?;
+            let (label, text, with) = (&formula.label, &formula.text, &formula.by);
+            Some(Better { label, text, with, bits_lost: bits(better.lost) })
+        }),
+    };
+    Line {
+        format: line.format,
+        precision: line.precision,
+        from: &line.domain.0.text,
+        to: &line.domain.1.text,
+        tried: line.tried,
+        worst: &line.worst.0.text,
+        bits_lost: bits(line.worst.1),
+        ranges: line.ranges.iter().map(range).collect(),
+        profile: super::thinned(line)
+            .into_iter()
+            .map(|(binade, lost, fault)| (binade, bits(lost), fault.map(kane_measure::Fault::name)))
+            .collect(),
+    }
+}
+
+fn plane(plane: &kane_measure::Plane) -> Plane<'_> {
+    let ((first, second), lost) = &plane.worst;
+    Plane {
+        format: plane.format,
+        precision: plane.precision,
+        cells: plane.cells.len(),
+        worst: [&first.text, &second.text],
+        bits_lost: bits(*lost),
+        faults: plane
+            .faults
+            .iter()
+            .map(|(fault, cells, (first, second))| Cells {
+                fault: fault.name(),
+                cells: *cells,
+                example: [&first.text, &second.text],
+            })
+            .collect(),
+    }
+}

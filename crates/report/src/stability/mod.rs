@@ -1,0 +1,162 @@
+//! Where formulas fail in floating point: text, Markdown, JSON, CSV and a picture.
+
+mod csv;
+mod json;
+mod markdown;
+mod picture;
+mod text;
+
+use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Stability};
+
+pub use csv::csv;
+pub(crate) use csv::quoted;
+pub use json::json;
+pub use markdown::markdown;
+pub use picture::{PictureError, picture};
+pub use text::text;
+
+/// What came out for a document, and the command that shows it again.
+#[derive(Clone, Debug)]
+pub struct StabilityReport<'a> {
+    /// the findings
+    pub stability: &'a Stability,
+    /// a command that prints this report
+    pub command: String,
+}
+
+/// One formula with all that was found of it.
+pub(crate) struct Entry<'a> {
+    pub(crate) formula: &'a Formula,
+    pub(crate) is_own: bool,
+    pub(crate) lines: Vec<&'a Examined>,
+    pub(crate) planes: Vec<&'a Plane>,
+}
+
+impl<'a> StabilityReport<'a> {
+    /// The formulas that were examined, in order.
+    pub(crate) fn entries(&self) -> Vec<Entry<'a>> {
+        let stability = self.stability;
+        let subject = &stability.subject;
+        let of = |(index, formula): (usize, &'a Formula)| Entry {
+            formula,
+            is_own: index < subject.own,
+            lines: stability.lines.iter().filter(|line| line.formula == index).collect(),
+            planes: stability.planes.iter().filter(|plane| plane.formula == index).collect(),
+        };
+        subject.formulas.iter().enumerate().take(subject.examined).map(of).collect()
+    }
+
+    /// The formula that is better on a range.
+    pub(crate) fn better(&self, better: &Better) -> Option<&'a Formula> {
+        self.stability.subject.formulas.get(better.formula)
+    }
+
+    /// How many formulas there are, and how many of them fail somewhere.
+    pub(crate) fn headline(&self) -> String {
+        let entries = self.entries();
+        let failing = entries.iter().filter(|entry| entry.fails()).count();
+        let formulas = if entries.len() == 1 { "formula" } else { "formulas" };
+        let fail = if failing == 1 { "fails" } else { "fail" };
+        let mut headline =
+            format!("{} {formulas} in f32 and f64: {failing} {fail} somewhere", entries.len());
+        let larger = self.stability.subject.larger.len();
+        if larger > 0 {
+            headline.push_str(&format!("; {larger} not examined, with more than two inputs"));
+        }
+        headline
+    }
+}
+
+impl Entry<'_> {
+    pub(crate) fn fails(&self) -> bool {
+        self.lines.iter().any(|line| !line.ranges.is_empty())
+            || self.planes.iter().any(|plane| !plane.faults.is_empty())
+    }
+
+    /// Which formulas are evaluated first, and where else this one stands; empty for none.
+    pub(crate) fn notes(&self) -> String {
+        let mut notes = Vec::new();
+        if !self.formula.by.is_empty() {
+            notes.push(format!("with {}", self.formula.by.join(", ")));
+        }
+        if !self.formula.also.is_empty() {
+            notes.push(format!("also {}", self.formula.also.join(", ")));
+        }
+        if !self.is_own {
+            notes.push("an equal form".to_owned());
+        }
+        notes.join("; ")
+    }
+}
+
+/// What a formula is called: its label, unless that is what it is a formula of, and the equation.
+pub(crate) fn title(formula: &Formula) -> String {
+    let equation = format!("{} = {}", formula.quantity, formula.text);
+    if formula.label == formula.quantity {
+        equation
+    } else {
+        format!("{}  {equation}", formula.label)
+    }
+}
+
+/// A formula as others are referred to it: its text, and its label with the definitions used.
+pub(crate) fn named(formula: &Formula) -> String {
+    match formula.by.as_slice() {
+        [] => format!("{}  {}", formula.text, formula.label),
+        by => format!("{}  {} with {}", formula.text, formula.label, by.join(", ")),
+    }
+}
+
+/// A profile without what repeats itself: binades at which the fault changes or the loss does by
+/// half a bit, and those before them.
+pub(crate) fn thinned(line: &Examined) -> Vec<(i64, i64, Option<Fault>)> {
+    let mut kept: Vec<(i64, i64, Option<Fault>)> = Vec::new();
+    let mut before = None;
+    for &now in &line.profile {
+        let changes =
+            kept.last().is_none_or(|last| last.2 != now.2 || (last.1 - now.1).abs() >= 50);
+        if changes {
+            kept.extend(before.filter(|b| kept.last() != Some(b)));
+            kept.push(now);
+        }
+        before = Some(now);
+    }
+    kept.extend(before.filter(|b| kept.last() != Some(b)));
+    kept
+}
+
+/// Hundredths of bits as bits with one decimal, rounded down.
+pub(crate) fn bits(hundredths: i64) -> String {
+    format!("{}.{}", hundredths / 100, hundredths % 100 / 10)
+}
+
+/// A representable number in few characters: a power of two as such, others to four digits.
+pub(crate) fn short(point: &Point) -> String {
+    let pattern = point.value.to_bits();
+    let fraction = pattern & ((1 << 52) - 1);
+    let field = i64::try_from(pattern >> 52).unwrap_or(0);
+    if pattern == 0 {
+        "0".to_owned()
+    } else if point.value == f64::MAX || point.value == f64::from(f32::MAX) {
+        "max".to_owned()
+    } else if fraction == 0 {
+        format!("2^{}", field - 1023)
+    } else if field == 0 && fraction.is_power_of_two() {
+        format!("2^{}", i64::from(fraction.trailing_zeros()) - 1074)
+    } else {
+        format!("{:.3e}", point.value)
+    }
+}
+
+/// A range by its first and last failing input.
+pub(crate) fn interval(range: &Range) -> String {
+    if range.from == range.to {
+        return format!("at {}", short(&range.from));
+    }
+    let (from, to) = (short(&range.from), short(&range.to));
+    if from == to {
+        // so close that four digits do not tell them apart
+        return format!("[{}, {}]", range.from.text, range.to.text);
+    }
+    format!("[{from}, {to}]")
+}

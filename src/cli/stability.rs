@@ -1,0 +1,70 @@
+//! `kane stability`: where the formulas of a document fail in floating point.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use kane::measure;
+use kane::report::stability::{StabilityReport, csv, json, markdown, picture, text};
+
+use super::args::{Format, StabilityArgs};
+use super::input::{self, quoted};
+use super::progress::Progress;
+use super::{Outcome, bad_input, output};
+
+/// Runs the verb.
+pub(super) fn run(args: &StabilityArgs) -> Outcome {
+    let files: Vec<_> = args.file.iter().cloned().collect();
+    let (inputs, unreadable) = input::read(&files);
+    for error in &unreadable {
+        bad_input(error);
+    }
+    let Some(input) = inputs.first() else { return Outcome::BadInput };
+    let document = match kane::audit::read(&input.name, &input.bytes) {
+        Ok(document) => document,
+        Err(faults) => {
+            for fault in faults {
+                output::to_stderr(&format!("{fault}\n"));
+            }
+            return Outcome::BadInput;
+        }
+    };
+    let mut progress = Progress::counting("formats of formulas");
+    // beside the paper, the forms that the program knows are examined themselves
+    let stability = measure::examine(&document, args.file.is_none(), &mut |done, all| {
+        progress.update(done, all);
+    });
+    drop(progress);
+
+    let command = match &args.file {
+        None => "kane stability".to_owned(),
+        Some(file) => format!("kane stability {}", quoted(&file.display().to_string())),
+    };
+    let report = StabilityReport { stability: &stability, command };
+    if let Some(dir) = &args.out
+        && let Err(error) = write(dir, &input.stem, &report)
+    {
+        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
+    }
+    let shown = match args.format {
+        Format::Text => text(&report, output::page()),
+        Format::Markdown => markdown(&report),
+        Format::Json => json(&report),
+    };
+    if let Err(error) = output::to_stdout(&shown) {
+        return bad_input(&format!("cannot print: {error}"));
+    }
+    if stability.subject.examined == 0 { Outcome::Nothing } else { Outcome::AsExpected }
+}
+
+/// Writes NAME-stability in every form.
+fn write(dir: &Path, stem: &str, report: &StabilityReport<'_>) -> io::Result<()> {
+    fs::create_dir_all(dir)?;
+    let picture = picture(report).map_err(io::Error::other)?;
+    let forms =
+        [("md", markdown(report)), ("json", json(report)), ("csv", csv(report)), ("svg", picture)];
+    for (ending, text) in forms {
+        output::to_file(&dir.join(format!("{stem}-stability.{ending}")), &text)?;
+    }
+    Ok(())
+}

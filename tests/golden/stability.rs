@@ -1,0 +1,39 @@
+//! Where the paper's formulas fail, as the program prints it.
+
+use kane::measure::{Stability, examine};
+use kane::report::Page;
+use kane::report::stability::{StabilityReport, csv, json, markdown, picture, text};
+
+use crate::settings;
+
+fn paper() -> Stability {
+    let bytes = include_bytes!("../../docs/derivations/oblique-collision.md");
+    let document = kane::audit::read("oblique-collision.md", bytes).expect("it is well formed");
+    examine(&document, true, &mut |_, _| {})
+}
+
+#[test]
+fn the_table_of_the_paper() {
+    let stability = paper();
+    let command = "kane stability".to_owned();
+    let report = StabilityReport { stability: &stability, command };
+    let shown = text(&report, Page::default());
+    for line in shown.lines() {
+        assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
+    }
+    settings().bind(|| insta::assert_snapshot!("paper", shown));
+
+    // the other forms tell the same
+    let ranges: usize = stability.lines.iter().map(|line| line.ranges.len()).sum();
+    assert_eq!(csv(&report).lines().count(), ranges + 1);
+    let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
+    let formulas = value["formulas"].as_array().expect("a list").len();
+    assert_eq!(formulas, stability.subject.examined);
+    assert!(markdown(&report).contains("| f64 | 0 instead |"));
+    let svg = picture(&report).expect("a picture can be drawn");
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    assert!(
+        svg.contains("bits lost") && svg.contains("log2 alpha") && svg.contains("f64 (53 bits)")
+    );
+    assert_eq!(svg, picture(&report).expect("again"), "the same in every run");
+}
