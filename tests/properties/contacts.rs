@@ -26,12 +26,9 @@ enum Tie {
     Sticking,
 }
 
-/// Any planar contact with exact data. A symmetric matrix is positive definite exactly if it is
-/// L·Lᵀ with a positive diagonal, so that form reaches all of them, mass ratios up to 2^2000 among
-/// them. One time in eight each: a tie of every kind, to the hair or on it; v_t = 0, μ = 0, a = 0,
-/// e = 0 and e = 1 in between.
-pub(crate) fn contact() -> impl Strategy<Value = Contact<Rational>> {
-    let tie = prop_oneof![
+/// A tie of every kind, one time in eight each, and none in two of eight.
+fn tie() -> impl Strategy<Value = Tie> {
+    prop_oneof![
         2 => Just(Tie::None),
         1 => Just(Tie::Cone),
         1 => Just(Tie::Jam),
@@ -39,11 +36,18 @@ pub(crate) fn contact() -> impl Strategy<Value = Contact<Rational>> {
         1 => Just(Tie::Compression),
         1 => Just(Tie::Rebound),
         1 => Just(Tie::Sticking),
-    ];
+    ]
+}
+
+/// Any planar contact with exact data. A symmetric matrix is positive definite exactly if it is
+/// L·Lᵀ with a positive diagonal, so that form reaches all of them, mass ratios up to 2^2000 among
+/// them. One time in eight each: a tie of every kind, to the hair or on it; v_t = 0, μ = 0, a = 0,
+/// e = 0 and e = 1 in between.
+pub(crate) fn contact() -> impl Strategy<Value = Contact<Rational>> {
     let hair = prop_oneof![1 => Just(None), 1 => (1_i32..200, any::<bool>()).prop_map(Some)];
     let factor = (positive(), signed(), positive());
     let state = (signed(), not_negative(), not_negative(), restitution());
-    (factor, state, tie, hair).prop_map(|(factor, state, tie, hair)| {
+    (factor, state, tie(), hair).prop_map(|(factor, state, tie, hair)| {
         let nudge = match hair {
             None => rational(1, 1),
             Some((bits, true)) => rational(1, 1) + two_to(-bits),
@@ -59,18 +63,9 @@ pub(crate) fn tame_contact() -> impl Strategy<Value = Contact<Rational>> {
     let zeroed = move || prop_oneof![1 => Just(rational(0, 1)), 7 => small()];
     let either = move || (zeroed(), any::<bool>()).prop_map(|(x, s)| if s { -x } else { x });
     let unit = (0_i32..=8).prop_map(|n| rational(n, 8));
-    let tie = prop_oneof![
-        2 => Just(Tie::None),
-        1 => Just(Tie::Cone),
-        1 => Just(Tie::Jam),
-        1 => Just(Tie::Stop),
-        1 => Just(Tie::Compression),
-        1 => Just(Tie::Rebound),
-        1 => Just(Tie::Sticking),
-    ];
     let nudge = prop_oneof![1 => Just(rational(1, 1)), 1 => Just(rational(1001, 1000)), 1 => Just(rational(999, 1000))];
     let factor = (small(), either(), small());
-    ((factor, (either(), zeroed(), zeroed(), unit)), tie, nudge)
+    ((factor, (either(), zeroed(), zeroed(), unit)), tie(), nudge)
         .prop_map(|((factor, state), tie, nudge)| planted(factor, state, tie, &nudge))
 }
 

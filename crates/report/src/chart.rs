@@ -6,6 +6,8 @@ use anstyle::{AnsiColor, Style};
 use kane_measure::chart::{Measured, System, contradictions, front};
 use serde::Serialize;
 
+use crate::envelope::{Program, Schema};
+
 use crate::Page;
 use crate::shorten::{padded, shorten};
 use crate::stability::quoted;
@@ -261,18 +263,6 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
-struct Schema {
-    name: &'static str,
-    version: u32,
-}
-
-#[derive(Serialize)]
-struct Program {
-    name: &'static str,
-    version: &'static str,
-}
-
-#[derive(Serialize)]
 struct Row<'a> {
     law: &'a str,
     quantity: &'a str,
@@ -320,7 +310,7 @@ pub fn json(report: &ChartReport<'_>) -> String {
     };
     let file = File {
         schema: Schema { name: "kane-chart", version: 1 },
-        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        program: Program::THIS,
         command: &report.command,
         machine: &report.machine,
         warnings: report.warnings(),

@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use kane_audit::LinkJudgement;
 use serde::Serialize;
 
+use crate::envelope::{Program, Schema};
+
 use crate::report::Entry;
 use crate::{Report, Summary};
 
@@ -19,7 +21,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub fn json(reports: &[Report<'_>]) -> String {
     let file = File {
         schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
-        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        program: Program::THIS,
         as_expected: reports.iter().all(Report::as_expected),
         documents: reports.iter().map(Document::of).collect(),
     };
@@ -35,18 +37,6 @@ struct File<'a> {
     program: Program,
     as_expected: bool,
     documents: Vec<Document<'a>>,
-}
-
-#[derive(Serialize)]
-struct Schema {
-    name: &'static str,
-    version: u32,
-}
-
-#[derive(Serialize)]
-struct Program {
-    name: &'static str,
-    version: &'static str,
 }
 
 #[derive(Serialize)]

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::envelope::{Program, Schema};
+
 use super::{Entry, StabilityReport, bits};
 
 /// The name of the schema.
@@ -18,18 +20,6 @@ struct File<'a> {
     title: Option<&'a str>,
     not_examined: &'a [String],
     formulas: Vec<Formula<'a>>,
-}
-
-#[derive(Serialize)]
-struct Schema {
-    name: &'static str,
-    version: u32,
-}
-
-#[derive(Serialize)]
-struct Program {
-    name: &'static str,
-    version: &'static str,
 }
 
 #[derive(Serialize)]
@@ -107,7 +97,7 @@ pub fn json(report: &StabilityReport<'_>) -> String {
     let entries = report.entries();
     let file = File {
         schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
-        program: Program { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        program: Program::THIS,
         command: &report.command,
         document: &stability.name,
         title: stability.title.as_deref(),
