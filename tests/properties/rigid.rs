@@ -1,7 +1,7 @@
 //! What every law does on any planar contact, exactly: who covers the domain, keeps in the friction
 //! cone, separates the bodies, and never creates energy.
 
-use kane_impact::laws::{LawVisitor, visit_laws};
+use kane_impact::laws::{ChatterjeeRuina, LawVisitor, visit_laws};
 use kane_impact::{Contact, Delassus, ImpactLaw, NoImpulse, Restitution};
 use kane_number::{Algebraic, Number, Ordered as _, Rational, Real};
 use proptest::prelude::*;
@@ -136,6 +136,41 @@ proptest! {
     fn laws_keep_what_they_promise_with_irrational_impulses(contact in tame_contact()) {
         check(&contact.map(|x| Algebraic::from(x.clone())))?;
         check(&decoupled(&contact).map(|x| Algebraic::from(x.clone())))?;
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(3000))]
+
+    /// Chatterjee and Ruina's law as they write it, in vectors: P^ = (1 + e)·P_I + (1 + e_t)·(P_II − P_I)
+    /// inside the cone, and κ for 1 + e_t on it.
+    #[test]
+    fn chatterjee_and_ruina_s_law_is_their_formula_on_any_contact(
+        contact in tame_contact(),
+        tenths in -10_i32..=10,
+    ) {
+        let e_t = rational(tenths, 10);
+        let (w, v) = (contact.delassus(), [contact.slip().clone(), -contact.approach().clone()]);
+        let one = rational(1, 1);
+        let determinant = w.tt() * w.nn() - w.tn() * w.tn();
+        let sticking = [
+            (w.tn() * &v[1] - w.nn() * &v[0]) / &determinant,
+            (w.tn() * &v[0] - w.tt() * &v[1]) / &determinant,
+        ];
+        let frictionless = -&v[1] / w.nn();
+        let (e, mu) = (contact.restitution(), contact.friction());
+        let between = |share: &Rational| {
+            let normal = (&one + e) * &frictionless + share * (&sticking[1] - &frictionless);
+            [share * &sticking[0], normal]
+        };
+        let size = |x: &Rational| if *x < rational(0, 1) { -x } else { x.clone() };
+        let mut expected = between(&(&one + &e_t));
+        if size(&expected[0]) > mu * &expected[1] {
+            let fall = size(&sticking[0]) - mu * (&sticking[1] - &frictionless);
+            expected = between(&(mu * (&one + e) * &frictionless / fall));
+        }
+        let impulse = ChatterjeeRuina { restitution: e_t }.impulse(&contact)?;
+        prop_assert_eq!([impulse.tangential, impulse.normal], expected);
     }
 }
 
