@@ -10,7 +10,7 @@ use kane::report::{self, Report};
 use super::args::{AuditArgs, Format};
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
-use super::{Outcome, bad_input, labels, output};
+use super::{Outcome, bad_input, deliver, labels, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &AuditArgs) -> Outcome {
@@ -42,27 +42,22 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         });
         audits.push((input, judge(document, chosen.as_deref()), chosen));
     }
-    let reports: Vec<(&Input, Report<'_>)> = audits
+    let (inputs, reports): (Vec<&Input>, Vec<Report<'_>>) = audits
         .iter()
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
             let report = Report::new(audit, command(input, &args.only));
             (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
-        .collect();
+        .unzip();
 
-    if let Some(dir) = &args.out
-        && let Err(error) = write(dir, &reports)
-    {
-        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
-    }
-    let reports: Vec<Report<'_>> = reports.into_iter().map(|(_, report)| report).collect();
-    let shown = match args.explain {
+    let shown = || match args.explain {
         Some(_) => explanations(&reports),
         None => print(&reports, args.format),
     };
-    if let Err(error) = output::to_stdout(&shown) {
-        return bad_input(&format!("cannot print: {error}"));
+    let written = |dir: &Path| write(dir, &inputs, &reports);
+    if let Err(outcome) = deliver(args.out.as_deref(), written, shown) {
+        return outcome;
     }
     outcome(&reports)
 }
@@ -126,9 +121,9 @@ fn explanations(reports: &[Report<'_>]) -> String {
 }
 
 /// Writes NAME.md and NAME.json for every report.
-fn write(dir: &Path, reports: &[(&Input, Report<'_>)]) -> std::io::Result<()> {
+fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Result<()> {
     fs::create_dir_all(dir)?;
-    for (input, report) in reports {
+    for (input, report) in inputs.iter().zip(reports) {
         output::to_file(&dir.join(format!("{}.md", input.stem)), &report::markdown(report))?;
         let json = report::json(std::slice::from_ref(report));
         output::to_file(&dir.join(format!("{}.json", input.stem)), &json)?;

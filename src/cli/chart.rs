@@ -10,7 +10,7 @@ use kane::report::chart_picture;
 
 use super::args::{ChartArgs, Format};
 use super::progress::Progress;
-use super::{Outcome, bad_input, output};
+use super::{Outcome, deliver, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &ChartArgs) -> Outcome {
@@ -20,18 +20,13 @@ pub(super) fn run(args: &ChartArgs) -> Outcome {
     drop(progress);
     let command = if args.quick { "kane chart --quick" } else { "kane chart" };
     let report = ChartReport { all: &all, machine: machine(), command: command.to_owned() };
-    if let Some(dir) = &args.out
-        && let Err(error) = write(dir, &report)
-    {
-        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
-    }
-    let shown = match args.format {
+    let shown = || match args.format {
         Format::Text => text(&report, output::page()),
         Format::Markdown => markdown(&report),
         Format::Json => json(&report),
     };
-    if let Err(error) = output::to_stdout(&shown) {
-        return bad_input(&format!("cannot print: {error}"));
+    if let Err(outcome) = deliver(args.out.as_deref(), |dir| write(dir, &report), shown) {
+        return outcome;
     }
     Outcome::AsExpected
 }

@@ -16,7 +16,7 @@ use kane::report::collision::{self, Collision};
 
 use super::args::{CollideArgs, Format};
 use super::input::quoted;
-use super::{Outcome, bad_input, output};
+use super::{Outcome, bad_input, deliver, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &CollideArgs) -> Outcome {
@@ -28,18 +28,15 @@ pub(super) fn run(args: &CollideArgs) -> Outcome {
             return Outcome::BadInput;
         }
     };
-    if let Some(dir) = &args.out
-        && let Err(error) = write(dir, &stem(args), &collision)
-    {
-        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
-    }
-    let shown = match args.format {
+    let shown = || match args.format {
         Format::Text => collision::text(&collision, output::page()),
         Format::Markdown => collision::markdown(&collision),
         Format::Json => collision::json(&collision),
     };
-    if let Err(error) = output::to_stdout(&shown) {
-        return bad_input(&format!("cannot print: {error}"));
+    if let Err(outcome) =
+        deliver(args.out.as_deref(), |dir| write(dir, &stem(args), &collision), shown)
+    {
+        return outcome;
     }
     if !collision.has_outcome() {
         Outcome::Nothing

@@ -10,6 +10,8 @@ mod output;
 mod progress;
 mod stability;
 
+use std::io;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -55,4 +57,21 @@ pub(crate) fn run() -> ExitCode {
 fn bad_input(message: &str) -> Outcome {
     output::to_stderr(&format!("error: {message}\n"));
     Outcome::BadInput
+}
+
+/// Ends a run that has a report: writes the forms that `--out` asks for, then prints.
+///
+/// # Errors
+///
+/// How the run ends if one of the two cannot be done, already reported on standard error.
+fn deliver(
+    out: Option<&Path>,
+    write: impl FnOnce(&Path) -> io::Result<()>,
+    shown: impl FnOnce() -> String,
+) -> Result<(), Outcome> {
+    if let Some(dir) = out {
+        write(dir)
+            .map_err(|error| bad_input(&format!("cannot write into {}: {error}", dir.display())))?;
+    }
+    output::to_stdout(&shown()).map_err(|error| bad_input(&format!("cannot print: {error}")))
 }

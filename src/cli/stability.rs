@@ -10,7 +10,7 @@ use kane::report::stability::{StabilityReport, csv, json, markdown, picture, tex
 use super::args::{Format, StabilityArgs};
 use super::input::{self, quoted};
 use super::progress::Progress;
-use super::{Outcome, bad_input, output};
+use super::{Outcome, bad_input, deliver, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &StabilityArgs) -> Outcome {
@@ -41,18 +41,15 @@ pub(super) fn run(args: &StabilityArgs) -> Outcome {
         Some(file) => format!("kane stability {}", quoted(&file.display().to_string())),
     };
     let report = StabilityReport { stability: &stability, command };
-    if let Some(dir) = &args.out
-        && let Err(error) = write(dir, &input.stem, &report)
-    {
-        return bad_input(&format!("cannot write into {}: {error}", dir.display()));
-    }
-    let shown = match args.format {
+    let shown = || match args.format {
         Format::Text => text(&report, output::page()),
         Format::Markdown => markdown(&report),
         Format::Json => json(&report),
     };
-    if let Err(error) = output::to_stdout(&shown) {
-        return bad_input(&format!("cannot print: {error}"));
+    if let Err(outcome) =
+        deliver(args.out.as_deref(), |dir| write(dir, &input.stem, &report), shown)
+    {
+        return outcome;
     }
     if stability.subject.examined == 0 { Outcome::Nothing } else { Outcome::AsExpected }
 }

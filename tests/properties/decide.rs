@@ -19,20 +19,11 @@ use kane_impact::{Alpha, ImpactLaw};
 use kane_number::{Rational, Rounding, encode};
 
 use crate::dyadic::Dyadic;
+use crate::random::Random;
 use crate::rational;
 use crate::strategies::exact;
 
-/// A small generator of the xorshift family (Marsaglia 2003), so that a run can be repeated.
-struct Random(u64);
-
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
     fn below(&mut self, end: u32) -> u32 {
         u32::try_from(((self.bits() >> 32) * u64::from(end)) >> 32).expect("below a u32")
     }

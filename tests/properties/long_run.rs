@@ -14,39 +14,26 @@ use kane_impact::oracle::integrate;
 use kane_impact::{Contact, Delassus, ImpactLaw};
 use kane_number::{Algebraic, Interval, Ordered as _, decode};
 
-/// A small generator of the xorshift family (Marsaglia 2003), so that a run can be repeated.
-struct Random(u64);
+use crate::random::Random;
 
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    /// Between zero and one.
-    fn unit(&mut self) -> f64 {
-        f64::from_bits(1.0_f64.to_bits() | self.bits() >> 12) - 1.0
-    }
-
     /// 2 to a power between −10 and 10.
-    fn size(&mut self) -> f64 {
+    fn magnitude(&mut self) -> f64 {
         (20.0 * self.unit() - 10.0).exp2()
     }
 
     /// A contact that couples; restitution at an end one time in eight.
     fn contact(&mut self) -> Option<Contact<f64>> {
-        let (tt, nn) = (self.size(), self.size());
+        let (tt, nn) = (self.magnitude(), self.magnitude());
         let tn = (2.0 * self.unit() - 1.0) * (tt * nn).sqrt();
-        let slip = self.size() * if self.bits() & 1 == 0 { 1.0 } else { -1.0 };
+        let slip = self.magnitude() * if self.bits() & 1 == 0 { 1.0 } else { -1.0 };
         let restitution = match self.bits() % 16 {
             0 => 0.0,
             1 => 1.0,
             _ => self.unit(),
         };
         let delassus = Delassus::new(tt, tn, nn).ok()?;
-        Contact::new(slip, self.size(), delassus, self.size(), restitution).ok()
+        Contact::new(slip, self.magnitude(), delassus, self.magnitude(), restitution).ok()
     }
 }
 

@@ -22,6 +22,8 @@ mod energy;
 mod long_run;
 /// Closed forms against the integration of their process.
 mod process;
+/// Randomness that a run repeats.
+mod random;
 /// What every law does on any planar contact.
 mod rigid;
 /// Floats from physical inputs, of every size.

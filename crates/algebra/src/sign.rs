@@ -203,7 +203,8 @@ fn complexity(q: &Rational) -> (BigInt, BigUint, Reverse<bool>) {
 }
 
 /// Whether `a ⋈ b` holds for numbers in this order.
-pub(crate) fn compares(rel: Rel, order: Ordering) -> bool {
+#[must_use]
+pub fn compares(rel: Rel, order: Ordering) -> bool {
     match rel {
         Rel::Eq => order.is_eq(),
         Rel::Ne => order.is_ne(),

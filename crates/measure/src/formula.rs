@@ -2,13 +2,13 @@
 
 use std::cmp::Ordering;
 
+use kane_algebra::sign::compares;
 use kane_algebra::syntax::Notation;
 use kane_audit::{Body, Document};
 use kane_kernel::{Bound, Expr, Rel, Relation};
 use kane_number::Rational;
 
 use crate::expand::{Choice, Expansions, conditions, relations, symbols};
-use crate::program::holds;
 use crate::{Arithmetic, Program};
 
 /// The most inputs of a formula that can be examined.
@@ -60,7 +60,7 @@ impl Condition {
         let (lhs, rhs) = (self.lhs.value(arithmetic, inputs), self.rhs.value(arithmetic, inputs));
         let order: Option<Ordering> =
             lhs.zip(rhs).and_then(|(lhs, rhs)| arithmetic.compare(&lhs, &rhs));
-        order.is_some_and(|order| holds(self.rel, order))
+        order.is_some_and(|order| compares(self.rel, order))
     }
 }
 

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap};
 
+use kane_algebra::sign::compares;
 use kane_algebra::syntax::Notation;
 use kane_kernel::{Context, Expr, Rel, Relation};
 use kane_number::Rational;
@@ -185,7 +186,7 @@ fn apply<A: Arithmetic>(
                 let mut all = true;
                 for (rel, a, b) in guards {
                     let order = arithmetic.compare(get(a)?, get(b)?);
-                    all = all && order.is_some_and(|order| holds(*rel, order));
+                    all = all && order.is_some_and(|order| compares(*rel, order));
                 }
                 if all {
                     return get(value).cloned();
@@ -193,18 +194,6 @@ fn apply<A: Arithmetic>(
             }
             get(otherwise.as_ref()?).cloned()
         }
-    }
-}
-
-/// Whether two values in this order compare as the relation says.
-pub(crate) fn holds(rel: Rel, order: Ordering) -> bool {
-    match rel {
-        Rel::Eq => order.is_eq(),
-        Rel::Ne => order.is_ne(),
-        Rel::Lt => order.is_lt(),
-        Rel::Le => order.is_le(),
-        Rel::Gt => order.is_gt(),
-        Rel::Ge => order.is_ge(),
     }
 }
 

@@ -2,9 +2,8 @@
 
 use kane_number::{Number, Rational};
 
-use super::whittaker_uncapped::frictionless;
-use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+use super::share::{Share, regimes};
+use crate::{Contact, ImpactLaw, Impulse, Regime};
 
 /// A given ratio of the impulses, `p_t` = −`μ_B`·`p_n`, admitted where it does not create energy
 /// (id `brach`).
@@ -36,9 +35,9 @@ impl Default for Brach {
     }
 }
 
-impl Brach {
-    fn ratio<N: Number>(&self, contact: &Contact<N>) -> N {
-        N::from_rational(&self.share) * contact.friction()
+impl Share for Brach {
+    fn share(&self) -> &Rational {
+        &self.share
     }
 }
 
@@ -72,18 +71,6 @@ impl ImpactLaw for Brach {
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        const {
-            &[
-                Regime::new("no slip", guards![Guard::no_slip()], frictionless),
-                Regime::new(
-                    "given ratio",
-                    guards![Guard::new(Relation::Positive, |law: &Self, contact: &Contact<N>| {
-                        let w = contact.delassus();
-                        (-law.ratio(contact)).mul_add(w.tn(), w.nn())
-                    })],
-                    |law, contact, _| contact.with_ratio(&-law.ratio(contact)),
-                ),
-            ]
-        }
+        const { &regimes("given ratio") }
     }
 }

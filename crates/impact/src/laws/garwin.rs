@@ -2,10 +2,8 @@
 
 use kane_number::{Number, Rational};
 
-use super::walton::{PULL, excess, push, rebound};
-use super::whittaker_uncapped::slide;
-use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+use super::walton::{PULL, Rebounds, rebound, slide_on};
+use crate::{ImpactLaw, Regime};
 
 /// The superball: the slip is reversed whatever friction it takes, k = −1 (id `garwin`).
 ///
@@ -34,24 +32,21 @@ pub struct Garwin;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GarwinCapped;
 
-fn reversal<L, N: Number>(_: &L, contact: &Contact<N>, _: &N) -> Impulse<N> {
-    rebound(contact, &N::one())
+impl Rebounds for Garwin {
+    fn share<N: Number>(&self) -> N {
+        N::one()
+    }
 }
 
-/// The regime of total reversal, with the slip and the work that follow without rounding.
-const fn reverse<L: ImpactLaw, N: Number>() -> Regime<L, N> {
-    Regime {
-        slip: Some(|_, contact, _| -contact.slip().clone()),
-        work: Some(|_, _, _| N::zero()),
-        ..Regime::new(
-            "reverse",
-            guards![Guard::new(Relation::NotNegative, |_, contact: &Contact<N>| push(
-                contact,
-                &N::one()
-            ))],
-            reversal,
-        )
+impl Rebounds for GarwinCapped {
+    fn share<N: Number>(&self) -> N {
+        N::one()
     }
+}
+
+/// The regime of total reversal, whose friction does no work.
+const fn reverse<L: Rebounds, N: Number>() -> Regime<L, N> {
+    Regime { work: Some(|_, _, _| N::zero()), ..rebound("reverse") }
 }
 
 impl ImpactLaw for Garwin {
@@ -102,21 +97,6 @@ impl ImpactLaw for GarwinCapped {
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        const {
-            &[
-                Regime::new(
-                    "slide",
-                    guards![
-                        Guard::slides_apart(),
-                        Guard::new(Relation::NotNegative, |_, contact: &Contact<N>| excess(
-                            contact,
-                            &N::one()
-                        )),
-                    ],
-                    slide,
-                ),
-                reverse(),
-            ]
-        }
+        const { &[slide_on(), reverse()] }
     }
 }

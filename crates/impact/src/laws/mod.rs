@@ -7,6 +7,7 @@ mod garwin;
 mod kane_levinson;
 mod keller_printed;
 mod routh;
+mod share;
 mod smith;
 mod smith_printed;
 mod walton;

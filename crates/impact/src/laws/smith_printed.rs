@@ -2,9 +2,9 @@
 
 use kane_number::{Number, Rational};
 
-use super::whittaker_uncapped::{JAM, frictionless};
-use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+use super::share::{Share, regimes};
+use super::whittaker_uncapped::JAM;
+use crate::{ImpactLaw, Regime};
 
 /// Sliding with the share η of the friction: `i_x` = η (id `smith-printed`).
 ///
@@ -30,9 +30,9 @@ impl Default for SmithPrinted {
     }
 }
 
-impl SmithPrinted {
-    fn friction<N: Number>(&self, friction: &N) -> N {
-        N::from_rational(&self.share) * friction
+impl Share for SmithPrinted {
+    fn share(&self) -> &Rational {
+        &self.share
     }
 }
 
@@ -62,18 +62,6 @@ impl ImpactLaw for SmithPrinted {
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        const {
-            &[
-                Regime::new("no slip", guards![Guard::no_slip()], frictionless),
-                Regime::new(
-                    "slide",
-                    guards![Guard::new(Relation::Positive, |law: &Self, contact: &Contact<N>| {
-                        let w = contact.delassus();
-                        (-law.friction(contact.friction())).mul_add(w.tn(), w.nn())
-                    })],
-                    |law, contact, _| contact.with_ratio(&-law.friction(contact.friction())),
-                ),
-            ]
-        }
+        const { &regimes("slide") }
     }
 }

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
 ///
@@ -32,27 +32,51 @@ impl Default for Walton {
     }
 }
 
-/// (1 + β0)·v_t·(`W_nn` − μ·`W_tn`) − (1 + e)·a·(μ·`W_tt` − `W_tn`): not negative where sliding ends
-/// with v_t⁺ ≥ −β0·v_t.
-pub(crate) fn excess<N: Number>(contact: &Contact<N>, restitution: &N) -> N {
-    let jump = (N::one() + restitution) * contact.slip() * contact.separation_rate();
-    jump - contact.closing() * contact.slowing_rate()
+/// A law that reverses a fixed share of the slip where it does not slide.
+pub(crate) trait Rebounds: ImpactLaw {
+    /// β0, the share.
+    fn share<N: Number>(&self) -> N;
+
+    /// v_t⁺ = −β0·v_t.
+    fn slip<N: Number>(&self, contact: &Contact<N>) -> N {
+        -(self.share::<N>() * contact.slip())
+    }
 }
 
-/// The impulse that ends with v_t⁺ = −β0·v_t. Without coupling that is (1 + β0)·v_t/`W_tt`.
-pub(crate) fn rebound<N: Number>(contact: &Contact<N>, restitution: &N) -> Impulse<N> {
-    contact.ending_at(&-(restitution.clone() * contact.slip()))
+/// Sliding forwards all the time, if it ends with v_t⁺ ≥ −β0·v_t:
+/// (1 + β0)·v_t·(`W_nn` − μ·`W_tn`) ≥ (1 + e)·a·(μ·`W_tt` − `W_tn`).
+pub(crate) const fn slide_on<L: Rebounds, N: Number>() -> Regime<L, N> {
+    Regime::new(
+        "slide",
+        guards![
+            Guard::slides_apart(),
+            Guard::new(Relation::NotNegative, |law: &L, contact: &Contact<N>| {
+                let change = (N::one() + law.share::<N>()) * contact.slip();
+                change * contact.separation_rate() - contact.closing() * contact.slowing_rate()
+            }),
+        ],
+        slide,
+    )
 }
 
-/// det W times its normal part.
-pub(crate) fn push<N: Number>(contact: &Contact<N>, restitution: &N) -> N {
-    contact.numerators_ending_at(&-(restitution.clone() * contact.slip())).1
+/// The impulse that ends with v_t⁺ = −β0·v_t, if it pushes; (1 + β0)·v_t/`W_tt` without coupling.
+pub(crate) const fn rebound<L: Rebounds, N: Number>(name: &'static str) -> Regime<L, N> {
+    Regime {
+        slip: Some(|law: &L, contact, _| law.slip(contact)),
+        ..Regime::new(
+            name,
+            guards![Guard::new(Relation::NotNegative, |law: &L, contact: &Contact<N>| {
+                contact.numerators_ending_at(&law.slip(contact)).1
+            })],
+            |law, contact, _| contact.ending_at(&law.slip(contact)),
+        )
+    }
 }
 
 pub(crate) const PULL: &str = "the rebound of the slip has no normal impulse that pushes";
 
-impl Walton {
-    fn factor<N: Number>(&self) -> N {
+impl Rebounds for Walton {
+    fn share<N: Number>(&self) -> N {
         N::from_rational(&self.restitution)
     }
 }
@@ -83,30 +107,6 @@ impl ImpactLaw for Walton {
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        const {
-            &[
-                Regime::new(
-                    "slide",
-                    guards![
-                        Guard::slides_apart(),
-                        Guard::new(Relation::NotNegative, |law: &Self, contact: &Contact<N>| {
-                            excess(contact, &law.factor())
-                        }),
-                    ],
-                    slide,
-                ),
-                Regime {
-                    slip: Some(|law: &Self, contact, _| -(law.factor::<N>() * contact.slip())),
-                    ..Regime::new(
-                        "rebound of the slip",
-                        guards![Guard::new(
-                            Relation::NotNegative,
-                            |law: &Self, contact: &Contact<N>| { push(contact, &law.factor()) }
-                        )],
-                        |law, contact, _| rebound(contact, &law.factor()),
-                    )
-                },
-            ]
-        }
+        const { &[slide_on(), rebound("rebound of the slip")] }
     }
 }
