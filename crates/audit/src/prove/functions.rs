@@ -58,7 +58,7 @@ pub(crate) fn model(
     used.extend(mentioned(goal));
     let lists: Vec<Vec<Expr>> =
         free.iter().map(|v| candidates(&goal.context, *v, x, used.contains(v))).collect();
-    let tries = super::search::diagonal(&lists, effort.candidates);
+    let tries = super::sample::diagonal(&lists, effort.candidates);
     for choice in tries {
         let mut values: Vec<(usize, Expr)> = by.to_vec();
         values.extend(free.iter().copied().zip(choice));

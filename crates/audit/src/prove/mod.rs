@@ -3,6 +3,7 @@
 
 mod functions;
 mod limits;
+mod sample;
 mod search;
 mod tactics;
 

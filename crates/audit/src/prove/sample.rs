@@ -1,0 +1,232 @@
+//! The sample: a point that satisfies what the search leaves, from simple values.
+
+use kane_algebra::point::{Partial, specialised, theta};
+use kane_algebra::sign_table::Cell as LineCell;
+use kane_kernel::{Atom, Point, Sign, State};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::search::{Elimination, Search};
+use super::tactics;
+
+type Q = BigRational;
+
+impl Search<'_> {
+    /// A point that satisfies a state without solvable equations: simple rationals for all
+    /// variables but one, and the sign table of that one.
+    pub(super) fn sample(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        vars: &[usize],
+        (lasts, tries): (usize, usize),
+    ) -> Option<Point> {
+        if vars.is_empty() {
+            return complete(state, Partial::default(), trail);
+        }
+        // Variables on their own take any value that suits them; the others depend on each other.
+        let coupled: Vec<usize> = vars
+            .iter()
+            .copied()
+            .filter(|v| {
+                state.atoms.iter().any(|a| a.poly.vars().len() > 1 && a.poly.degree(*v) > 0)
+            })
+            .collect();
+        let mut alone = Vec::new();
+        let mut order = coupled.clone();
+        for &v in vars.iter().filter(|v| !coupled.contains(v)) {
+            match candidates(state, v).into_iter().next() {
+                Some(q) => alone.push((v, q)),
+                // Perhaps an irrational value only.
+                None => order.push(v),
+            }
+        }
+        let uses = |v: usize| {
+            let count = |sign: &dyn Fn(Sign) -> bool| {
+                state.atoms.iter().filter(|a| sign(a.sign) && a.poly.degree(v) > 0).count()
+            };
+            (count(&|s| s == Sign::Zero), count(&|_| true))
+        };
+        if order.is_empty() {
+            let mut partial = Partial::default();
+            alone.into_iter().for_each(|(v, q)| partial.set(v, q));
+            return complete(state, partial, trail);
+        }
+        let all = order.clone();
+        order.sort_by_key(|&v| (std::cmp::Reverse(uses(v)), std::cmp::Reverse(v)));
+        for &last in order.iter().take(lasts) {
+            let others: Vec<usize> = all.iter().copied().filter(|v| *v != last).collect();
+            let lists: Vec<Vec<Q>> = others.iter().map(|&v| candidates(state, v)).collect();
+            for values in diagonal(&lists, tries) {
+                if !self.spend() {
+                    return None;
+                }
+                let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
+                assignment.extend(alone.iter().cloned());
+                let mut special = state.clone();
+                let mut fits = true;
+                for a in &mut special.atoms {
+                    a.poly = specialised(&a.poly, &assignment);
+                    fits = fits && a.decided() != Some(false);
+                }
+                if !fits {
+                    continue;
+                }
+                let mut partial = Partial::default();
+                match tactics::line(&special, last) {
+                    None => {
+                        let Some(simple) = candidates(&special, last).into_iter().next() else {
+                            continue;
+                        };
+                        partial.set(last, simple);
+                    }
+                    Some((table, indices)) => {
+                        let Some(cell) = tactics::open_cell(&special, &table, &indices) else {
+                            continue;
+                        };
+                        match cell {
+                            LineCell::Root(i) if !table.roots[i].is_exact() => {
+                                partial.generator = Some(table.roots[i].clone());
+                                partial.values.insert(last, theta());
+                            }
+                            _ => partial.set(last, table.sample(cell)),
+                        }
+                    }
+                }
+                for (v, q) in assignment {
+                    partial.set(v, q);
+                }
+                if let Some(point) = complete(state, partial, trail) {
+                    return Some(point);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Simple values for a variable, inside its visible bounds.
+fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
+    const SIMPLE: [(i64, i64); 25] = [
+        (1, 1),
+        (2, 1),
+        (1, 2),
+        (3, 1),
+        (0, 1),
+        (-1, 1),
+        (1, 3),
+        (4, 1),
+        (3, 2),
+        (-2, 1),
+        (1, 4),
+        (2, 3),
+        (-1, 2),
+        (3, 4),
+        (5, 1),
+        (10, 1),
+        (1, 10),
+        (-3, 1),
+        (9, 10),
+        (1, 100),
+        (100, 1),
+        (-10, 1),
+        (11, 10),
+        (1000, 1),
+        (1, 1000),
+    ];
+    let tests: Vec<&Atom> = state.atoms.iter().filter(|a| a.poly.vars() == [v]).collect();
+    let admits = |q: &Q| {
+        tests.iter().all(|a| {
+            kane_algebra::ring::univariate(&a.poly, v)
+                .is_none_or(|p| a.sign.admits(kane_kernel::sign_at(&p, q)))
+        })
+    };
+    let simple = SIMPLE.iter().map(|&(n, d)| Q::new(n.into(), d.into()));
+    let mut out: Vec<Q> = simple.filter(admits).collect();
+    if out.len() < 8 {
+        // A narrow range: points inside it.
+        let (lower, upper) = tactics::bounds(state, v);
+        let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+        if let (Some(a), Some(b)) = (value(lower), value(upper)) {
+            for k in 1..8i64 {
+                let q = &a + (&b - &a) * Q::new(k.into(), 8.into());
+                if admits(&q) && !out.contains(&q) {
+                    out.push(q);
+                }
+            }
+            out.extend([a, b].into_iter().filter(|q| admits(q)));
+        }
+    }
+    out
+}
+
+/// Choices of one value a list, small positions first, at most `most` of them.
+pub(crate) fn diagonal<T: Clone>(lists: &[Vec<T>], most: usize) -> Vec<Vec<T>> {
+    if lists.is_empty() {
+        return vec![Vec::new()];
+    }
+    if lists.iter().any(Vec::is_empty) {
+        return Vec::new();
+    }
+    let mut out = Vec::new();
+    let deepest: usize = lists.iter().map(|l| l.len() - 1).sum();
+    for sum in 0..=deepest {
+        fill(lists, sum, &mut Vec::new(), &mut out, most);
+        if out.len() >= most {
+            break;
+        }
+    }
+    out
+}
+
+fn fill<T: Clone>(
+    lists: &[Vec<T>],
+    sum: usize,
+    chosen: &mut Vec<T>,
+    out: &mut Vec<Vec<T>>,
+    most: usize,
+) {
+    if out.len() >= most {
+        return;
+    }
+    let Some((list, rest)) = lists.split_first() else {
+        if sum == 0 {
+            out.push(chosen.clone());
+        }
+        return;
+    };
+    let room: usize = rest.iter().map(|l| l.len() - 1).sum();
+    let first = sum.saturating_sub(room);
+    for (i, item) in list.iter().enumerate().take(sum + 1).skip(first) {
+        chosen.push(item.clone());
+        fill(rest, sum - i, chosen, out, most);
+        chosen.pop();
+    }
+}
+
+/// Gives every other variable a simple value in its range and the eliminated ones theirs.
+fn complete(state: &State<'_, '_>, mut partial: Partial, trail: &[Elimination]) -> Option<Point> {
+    let symbols = state.goal.context.vars.len();
+    let count = state.scope.germ() + 1 + kane_kernel::premised(state.goal).count();
+    for v in state.scope.mentioned.iter().copied().chain(symbols..count) {
+        let eliminated = trail.iter().any(|e| e.var == v);
+        if partial.values.contains_key(&v) || eliminated {
+            continue;
+        }
+        // Most symbols may be 1.
+        let atoms = state.scope.range(v);
+        let one = |a: &Atom| Atom::new(specialised(&a.poly, &[(v, Q::one())]), a.sign).decided();
+        let value = if atoms.iter().all(|a| one(a) == Some(true)) {
+            Q::one()
+        } else {
+            let range = State { atoms, ..state.clone() };
+            candidates(&range, v).into_iter().next().unwrap_or_else(Q::zero)
+        };
+        partial.set(v, value);
+    }
+    for e in trail.iter().rev() {
+        let value = partial.quotient(&e.e, &e.d)?;
+        partial.values.insert(e.var, value);
+    }
+    Some(partial.finish())
+}
