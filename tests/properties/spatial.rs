@@ -173,7 +173,7 @@ proptest! {
     /// Intervals hold the exact impulse, and floats lie inside.
     #[test]
     fn intervals_hold_the_impulse_in_space(body in body(), law in laws()) {
-        let rounded = body.contact().map(|x| f64::from_rational(x));
+        let rounded = body.contact().map(f64::from_rational);
         let truth = rounded.map(|&x| Algebraic::from(decode(x).expect("finite")));
         // a tie on the cone is decided by exact numbers alone
         let Ok(enclosed) = law.impulse_in_space(&rounded.map(|&x| Interval::from(x))) else {
