@@ -53,6 +53,7 @@ pub mod decide;
 mod delassus;
 pub mod double;
 pub mod exact;
+mod frame;
 mod impulse;
 mod invalid;
 mod law;
@@ -60,14 +61,17 @@ pub mod laws;
 pub mod oracle;
 mod outcome;
 mod spatial;
+mod spatial_contact;
 
 pub mod puzzle;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
+pub use frame::Frame;
 pub use impulse::Impulse;
 pub use invalid::InvalidInput;
 pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
 pub use outcome::{Outcome, Work};
 pub use spatial::{SpatialDelassus, Symmetric};
+pub use spatial_contact::SpatialContact;
