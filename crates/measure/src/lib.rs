@@ -26,6 +26,7 @@ mod dyadic;
 mod error;
 mod expand;
 mod formula;
+pub mod growth;
 mod program;
 mod stability;
 

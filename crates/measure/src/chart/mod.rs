@@ -7,6 +7,7 @@ mod method;
 mod registry;
 
 pub use accuracy::{Accuracy, accuracy};
+pub(crate) use accuracy::right;
 pub use clock::{Effort, Time, clock};
 pub use cost::cost;
 pub use method::{Answer, Lane, Method, System};

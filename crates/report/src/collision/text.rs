@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 
-use super::columns::{Column, lines, wrapped};
+use crate::columns::{Column, lines, wrapped};
 use super::{Answer, Collision, Energy, LawAnswer, Reading, brief, full, ulps};
 use crate::Page;
 use crate::shorten::padded;
