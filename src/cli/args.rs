@@ -80,14 +80,15 @@ Examples:
   kane stability --out maps               also writes maps/oblique-collision-stability.svg,
                                           .csv, .json and .md
 
-A formula is evaluated as written, in f32 and in f64, over all positive inputs of its domain. It
-fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
+A formula is evaluated as written, in f32 and in f64, over its whole domain: one input along all
+floats of either sign, two that are not negative on a plane, all others at points that are searched
+for the worst. What cannot be evaluated is listed with the reason. A formula fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
 or where more than half of its bits are wrong. Ranges end at representable numbers.
 
 Exit codes:
   0  the formulas are examined, whatever is found
   2  bad input or usage
-  3  the document has no formula of one or two inputs";
+  3  the document has no formula";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {

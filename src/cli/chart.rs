@@ -7,8 +7,8 @@ use std::path::Path;
 use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
 use kane::report::chart::{self as digits, ChartReport};
-use kane::report::growth::{self as size, GrowthReport};
 use kane::report::chart_picture;
+use kane::report::growth::{self as size, GrowthReport};
 
 use super::args::{ChartArgs, Format};
 use super::progress::Progress;

@@ -37,5 +37,5 @@ pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
 pub use program::{Branch, Operation, Program, Unsupported};
 pub use stability::{
-    Better, Cell, Examined, Plane, Point, Range, Stability, Subject, equal_forms, examine,
+    Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,
 };

@@ -6,8 +6,8 @@ mod cost;
 mod method;
 mod registry;
 
-pub use accuracy::{Accuracy, accuracy};
 pub(crate) use accuracy::right;
+pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
 pub use cost::cost;
 pub use method::{Answer, Lane, Method, System};

@@ -99,9 +99,8 @@ fn restitutions(variables: usize) -> String {
 }
 
 fn cauchy(n: usize) -> String {
-    let join = |by: &str, of: &dyn Fn(usize) -> String| {
-        (1..=n).map(of).collect::<Vec<_>>().join(by)
-    };
+    let join =
+        |by: &str, of: &dyn Fn(usize) -> String| (1..=n).map(of).collect::<Vec<_>>().join(by);
     let symbols = join(", ", &|i| format!("x_{i}"));
     let sum = join(" + ", &|i| format!("x_{i}"));
     let squares = join(" + ", &|i| format!("x_{i}^2"));

@@ -189,12 +189,7 @@ struct Point {
 /// A number, or the two ends of an enclosure.
 type DyadicSlip = (DyadicNumber, Option<DyadicNumber>);
 
-fn run<N: Lane, L: ImpactLaw>(
-    law: &L,
-    effort: Effort,
-    timed: bool,
-    told: &mut Told<'_>,
-) -> Run {
+fn run<N: Lane, L: ImpactLaw>(law: &L, effort: Effort, timed: bool, told: &mut Told<'_>) -> Run {
     let (greatest, most) = plan(effort);
     let mut state = sphere().map(N::from_rational);
     let (mut points, mut end) = (Vec::new(), None);
@@ -252,7 +247,8 @@ fn digits((slip, upper): &DyadicSlip, exact: Option<&DyadicNumber>) -> Digits {
         right(&worst, exact)
     });
     let certain = upper.as_ref().map(|upper| {
-        let has_zero = slip.is_zero() || upper.is_zero() || slip.is_negative() != upper.is_negative();
+        let has_zero =
+            slip.is_zero() || upper.is_zero() || slip.is_negative() != upper.is_negative();
         let nearer = if slip.is_negative() { upper } else { slip };
         if has_zero { 0 } else { right(&magnitude(&upper.minus(slip)), nearer) }
     });
@@ -302,4 +298,75 @@ pub(super) fn chains(effort: Effort, timed: bool, told: &mut Told<'_>) -> Vec<Ch
         chain(&Walton::default(), effort, timed, told),
         chain(&Smith1991, effort, timed, told),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slips<L: ImpactLaw>(law: &L, count: usize) -> Vec<Rational> {
+        let mut state = sphere();
+        let next = |_| {
+            state = bounce(law, &state).expect("an outcome");
+            state.before.vx.clone() - &state.before.omega
+        };
+        (0..count).map(next).collect()
+    }
+
+    /// s′ = s·(|s| − A)/(|s| + A) with A = j_p·μ·(1 + e)·v_y/2, which shrinks by e: α = A/|s| in (16).
+    #[test]
+    fn the_paper_s_chain_is_the_map_of_the_slip_by_hand() {
+        let n = |p: i64, q: i64| Rational::new(p.into(), q.into());
+        let (mut slip, mut reach) = (n(3, 4), n(7, 2) * n(1, 2) * n(15, 8) / n(2, 1));
+        for found in slips(&WangSuLi, 8) {
+            let size = if slip < n(0, 1) { -slip.clone() } else { slip.clone() };
+            slip = &slip * (&size - &reach) / (&size + &reach);
+            reach = &reach * n(7, 8);
+            assert_eq!(found, slip);
+        }
+    }
+
+    /// The slip of a rebound is −β0 times the one before, as often as one likes.
+    #[test]
+    fn walton_s_chain_is_a_power() {
+        let share = Rational::new((-11).into(), 25.into());
+        let mut slip = Rational::new(3.into(), 4.into());
+        for found in slips(&Walton::default(), 60) {
+            slip = slip * &share;
+            assert_eq!(found, slip);
+        }
+    }
+
+    #[test]
+    fn intervals_hold_the_exact_state_for_as_long_as_they_go() {
+        let mut exact = sphere();
+        let mut enclosed = sphere().map(|x| <Interval as kane_number::Number>::from_rational(x));
+        let mut bounces = 0;
+        while let Ok(next) = bounce(&Walton::default(), &enclosed) {
+            enclosed = next;
+            exact = bounce(&Walton::default(), &exact).expect("exact");
+            assert!(enclosed.before.vx.contains(&exact.before.vx));
+            assert!(enclosed.before.vy.contains(&exact.before.vy));
+            assert!(enclosed.before.omega.contains(&exact.before.omega));
+            bounces += 1;
+        }
+        assert_eq!(bounces, 21);
+    }
+
+    #[test]
+    fn digits_are_those_of_the_relative_error() {
+        let number = |p: i64, q: i64| REFERENCE.number(&Rational::new(p.into(), q.into()));
+        let exact = number(1, 3);
+        // off by a thousandth of itself: three digits
+        let off = digits(&(number(1001, 3000), None), Some(&exact));
+        assert!((295..=305).contains(&off.right.expect("compared")) && off.certain.is_none());
+        // the further end counts, and the width
+        let wide = (number(999, 3000), Some(number(1010, 3000)));
+        let wide = digits(&wide, Some(&exact));
+        assert!((195..=205).contains(&wide.right.expect("compared")));
+        assert!((190..=200).contains(&wide.certain.expect("an enclosure")));
+        // an enclosure of 0 is certain of nothing
+        let zero = digits(&(number(-1, 3), Some(number(1, 3))), None);
+        assert_eq!(zero, Digits { right: None, certain: Some(0) });
+    }
 }

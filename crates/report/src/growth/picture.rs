@@ -101,8 +101,11 @@ fn cost_panels(report: &GrowthReport<'_>) -> [(Vec<Curve>, Words<'static>); 5] {
         points: chain.bounces.iter().filter_map(|b| Some((large(b.n), b.bits?))).collect(),
         undecided: None,
     });
-    let times = growth.chains.iter().flat_map(|chain| {
-        [System::Rational, System::F64, System::Interval].map(|system| Curve {
+    // floats take the same time at every bounce: one law stands for all
+    let times = growth.chains.iter().enumerate().flat_map(|(index, chain)| {
+        let systems = [System::Rational, System::F64, System::DoubleDouble, System::Interval];
+        let shown = if index == 0 { systems.len() } else { 1 };
+        systems.into_iter().take(shown).map(move |system| Curve {
             name: format!("{}, {system}", chain.law),
             points: chain
                 .bounces
@@ -127,14 +130,17 @@ fn cost_panels(report: &GrowthReport<'_>) -> [(Vec<Curve>, Words<'static>); 5] {
         };
         growth.families.iter().map(curve).collect::<Vec<_>>()
     };
-    let nanoseconds: fn(u64) -> String = nanoseconds;
+    let nanoseconds: fn(u64) -> String = |time| match usize::try_from(time / 1000) {
+        Ok(time) if time >= 10_000 => power_of_ten(time),
+        _ => nanoseconds(time),
+    };
     [
         (
             batches.collect(),
             Words { caption: "Rows in a batch", x: "rows", y: "ns a row", label: nanoseconds },
         ),
         (
-            bits.collect(),
+            bits.filter(|curve| !curve.points.is_empty()).collect(),
             Words {
                 caption: "An exact chain of bounces: size of the state",
                 x: "bounces",
@@ -202,7 +208,8 @@ fn log_log(area: &Area<'_>, words: &Words<'_>, curves: &[Curve]) -> Result<(), P
         .bold_line_style(GRID)
         .draw()?;
     for (curve, colour) in curves.iter().zip(PALETTE.into_iter().cycle()) {
-        let line = LineSeries::new(curve.points.iter().copied(), colour.stroke_width(2)).point_size(3);
+        let line =
+            LineSeries::new(curve.points.iter().copied(), colour.stroke_width(2)).point_size(3);
         chart
             .draw_series(line)?
             .label(shorten(&curve.name, 58))

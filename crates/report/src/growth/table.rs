@@ -6,9 +6,7 @@ use anstyle::Style;
 use kane_measure::chart::System;
 use kane_measure::growth::{Bounce, Chain, Digits, Family};
 
-use super::{
-    FLOATING, GrowthReport, chain_reading, family_reading, power_of_ten, shown,
-};
+use super::{FLOATING, GrowthReport, chain_reading, family_reading, power_of_ten, shown};
 use crate::Page;
 use crate::chart::{digits, nanoseconds};
 use crate::columns::{Column, lines, wrapped};
@@ -91,7 +89,9 @@ fn chain(chain: &Chain) -> Table {
         row
     };
     let mut rows: Vec<Vec<String>> = shown(chain).into_iter().map(row).collect();
-    if rows.iter().all(|row| row.get(2).is_none_or(String::is_empty)) && chain.last_exact().is_some() {
+    if rows.iter().all(|row| row.get(2).is_none_or(String::is_empty))
+        && chain.last_exact().is_some()
+    {
         // nothing was timed
         for row in &mut rows {
             row.drain(2..6);
@@ -132,7 +132,9 @@ fn family(family: &Family) -> Table {
 
 fn capital(word: &str) -> String {
     let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().collect::<String>() + letters.as_str()
+    })
 }
 
 const TITLE: &str = "How does cost grow with size?";
