@@ -78,7 +78,7 @@ fn quick_growth_has_all_its_parts() {
 #[test]
 fn inputs_of_either_sign_and_three_of_them_are_shown() {
     let dir = scratch("stability-signs");
-    let text = "var x, a, b, c\nlet f := x*x - 2\nlet d := b*b - 4*a*c\nlet g := d(x^2, x) + 1";
+    let text = "var x, a, b, c\nlet f := x*x - 2\nlet h := b*b - 4*a*c\nlet g := d(x^2, x) + 1";
     let file = document(&dir, "signs.md", text);
     let run = kane(&["stability", &file]);
     assert_eq!(run.code, 0, "{}", run.stderr);
