@@ -39,13 +39,13 @@ use crate::bodies::SphereOnPlane;
 const CAP: i32 = 100;
 
 /// The bits of 2^[`CAP`]: magnitudes are ordered as their bits are.
-const GREATEST: u64 = (1023 + CAP.unsigned_abs() as u64) << 52;
+pub(super) const GREATEST: u64 = (1023 + CAP.unsigned_abs() as u64) << 52;
 
 /// 2^[`CAP`].
 const LIMIT: f64 = f64::from_bits(GREATEST);
 
 /// Whether all inputs are in their domains and at most 2^[`CAP`] in magnitude; may say no to some
-/// that are. No branch.
+/// that are. No branch, and vectors everywhere: for columns.
 ///
 /// One comparison serves all upper ends: rounding is monotone, so where no summand is negative, a sum
 /// in floats is at least as large as each of them. A NaN that a minimum passes over makes that sum

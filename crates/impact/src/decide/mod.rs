@@ -207,13 +207,29 @@ fn decide<Q: Question>(
     question: &Q,
     sphere: &SphereOnPlane<f64>,
 ) -> Result<Decision, InvalidInput<f64>> {
-    if filter::is_usual(sphere)
+    if is_usual(sphere)
         && question.is_usual()
         && let Some(sign) = question.value::<Filter>(sphere).sign()
     {
         return Ok(Decision { sign, stage: Stage::Filter });
     }
     decide_later(question, sphere)
+}
+
+/// Whether all inputs are in their domains and at most what the filter allows, each by one comparison
+/// of its bits; says no to −0 where no sign is allowed, which [`check`] then accepts.
+#[inline]
+fn is_usual(sphere: &SphereOnPlane<f64>) -> bool {
+    let positive = |x: f64| x.to_bits().wrapping_sub(1) < filter::GREATEST;
+    let not_negative = |x: f64| x.to_bits() <= filter::GREATEST;
+    positive(sphere.mass)
+        && positive(sphere.radius)
+        && positive(sphere.inertia)
+        && not_negative(sphere.friction)
+        && sphere.restitution.to_bits() <= 1.0_f64.to_bits()
+        && not_negative(sphere.before.vy)
+        && filter::is_small(sphere.before.vx)
+        && filter::is_small(sphere.before.omega)
 }
 
 /// The domains in the order and the words of [`collide`](SphereOnPlane::collide).
