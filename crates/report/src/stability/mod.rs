@@ -155,7 +155,10 @@ pub(crate) fn short(point: &Point) -> String {
     let pattern = point.value.to_bits();
     if point.value < 0.0 {
         let text = point.text.trim_start_matches('-').to_owned();
-        return format!("-{}", short(&Point { place: point.place, value: -point.value, text }));
+        return format!(
+            "-{}",
+            short(&Point { place: point.place, value: point.value.abs(), text })
+        );
     }
     let fraction = pattern & ((1 << 52) - 1);
     let field = i64::try_from(pattern >> 52).unwrap_or(0);
