@@ -26,6 +26,7 @@ mod dyadic;
 mod error;
 mod expand;
 mod formula;
+pub mod growth;
 mod program;
 mod stability;
 
@@ -36,5 +37,5 @@ pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
 pub use program::{Branch, Operation, Program, Unsupported};
 pub use stability::{
-    Better, Cell, Examined, Plane, Point, Range, Stability, Subject, equal_forms, examine,
+    Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,
 };
