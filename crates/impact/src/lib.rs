@@ -48,6 +48,7 @@ mod alpha;
 mod arithmetic;
 pub mod batch;
 pub mod bodies;
+pub mod compliant;
 mod contact;
 pub mod decide;
 mod delassus;

@@ -1,0 +1,124 @@
+//! A spring that stiffens with the contact, as codes of granular mechanics have it.
+
+use super::hertz::{Node, history};
+use super::march::{Ledger, Moment, Response, bound, march};
+use super::{Compliance, NoOutcome, Outcome, Process, checked, within};
+use crate::{Alpha, Ratios};
+
+/// Hertz's normal force and a tangential spring of stiffness 8·G*·a, advanced by increments and cut
+/// at Coulomb's cone (id `hertz-mindlin`).
+///
+/// ```text
+/// Δg = 8·G*·a·Δs    |g| ≤ μ·F
+/// ```
+///
+/// The stiffness is that of Mindlin's contact without slip. What slides at the edge of a real
+/// contact is left out, and so is what a shrinking contact releases: the increments remember
+/// traction that has left with the edge. This is the common shortcut of codes of granular
+/// mechanics; [`MawBarberFawcett`](super::MawBarberFawcett) does without it.
+///
+/// *Heuristic*, of second order in the step (measured); the error of k with the default 400 steps is
+/// below 1e-4 for a solid sphere.
+///
+/// Source: as described for codes of granular mechanics (Cundall and Strack's increments with
+/// Hertz's and Mindlin's stiffness), from memory; no original was consulted.
+#[derive(Clone, Debug)]
+pub struct HertzMindlin {
+    compliance: Compliance,
+    fine: Vec<Node>,
+    coarse: Vec<Node>,
+}
+
+impl HertzMindlin {
+    /// Steps in compression by default, and as many in restitution.
+    pub const STEPS: usize = 200;
+    /// The most steps.
+    pub const MOST_STEPS: usize = 1_000_000;
+
+    /// With [`STEPS`](Self::STEPS).
+    #[must_use]
+    pub fn new(compliance: Compliance) -> Self {
+        Self::of_steps(compliance, Self::STEPS)
+    }
+
+    /// With `steps` steps in compression and as many in restitution. Cost: O(steps).
+    ///
+    /// # Errors
+    /// [`NoOutcome::Budget`] unless 2 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
+    pub fn with_steps(compliance: Compliance, steps: usize) -> Result<Self, NoOutcome> {
+        within("the number of steps", steps, 2, Self::MOST_STEPS)?;
+        Ok(Self::of_steps(compliance, steps))
+    }
+
+    fn of_steps(compliance: Compliance, steps: usize) -> Self {
+        let restitution = compliance.restitution();
+        let (fine, coarse) = (history(steps, restitution), history(steps / 2, restitution));
+        Self { compliance, fine, coarse }
+    }
+
+    /// The same collision with an observer of every step, the start included.
+    ///
+    /// # Errors
+    /// [`NoOutcome`], see [`outcome`](Process::outcome).
+    pub fn observe(
+        &self,
+        alpha: &Alpha<f64>,
+        observe: &mut dyn FnMut(&Moment),
+    ) -> Result<(Ratios<f64>, Ledger), NoOutcome> {
+        self.follow(&self.fine, checked(alpha)?, observe)
+    }
+
+    fn follow(
+        &self,
+        nodes: &[Node],
+        alpha: f64,
+        observe: &mut dyn FnMut(&Moment),
+    ) -> Result<(Ratios<f64>, Ledger), NoOutcome> {
+        let mut spring = Spring { nodes, cone: self.compliance.cone(alpha), force: 0.0 };
+        march(nodes, &self.compliance, alpha, &mut spring, observe)
+    }
+}
+
+struct Spring<'a> {
+    nodes: &'a [Node],
+    cone: f64,
+    force: f64,
+}
+
+impl Response for Spring<'_> {
+    fn respond(&mut self, to: usize, _: f64, by: f64) -> Result<f64, NoOutcome> {
+        let node = &self.nodes[to];
+        let bound = bound(self.cone, node.force);
+        self.force = (self.force + node.stiffness * by).clamp(-bound, bound);
+        Ok(self.force)
+    }
+
+    fn slide(&mut self, to: usize, _: f64) -> f64 {
+        self.force = bound(self.cone, self.nodes[to].force);
+        self.force
+    }
+
+    fn stored(&self) -> Option<f64> {
+        None
+    }
+}
+
+impl Process for HertzMindlin {
+    fn id(&self) -> &'static str {
+        "hertz-mindlin"
+    }
+
+    fn source(&self) -> &'static str {
+        "incremental Hertz-Mindlin contact with Coulomb's bound, as described for codes of granular mechanics; from memory, no original consulted"
+    }
+
+    fn compliance(&self) -> &Compliance {
+        &self.compliance
+    }
+
+    fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
+        let alpha = checked(alpha)?;
+        let run = |nodes| self.follow(nodes, alpha, &mut |_| ());
+        Ok(Outcome::refined(run(&self.fine)?, &run(&self.coarse)?))
+    }
+}
