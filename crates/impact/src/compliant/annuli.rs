@@ -188,15 +188,6 @@ impl Friction {
         }
     }
 
-    /// All annuli in contact slide forwards.
-    pub(super) fn slide(&mut self, annuli: &Annuli, bounds: &[f64]) {
-        let (inside, outside) = self.forces.split_at_mut(bounds.len());
-        inside.copy_from_slice(bounds);
-        outside.fill(0.0);
-        self.grips[..bounds.len()].fill(Grip::Forward);
-        annuli.displacements(&self.forces, bounds.len(), &mut self.displacements);
-    }
-
     /// Finds the forces |Q_i| ≤ B_i with, for the slip w = b − D·Q of each annulus in contact,
     /// w = 0 inside the cone and w along Q on it; `bounds` is that of the annuli in contact, and
     /// `wanted` their b.
@@ -317,9 +308,8 @@ mod tests {
             let forces: Vec<f64> = (0..n).map(|i| 1.25 * (left(i) - left(i + 1))).collect();
             let mut u = vec![0.0; n];
             annuli.displacements(&forces, n, &mut u);
-            let mean = |i: usize| {
-                1.0 - (radius(i) * radius(i) + radius(i + 1) * radius(i + 1)) / 4.0
-            };
+            let mean =
+                |i: usize| 1.0 - (radius(i) * radius(i) + radius(i + 1) * radius(i + 1)) / 4.0;
             (0..n / 2).map(|i| (u[i] - mean(i)).abs()).fold(0.0, f64::max)
         };
         let (coarse, fine) = (worst(20), worst(40));

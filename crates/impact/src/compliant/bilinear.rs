@@ -251,26 +251,6 @@ impl Bilinear {
         (w * (1.0 + self.compliance.restitution()) * FRAC_PI_2).cos()
     }
 
-    /// The α up to which the contact slides all the time:
-    ///
-    /// ```text
-    /// α_s = (1/2)/(1 − 1/(2χ·e·(1 + e)))  if 2χ·e² ≥ 1, else (1 + e)/2
-    /// ```
-    ///
-    /// This holds for 2χ ≥ 1, that is η² ≤ j_p; for softer tangential springs the slip is least
-    /// against the spring already at the start of the collision, and α_s = (1 + e)·χ.
-    #[must_use]
-    pub fn sliding_until(&self) -> f64 {
-        let (twice, e) = (2.0 * self.compliance.chi(), self.compliance.restitution());
-        if twice < 1.0 {
-            return self.compliance.initial_stick();
-        }
-        if twice * e * e >= 1.0 {
-            return 0.5 / (1.0 - 1.0 / (twice * e * (1.0 + e)));
-        }
-        f64::midpoint(1.0, e)
-    }
-
     /// The collision piece by piece.
     ///
     /// # Errors
@@ -297,8 +277,7 @@ impl Bilinear {
                 if pieces.len() == MOST_PIECES {
                     return Err(NoOutcome::TooManyEvents(MOST_PIECES));
                 }
-                let mut piece =
-                    Piece { grip, leg, from, to: FRAC_PI_2, slip, friction, chi, cone };
+                let mut piece = Piece { grip, leg, from, to: FRAC_PI_2, slip, friction, chi, cone };
                 let event = match grip {
                     Grip::Stick => piece.stick_ends(&mut steps)?,
                     _ => piece.slip_ends().map(|end| (end, Grip::Stick)),

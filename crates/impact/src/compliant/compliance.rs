@@ -44,8 +44,7 @@ impl Compliance {
         eta_squared: f64,
         restitution: f64,
     ) -> Result<Self, InvalidInput<f64>> {
-        let (mobility, eta) =
-            (positive("j_p", mobility)?, positive("eta^2", eta_squared)?);
+        let (mobility, eta) = (positive("j_p", mobility)?, positive("eta^2", eta_squared)?);
         Self::new(mobility / (2.0 * eta), restitution)
     }
 
@@ -117,5 +116,26 @@ impl Compliance {
     #[must_use]
     pub fn initial_stick(&self) -> f64 {
         (1.0 + self.restitution) * self.chi
+    }
+
+    /// The α up to which linear springs and elastic half-spaces slide all the time, where y ≥ λ·x'
+    /// to the end:
+    ///
+    /// ```text
+    /// α_s = (1/2)/(1 − 1/(2χ·e·(1 + e)))  if 2χ·e² ≥ 1, else (1 + e)/2
+    /// ```
+    ///
+    /// This is for 2χ ≥ 1; for softer tangential springs slip ends at the very start if at all, and
+    /// α_s = (1 + e)·χ. With e = 1 and 2χ ≥ 1 it is ψ1 = 4χ − 1.
+    #[must_use]
+    pub fn sliding_until(&self) -> f64 {
+        let (twice, e) = (2.0 * self.chi, self.restitution);
+        if twice < 1.0 {
+            self.initial_stick()
+        } else if twice * e * e >= 1.0 {
+            0.5 / (1.0 - 1.0 / (twice * e * (1.0 + e)))
+        } else {
+            f64::midpoint(1.0, e)
+        }
     }
 }

@@ -17,12 +17,7 @@ impl Node {
     /// F shared out to rings of equal width up to the greatest radius, by the share `inside` a
     /// radius in units of that of the contact. A ring takes part once `joins` of its width is
     /// covered, the innermost always; the last one bears what is left outside of it, too.
-    pub(super) fn shared(
-        &self,
-        count: usize,
-        joins: f64,
-        inside: impl Fn(f64) -> f64,
-    ) -> Vec<f64> {
+    pub(super) fn shared(&self, count: usize, joins: f64, inside: impl Fn(f64) -> f64) -> Vec<f64> {
         let rings = self.penetration.sqrt() * to_float(count);
         let takes_part = |i: usize| i == 0 || to_float(i) + joins < rings;
         let mut forces = Vec::new();

@@ -8,25 +8,38 @@ use crate::{Alpha, Ratios};
 /// Hertz's normal force and a tangential spring of stiffness 8·G*·a, advanced by increments and cut
 /// at Coulomb's cone (id `hertz-mindlin`).
 ///
-/// ```text
-/// Δg = 8·G*·a·Δs    |g| ≤ μ·F
-/// ```
-///
 /// The stiffness is that of Mindlin's contact without slip. What slides at the edge of a real
-/// contact is left out, and so is what a shrinking contact releases: the increments remember
-/// traction that has left with the edge. This is the common shortcut of codes of granular
-/// mechanics; [`MawBarberFawcett`](super::MawBarberFawcett) does without it.
+/// contact is left out, and so is what a shrinking contact releases. This is the common shortcut of
+/// codes of granular mechanics; [`MawBarberFawcett`](super::MawBarberFawcett) does without it.
+/// Codes differ in what they [remember](Memory). Either way the spring has no energy that depends
+/// on its state alone, and can return more than it took: k < −1 or k > 1, which
+/// [`Ledger::above_start`] tells.
 ///
 /// *Heuristic*, of second order in the step (measured); the error of k with the default 400 steps is
-/// below 1e-4 for a solid sphere.
+/// near 1e-4 for a solid sphere.
 ///
 /// Source: as described for codes of granular mechanics (Cundall and Strack's increments with
 /// Hertz's and Mindlin's stiffness), from memory; no original was consulted.
 #[derive(Clone, Debug)]
 pub struct HertzMindlin {
     compliance: Compliance,
+    memory: Memory,
     fine: Vec<Node>,
     coarse: Vec<Node>,
+}
+
+/// What the tangential spring remembers from step to step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Memory {
+    /// The force: Δg = 8·G*·a·Δs, |g| ≤ μ·F. Growing contacts lose nothing; shrinking ones keep
+    /// traction that has left with the edge, and give back more than was stored: up to a tenth of the
+    /// energy of the slip near normal collision, at some χ.
+    #[default]
+    Force,
+    /// The displacement: g = 8·G*·a·s, and s is shortened where |g| would exceed μ·F (id
+    /// `hertz-mindlin-secant`). Growing contacts stiffen what is already displaced, which
+    /// creates energy at moderate α already, in particular where e is small.
+    Displacement,
 }
 
 impl HertzMindlin {
@@ -53,7 +66,13 @@ impl HertzMindlin {
     fn of_steps(compliance: Compliance, steps: usize) -> Self {
         let restitution = compliance.restitution();
         let (fine, coarse) = (history(steps, restitution), history(steps / 2, restitution));
-        Self { compliance, fine, coarse }
+        Self { compliance, memory: Memory::default(), fine, coarse }
+    }
+
+    /// The same with another memory; [`Memory::Force`] by default.
+    #[must_use]
+    pub fn remembering(self, memory: Memory) -> Self {
+        Self { memory, ..self }
     }
 
     /// The same collision with an observer of every step, the start included.
@@ -74,28 +93,38 @@ impl HertzMindlin {
         alpha: f64,
         observe: &mut dyn FnMut(&Moment),
     ) -> Result<(Ratios<f64>, Ledger), NoOutcome> {
-        let mut spring = Spring { nodes, cone: self.compliance.cone(alpha), force: 0.0 };
-        march(nodes, &self.compliance, alpha, &mut spring, observe)
+        let cone = self.compliance.cone(alpha);
+        let mut spring = Spring { nodes, cone, memory: self.memory, state: 0.0 };
+        march(nodes, &self.compliance, alpha, Some(&mut spring), observe)
     }
 }
 
 struct Spring<'a> {
     nodes: &'a [Node],
     cone: f64,
-    force: f64,
+    memory: Memory,
+    /// The force or the displacement.
+    state: f64,
 }
 
 impl Response for Spring<'_> {
     fn respond(&mut self, to: usize, _: f64, by: f64) -> Result<f64, NoOutcome> {
         let node = &self.nodes[to];
         let bound = bound(self.cone, node.force);
-        self.force = (self.force + node.stiffness * by).clamp(-bound, bound);
-        Ok(self.force)
-    }
-
-    fn slide(&mut self, to: usize, _: f64) -> f64 {
-        self.force = bound(self.cone, self.nodes[to].force);
-        self.force
+        match self.memory {
+            Memory::Force => {
+                self.state = (self.state + node.stiffness * by).clamp(-bound, bound);
+                Ok(self.state)
+            }
+            Memory::Displacement => {
+                let stiffness = 1.875 * node.penetration.sqrt();
+                let force = stiffness * (self.state + by);
+                let cut = force.clamp(-bound, bound);
+                let stretched = stiffness > 0.0 && cut != force;
+                self.state = if stretched { cut / stiffness } else { self.state + by };
+                Ok(cut)
+            }
+        }
     }
 
     fn stored(&self) -> Option<f64> {
@@ -105,7 +134,10 @@ impl Response for Spring<'_> {
 
 impl Process for HertzMindlin {
     fn id(&self) -> &'static str {
-        "hertz-mindlin"
+        match self.memory {
+            Memory::Force => "hertz-mindlin",
+            Memory::Displacement => "hertz-mindlin-secant",
+        }
     }
 
     fn source(&self) -> &'static str {

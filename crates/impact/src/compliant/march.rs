@@ -39,9 +39,6 @@ pub(super) trait Response {
     /// the last one, and returns the friction g.
     fn respond(&mut self, to: usize, displacement: f64, by: f64) -> Result<f64, NoOutcome>;
 
-    /// The same where the contact is known to slide forwards as a whole: g = λ·F.
-    fn slide(&mut self, to: usize, displacement: f64) -> f64;
-
     /// The energy that is stored, if that is a function of the state.
     fn stored(&self) -> Option<f64>;
 
@@ -66,17 +63,15 @@ pub(super) fn bound(cone: f64, force: f64) -> f64 {
 ///
 /// so that no energy appears which the response did not give.
 ///
-/// Under friction λ·F everywhere the tangential displacement is λ times the normal one, which
-/// changes by λ·x' at every radius alike: a contact that starts with slip slides as a whole until
-/// y = λ·x', and only then the response is asked.
+/// Without a response the contact slides forwards all the time.
 pub(super) fn march(
     nodes: &[Node],
     compliance: &Compliance,
     alpha: f64,
-    response: &mut impl Response,
+    mut response: Option<&mut impl Response>,
     observe: &mut dyn FnMut(&Moment),
 ) -> Result<(Ratios<f64>, Ledger), NoOutcome> {
-    let stored = response.stored();
+    let stored = response.as_ref().map_or(Some(0.0), |response| response.stored());
     let mut ledger = Ledger { created: stored.map(|_| 0.0), ..Ledger::default() };
     if alpha == 0.0 {
         return Ok((grazing(), ledger));
@@ -87,7 +82,6 @@ pub(super) fn march(
     let (mut y, mut g, mut displacement) = (1.0_f64, 0.0_f64, 0.0_f64);
     let (mut impulse, mut work) = (0.0, 0.0);
     let mut stored = stored.unwrap_or(0.0);
-    let mut sliding = true;
     let moment = |node: &Node, g: f64, y: f64| Moment {
         time: node.time,
         normal: node.force,
@@ -102,19 +96,20 @@ pub(super) fn march(
         let h = to.time - from.time;
         let by = h * (y - chi * h * g);
         displacement += by;
-        sliding &= by > cone * (to.penetration - from.penetration);
-        let next = match sliding {
-            true => response.slide(n + 1, displacement),
-            false => response.respond(n + 1, displacement, by)?,
+        let next = match &mut response {
+            Some(response) => response.respond(n + 1, displacement, by)?,
+            None => bound(cone, to.force),
         };
         let mean = (g + next) / 2.0;
         let slower = y - 2.0 * chi * h * mean;
         impulse += h * mean;
         work -= h * mean * (y + slower) / 2.0;
         let excess = (next.abs() - bound(cone, to.force)).max(0.0) / (cone * greatest);
-        ledger.beyond_cone = ledger.beyond_cone.max(excess).max(response.beyond_cone());
+        let local = response.as_ref().map_or(0.0, |response| response.beyond_cone());
+        ledger.beyond_cone = ledger.beyond_cone.max(excess).max(local);
         ledger.above_start = ledger.above_start.max(slower * slower - 1.0);
-        if let (Some(now), Some(created)) = (response.stored(), &mut ledger.created) {
+        let now = response.as_ref().and_then(|response| response.stored());
+        if let (Some(now), Some(created)) = (now, &mut ledger.created) {
             let method = chi * h * h * (next * next - g * g) / 4.0;
             let kinetic = (slower * slower - y * y) / (4.0 * chi);
             *created += ((kinetic - method + now - stored) * 4.0 * chi).max(0.0);

@@ -16,7 +16,9 @@ use crate::{Alpha, Ratios};
 /// leave out friction across the plane of motion and the coupling of normal and tangential
 /// displacements of unlike materials.
 ///
-/// Gross sliding, ψ1 ≥ 4χ − 1 for e = 1, is k = 1 − 2α to rounding. Elsewhere *heuristic*; the error
+/// Gross sliding, ψ1 ≥ 4χ − 1 for e = 1, needs no annuli and is k = 1 − 2α to rounding: under
+/// friction λ·F everywhere the displacement is λ times the normal one, which changes by λ·x' at
+/// every radius alike, so that the contact slides as a whole as long as y > λ·x'. Elsewhere *heuristic*; the error
 /// falls with the first power of the annuli's number at least, see
 /// [`outcome`](Process::outcome) for its estimate.
 ///
@@ -123,7 +125,8 @@ impl MawBarberFawcett {
             bounds: Vec::with_capacity(count),
             wanted: Vec::with_capacity(count),
         };
-        march(&grid.nodes, &self.compliance, alpha, &mut patch, observe)
+        let sliding = alpha <= self.compliance.sliding_until();
+        march(&grid.nodes, &self.compliance, alpha, (!sliding).then_some(&mut patch), observe)
     }
 }
 
@@ -138,36 +141,19 @@ struct Patch<'a> {
     wanted: Vec<f64>,
 }
 
-impl Patch<'_> {
-    fn bear(&mut self, to: usize) {
-        self.bounds.clear();
-        self.bounds.extend(self.grid.bearing[to].iter().map(|force| bound(self.cone, *force)));
-    }
-
-    /// Takes the slip over from the displacements, and gives the whole friction.
-    fn moved(&mut self, displacement: f64) -> f64 {
-        // annuli out of contact are free: they keep up with what is displaced
-        for (slid, moved) in self.slid.iter_mut().zip(&self.friction.displacements) {
-            *slid = displacement - moved;
-        }
-        self.friction.forces.iter().sum()
-    }
-}
-
 impl Response for Patch<'_> {
     fn respond(&mut self, to: usize, displacement: f64, _: f64) -> Result<f64, NoOutcome> {
-        self.bear(to);
+        self.bounds.clear();
+        self.bounds.extend(self.grid.bearing[to].iter().map(|force| bound(self.cone, *force)));
         self.wanted.clear();
         self.wanted.extend(self.slid.iter().map(|slid| displacement - slid));
         self.wanted.truncate(self.bounds.len());
         self.friction.settle(&self.grid.annuli, &self.bounds, &self.wanted)?;
-        Ok(self.moved(displacement))
-    }
-
-    fn slide(&mut self, to: usize, displacement: f64) -> f64 {
-        self.bear(to);
-        self.friction.slide(&self.grid.annuli, &self.bounds);
-        self.moved(displacement)
+        // annuli out of contact are free: they keep up with what is displaced
+        for (slid, moved) in self.slid.iter_mut().zip(&self.friction.displacements) {
+            *slid = displacement - moved;
+        }
+        Ok(self.friction.forces.iter().sum())
     }
 
     fn stored(&self) -> Option<f64> {

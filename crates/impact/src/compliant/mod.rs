@@ -57,7 +57,7 @@ mod reduced;
 
 pub use bilinear::{Bilinear, Piece};
 pub use compliance::{Compliance, Elastic};
-pub use hertz_mindlin::HertzMindlin;
+pub use hertz_mindlin::{HertzMindlin, Memory};
 pub use march::{Ledger, Moment};
 pub use maw::MawBarberFawcett;
 pub use reduced::DimensionReduction;

@@ -124,7 +124,8 @@ impl DimensionReduction {
             slid: vec![0.0; grid.springs],
             stored: 0.0,
         };
-        march(&grid.nodes, &self.compliance, alpha, &mut row, observe)
+        let sliding = alpha <= self.compliance.sliding_until();
+        march(&grid.nodes, &self.compliance, alpha, (!sliding).then_some(&mut row), observe)
     }
 }
 
@@ -158,19 +159,6 @@ impl Response for Row<'_> {
         free.fill(displacement);
         self.stored = self.stiffness * energy / 2.0;
         Ok(self.stiffness * friction)
-    }
-
-    fn slide(&mut self, to: usize, displacement: f64) -> f64 {
-        self.slid.fill(displacement);
-        let (mut friction, mut energy) = (0.0, 0.0);
-        for (slid, force) in self.slid.iter_mut().zip(&self.grid.bearing[to]) {
-            let bound = bound(self.cone, *force);
-            *slid -= bound / self.stiffness;
-            friction += bound;
-            energy += bound * bound;
-        }
-        self.stored = energy / self.stiffness / 2.0;
-        friction
     }
 
     fn stored(&self) -> Option<f64> {
