@@ -86,3 +86,56 @@ fn runge_kutta(x: f64, v: f64, h: f64) -> (f64, f64) {
 pub(super) fn to_float(count: usize) -> f64 {
     u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{COMPRESSION, Node, history, to_float};
+
+    /// ∫dx/√(1 − x^(5/2)) with x = 1 − s², by the midpoint rule, whose error is of second order:
+    /// 1e-7 with a thousand points.
+    #[test]
+    fn compression_lasts_as_long_as_its_integral_says() {
+        let n = 1000;
+        let mut sum = 0.0;
+        for i in 0..n {
+            let s = (to_float(i) + 0.5) / to_float(n);
+            sum += 2.0 * s / (1.0 - (1.0 - s * s).powf(2.5)).sqrt();
+        }
+        assert!((sum / to_float(n) - COMPRESSION).abs() < 1e-6);
+    }
+
+    /// Energy, which the integration does not use: between nodes the mean speed is that of
+    /// √(1 − x^(5/2)) up to O(h²); and the impulses are 1 and e, to rounding.
+    #[test]
+    fn the_history_keeps_energy_and_impulse() {
+        let (steps, e) = (200, 0.6);
+        let nodes = history(steps, e);
+        assert_eq!(nodes.len(), 2 * steps + 1);
+        let mut impulses = [0.0, 0.0];
+        for (n, pair) in nodes.windows(2).enumerate() {
+            let [from, to] = pair else { continue };
+            let h = to.time - from.time;
+            let clock = if n < steps { 1.0 } else { e };
+            let speed = (to.penetration - from.penetration).abs() / h * clock;
+            let middle = f64::midpoint(from.penetration, to.penetration);
+            let expected = (1.0 - middle.powf(2.5)).max(0.0).sqrt();
+            // at the turning point the speed is O(h) itself
+            assert!((speed - expected).abs() < 0.01, "{n}: {speed} {expected}");
+            impulses[usize::from(n >= steps)] += h * (from.force + to.force) / 2.0;
+        }
+        assert!((impulses[0] - 1.0).abs() < 1e-13 && (impulses[1] - e).abs() < 1e-13);
+        assert_eq!(history(steps, 0.0).len(), steps + 1);
+    }
+
+    #[test]
+    fn rings_share_the_whole_force() {
+        for node in history(50, 1.0) {
+            for joins in [0.0, 0.385, 0.5] {
+                let shares = Node::shared(&node, 20, joins, |r| r * r);
+                assert!((shares.iter().sum::<f64>() - node.force).abs() < 1e-15);
+                assert!(shares.iter().all(|share| *share >= 0.0));
+                assert_eq!(shares.is_empty(), node.force == 0.0);
+            }
+        }
+    }
+}

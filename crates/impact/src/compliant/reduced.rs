@@ -19,8 +19,8 @@ use crate::{Alpha, Ratios};
 ///
 /// That local friction in the rings is the same as in the springs is exact where it is a
 /// superposition of Cattaneo's and Mindlin's solutions (Jäger 1998); that it is so throughout a
-/// collision is not proved here, but the two ways agree as their grids are refined, and share no
-/// line below [`march`]. This one costs the square root of the other.
+/// collision is not proved here, but the two ways agree as their grids are refined, and share
+/// nothing of what they make of a displacement. A step costs the springs' number, not its square.
 ///
 /// k = 1 − 2α to rounding while the contact slides. Elsewhere *heuristic*, of second order in the
 /// step and the springs (measured).
