@@ -25,7 +25,7 @@ pub struct HertzMindlin {
     compliance: Compliance,
     memory: Memory,
     fine: Vec<Node>,
-    coarse: Vec<Node>,
+    coarse: [Vec<Node>; 2],
 }
 
 /// What the tangential spring remembers from step to step.
@@ -57,15 +57,16 @@ impl HertzMindlin {
     /// With `steps` steps in compression and as many in restitution. Cost: O(steps).
     ///
     /// # Errors
-    /// [`NoOutcome::Budget`] unless 2 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
+    /// [`NoOutcome::Budget`] unless 6 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
     pub fn with_steps(compliance: Compliance, steps: usize) -> Result<Self, NoOutcome> {
-        within("the number of steps", steps, 2, Self::MOST_STEPS)?;
+        within("the number of steps", steps, 6, Self::MOST_STEPS)?;
         Ok(Self::of_steps(compliance, steps))
     }
 
     fn of_steps(compliance: Compliance, steps: usize) -> Self {
         let restitution = compliance.restitution();
-        let (fine, coarse) = (history(steps, restitution), history(steps / 2, restitution));
+        let fine = history(steps, restitution);
+        let coarse = [2, 3].map(|part| history(steps / part, restitution));
         Self { compliance, memory: Memory::default(), fine, coarse }
     }
 
@@ -151,6 +152,7 @@ impl Process for HertzMindlin {
     fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
         let alpha = checked(alpha)?;
         let run = |nodes| self.follow(nodes, alpha, &mut |_| ());
-        Ok(Outcome::refined(run(&self.fine)?, &run(&self.coarse)?))
+        let [half, third] = &self.coarse;
+        Ok(Outcome::refined(run(&self.fine)?, [run(half)?, run(third)?]))
     }
 }

@@ -32,7 +32,7 @@ use crate::{Alpha, Ratios};
 pub struct MawBarberFawcett {
     compliance: Compliance,
     fine: Grid,
-    coarse: Grid,
+    coarse: [Grid; 2],
 }
 
 /// The annuli, the steps, and what each annulus bears at each.
@@ -81,21 +81,21 @@ impl MawBarberFawcett {
     /// O(annuli³) once, and O(steps·annuli²) a collision.
     ///
     /// # Errors
-    /// [`NoOutcome::Budget`] unless 4 ≤ annuli ≤ [`MOST_ANNULI`](Self::MOST_ANNULI) and
-    /// 4 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
+    /// [`NoOutcome::Budget`] unless 6 ≤ annuli ≤ [`MOST_ANNULI`](Self::MOST_ANNULI) and
+    /// 6 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
     pub fn with_grid(
         compliance: Compliance,
         annuli: usize,
         steps: usize,
     ) -> Result<Self, NoOutcome> {
-        within("the number of annuli", annuli, 4, Self::MOST_ANNULI)?;
-        within("the number of steps", steps, 4, Self::MOST_STEPS)?;
+        within("the number of annuli", annuli, 6, Self::MOST_ANNULI)?;
+        within("the number of steps", steps, 6, Self::MOST_STEPS)?;
         Ok(Self::of_grid(compliance, annuli, steps))
     }
 
     fn of_grid(compliance: Compliance, annuli: usize, steps: usize) -> Self {
         let grid = |part: usize| Grid::new(annuli / part, steps / part, compliance.restitution());
-        Self { compliance, fine: grid(1), coarse: grid(2) }
+        Self { compliance, fine: grid(1), coarse: [grid(2), grid(3)] }
     }
 
     /// The same collision with an observer of every step, the start included.
@@ -186,6 +186,7 @@ impl Process for MawBarberFawcett {
     fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
         let alpha = checked(alpha)?;
         let run = |grid| self.follow(grid, alpha, &mut |_| ());
-        Ok(Outcome::refined(run(&self.fine)?, &run(&self.coarse)?))
+        let [half, third] = &self.coarse;
+        Ok(Outcome::refined(run(&self.fine)?, [run(half)?, run(third)?]))
     }
 }

@@ -32,7 +32,7 @@ use crate::{Alpha, Ratios};
 pub struct DimensionReduction {
     compliance: Compliance,
     fine: Grid,
-    coarse: Grid,
+    coarse: [Grid; 2],
 }
 
 const JOINS: f64 = 0.5;
@@ -82,21 +82,21 @@ impl DimensionReduction {
     /// O(steps·springs), in memory, too.
     ///
     /// # Errors
-    /// [`NoOutcome::Budget`] unless 4 ≤ springs ≤ [`MOST_SPRINGS`](Self::MOST_SPRINGS) and
-    /// 4 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
+    /// [`NoOutcome::Budget`] unless 6 ≤ springs ≤ [`MOST_SPRINGS`](Self::MOST_SPRINGS) and
+    /// 6 ≤ steps ≤ [`MOST_STEPS`](Self::MOST_STEPS).
     pub fn with_grid(
         compliance: Compliance,
         springs: usize,
         steps: usize,
     ) -> Result<Self, NoOutcome> {
-        within("the number of springs", springs, 4, Self::MOST_SPRINGS)?;
-        within("the number of steps", steps, 4, Self::MOST_STEPS)?;
+        within("the number of springs", springs, 6, Self::MOST_SPRINGS)?;
+        within("the number of steps", steps, 6, Self::MOST_STEPS)?;
         Ok(Self::of_grid(compliance, springs, steps))
     }
 
     fn of_grid(compliance: Compliance, springs: usize, steps: usize) -> Self {
         let grid = |part: usize| Grid::new(springs / part, steps / part, compliance.restitution());
-        Self { compliance, fine: grid(1), coarse: grid(2) }
+        Self { compliance, fine: grid(1), coarse: [grid(2), grid(3)] }
     }
 
     /// The same collision with an observer of every step, the start included.
@@ -182,6 +182,7 @@ impl Process for DimensionReduction {
     fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
         let alpha = checked(alpha)?;
         let run = |grid| self.follow(grid, alpha, &mut |_| ());
-        Ok(Outcome::refined(run(&self.fine)?, &run(&self.coarse)?))
+        let [half, third] = &self.coarse;
+        Ok(Outcome::refined(run(&self.fine)?, [run(half)?, run(third)?]))
     }
 }
