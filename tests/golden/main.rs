@@ -5,6 +5,7 @@ mod fixture;
 mod growth; // how cost grows with size, without a clock
 mod laws; // what the impact laws return, over a range of states
 mod methods; // the errors and counted costs of all methods
+mod model_error; // laws and processes beside the elastic half-space
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod stability; // where the formulas of the paper fail

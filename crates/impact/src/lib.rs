@@ -3,7 +3,7 @@
 //! A law maps a [`Contact`] to the tangential impulse. It is generic over
 //! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
 //! rationals, and the two can be compared digit by digit. The laws are in [`laws`], what collides is
-//! in [`bodies`].
+//! in [`bodies`]. What happens in time between elastic bodies is in [`compliant`].
 //!
 //! ```
 //! use kane_impact::bodies::{CollideError, Motion, SphereOnPlane};
@@ -48,6 +48,7 @@ mod alpha;
 mod arithmetic;
 pub mod batch;
 pub mod bodies;
+pub mod compliant;
 mod contact;
 pub mod decide;
 mod delassus;
