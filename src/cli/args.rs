@@ -24,7 +24,7 @@ Examples:
   kane audit                              the paper, which the program carries with it
   kane audit --only 9                     one statement of it, by its label
   kane audit --explain 16                 its proof or witness, step by step
-  kane audit notes.md --out reports       writes reports/notes.md and reports/notes.json
+  kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
 
 A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted,
@@ -112,7 +112,7 @@ pub(crate) struct AuditArgs {
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
-    /// Also write NAME.md and NAME.json for every document into this directory
+    /// Also write NAME.html, .tex, .md and .json for every document into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
