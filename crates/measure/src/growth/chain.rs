@@ -332,7 +332,7 @@ mod tests {
         let share = Rational::new((-11).into(), 25.into());
         let mut slip = Rational::new(3.into(), 4.into());
         for found in slips(&Walton::default(), 60) {
-            slip = slip * &share;
+            slip *= &share;
             assert_eq!(found, slip);
         }
     }
@@ -340,7 +340,7 @@ mod tests {
     #[test]
     fn intervals_hold_the_exact_state_for_as_long_as_they_go() {
         let mut exact = sphere();
-        let mut enclosed = sphere().map(|x| <Interval as kane_number::Number>::from_rational(x));
+        let mut enclosed = sphere().map(<Interval as kane_number::Number>::from_rational);
         let mut bounces = 0;
         while let Ok(next) = bounce(&Walton::default(), &enclosed) {
             enclosed = next;
