@@ -3,6 +3,7 @@
 mod collide; // one collision under all laws, or under one in depth
 mod fixture;
 mod laws; // what the impact laws return, over a range of states
+mod matrix; // every law against every property, some cells in full, and the page of properties
 mod methods; // the errors and counted costs of all methods
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format

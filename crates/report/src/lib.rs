@@ -14,6 +14,7 @@ mod envelope;
 mod explain;
 mod json;
 mod markdown;
+pub mod matrix;
 mod report;
 mod shorten;
 pub mod stability;
