@@ -90,11 +90,32 @@ Exit codes:
   2  bad input or usage
   3  the document has no formula";
 
+const LAWS_EXAMPLES: &str = "\
+Examples:
+  kane laws                               every law against every property
+  kane laws --law smith-1991              one row of it
+  kane laws --property energy             one column
+  kane laws --explain kane-levinson:energy
+                                          the proof or the witness of one cell
+  kane laws --out reports                 also writes reports/laws.txt, .md and .json
+
+A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that
+it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what
+each property asks.
+
+Exit codes:
+  0  every cell is decided, whatever is found
+  1  a cell is undecided
+  2  bad input or usage";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
+    /// Hold every law against every property that mechanics asks of it
+    #[command(after_help = LAWS_EXAMPLES)]
+    Laws(LawsArgs),
     /// Put one collision to every law, exactly and in floats
     #[command(after_help = COLLIDE_EXAMPLES)]
     Collide(Box<CollideArgs>),
@@ -126,6 +147,29 @@ pub(crate) struct AuditArgs {
 
     /// Print the proof or the witness of the statement with this label, step by step
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
+    pub(crate) explain: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct LawsArgs {
+    /// Only the law of this id; may be repeated
+    #[arg(long, value_name = "ID")]
+    pub(crate) law: Vec<String>,
+
+    /// Only the property of this id; may be repeated
+    #[arg(long, value_name = "ID")]
+    pub(crate) property: Vec<String>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Also write laws.txt, laws.md and laws.json into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// Print the proof or the witness of one cell, step by step
+    #[arg(long, value_name = "LAW:PROPERTY", conflicts_with_all = ["format", "law", "property", "out"])]
     pub(crate) explain: Option<String>,
 }
 

@@ -6,6 +6,7 @@ mod chart;
 mod collide;
 mod input;
 mod labels;
+mod laws;
 mod output;
 mod progress;
 mod stability;
@@ -46,6 +47,7 @@ impl From<Outcome> for ExitCode {
 pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Audit(args) => audit::run(&args),
+        Verb::Laws(args) => laws::run(&args),
         Verb::Collide(args) => collide::run(&args),
         Verb::Chart(args) => chart::run(&args),
         Verb::Stability(args) => stability::run(&args),

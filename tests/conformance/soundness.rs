@@ -25,8 +25,14 @@ use crate::sampling::{At, Sampler, at, has_limits};
 use crate::support::{Case, Chance, Q, all_documents, cases, documents, many, shown};
 
 /// Small, so that many statements fit: a false one only has to be not accepted.
-const SMALL: Budget =
-    Budget { steps: 10, fuel: 100_000, check: 20_000_000, functions: 4, ideals: false };
+const SMALL: Budget = Budget {
+    steps: 10,
+    fuel: 100_000,
+    check: 20_000_000,
+    functions: 4,
+    ideals: false,
+    products: true,
+};
 
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {
     check(goal, certificate, Fuel::new(20_000_000)).is_ok()

@@ -22,6 +22,8 @@ mod energy;
 mod frames;
 /// The same on very many contacts, by intervals.
 mod long_run;
+/// The matrix of laws and properties, against contacts drawn at random, planted faults and mutations.
+mod matrix;
 /// Closed forms against the integration of their process.
 mod process;
 /// Randomness that a run repeats.

@@ -11,12 +11,13 @@ use std::fmt::Write as _;
 use kane::algebra::rational_function::RationalFunction;
 use kane::algebra::ring;
 use kane::algebra::syntax::{Scope, parse_relations};
-use kane::audit::{Budget, judge_goal};
+use kane::audit::matrix::{absurd, compare, negated, rel};
+use kane::audit::{Budget, prove_goal};
 use kane::kernel::{
-    Bound, Conclusion, Context, Expr, Finding, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
+    Bound, Conclusion, Context, Expr, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
 };
 use kane_impact::laws::{LawVisitor, visit_laws};
-use kane_impact::{Contact, Delassus, Guard, ImpactLaw, Regime, Relation as Sign};
+use kane_impact::{Contact, Delassus, Guard, ImpactLaw, Regime};
 use kane_number::Number;
 
 use crate::frames::as_given;
@@ -52,20 +53,6 @@ fn contact(coupled: bool) -> Contact<Symbolic> {
     Contact::unchecked(symbol(0), symbol(1), delassus, symbol(5), symbol(6))
 }
 
-fn compare(lhs: &Symbolic, rel: Rel, rhs: &Symbolic) -> Relation {
-    Relation { lhs: lhs.to_expr(), rel, rhs: rhs.to_expr() }
-}
-
-fn rel(sign: Sign) -> Rel {
-    match sign {
-        Sign::Positive => Rel::Gt,
-        Sign::NotNegative => Rel::Ge,
-        Sign::Zero => Rel::Eq,
-        Sign::NotPositive => Rel::Le,
-        Sign::Negative => Rel::Lt,
-    }
-}
-
 /// A guard as a relation.
 fn guard<L: ImpactLaw>(law: &L, guard: &Guard<L, Symbolic>, at: &Contact<Symbolic>) -> Relation {
     compare(&(guard.quantity)(law, at), rel(guard.relation), &Symbolic::zero())
@@ -89,28 +76,8 @@ fn follows(
         when,
         conclusion: Conclusion::Link(Link::Relation(conclusion)),
     };
-    let found = judge_goal(&goal, &[], Budget::default());
-    match found.decided {
-        // vacuous: the regime is empty here
-        Some(certificate) if matches!(certificate.finding, Finding::Proved | Finding::Vacuous) => {
-            Ok(())
-        }
-        Some(_) => Err("refuted".into()),
-        None => Err(found.reason),
-    }
-}
-
-/// The relation that holds where another does not.
-fn negated(relation: &Relation) -> Relation {
-    let rel = match relation.rel {
-        Rel::Eq => Rel::Ne,
-        Rel::Ne => Rel::Eq,
-        Rel::Lt => Rel::Ge,
-        Rel::Le => Rel::Gt,
-        Rel::Gt => Rel::Le,
-        Rel::Ge => Rel::Lt,
-    };
-    Relation { rel, ..relation.clone() }
+    // an empty regime is proved by the contradiction of its guards
+    prove_goal(&goal, Budget::default()).map(|_| ())
 }
 
 /// All ways in which the regimes up to this one are passed over: of each, one guard fails.
@@ -272,13 +239,10 @@ impl LawVisitor for Tally {
 /// All say that what stops the slip is inside the cone. Whoever teaches the prover to multiply
 /// conditions shortens the list.
 const OPEN: &str = "\
-whittaker-stop, stop, line 3, coupled true
-garwin-capped, reverse, line 3, coupled true
 kane-levinson, stick, line 2, coupled true
 kane-levinson, stick, line 3, coupled true
 stronge-1990, stick from compression on, line 3, coupled false
 stronge-1990, stick from restitution on, line 3, coupled false
-walton, rebound of the slip, line 3, coupled true
 djerassi-stronge, stick from compression on, line 3, coupled false
 djerassi-stronge, stick from restitution on, line 3, coupled false
 ";
@@ -406,8 +370,7 @@ impl LawVisitor for Cover {
             .map(|regime| regime.guards.iter().map(|g| guard(law, g, &contact)).collect())
             .collect();
         for way in passed_over(&guards) {
-            let absurd = Relation { lhs: Expr::int(1), rel: Rel::Lt, rhs: Expr::int(0) };
-            let empty = follows(way, Vec::new(), absurd);
+            let empty = follows(way, Vec::new(), absurd());
             assert!(empty.is_ok(), "{}: {empty:?}", law.id());
             self.0 += 1;
         }

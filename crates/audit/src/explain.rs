@@ -300,7 +300,14 @@ impl Teller<'_> {
                     }
                     _ => String::new(),
                 };
-                self.say(depth, format!("Substitute {name} = {solved}."));
+                let text = if solved.is_empty() {
+                    // of higher degree: powers are reduced, the variable stays
+                    let by = self.atom(scope, &state.atoms[*equation]);
+                    format!("Reduce powers of {name} by {by}.")
+                } else {
+                    format!("Substitute {name} = {solved}.")
+                };
+                self.say(depth, text);
                 if !self.rules.substituted.contains(&name) {
                     self.rules.substituted.push(name);
                 }

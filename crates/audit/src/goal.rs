@@ -1,11 +1,12 @@
-//! Certificates of single goals, for tests that hold them against the kernel.
+//! Single goals, judged on their own: what documents do for their claims, for whoever states goals.
 
-use kane_kernel::{Certificate, Evidence, Expr, Finding, Goal, digest};
+use kane_kernel::{
+    Certificate, Checked, Evidence, Expr, Finding, Fuel, Goal, Model, Point, check, digest,
+};
 
 use crate::prove::{Budget, Prover};
 
 /// The certificates that the kernel accepted for a goal.
-#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct Findings {
     /// the one that decides
@@ -16,8 +17,8 @@ pub struct Findings {
     pub reason: String,
 }
 
-/// Judges a goal on its own; `by` proposes values or functions for a witness.
-#[doc(hidden)]
+/// Judges a goal on its own; `by` proposes values or functions for a witness. Nothing is returned
+/// that the kernel did not accept.
 #[must_use]
 pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings {
     let earlier = std::cell::RefCell::default();
@@ -30,4 +31,37 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
         evidence: Evidence::Model(m),
     };
     Findings { decided: found.decided, model: found.model.map(model), reason: found.reason }
+}
+
+/// Looks for a proof of a goal alone, not for witnesses: the certificate that the kernel accepted.
+///
+/// # Errors
+/// Why there is none, in words.
+pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Certificate, String> {
+    let earlier = std::cell::RefCell::default();
+    let cited = goal.hypotheses.len();
+    let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
+    let found = prover.prove(goal);
+    found.decided.ok_or(found.reason)
+}
+
+/// The certificate that a goal is refuted at a point, if the kernel accepts it.
+///
+/// # Errors
+/// The kernel's [`Rejection`](kane_kernel::Rejection).
+pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Certificate> {
+    let evidence = Evidence::Model(Model::Point(point));
+    let certificate = Certificate { goal: digest(goal), finding: Finding::Refuted, evidence };
+    check(goal, &certificate, Fuel::new(Budget::default().check))?;
+    Ok(certificate)
+}
+
+/// Looks for a point that refutes a goal, and for nothing else: the certificate that the kernel
+/// accepted.
+#[must_use]
+pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Certificate> {
+    let earlier = std::cell::RefCell::default();
+    let cited = goal.hypotheses.len();
+    let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
+    prover.refute(goal).decided
 }

@@ -5,13 +5,13 @@ mod document;
 mod explain;
 mod goal;
 mod judge;
+pub mod matrix;
 mod prove;
 mod reader;
 mod verdict;
 
 pub use document::*;
-#[doc(hidden)]
-pub use goal::{Findings, judge_goal};
+pub use goal::{Findings, find_witness, judge_goal, prove_goal, refute_goal};
 pub use judge::{Options, audit};
 pub use prove::Budget;
 pub use reader::{Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, read};

@@ -20,6 +20,7 @@ mod json;
 mod latex;
 mod layers;
 mod markdown;
+pub mod matrix;
 mod outline;
 mod report;
 mod shorten;

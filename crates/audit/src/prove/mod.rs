@@ -1,6 +1,7 @@
 //! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
 //! kernel, and what the kernel does not accept is not reported.
 
+mod expansion;
 mod functions;
 mod limits;
 mod sample;
@@ -32,11 +33,20 @@ pub struct Budget {
     pub functions: usize,
     /// whether ideals may be computed where substitution does not close
     pub ideals: bool,
+    /// whether products of premises and boxes may be tried, which take long
+    pub products: bool,
 }
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { steps: 4_000, fuel: 40_000_000, check: 400_000_000, functions: 60, ideals: true }
+        Self {
+            steps: 4_000,
+            fuel: 40_000_000,
+            check: 400_000_000,
+            functions: 60,
+            ideals: true,
+            products: true,
+        }
     }
 }
 
@@ -155,6 +165,7 @@ impl Prover<'_> {
         let any = |_: usize, _: &kane_kernel::Poly| true;
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
+        search.products = self.budget.products;
         search.keep = kept(goal);
         if guide {
             search.widest = 60;
@@ -256,6 +267,25 @@ impl Prover<'_> {
             }
             _ => false,
         }
+    }
+
+    /// Looks for a proof of a pointwise goal, and for nothing else.
+    pub(crate) fn prove(&self, goal: &Goal) -> Verdicts {
+        let mut out = Verdicts::default();
+        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, &mut out) {
+            self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), &mut out);
+        }
+        if out.decided.is_none() && out.reason.is_empty() {
+            out.reason = format!("no proof within {} steps", self.budget.steps);
+        }
+        out
+    }
+
+    /// Looks for a point against a pointwise goal, and for nothing else.
+    pub(crate) fn refute(&self, goal: &Goal) -> Verdicts {
+        let mut out = Verdicts::default();
+        self.witness(goal, Finding::Refuted, &mut out);
+        out
     }
 
     fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {

@@ -7,7 +7,7 @@ use kane_kernel::{Atom, Point, Poly, Proof, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::tactics;
+use super::{expansion, tactics};
 
 type Q = BigRational;
 
@@ -74,6 +74,8 @@ pub(crate) struct Search<'a> {
     pub(crate) keep: Vec<(usize, u32)>,
     /// whether ideals may be computed
     pub(crate) ideals: bool,
+    /// whether products of premises and boxes may be tried
+    pub(crate) products: bool,
 }
 
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
@@ -96,6 +98,7 @@ impl<'a> Search<'a> {
             widest: 2000,
             keep: Vec::new(),
             ideals: false,
+            products: true,
         }
     }
 
@@ -393,7 +396,8 @@ impl<'a> Search<'a> {
             }
         }
         if self.proofs
-            && let Some(proof) = tactics::division_by_premise(state)
+            && let Some(proof) =
+                tactics::division_by_premise(state).or_else(|| expansion::expansion(state))
         {
             return Outcome::Closed(proof);
         }
@@ -408,6 +412,12 @@ impl<'a> Search<'a> {
                 return Outcome::Open;
             }
             let ideal = || if self.ideals { tactics::ideal(state) } else { None };
+            if !self.products {
+                return match tactics::combination(state) {
+                    Some(proof) => Outcome::Closed(proof),
+                    None => Outcome::Open,
+                };
+            }
             let proof = tactics::combination(state)
                 .or_else(|| tactics::products(state, 1))
                 .or_else(|| tactics::products(state, 2))

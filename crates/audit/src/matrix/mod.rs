@@ -1,0 +1,200 @@
+//! The matrix of laws and properties: every law of the literature against every property that
+//! mechanics asks of it.
+//!
+//! A cell is a conjunction of goals, one a family of contacts, a regime of the law and a link of the
+//! property's template. A goal is made by running the law's own code on symbols; its hypotheses are
+//! the regime's guards, the failure of the regimes before it, and what is known of the root. The
+//! cell is proved if the kernel accepted a certificate for every goal. It is refuted if the law's
+//! answer at a contact, in exact numbers, violates the template, and the kernel accepts that contact
+//! as a point at which the hypotheses hold and the conclusion does not. Nothing is typed in.
+
+mod applied;
+mod cell;
+mod limits;
+mod outcome;
+mod pointwise;
+mod property;
+mod sample;
+mod scale;
+mod setting;
+mod study;
+mod subdivision;
+mod visible;
+
+use kane_impact::laws::{LawVisitor, visit_laws};
+use kane_impact::{Contact, ImpactLaw};
+use kane_number::Rational;
+
+pub use applied::{Applied, Premise, RootOf, absurd, apply, compare, rel};
+pub use cell::{Cell, Finding, Said, Witness};
+pub use property::{Kind, PROPERTIES, Property, property, value};
+pub use sample::{Exact, contacts, resolve};
+pub use setting::{SYMBOLS_IN_WORDS, Setting, Symbolic};
+pub use study::Part;
+pub use visible::{Condition, Ranges, negated};
+
+use property::Template;
+use study::Family;
+
+/// A law and its cells.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// the law's id
+    pub id: &'static str,
+    /// who published it, and what was consulted
+    pub source: &'static str,
+    /// its own parameters, as they are here
+    pub parameters: Vec<(&'static str, Rational)>,
+    /// one cell a property, in the order of [`Matrix::properties`]
+    pub cells: Vec<Cell>,
+}
+
+/// Laws against properties.
+#[derive(Clone, Debug)]
+pub struct Matrix {
+    /// the columns
+    pub properties: Vec<&'static Property>,
+    /// the laws
+    pub rows: Vec<Row>,
+}
+
+/// What is asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Selection {
+    /// ids of laws; `None` for all
+    pub laws: Option<Vec<String>>,
+    /// ids of properties; `None` for all
+    pub properties: Option<Vec<String>>,
+}
+
+impl Selection {
+    fn properties(&self) -> Vec<&'static Property> {
+        let wanted = |p: &&Property| {
+            self.properties.as_ref().is_none_or(|ids| ids.iter().any(|id| id == p.id))
+        };
+        PROPERTIES.iter().filter(wanted).collect()
+    }
+}
+
+/// All families of contacts.
+const FAMILIES: [Setting; 5] =
+    [Setting::Sphere, Setting::Driving, Setting::Braking, Setting::RestingSphere, Setting::Resting];
+
+/// The findings about one law; `progress` is told after each.
+pub fn row<L: ImpactLaw>(
+    law: &L,
+    properties: &[&'static Property],
+    progress: &mut dyn FnMut(),
+) -> Row {
+    let families: Vec<Family> = FAMILIES.into_iter().map(|s| Family::new(law, s)).collect();
+    let answer = |c: Contact<Rational>| {
+        let outcome = resolve(law, &c).ok()?;
+        Some((c, outcome))
+    };
+    let answers: Vec<_> = contacts(&FAMILIES).into_iter().filter_map(answer).collect();
+    let cells = properties.iter().map(|property| {
+        let cell = cell(law, property, &families, &answers);
+        progress();
+        cell
+    });
+    let cells = cells.collect();
+    Row { id: law.id(), source: law.source(), parameters: law.parameters(), cells }
+}
+
+fn cell<L: ImpactLaw>(
+    law: &L,
+    property: &Property,
+    families: &[Family],
+    answers: &[(Contact<Rational>, Exact)],
+) -> Cell {
+    if let Some(reason) = silent_on(law, property, families) {
+        return Cell::not_applicable(reason);
+    }
+    match property.kind {
+        Kind::Pointwise(settings) => {
+            let template = Template::new(property.template);
+            let inside = |(c, _): &&(Contact<Rational>, Exact)| {
+                settings.iter().any(|s| s.values(c).is_some())
+            };
+            let answers: Vec<_> = answers.iter().filter(inside).cloned().collect();
+            pointwise::decide(law, families, settings, &template, &answers)
+        }
+        Kind::Limit(infinite) => limits::decide(law, families, property.template, infinite),
+        Kind::Continuous => limits::continuous(law, families, answers),
+        Kind::Scale => scale::decide(law, &families[..3], answers),
+        Kind::Subdivision => subdivision::decide(law, &families[0]),
+        Kind::Exists(settings) => outcome::exists(law, families, settings, &contacts(settings)),
+        Kind::Unique => outcome::unique(&families[0]),
+    }
+}
+
+/// Why a property of every contact has no meaning for a law that never speaks of coupled ones.
+fn silent_on<L: ImpactLaw>(
+    law: &L,
+    property: &Property,
+    families: &[Family],
+) -> Option<&'static str> {
+    let Kind::Pointwise(settings) = property.kind else { return None };
+    let coupled = |s: &Setting| matches!(s, Setting::Driving | Setting::Braking);
+    let speaks = |f: &Family| coupled(&f.setting) && !f.regimes.is_empty();
+    let asked = settings.iter().any(coupled);
+    (asked && !families.iter().any(speaks)).then(|| law.gap()).flatten()
+}
+
+struct Build<'a> {
+    selection: &'a Selection,
+    properties: Vec<&'static Property>,
+    rows: Vec<Row>,
+    done: usize,
+    all: usize,
+    progress: &'a mut dyn FnMut(usize, usize),
+}
+
+impl LawVisitor for Build<'_> {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        let laws = &self.selection.laws;
+        if laws.as_ref().is_some_and(|ids| ids.iter().all(|id| id != law.id())) {
+            return;
+        }
+        let (done, all) = (&mut self.done, self.all);
+        let progress = &mut *self.progress;
+        let row = row(law, &self.properties, &mut || {
+            *done += 1;
+            progress(*done, all);
+        });
+        self.rows.push(row);
+    }
+}
+
+/// The ids of all laws, in order.
+#[must_use]
+pub fn laws() -> Vec<&'static str> {
+    struct Ids(Vec<&'static str>);
+    impl LawVisitor for Ids {
+        fn visit<L: ImpactLaw>(&mut self, law: &L) {
+            self.0.push(law.id());
+        }
+    }
+    let mut ids = Ids(Vec::new());
+    visit_laws(&mut ids);
+    ids.0
+}
+
+/// The matrix, or what is asked for of it. `progress` is told, after each cell, how many are done and
+/// how many there are.
+pub fn matrix(selection: &Selection, progress: &mut dyn FnMut(usize, usize)) -> Matrix {
+    let properties = selection.properties();
+    let count = selection.laws.as_ref().map_or_else(|| laws().len(), Vec::len);
+    let all = count * properties.len();
+    let mut build = Build { selection, properties, rows: Vec::new(), done: 0, all, progress };
+    visit_laws(&mut build);
+    Matrix { properties: build.properties, rows: build.rows }
+}
+
+impl Matrix {
+    /// How many cells end so.
+    #[must_use]
+    pub fn count(&self, finding: Finding) -> usize {
+        self.rows.iter().flat_map(|row| &row.cells).filter(|cell| cell.finding == finding).count()
+    }
+}

@@ -1,0 +1,165 @@
+//! Properties of one outcome at a time.
+
+use kane_impact::{Contact, ImpactLaw, Outcome};
+use kane_kernel::Rel;
+use kane_number::Rational;
+
+use super::applied::Premise;
+use super::cell::{Cell, Witness};
+use super::outcome::proved;
+use super::property::Template;
+use super::sample::{Exact, resolve, violation};
+use super::setting::{Setting, Symbolic};
+use super::study::{Family, Located, Part, contact_at, locate};
+
+/// Decides a pointwise property: a witness among simple contacts, or a proof in every regime.
+pub(crate) fn decide<L: ImpactLaw>(
+    law: &L,
+    families: &[Family],
+    settings: &[Setting],
+    template: &Template,
+    answers: &[(Contact<Rational>, Exact)],
+) -> Cell {
+    let families: Vec<&Family> =
+        families.iter().filter(|f| settings.contains(&f.setting)).collect();
+    let mut faults = Vec::new();
+    for (contact, outcome) in answers {
+        if let Some(link) = violation(template, contact, outcome) {
+            match witness(law, &families, template, contact, link) {
+                Some(part) => return Cell::refuted(Witness::new(contact, outcome), part),
+                None => faults.push(format!("{contact:?}")),
+            }
+        }
+    }
+    let (mut parts, mut open) = (Vec::new(), Vec::new());
+    'all: for family in families {
+        for (index, regime) in family.regimes.iter().enumerate() {
+            let outcome = match &family.solved[index] {
+                Some((outcome, part)) => {
+                    parts.push(part.clone());
+                    outcome
+                }
+                None => &regime.outcome,
+            };
+            // each of two summands, where the sum itself is too much
+            let found = prove(family, index, outcome, template).or_else(|why| {
+                let summands = template.summands().ok_or_else(|| why.clone())?;
+                prove(family, index, outcome, &summands).map_err(|_| why)
+            });
+            match found {
+                Ok(found) => parts.extend(found),
+                Err(why) => {
+                    if let Some(cell) = search(law, family, index, template) {
+                        return cell;
+                    }
+                    // one is enough, and what cannot be proved takes longest
+                    open.push(why);
+                    break 'all;
+                }
+            }
+        }
+    }
+    Cell::from_parts(parts, open)
+}
+
+/// A witness that the kernel accepts.
+fn witness<L: ImpactLaw>(
+    law: &L,
+    families: &[&Family],
+    template: &Template,
+    contact: &Contact<Rational>,
+    link: usize,
+) -> Option<Part> {
+    families.iter().find_map(|family| {
+        let Located { regime, point } = locate(law, family, contact)?;
+        let applied = &family.regimes[regime];
+        let demand = template.demands(&family.contact, &applied.outcome)?.swap_remove(link);
+        let (when, conclusion) = family.relations(&demand)?;
+        family.question(applied, when, conclusion, demand.text).refute(point).ok()
+    })
+}
+
+/// A proof of every link in one regime.
+fn prove(
+    family: &Family,
+    index: usize,
+    outcome: &Outcome<Symbolic>,
+    template: &Template,
+) -> Result<Vec<Part>, String> {
+    let regime = &family.regimes[index];
+    let name = format!("{}, \"{}\"", family.setting.name(), regime.name);
+    let Some(demands) = template.demands(&family.contact, outcome) else {
+        return Err(format!("{name}: a ratio has no meaning"));
+    };
+    let mut parts = Vec::new();
+    for demand in demands {
+        let Some((when, conclusion)) = family.relations(&demand) else { continue };
+        let mut question = family.question(regime, when, conclusion, demand.text.clone());
+        if let Ok(part) = question.prove() {
+            parts.push(part);
+            continue;
+        }
+        let lemmas = family.lemmas[index].get_or_init(|| lemmas(family, index, outcome));
+        let mut premises = regime.premises.clone();
+        premises.extend(lemmas.iter().filter_map(|(label, part)| {
+            Some(Premise::new(label.clone(), Vec::new(), proved(part)?.clone()))
+        }));
+        question.premises = &premises;
+        let patient = family.setting == Setting::Sphere || regime.root.is_none();
+        match if patient { question.prove_patiently() } else { question.prove() } {
+            Ok(part) => {
+                parts.extend(lemmas.iter().map(|(_, part)| part.clone()));
+                parts.push(part);
+            }
+            Err(why) => return Err(format!("{name}: {}: {why}", demand.text)),
+        }
+    }
+    Ok(parts)
+}
+
+/// A witness that the search finds in a regime where no proof was found.
+fn search<L: ImpactLaw>(
+    law: &L,
+    family: &Family,
+    index: usize,
+    template: &Template,
+) -> Option<Cell> {
+    let regime = &family.regimes[index];
+    for demand in template.demands(&family.contact, &regime.outcome)? {
+        let Some((when, conclusion)) = family.relations(&demand) else { continue };
+        let question = family.question(regime, when, conclusion, demand.text.clone());
+        let Some((part, point)) = question.search() else { continue };
+        let Some(contact) = contact_at(family, &point) else { continue };
+        // the law itself has the last word
+        let Ok(outcome) = resolve(law, &contact) else { continue };
+        if violation(template, &contact, &outcome).is_some() {
+            return Some(Cell::refuted(Witness::new(&contact, &outcome), part));
+        }
+    }
+    None
+}
+
+/// What is proved first where a proof needs it: signs of the outcome, each from those before it.
+fn lemmas(family: &Family, index: usize, outcome: &Outcome<Symbolic>) -> Vec<(String, Part)> {
+    let regime = &family.regimes[index];
+    let contact = &family.contact;
+    let candidates = [
+        ("p_n > 0", outcome.impulse.normal.clone(), Rel::Gt),
+        ("v_1 >= 0", outcome.slip.clone(), Rel::Ge),
+        ("v_1 <= 0", outcome.slip.clone(), Rel::Le),
+        ("v + v_1 >= 0", outcome.slip.clone() + contact.slip(), Rel::Ge),
+        ("p_t <= 0", outcome.impulse.tangential.clone(), Rel::Le),
+    ];
+    let mut found: Vec<(String, Part)> = Vec::new();
+    let mut premises = regime.premises.clone();
+    for (text, quantity, rel) in candidates {
+        let relation = family.ranges.relation(&quantity, rel);
+        let question = family.question(regime, Vec::new(), relation.clone(), text.to_owned());
+        if let Ok(part) = question.on(&premises) {
+            let label = format!("shown before: {text}");
+            premises.push(Premise::new(label.clone(), Vec::new(), relation));
+            found.push((label, part));
+        }
+    }
+    found
+}

@@ -1,0 +1,118 @@
+//! The matrix for programs; the schema is documented in `docs/laws-schema.md`.
+
+use std::collections::BTreeMap;
+
+use kane_audit::matrix::{Cell, Matrix, Property, Row, Witness};
+use serde::Serialize;
+
+use super::{MatrixReport, word};
+use crate::envelope::{Program, Schema};
+
+/// The name of the schema.
+pub const LAWS_SCHEMA_NAME: &str = "kane-laws";
+/// The version of the schema.
+pub const LAWS_SCHEMA_VERSION: u32 = 1;
+
+/// The matrix as JSON, ended by a line feed.
+#[must_use]
+pub fn json(report: &MatrixReport<'_>) -> String {
+    let matrix = report.matrix;
+    let file = File {
+        schema: Schema { name: LAWS_SCHEMA_NAME, version: LAWS_SCHEMA_VERSION },
+        program: Program::THIS,
+        command: &report.command,
+        headline: report.headline(),
+        properties: matrix.properties.iter().map(|p| Column::of(p)).collect(),
+        laws: matrix.rows.iter().map(|row| Law::of(matrix, row)).collect(),
+    };
+    let mut out =
+        serde_json::to_string_pretty(&file).expect("strings, numbers and lists always serialise");
+    out.push('\n');
+    out
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    command: &'a str,
+    headline: String,
+    properties: Vec<Column>,
+    laws: Vec<Law<'a>>,
+}
+
+#[derive(Serialize)]
+struct Column {
+    id: &'static str,
+    name: &'static str,
+    domain: &'static str,
+    template: &'static str,
+}
+
+impl Column {
+    fn of(property: &Property) -> Self {
+        let Property { id, name, domain, template, .. } = *property;
+        Self { id, name, domain, template }
+    }
+}
+
+#[derive(Serialize)]
+struct Law<'a> {
+    id: &'static str,
+    source: &'static str,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    parameters: BTreeMap<&'static str, String>,
+    cells: BTreeMap<&'static str, Entry<'a>>,
+}
+
+impl<'a> Law<'a> {
+    fn of(matrix: &Matrix, row: &'a Row) -> Self {
+        let parameters = row.parameters.iter().map(|(name, value)| (*name, value.to_string()));
+        let cells = matrix.properties.iter().zip(&row.cells);
+        Self {
+            id: row.id,
+            source: row.source,
+            parameters: parameters.collect(),
+            cells: cells.map(|(property, cell)| (property.id, Entry::of(cell))).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Entry<'a> {
+    finding: &'static str,
+    reason: &'a str,
+    certificates: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    witness: Vec<Seen<'a>>,
+}
+
+impl<'a> Entry<'a> {
+    fn of(cell: &'a Cell) -> Self {
+        Self {
+            finding: word(cell.finding),
+            reason: &cell.reason,
+            certificates: cell.parts.len(),
+            witness: cell.witness.iter().map(Seen::of).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Seen<'a> {
+    contact: String,
+    regime: Option<&'static str>,
+    outcome: BTreeMap<&'static str, &'a str>,
+}
+
+impl<'a> Seen<'a> {
+    fn of(witness: &'a Witness) -> Self {
+        let said = witness.outcome.as_ref();
+        let values = said.map(|said| said.values.as_slice()).unwrap_or_default();
+        Self {
+            contact: witness.place(),
+            regime: said.map(|said| said.regime),
+            outcome: values.iter().map(|(name, value)| (*name, value.as_str())).collect(),
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Laws against properties: text, Markdown, JSON, and one cell in full.
+
+mod explain;
+mod json;
+mod markdown;
+mod text;
+
+use kane_audit::matrix::{Cell, Finding, Matrix, Property, Row};
+
+pub use explain::explain;
+pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
+pub use markdown::{markdown, properties};
+pub use text::text;
+
+/// The matrix, and the command that prints it again.
+#[derive(Clone, Debug)]
+pub struct MatrixReport<'a> {
+    /// the findings
+    pub matrix: &'a Matrix,
+    /// a command that prints this report
+    pub command: String,
+}
+
+impl MatrixReport<'_> {
+    /// How many laws, properties, and cells of each finding.
+    pub(crate) fn headline(&self) -> String {
+        let matrix = self.matrix;
+        let counted = |n: usize, one: &str, many: &str| {
+            if n == 1 { format!("1 {one}") } else { format!("{n} {many}") }
+        };
+        let mut parts = Vec::new();
+        for finding in
+            [Finding::Proved, Finding::Refuted, Finding::NotApplicable, Finding::Undecided]
+        {
+            let count = matrix.count(finding);
+            if count > 0 {
+                parts.push(format!("{count} {}", word(finding)));
+            }
+        }
+        format!(
+            "{}, {}: {}",
+            counted(matrix.rows.len(), "law", "laws"),
+            counted(matrix.properties.len(), "property", "properties"),
+            parts.join(", ")
+        )
+    }
+
+    /// The cells of a law that are not simply proved.
+    pub(crate) fn remarks<'r>(&'r self, row: &'r Row) -> Vec<(&'static Property, &'r Cell)> {
+        let cells = self.matrix.properties.iter().copied().zip(&row.cells);
+        cells.filter(|(_, cell)| cell.finding != Finding::Proved).collect()
+    }
+}
+
+/// A finding in a word.
+pub(crate) fn word(finding: Finding) -> &'static str {
+    match finding {
+        Finding::Proved => "proved",
+        Finding::Refuted => "refuted",
+        Finding::NotApplicable => "not applicable",
+        Finding::Undecided => "undecided",
+    }
+}
+
+/// A finding in a cell.
+pub(crate) fn mark(finding: Finding) -> &'static str {
+    match finding {
+        Finding::Proved => "yes",
+        Finding::Refuted => "no",
+        Finding::NotApplicable => "-",
+        Finding::Undecided => "?",
+    }
+}
+
+/// The law's own parameters, `name = value, …`.
+pub(crate) fn parameters(row: &Row) -> String {
+    let pairs = row.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
+    pairs.collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,97 @@
+//! `kane laws`: every law against every property.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use kane::algebra::syntax::nearest;
+use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, laws, matrix};
+use kane::report::Page;
+use kane::report::matrix::{MatrixReport, explain, json, markdown, text};
+
+use super::args::{Format, LawsArgs};
+use super::progress::Progress;
+use super::{Outcome, bad_input, deliver, output};
+
+/// Runs the verb.
+pub(super) fn run(args: &LawsArgs) -> Outcome {
+    let selection = match selection(args) {
+        Ok(selection) => selection,
+        Err(message) => return bad_input(&message),
+    };
+    let mut progress = Progress::counting("cells");
+    let matrix = matrix(&selection, &mut |done, all| progress.update(done, all));
+    drop(progress);
+
+    let report = MatrixReport { matrix: &matrix, command: command(args) };
+    let shown = || match (&args.explain, args.format) {
+        (Some(_), _) => explained(&matrix),
+        (None, Format::Text) => text(&report, output::page()),
+        (None, Format::Markdown) => markdown(&report),
+        (None, Format::Json) => json(&report),
+    };
+    if let Err(outcome) = deliver(args.out.as_deref(), |dir| write(dir, &report), shown) {
+        return outcome;
+    }
+    if matrix.count(Finding::Undecided) > 0 { Outcome::Unexpected } else { Outcome::AsExpected }
+}
+
+/// What is asked for, or what is wrong with it.
+fn selection(args: &LawsArgs) -> Result<Selection, String> {
+    let (mut wanted, mut columns) = (args.law.clone(), args.property.clone());
+    if let Some(cell) = &args.explain {
+        let Some((law, property)) = cell.split_once(':') else {
+            return Err(format!("`{cell}` is not LAW:PROPERTY, as in wang-su-li:energy"));
+        };
+        wanted.push(law.to_owned());
+        columns.push(property.to_owned());
+    }
+    let properties: Vec<&str> = PROPERTIES.iter().map(|p| p.id).collect();
+    known("law", &wanted, &laws())?;
+    known("property", &columns, &properties)?;
+    let chosen = |ids: Vec<String>| (!ids.is_empty()).then_some(ids);
+    Ok(Selection { laws: chosen(wanted), properties: chosen(columns) })
+}
+
+/// Whether all ids are known.
+fn known(what: &str, wanted: &[String], ids: &[&str]) -> Result<(), String> {
+    for id in wanted {
+        if !ids.contains(&id.as_str()) {
+            let near = nearest(id, ids.iter().copied());
+            let hint = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            return Err(format!("no {what} is called `{id}`{hint}"));
+        }
+    }
+    Ok(())
+}
+
+/// The command that prints the report again.
+fn command(args: &LawsArgs) -> String {
+    let mut command = "kane laws".to_owned();
+    for id in &args.law {
+        command.push_str(&format!(" --law {id}"));
+    }
+    for id in &args.property {
+        command.push_str(&format!(" --property {id}"));
+    }
+    command
+}
+
+/// The only cell in full.
+fn explained(matrix: &Matrix) -> String {
+    let rows = matrix.rows.iter().flat_map(|row| {
+        matrix.properties.iter().zip(&row.cells).map(move |(p, cell)| explain(row, p, cell))
+    });
+    rows.collect()
+}
+
+/// Writes laws.txt, laws.md and laws.json.
+fn write(dir: &Path, report: &MatrixReport<'_>) -> io::Result<()> {
+    fs::create_dir_all(dir)?;
+    let forms =
+        [("txt", text(report, Page::default())), ("md", markdown(report)), ("json", json(report))];
+    for (ending, text) in forms {
+        output::to_file(&dir.join(format!("laws.{ending}")), &text)?;
+    }
+    Ok(())
+}
