@@ -10,19 +10,22 @@
 pub mod chart;
 mod chart_picture;
 pub mod collision;
+pub mod coq;
 mod envelope;
 mod explain;
 mod json;
+pub mod judges;
 mod markdown;
 mod report;
 mod shorten;
+pub mod smt;
 pub mod stability;
 mod summary;
 mod text;
 
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
-pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
+pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json, json_with_judges};
 pub use markdown::markdown;
 pub use report::Report;
 pub use summary::Summary;
