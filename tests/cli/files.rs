@@ -1,4 +1,4 @@
-//! `--out` writes Markdown and JSON for every document.
+//! `--out` writes Markdown, JSON, Coq and SMT-LIB for every document.
 
 use std::fs;
 
@@ -22,9 +22,14 @@ fn every_document_becomes_a_markdown_and_a_json_file() {
     names.sort();
     assert_eq!(
         names,
-        ["one.json", "one.md", "two.json", "two.md"],
+        ["one", "one.json", "one.md", "one.v", "two", "two.json", "two.md", "two.v"],
         "and no temporary file is left"
     );
+
+    let question = fs::read_to_string(reports.join("two/b.smt2")).expect("one file a claim");
+    assert!(question.ends_with("(check-sat)\n"), "{question}");
+    let proof = fs::read_to_string(reports.join("two.v")).expect("it was written");
+    assert!(proof.contains("Lemma claim_b :"), "the claim is a lemma");
 
     let json = fs::read_to_string(reports.join("two.json")).expect("it was written");
     assert_eq!(json, kane(&["audit", &two, "--format", "json"]).stdout);

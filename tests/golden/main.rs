@@ -2,6 +2,7 @@
 
 mod collide; // one collision under all laws, or under one in depth
 mod fixture;
+mod judges; // what Coq and z3 are handed
 mod laws; // what the impact laws return, over a range of states
 mod methods; // the errors and counted costs of all methods
 mod puzzle; // Kane's double pendulum, as numbers and as a map

@@ -119,7 +119,7 @@ fn proved(
     finding: Finding,
     proof: &Proof,
 ) -> Result<String, NotEmitted> {
-    let symbols = Symbols::new(scope, 0, None)?;
+    let symbols = Symbols::new(scope, 0)?;
     let state = claim_state(scope, goal, finding)?;
     let script = Writer { symbols: &symbols }.proof(&state, proof)?;
     let (data, text) = statement(name, &symbols, goal, finding)?;
@@ -140,7 +140,7 @@ fn proved(
         let given: Vec<String> = given.iter().map(|g| format!("({g}) ->\n  ")).collect();
         let by = format!(
             "intros {names} {} {}. refine (proved_rooted goal_{name} proof_{name} {list}\n    \
-             (eq_refl true <: accepted goal_{name} proof_{name} = true) _). has_roots.",
+             (eq_refl true <: accepted goal_{name} proof_{name} = true) _). unfold goal_{name}. has_roots.",
             roots.join(" "),
             numbered.join(" ")
         );
@@ -159,9 +159,12 @@ fn refuted(
     finding: Finding,
     point: &Point,
 ) -> Result<String, NotEmitted> {
-    let symbols = Symbols::new(scope, 1, None)?;
+    let symbols = Symbols::new(scope, 1)?;
     if !symbols.roots.is_empty() {
         return Err(NotEmitted::Step("a point at a square root"));
+    }
+    if point.generator.is_some() {
+        return Err(NotEmitted::Step("a point at an algebraic number"));
     }
     let (data, text) = statement(name, &symbols, goal, finding)?;
     let (forall, _) = binders(&symbols);
@@ -176,25 +179,12 @@ fn refuted(
         coordinates.push(format!("c_ [{cs}]%Z {common}"));
         values.push(format!("[{cs}]%Z {common}"));
     }
-    let rational = point.generator.is_none();
-    let t = if rational { "0" } else { "t" };
-    let values: Vec<String> = values.iter().map(|c| format!("(at_ {t} {c})")).collect();
-    let open = if rational {
-        format!(
-            "pose proof (refuted goal_{name} witness_{name}\n    \
-             (eq_refl true <: refutes goal_{name} witness_{name} = true)) as N."
-        )
-    } else {
-        format!(
-            "destruct (refuted_root goal_{name} witness_{name}\n    \
-             (eq_refl true <: refutes_at_root goal_{name} witness_{name} = true)) as [t N]."
-        )
-    };
-    let (theta, closings) = super::root::generator(&symbols, scope, goal, finding, point)?;
+    let values: Vec<String> = values.iter().map(|c| format!("(at_ 0 {c})")).collect();
     Ok(format!(
-        "{data}Definition witness_{name} : witness := Witness\n  [{}]\n  {theta}\n  {closings}.\n\
+        "{data}Definition witness_{name} : witness := Witness\n  [{}]\n  None\n  [Absurd].\n\
          Lemma claim_{name} : ~ (\n  {forall}{text}).\n\
-         Proof. intro H. {open}\n  exact (N (H {})). Qed.\n",
+         Proof. intro H. exact (refuted goal_{name} witness_{name}\n    \
+         (eq_refl true <: refutes goal_{name} witness_{name} = true) (H {})). Qed.\n",
         coordinates.join("; "),
         values.join(" "),
     ))

@@ -5,11 +5,13 @@
 //! Then follows, for each link of each claim, the goal as data, the certificate as data, and a
 //! lemma that says the claim in full; Coq compares the lemma with the data by computation, and runs
 //! the rules on the certificate.
+//!
+//! Claims about limits are not emitted, nor are those that rest on premised limits, nor witnesses at
+//! an algebraic number; each says so in the file.
 
 mod bounds;
 mod lemma;
 mod reify;
-mod root;
 mod script;
 mod table;
 
@@ -48,7 +50,7 @@ pub struct Lemma {
     /// the lemma's name, or why there is none
     pub name: Result<String, NotEmitted>,
     /// its part of the file
-    text: String,
+    pub text: String,
 }
 
 /// A document in Coq.

@@ -1,3 +1,10 @@
+(* Proofs of derivations, checked by Coq and its standard library alone.
+
+   The first part of this file is the same for every document: polynomials with integer
+   coefficients, what a statement says and where it is defined, the rules of proof, and that they
+   are sound. The second part has, for each claim, the claim as data, the certificate as data, and a
+   lemma that says the claim in full. *)
+
 From Coq Require Import Reals Lra List ZArith Bool Arith.
 Import ListNotations.
 Open Scope R_scope.
@@ -552,21 +559,21 @@ Proof.
   - apply spec_each with (is_value e l a); trivial. intros x [C S]. apply spec_everywhere.
     split; [trivial|apply stands_neg; trivial].
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C S] [D T]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
     rewrite conj_app. split; [tauto|]. apply stands_add; trivial.
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C S] [D T]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
     rewrite conj_app. split; [tauto|]. apply stands_sub; trivial.
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C [D N]] [F [G M]]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
     rewrite conj_app. split; [tauto|].
     unfold stands; simpl; rewrite !peval_mul, <- N, <- M.
     split; [apply Rmult_integral_contrapositive; auto|ring].
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C [D N]] [F [G M]]. apply spec_either; unfold holds; simpl; intro Q0; unfold is_value, total; cbn [conds ev]; rewrite !conj_app.
     + assert (V : ev l a2 <> 0) by (intro V; apply Q0; rewrite <- M, V; ring).
       rewrite divides_spec. split; [tauto|]. unfold stands; simpl; rewrite !peval_mul, <- N, <- M.
@@ -581,7 +588,7 @@ Proof.
     + rewrite Rabs_pos_eq; trivial.
     + rewrite Rabs_left by lra. apply stands_neg; trivial.
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C S] [D T].
     pose proof (stands_sign _ _ _ (stands_sub _ _ _ _ _ T S)) as [k [K SK]].
     destruct (pos_mult k (ev l a2 - ev l a1) K) as [_ P].
@@ -590,7 +597,7 @@ Proof.
     + rewrite Rmin_left by lra; trivial.
     + rewrite Rmin_right by lra; trivial.
   - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-   
+
     intros x y [C S] [D T].
     pose proof (stands_sign _ _ _ (stands_sub _ _ _ _ _ S T)) as [k [K SK]].
     destruct (pos_mult k (ev l a1 - ev l a2) K) as [_ P].
@@ -630,9 +637,9 @@ Proof.
     + unfold is_value, total; cbn [conds]; rewrite !conj_app; tauto.
     + destruct (choose_spec r (ev l a1) (ev l a2) (ev l a3) (ev l a4)) as [Y N].
       intros [|] [C [D T]]; [specialize (Y T)|specialize (N T)].
-      * eapply spec_weaken; [eassumption|]. 
+      * eapply spec_weaken; [eassumption|].
         intros [x|]; unfold is_value, total; cbn [conds ev]; rewrite ?Y, !conj_app, !conj_branch; tauto.
-      * eapply spec_weaken; [eassumption|]. 
+      * eapply spec_weaken; [eassumption|].
         intros [x|]; unfold is_value, total; cbn [conds ev]; rewrite ?N, !conj_app, !conj_branch; tauto.
   - apply spec_each with (is_value e l a1); trivial.
     + unfold is_value, total; cbn [conds]; rewrite conj_app; tauto.
@@ -796,7 +803,7 @@ Proof.
     assert (C : conj (conds_rel l r) <-> defined_rel l r) by (apply conj_app).
   1-3: split; [apply select_spec with (1 := S)|destruct (spec_some _ _ _ S) as [v V]].
   1,3,5: intros v V.
-  1-6: destruct v as [[|]|]; unfold is_truth in V; 
+  1-6: destruct v as [[|]|]; unfold is_truth in V;
     rewrite ?arrow_imp, ?conj_app, ?conj_one, ?C; simpl; intuition congruence.
   - split; [apply fails_spec; trivial|]. apply says_all_dec with e off; trivial.
   - pose proof (Forall_nil (some_case e)). tauto.
@@ -1609,4 +1616,5 @@ Ltac has_roots := unfold rooted_goal, rooted_all, rooted_sentence, rooted_conclu
   repeat match goal with
   | |- _ /\ _ => split | |- True => exact I | |- Forall _ [] => apply Forall_nil
   | |- Forall _ (_ :: _) => apply Forall_cons | |- _ -> _ => assumption
+  | |- rooted _ _ => progress cbn [lhs rhs rooted]
   end.

@@ -33,16 +33,9 @@ pub(super) struct Symbols<'a> {
 
 impl<'a> Symbols<'a> {
     /// The symbols that a goal mentions.
-    pub(super) fn new(
-        scope: &Scope<'a>,
-        offset: usize,
-        argument: Option<usize>,
-    ) -> Result<Self, NotEmitted> {
+    pub(super) fn new(scope: &Scope<'a>, offset: usize) -> Result<Self, NotEmitted> {
         let context = scope.context;
-        let mut order: Vec<usize> = scope.mentioned.iter().copied().collect();
-        if let Some(x) = argument.filter(|x| !order.contains(x)) {
-            order.push(x);
-        }
+        let order: Vec<usize> = scope.mentioned.iter().copied().collect();
         let mut names = BTreeMap::new();
         for &v in &order {
             let mut name = identifier(&context.vars[v].name);

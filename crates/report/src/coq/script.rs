@@ -1,6 +1,6 @@
 //! Proofs of the kernel as terms of the Coq file.
 
-use kane_kernel::{Atom, Germ, Poly, Proof, Side, Sign, State};
+use kane_kernel::{Atom, Poly, Proof, Sign, State};
 use num_bigint::BigInt;
 use num_traits::One;
 
@@ -59,44 +59,8 @@ impl Writer<'_> {
                 super::table::Table { writer: self, var: *var, bases, roots, used: atoms }
                     .close(&mut state.atoms.clone())?
             }
-            Proof::Pass { germ, atom, along, then } => {
-                let (num, den, positive, inside, state_along) = self.germ(state, germ)?;
-                let along = self.proof(&state_along.with(atom.not()), along)?;
-                let then = self.proof(&state.with(state.at_zero(germ, atom)?), then)?;
-                let side = side(&germ.side);
-                let atom = self.atom(atom)?;
-                format!("(Pass {side} {num} {den} {positive} {inside} {atom} {along} {then})")
-            }
+            Proof::Pass { .. } => return Err(NotEmitted::Step("a passage to the limit")),
         })
-    }
-
-    /// A germ's radius and the proofs that it is positive and inside the domain, and the state
-    /// along it.
-    pub(super) fn germ<'s, 'g>(
-        &self,
-        state: &State<'s, 'g>,
-        germ: &Germ,
-    ) -> Result<(String, String, String, String, State<'s, 'g>), NotEmitted> {
-        let (num, den) = &germ.radius;
-        let below = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-        let with = state.with_cases(vec![below(num), below(den)]);
-        let positive = self.proof(&with, &germ.positive)?;
-        let along = state.along_unproved(germ)?;
-        let leaves = kane_kernel::leaves(state.scope, state.goal, germ.side.var)?;
-        let out = State { formulas: std::rc::Rc::new(leaves), ..along.clone() };
-        let inside = self.proof(&out, &germ.inside)?;
-        Ok((self.poly(num)?, self.poly(den)?, positive, inside, along))
-    }
-
-    /// An atom as data.
-    pub(super) fn atom(&self, a: &Atom) -> Result<String, NotEmitted> {
-        let sign = match a.sign {
-            Sign::Zero => "SZ",
-            Sign::NonZero => "SNZ",
-            Sign::NonNegative => "SNN",
-            Sign::Positive => "SP",
-        };
-        Ok(format!("(A {} {sign})", self.poly(&a.poly)?))
     }
 
     /// A sum that is zero though one summand is positive: weights, squares, powers of atoms; and
@@ -128,13 +92,4 @@ pub(super) fn factors(fs: &[(usize, u32)]) -> String {
     }
     let fs: Vec<String> = fs.iter().map(|(i, n)| format!("({i}, {n})")).collect();
     format!("[{}]%nat", join(&fs, "; "))
-}
-
-/// A side as data.
-pub(super) fn side(s: &Side) -> String {
-    let at = match &s.at {
-        Some(a) => format!("(Some (q_ {} {}))", integer(a.numer()), a.denom()),
-        None => "None".to_owned(),
-    };
-    format!("(Side {at} {})", s.above)
 }
