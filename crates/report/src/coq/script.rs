@@ -7,6 +7,9 @@ use num_traits::One;
 use super::NotEmitted;
 use super::reify::{Symbols, integer, join};
 
+/// weight · square² · Π powers of atoms
+pub(super) type Summand = (BigInt, Poly, Vec<(usize, u32)>);
+
 /// Writes proofs over the symbols of one lemma.
 #[derive(Debug)]
 pub(super) struct Writer<'a> {
@@ -67,7 +70,7 @@ impl Writer<'_> {
     /// equations with cofactors.
     pub(super) fn positive(
         &self,
-        terms: &[(BigInt, Poly, Vec<(usize, u32)>)],
+        terms: &[Summand],
         cofactors: &[(usize, Poly)],
     ) -> Result<String, NotEmitted> {
         let mut parts = Vec::new();
