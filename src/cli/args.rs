@@ -26,15 +26,16 @@ Examples:
   kane audit --explain 16                 its proof or witness, step by step
   kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
+  kane audit --judges coq,z3              what a proof assistant and a solver say, too
 
 A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted,
 ill-defined, vacuous, unsupported or undecided; `expect` says what its author thinks.
 
 Exit codes:
   0  everything is as expected
-  1  a claim is not
+  1  a claim is not, or another judge disagrees
   2  bad input or usage
-  3  no document has a claim";
+  3  no document has a claim, or a judge is not installed";
 
 const COLLIDE_EXAMPLES: &str = "\
 Examples:
@@ -127,19 +128,42 @@ pub(crate) enum Verb {
     Stability(StabilityArgs),
 }
 
+/// Another judge of claims.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum JudgeName {
+    /// a proof assistant: every certificate as a Coq proof
+    Coq,
+    /// a solver: every claim's opposite as polynomial conditions
+    Z3,
+}
+
 #[derive(Args, Debug)]
 pub(crate) struct AuditArgs {
     /// Documents to audit; without one, the paper on oblique collisions
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
-    /// Also write NAME.html, .tex, .md and .json for every document into this directory
+    /// Also write every form of each report, and its claims for Coq and SMT-LIB, into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
     /// How to print the report
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
+
+    /// Put the claims to other judges too, which have to be installed
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        value_name = "JUDGE",
+        conflicts_with = "explain"
+    )]
+    pub(crate) judges: Vec<JudgeName>,
+
+    /// Go on without the judges that are not installed
+    #[arg(long, requires = "judges")]
+    pub(crate) optional: bool,
 
     /// Show the statement with this label alone; may be repeated
     #[arg(long, value_name = "LABEL")]

@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::sync::Mutex;
 
 use kane::audit::{Audit, Body, Document, Options};
+use kane::judges::{self, NotAsked};
+use kane::report::judges::Judge;
 use kane::report::{self, Report};
 
-use super::args::{AuditArgs, Format};
+use super::args::{AuditArgs, Format, JudgeName};
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, labels, output};
@@ -51,15 +54,59 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         })
         .unzip();
 
+    let answers = match reports.iter().map(|report| ask(report, args)).collect() {
+        Ok(answers) => answers,
+        Err(outcome) => return outcome,
+    };
+    let answers: Vec<Vec<Judge>> = answers;
     let shown = || match args.explain {
         Some(_) => explanations(&reports),
-        None => print(&reports, args.format),
+        None => print(&reports, &answers, args.format),
     };
-    let written = |dir: &Path| write(dir, &inputs, &reports);
+    let written = |dir: &Path| write(dir, &inputs, &reports, &answers);
     if let Err(outcome) = deliver(args.out.as_deref(), written, shown) {
         return outcome;
     }
-    outcome(&reports)
+    match outcome(&reports) {
+        Outcome::AsExpected if !answers.iter().flatten().all(Judge::agrees) => Outcome::Unexpected,
+        other => other,
+    }
+}
+
+/// Puts the claims of a document to the judges that are asked for.
+fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
+    let limits = judges::Limits::default();
+    let mut all = Vec::new();
+    for name in &args.judges {
+        let progress = Mutex::new(Progress::counting("questions"));
+        let tell = |done, all| {
+            if let Ok(mut bar) = progress.lock() {
+                bar.update(done, all);
+            }
+        };
+        let judged = match name {
+            JudgeName::Coq => {
+                tell(0, 1);
+                judges::coq(report, &limits)
+            }
+            JudgeName::Z3 => judges::z3(report, &limits, &tell),
+        };
+        match judged {
+            Ok(judge) => all.push(judge),
+            Err(NotAsked::NotInstalled(_)) if args.optional => {
+                let name = match name {
+                    JudgeName::Coq => "Coq",
+                    JudgeName::Z3 => "z3",
+                };
+                all.push(Judge { name: name.to_owned(), ..Judge::default() });
+            }
+            Err(why) => {
+                bad_input(&format!("{why}; nothing was checked by it"));
+                return Err(Outcome::Nothing);
+            }
+        }
+    }
+    Ok(all)
 }
 
 /// The documents that could be read, and everything that is wrong with the others.
@@ -98,18 +145,30 @@ fn command(input: &Input, only: &[String]) -> String {
 }
 
 /// The reports in one string.
-fn print(reports: &[Report<'_>], format: Format) -> String {
-    let join = |each: &dyn Fn(&Report<'_>) -> String| {
-        reports.iter().map(each).collect::<Vec<_>>().join("\n")
+fn print(reports: &[Report<'_>], answers: &[Vec<Judge>], format: Format) -> String {
+    let join = |each: &dyn Fn(&Report<'_>, &[Judge]) -> String| {
+        let each = reports.iter().zip(answers).map(|(report, judges)| each(report, judges));
+        each.collect::<Vec<_>>().join("\n")
     };
     match format {
         Format::Text => {
             let page = output::page();
-            join(&|report| report::text(report, page))
+            join(&|report, judges| {
+                report::text(report, page) + &report::judges::text(report.audit, judges)
+            })
         }
-        Format::Markdown => join(&|report| report::markdown(report)),
-        Format::Json => report::json(reports),
+        Format::Markdown => join(&markdown),
+        Format::Json => report::json_with_judges(reports, answers),
     }
+}
+
+/// A report as Markdown, with the answers of other judges if any were asked.
+fn markdown(report: &Report<'_>, judges: &[Judge]) -> String {
+    let mut out = report::markdown(report);
+    if !judges.is_empty() {
+        out.push_str(&report::judges::markdown(report.audit, judges));
+    }
+    out
 }
 
 /// The chosen statements in full.
@@ -120,18 +179,30 @@ fn explanations(reports: &[Report<'_>]) -> String {
     each.collect::<Vec<_>>().join("\n")
 }
 
-/// Writes NAME in every form for every report.
-fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Result<()> {
+/// Writes every report in every form, its claims for Coq, and each as a question for a solver.
+fn write(
+    dir: &Path,
+    inputs: &[&Input],
+    reports: &[Report<'_>],
+    answers: &[Vec<Judge>],
+) -> std::io::Result<()> {
     fs::create_dir_all(dir)?;
-    for (input, report) in inputs.iter().zip(reports) {
+    for ((input, report), judges) in inputs.iter().zip(reports).zip(answers) {
+        let both = (std::slice::from_ref(report), std::slice::from_ref(judges));
         let forms = [
             ("html", report::html(report)),
-            ("md", report::markdown(report)),
+            ("md", markdown(report, judges)),
             ("tex", report::latex(report)),
-            ("json", report::json(std::slice::from_ref(report))),
+            ("json", report::json_with_judges(both.0, both.1)),
+            ("v", report::coq::coq(report).text()),
         ];
         for (ending, text) in forms {
             output::to_file(&dir.join(format!("{}.{ending}", input.stem)), &text)?;
+        }
+        let questions = dir.join(&input.stem);
+        fs::create_dir_all(&questions)?;
+        for (name, question) in report::smt::questions(report) {
+            output::to_file(&questions.join(format!("{name}.smt2")), &question.text)?;
         }
     }
     Ok(())

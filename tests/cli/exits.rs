@@ -83,3 +83,22 @@ fn a_reader_that_leaves_early_is_no_error() {
     assert_eq!(run.code, 0);
     assert!(run.stderr.is_empty(), "{}", run.stderr);
 }
+
+#[test]
+fn a_judge_that_is_not_installed_is_no_judge() {
+    let dir = crate::scratch("judges");
+    let file = crate::document(&dir, "file.md", "var x > 0\nclaim a: x > 0");
+    let without = |more: &[&str]| {
+        let arguments = [&["audit", &file, "--judges", "coq,z3"], more].concat();
+        crate::finish(
+            crate::command().env("PATH", "").args(arguments).output().expect("the program starts"),
+        )
+    };
+    let run = without(&[]);
+    assert_eq!(run.code, 3, "{}", run.stderr);
+    assert!(run.stderr.contains("coqc is not installed"), "{}", run.stderr);
+    let run = without(&["--optional"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("Coq: NOT CHECKED"), "{}", run.stdout);
+    assert!(run.stdout.contains("z3: NOT CHECKED"), "{}", run.stdout);
+}

@@ -22,9 +22,17 @@ fn every_document_becomes_a_file_in_every_form() {
     names.sort();
     assert_eq!(
         names,
-        ["one.html", "one.json", "one.md", "one.tex", "two.html", "two.json", "two.md", "two.tex"],
+        [
+            "one", "one.html", "one.json", "one.md", "one.tex", "one.v", "two", "two.html",
+            "two.json", "two.md", "two.tex", "two.v"
+        ],
         "and no temporary file is left"
     );
+
+    let question = fs::read_to_string(reports.join("two/b.smt2")).expect("one file a claim");
+    assert!(question.ends_with("(check-sat)\n"), "{question}");
+    let proof = fs::read_to_string(reports.join("two.v")).expect("it was written");
+    assert!(proof.contains("Lemma claim_b :"), "the claim is a lemma");
 
     let json = fs::read_to_string(reports.join("two.json")).expect("it was written");
     assert_eq!(json, kane(&["audit", &two, "--format", "json"]).stdout);

@@ -6,6 +6,7 @@ mod adversarial; // what is too large ends soon
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod generate; // random statements
+mod judges; // Coq and z3 on every shipped document
 mod laws_page; // docs/laws.md is what the laws say of themselves
 mod layering; // which crate may know which, and what the kernel links
 mod literature; // printed numbers and measured points

@@ -119,5 +119,6 @@ fn link(text: &str, verdict: Verdict) -> LinkJudgement {
         used: if verdict == Verdict::Proved { vec![1] } else { vec![] },
         steps,
         cost: 12,
+        accepted: None,
     }
 }

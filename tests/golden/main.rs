@@ -3,6 +3,7 @@
 mod collide; // one collision under all laws, or under one in depth
 mod fixture;
 mod growth; // how cost grows with size, without a clock
+mod judges; // what Coq and z3 are handed
 mod laws; // what the impact laws return, over a range of states
 mod matrix; // every law against every property, some cells in full, and the page of properties
 mod methods; // the errors and counted costs of all methods

@@ -1,6 +1,7 @@
 //! Judging a document: goals out of statements, verdicts out of findings.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use kane_algebra::syntax::Notation;
 use kane_kernel::{
@@ -10,7 +11,7 @@ use kane_kernel::{
 
 use crate::explain;
 use crate::prove::{Budget, Prover, Verdicts};
-use crate::{Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
+use crate::{Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
 
 /// What to judge, and with how much effort.
 #[derive(Clone, Debug, Default)]
@@ -301,6 +302,10 @@ fn link_judgement(
         }
         None => (found.reason, Vec::new(), Vec::new()),
     };
+    let accepted = found.decided.as_ref().map(|certificate| {
+        let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
+        Rc::new(Accepted { goal: whose.clone(), certificate: certificate.clone() })
+    });
     LinkJudgement {
         text,
         latex,
@@ -310,6 +315,7 @@ fn link_judgement(
         used,
         steps,
         cost: found.cost,
+        accepted,
     }
 }
 

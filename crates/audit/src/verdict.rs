@@ -1,6 +1,9 @@
 //! The judgement of a document as data: verdicts, reasons, what they rest on.
 
 use std::fmt;
+use std::rc::Rc;
+
+use kane_kernel::{Certificate, Goal};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -85,6 +88,18 @@ pub struct LinkJudgement {
     pub steps: Vec<Step>,
     /// search steps spent
     pub cost: u64,
+    /// the goal that the kernel was asked about and the certificate that it accepted, for those who
+    /// hand both to another judge; `None` when undecided
+    pub accepted: Option<Rc<Accepted>>,
+}
+
+/// A goal and the certificate that the kernel accepted for it.
+#[derive(Clone, Debug)]
+pub struct Accepted {
+    /// the goal: the cited premises, or those and the givens behind them
+    pub goal: Goal,
+    /// what was found about it, and why
+    pub certificate: Certificate,
 }
 
 /// One line of a written-out proof or witness.

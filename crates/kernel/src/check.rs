@@ -109,7 +109,7 @@ pub fn point_state<'s, 'g>(
     let mut formulas = premises(scope, goal, Place::Point)?;
     formulas.extend(failure);
     let (atoms, formulas) = (scope.ranges(), Rc::new(formulas));
-    Ok(State { scope, goal, atoms, formulas, reaching: false })
+    Ok(State { scope, goal, atoms, formulas, reaching: false, on_germ: false })
 }
 
 /// Checks that no point satisfies what a finding denies.

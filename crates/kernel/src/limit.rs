@@ -208,7 +208,8 @@ pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32)
 /// [`Rejection::Budget`].
 pub fn constants<'s, 'g>(scope: &'s Scope<'g>, goal: &'g Goal, x: usize) -> Checked<State<'s, 'g>> {
     let formulas = Rc::new(premises(scope, goal, Place::Constants(x))?);
-    let mut state = State { scope, goal, atoms: Atoms::new(), formulas, reaching: false };
+    let atoms = Atoms::new();
+    let mut state = State { scope, goal, atoms, formulas, reaching: false, on_germ: false };
     let constants = scope.mentioned.iter().filter(|v| state.is_constant(**v, x));
     state.atoms = constants.flat_map(|v| scope.range(*v)).collect();
     Ok(state)

@@ -26,6 +26,9 @@ pub struct State<'s, 'g> {
     pub formulas: Rc<Vec<Cases>>,
     /// whether it is being refuted that the domain, as the premises narrow it, reaches a limit
     pub reaching: bool,
+    /// whether this is a state along a germ: there a premised limit's variable stands for the
+    /// function, so nothing may be passed to its limit
+    pub on_germ: bool,
 }
 
 impl<'s, 'g> State<'s, 'g> {
@@ -64,6 +67,7 @@ impl<'s, 'g> State<'s, 'g> {
             Proof::SignTable { var, bases, roots, atoms } => {
                 self.sign_table(*var, bases, roots, atoms)
             }
+            Proof::Pass { .. } if self.on_germ => Err(Rejection::OutsideDomain),
             Proof::Pass { germ, atom, along, then } => {
                 self.along(germ)?.with(atom.not()).refute(along)?;
                 self.with(self.at_zero(germ, atom)?).refute(then)
@@ -360,7 +364,7 @@ impl<'s, 'g> State<'s, 'g> {
         atoms.push(Atom::new(gap, Sign::Positive));
         atoms.push(germ.side.binding(t, &self.scope.fuel)?);
         let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
-        Ok(Self { atoms, formulas, ..self.clone() })
+        Ok(Self { atoms, formulas, on_germ: true, ..self.clone() })
     }
 
     /// The atom that an atom along the germ leaves behind at t = 0.

@@ -58,7 +58,8 @@ fn refuted(atoms: &[Atom], proof: &Proof) -> Result<(), Rejection> {
     let goal = plain();
     let scope = scope(&goal, Fuel::new(100_000)).expect("a small goal");
     let (atoms, formulas) = (atoms.to_vec(), std::rc::Rc::default());
-    State { scope: &scope, goal: &goal, atoms, formulas, reaching: false }.refute(proof)
+    State { scope: &scope, goal: &goal, atoms, formulas, reaching: false, on_germ: false }
+        .refute(proof)
 }
 
 /// The first proof is accepted, the others are not.
@@ -532,4 +533,50 @@ fn a_certificate_is_for_one_goal_and_one_finding() {
     let other = Certificate { goal: digest(&plain()), finding: Finding::Proved, evidence: proof() };
     assert_eq!(check(&goal, &other, Fuel::new(1000)), Err(Rejection::OtherGoal));
     assert!(judged(&plain(), Finding::Proved, proof()).is_err());
+}
+
+#[test]
+fn a_limit_is_not_taken_for_the_function_along_the_germ() {
+    // f = x for all x and f → 0 as x → 0+ contradict nothing. Along the germ z is f itself, and a
+    // passage there would add what holds of its limit.
+    let (t, z) = (Poly::var(2), Poly::var(3));
+    let f = Expr::Var(Y);
+    let same = Link::Relation(relation(f.clone(), Rel::Eq, Expr::Var(X)));
+    let at = Approach::Above(q(0, 1));
+    let to = Target::Finite(Expr::int(0));
+    let limit = Link::Limit(Limit { expr: f, to, var: X, at });
+    let goal = Goal {
+        context: Context {
+            vars: vec![symbol("x", None), symbol("f", Some(X))],
+            ..Context::default()
+        },
+        hypotheses: vec![given(vec![same]), given(vec![limit])],
+        ..plain()
+    };
+    let germ = || Germ {
+        side: Side { var: X, at: Some(q(0, 1)), above: true },
+        radius: (n(1), n(1)),
+        positive: Box::new(Proof::Assume { formula: 4, cases: vec![Proof::Absurd, Proof::Absurd] }),
+        inside: Box::new(Proof::Assume { formula: 4, cases: Vec::new() }),
+    };
+    let with_f = |then| {
+        let z_is_f = Proof::Assume { formula: 2, cases: vec![then] };
+        Box::new(Proof::Assume { formula: 0, cases: vec![z_is_f] })
+    };
+    let gap = z.sub(&t);
+    let along = Proof::Positive {
+        terms: vec![term(1, n(1), vec![(4, 2)])],
+        cofactors: vec![(3, gap.neg()), (5, gap.neg()), (6, gap.clone())],
+    };
+    let then = Proof::Positive {
+        terms: vec![term(1, n(1), vec![(0, 1)])],
+        cofactors: vec![(2, n(1)), (5, n(1)), (6, n(-1)), (4, n(-1))],
+    };
+    let inner =
+        Proof::Pass { germ: germ(), atom: equal(gap), along: with_f(along), then: with_f(then) };
+    let absurd = equal(n(1));
+    let proof =
+        Proof::Pass { germ: germ(), atom: absurd, along: inner.into(), then: Proof::Absurd.into() };
+    let verdict = judged(&goal, Finding::Proved, Evidence::Contradiction(proof));
+    assert_eq!(verdict, Err(Rejection::OutsideDomain));
 }

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::envelope::{Program, Schema};
 
+use crate::judges::{self, Judge};
 use crate::report::Entry;
 use crate::{Report, Summary};
 
@@ -19,7 +20,16 @@ pub const SCHEMA_VERSION: u32 = 1;
 /// The reports as JSON, ended by a line feed.
 #[must_use]
 pub fn json(reports: &[Report<'_>]) -> String {
+    json_with_judges(reports, &[])
+}
+
+/// The same with the answers of other judges, one list a report.
+#[must_use]
+pub fn json_with_judges(reports: &[Report<'_>], answers: &[Vec<Judge>]) -> String {
+    let asked = answers.iter().any(|judges| !judges.is_empty());
+    let told = || reports.iter().zip(answers).map(|(r, judges)| judges::answers(r.audit, judges));
     let file = File {
+        judges: asked.then(|| told().collect()),
         schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
         program: Program::THIS,
         as_expected: reports.iter().all(Report::as_expected),
@@ -37,6 +47,8 @@ struct File<'a> {
     program: Program,
     as_expected: bool,
     documents: Vec<Document<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    judges: Option<Vec<judges::Answers<'a>>>,
 }
 
 #[derive(Serialize)]

@@ -16,6 +16,7 @@
 //! a Latin or Greek letter followed by letters, digits, `_` and primes; a Greek letter equals its
 //! spelled-out name, a subscript digit the digit.
 
+mod coq;
 mod error;
 mod eval;
 mod jet;
@@ -30,6 +31,7 @@ mod scope;
 mod suggest;
 mod words;
 
+pub use coq::{coq, coq_relation};
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, NoValue, eval, holds};
 pub use lexer::Token;

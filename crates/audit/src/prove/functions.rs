@@ -43,6 +43,7 @@ pub(crate) fn model(
         atoms,
         formulas: Rc::new(formulas[..count].to_vec()),
         reaching: false,
+        on_germ: false,
     };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();

@@ -1,0 +1,191 @@
+//! One link of a claim: data, lemma and proof.
+
+use std::fmt::Write as _;
+
+use kane_audit::Accepted;
+use kane_kernel::{
+    Conclusion, Evidence, Finding, Fuel, Goal, Link, Model, Point, Proof, Relation, Scope,
+    claim_state, premised, scope,
+};
+use num_integer::Integer;
+use num_traits::One;
+
+use super::NotEmitted;
+use super::reify::{Prose, Symbols, arrow, conj, grouped, integer, join};
+use super::script::Writer;
+
+/// The lemma `claim_NAME` and what it needs.
+pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<String, NotEmitted> {
+    let (goal, certificate) = (&accepted.goal, &accepted.certificate);
+    let scope = scope(goal, Fuel::new(u64::MAX))?;
+    if premised(goal).next().is_some() {
+        return Err(NotEmitted::Step("limits among the premises"));
+    }
+    match &certificate.evidence {
+        Evidence::Contradiction(proof) => proved(name, &scope, goal, certificate.finding, proof),
+        Evidence::Model(Model::Point(point)) => {
+            refuted(name, &scope, goal, certificate.finding, point)
+        }
+        _ => Err(NotEmitted::Step("limits")),
+    }
+}
+
+/// What is concluded: as data, and as people read it.
+pub(super) fn conclusion(
+    prose: &Prose<'_>,
+    goal: &Goal,
+    finding: Finding,
+) -> Result<(String, String), NotEmitted> {
+    let symbols = prose.symbols;
+    let one =
+        |r: &Relation| -> Result<Relation, NotEmitted> { Ok(symbols.expanded([r])?.remove(0)) };
+    Ok(match (&goal.conclusion, finding) {
+        (Conclusion::Link(Link::Relation(r)), Finding::Proved) => {
+            let r = one(r)?;
+            let mut all = prose.defined(&r)?;
+            all.push(prose.relation(&r)?);
+            (format!("Holds ({})", symbols.relation(&r)?), conj(&all))
+        }
+        (Conclusion::Link(Link::Relation(r)), Finding::Refuted) => {
+            let r = one(r)?;
+            let says = arrow(&prose.defined(&r)?, &prose.relation(&r)?);
+            (format!("IfDefined ({})", symbols.relation(&r)?), says)
+        }
+        (Conclusion::Link(Link::Relation(r)), Finding::IllDefined) => {
+            let r = one(r)?;
+            (format!("Defined ({})", symbols.relation(&r)?), conj(&prose.defined(&r)?))
+        }
+        (Conclusion::NotImplied(s), _) => {
+            (format!("Sentence ({})", symbols.sentence(s, true)?), prose.sentence(s, true)?)
+        }
+        (Conclusion::Contradiction, _) | (_, Finding::Vacuous | Finding::Consistent) => {
+            ("Falsehood".to_owned(), "False".to_owned())
+        }
+        _ => return Err(NotEmitted::Step("a limit as conclusion")),
+    })
+}
+
+/// The goal as data and in words: `goal_NAME`, and the body of the statement.
+fn statement(
+    name: &str,
+    symbols: &Symbols<'_>,
+    goal: &Goal,
+    finding: Finding,
+) -> Result<(String, String), NotEmitted> {
+    let written = |v: usize| symbols.name(v);
+    let prose = Prose { name: &written, symbols };
+    let ranges: Vec<Relation> = symbols.order.iter().flat_map(|v| symbols.range(*v)).collect();
+    let when = symbols.expanded(&goal.when)?;
+    let (claim, says) = conclusion(&prose, goal, finding)?;
+    let mut premises = Vec::new();
+    let mut words: Vec<String> = Vec::new();
+    for r in &ranges {
+        words.push(prose.relation(r)?);
+    }
+    for h in &goal.hypotheses {
+        premises.push(symbols.sentence(&h.sentence, h.given)?);
+        words.extend(prose.hypothesis(h)?);
+    }
+    let conditions = prose.flat(&when)?;
+    if !conditions.is_empty() {
+        words.push(conj(&conditions));
+    }
+    let data = format!(
+        "Definition goal_{name} : goal := Goal\n  {}\n  [{}]\n  {}\n  ({claim}).\n",
+        symbols.relations(&ranges)?,
+        premises.join(";\n   "),
+        symbols.relations(&when)?,
+    );
+    let mut text = String::new();
+    for w in &words {
+        let _ = write!(text, "{} ->\n  ", grouped(w));
+    }
+    text.push_str(&says);
+    Ok((data, text))
+}
+
+fn binders(symbols: &Symbols<'_>) -> (String, String) {
+    let names: Vec<String> = symbols.order.iter().map(|v| symbols.name(*v)).collect();
+    match names[..] {
+        [] => (String::new(), String::new()),
+        _ => (format!("forall {} : R,\n  ", names.join(" ")), names.join(" ")),
+    }
+}
+
+fn proved(
+    name: &str,
+    scope: &Scope<'_>,
+    goal: &Goal,
+    finding: Finding,
+    proof: &Proof,
+) -> Result<String, NotEmitted> {
+    let symbols = Symbols::new(scope, 0)?;
+    let state = claim_state(scope, goal, finding)?;
+    let script = Writer { symbols: &symbols }.proof(&state, proof)?;
+    let (data, text) = statement(name, &symbols, goal, finding)?;
+    let (forall, names) = binders(&symbols);
+    let (roots, given) = symbols.roots(&Prose { name: &|v| symbols.name(v), symbols: &symbols })?;
+    let mut values: Vec<String> = symbols.order.iter().map(|v| symbols.name(*v)).collect();
+    values.extend(roots.iter().cloned());
+    let list = format!("[{}]", values.join("; "));
+    let intros = if names.is_empty() { String::new() } else { format!("intros {names}. ") };
+    let (forall, text, by) = if roots.is_empty() {
+        let by = format!(
+            "{intros}exact (proved goal_{name} proof_{name} {list}\n    \
+             (eq_refl true <: proves goal_{name} proof_{name} = true))."
+        );
+        (forall, text, by)
+    } else {
+        let numbered: Vec<String> = (0..roots.len()).map(|i| format!("Root{i}")).collect();
+        let given: Vec<String> = given.iter().map(|g| format!("({g}) ->\n  ")).collect();
+        let by = format!(
+            "intros {names} {} {}. refine (proved_rooted goal_{name} proof_{name} {list}\n    \
+             (eq_refl true <: accepted goal_{name} proof_{name} = true) _). unfold goal_{name}. has_roots.",
+            roots.join(" "),
+            numbered.join(" ")
+        );
+        (format!("forall {names} {} : R,\n  ", roots.join(" ")), given.concat() + &text, by)
+    };
+    Ok(format!(
+        "{data}Definition proof_{name} : proof :=\n  {script}.\n\
+         Lemma claim_{name} :\n  {forall}{text}.\nProof. {by} Qed.\n"
+    ))
+}
+
+fn refuted(
+    name: &str,
+    scope: &Scope<'_>,
+    goal: &Goal,
+    finding: Finding,
+    point: &Point,
+) -> Result<String, NotEmitted> {
+    let symbols = Symbols::new(scope, 1)?;
+    if !symbols.roots.is_empty() {
+        return Err(NotEmitted::Step("a point at a square root"));
+    }
+    if point.generator.is_some() {
+        return Err(NotEmitted::Step("a point at an algebraic number"));
+    }
+    let (data, text) = statement(name, &symbols, goal, finding)?;
+    let (forall, _) = binders(&symbols);
+    let (mut coordinates, mut values) = (Vec::new(), Vec::new());
+    for v in &symbols.order {
+        let (_, cs) =
+            point.values.iter().find(|(w, _)| w == v).ok_or(NotEmitted::Step("no value"))?;
+        let common = cs.iter().fold(num_bigint::BigInt::one(), |l, q| l.lcm(q.denom()));
+        let cs: Vec<String> =
+            cs.iter().map(|q| integer(&(q.numer() * (&common / q.denom())))).collect();
+        let cs = join(&cs, "; ");
+        coordinates.push(format!("c_ [{cs}]%Z {common}"));
+        values.push(format!("[{cs}]%Z {common}"));
+    }
+    let values: Vec<String> = values.iter().map(|c| format!("(at_ 0 {c})")).collect();
+    Ok(format!(
+        "{data}Definition witness_{name} : witness := Witness\n  [{}]\n  None\n  [Absurd].\n\
+         Lemma claim_{name} : ~ (\n  {forall}{text}).\n\
+         Proof. intro H. exact (refuted goal_{name} witness_{name}\n    \
+         (eq_refl true <: refutes goal_{name} witness_{name} = true) (H {})). Qed.\n",
+        coordinates.join("; "),
+        values.join(" "),
+    ))
+}

@@ -1,0 +1,155 @@
+//! Coq: every judged claim as a lemma over the real numbers, its proof built from the certificate
+//! that the kernel accepted.
+//!
+//! The file begins with the rules of proof and their soundness, [`PRELUDE`], proved in Coq itself.
+//! Then follows, for each link of each claim, the goal as data, the certificate as data, and a
+//! lemma that says the claim in full; Coq compares the lemma with the data by computation, and runs
+//! the rules on the certificate.
+//!
+//! Claims about limits are not emitted, nor are those that rest on premised limits, nor witnesses at
+//! an algebraic number; each says so in the file.
+
+mod bounds;
+mod lemma;
+mod reify;
+mod script;
+mod table;
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use kane_kernel::Rejection;
+
+use crate::Report;
+
+/// The rules of proof, and the proof that they are sound.
+pub const PRELUDE: &str = include_str!("prelude.v");
+
+/// Why a certificate is not turned into a lemma.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotEmitted {
+    /// a symbol that the lemma does not have
+    #[error("a symbol without a name")]
+    Symbol,
+    /// a step that has no counterpart
+    #[error("{0}")]
+    Step(&'static str),
+    /// the kernel does not follow
+    #[error("{0}")]
+    Kernel(#[from] Rejection),
+}
+
+/// A link of a claim in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lemma {
+    /// index of the statement
+    pub statement: usize,
+    /// index of the link in it
+    pub link: usize,
+    /// the lemma's name, or why there is none
+    pub name: Result<String, NotEmitted>,
+    /// its part of the file
+    pub text: String,
+}
+
+/// A document in Coq.
+#[derive(Clone, Debug)]
+pub struct File {
+    title: String,
+    /// what became of the links that have a verdict, in order
+    pub lemmas: Vec<Lemma>,
+}
+
+impl File {
+    /// The whole file.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.without(&[])
+    }
+
+    /// The file without the lemmas of these names.
+    #[must_use]
+    pub fn without(&self, names: &[&str]) -> String {
+        let mut text = format!("{PRELUDE}\n(** * {} *)\n", self.title);
+        let mut kept = Vec::new();
+        for lemma in &self.lemmas {
+            match &lemma.name {
+                Ok(name) if names.contains(&name.as_str()) => continue,
+                Ok(name) => kept.push(name.as_str()),
+                Err(_) => {}
+            }
+            text.push_str(&lemma.text);
+        }
+        if !kept.is_empty() {
+            text.push_str("\n(** All of them, for a look at what they rest on. *)\n");
+            let pairs = kept.chunks(6).map(|c| c.join(", ")).collect::<Vec<_>>().join(",\n   ");
+            let _ = writeln!(text, "Definition all_claims :=\n  ({pairs}).");
+            text.push_str("Print Assumptions all_claims.\n");
+        }
+        text
+    }
+
+    /// The lemma to which a line of [`Self::without`] belongs.
+    #[must_use]
+    pub fn lemma_at(&self, line: usize, without: &[&str]) -> Option<&str> {
+        let text = self.without(without);
+        let before = text.lines().take(line).collect::<Vec<_>>();
+        let heading = before.iter().rev().find_map(|l| l.strip_prefix("Definition goal_"))?;
+        let name = format!("claim_{}", heading.split_whitespace().next()?);
+        self.lemmas.iter().filter_map(|l| l.name.as_deref().ok()).find(|n| *n == name)
+    }
+}
+
+/// The judged claims of a document as one file. Links without a verdict are left out.
+#[must_use]
+pub fn coq(report: &Report<'_>) -> File {
+    let document = &report.audit.document;
+    let title = comment(document.title.as_deref().unwrap_or(&document.name));
+    let (mut lemmas, mut names) = (Vec::new(), BTreeSet::new());
+    for &statement in &report.shown {
+        let said = &document.statements[statement];
+        let links = &report.audit.judgements[statement].links;
+        for (link, judged) in links.iter().enumerate() {
+            let Some(accepted) = &judged.accepted else {
+                continue;
+            };
+            let mut name = link_name(&said.label, (link, links.len()));
+            while !names.insert(name.clone()) {
+                name.push('\'');
+            }
+            let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);
+            let mut text = format!("\n(** {} *)\n", comment(&heading));
+            let emitted = lemma::lemma(&name, accepted);
+            match &emitted {
+                Ok(lemma) => text.push_str(lemma),
+                Err(why) => {
+                    let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
+                }
+            }
+            let name = emitted.map(|_| format!("claim_{name}"));
+            lemmas.push(Lemma { statement, link, name, text });
+        }
+    }
+    File { title, lemmas }
+}
+
+/// A name for a link of a claim: its label, and the number of the link if there are several.
+pub(crate) fn link_name(text: &str, (link, links): (usize, usize)) -> String {
+    if links > 1 { format!("{}_{}", label(text), link + 1) } else { label(text) }
+}
+
+/// A label as a part of a name.
+fn label(text: &str) -> String {
+    let inner = text.trim_start_matches('(').trim_end_matches(')');
+    let plain: String = inner
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() || c == '\'' { c } else { '_' })
+        .collect();
+    plain
+}
+
+/// Text that does not end a comment.
+fn comment(text: &str) -> String {
+    text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+}

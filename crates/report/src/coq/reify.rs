@@ -1,0 +1,483 @@
+//! Expressions and goals as data of the Coq file, and as the propositions that people read.
+
+use std::collections::BTreeMap;
+
+use kane_algebra::syntax::{coq, coq_relation};
+use kane_kernel::{
+    Context, Expr, Fuel, Hypothesis, Monomial, Poly, Rel, Relation, Scope, Sentence, derivative,
+};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::NotEmitted;
+
+/// Definitions inside definitions, followed at most this deep.
+const MAX_DEPTH: usize = 64;
+
+/// The symbols of a goal in Coq: their names, and the numbers under which its data knows them.
+#[derive(Debug)]
+pub(super) struct Symbols<'a> {
+    context: &'a Context,
+    /// symbols of the kernel in the order of the lemma's list
+    pub(super) order: Vec<usize>,
+    /// square roots behind them, inner ones first, each with its variable of the kernel
+    pub(super) roots: Vec<(usize, Expr)>,
+    /// numbers of t and of the limits, which come before them in polynomials
+    pub(super) offset: usize,
+    names: BTreeMap<usize, String>,
+    positions: BTreeMap<usize, usize>,
+    /// the kernel's number of t
+    germ: usize,
+}
+
+impl<'a> Symbols<'a> {
+    /// The symbols that a goal mentions.
+    pub(super) fn new(scope: &Scope<'a>, offset: usize) -> Result<Self, NotEmitted> {
+        let context = scope.context;
+        let order: Vec<usize> = scope.mentioned.iter().copied().collect();
+        let mut names = BTreeMap::new();
+        for &v in &order {
+            let mut name = identifier(&context.vars[v].name);
+            while names.values().any(|n: &String| *n == name) {
+                name.push('\'');
+            }
+            names.insert(v, name);
+        }
+        let mut roots = Vec::new();
+        for v in context.vars.len()..scope.germ() {
+            let mut name = "root".to_owned();
+            while names.values().any(|n: &String| *n == name) {
+                name.push('\'');
+            }
+            names.insert(v, name);
+            let root = scope.root(v).ok_or(NotEmitted::Symbol)?;
+            roots.push((v, expand(context, root, MAX_DEPTH)?));
+        }
+        // A root inside another one is a part of it.
+        roots.sort_by_key(|(_, e)| size(e));
+        let listed = order.iter().copied().chain(roots.iter().map(|r| r.0));
+        let positions = listed.enumerate().map(|(i, v)| (v, i)).collect();
+        Ok(Self { context, order, roots, offset, names, positions, germ: scope.germ() })
+    }
+
+    /// The name of a symbol.
+    pub(super) fn name(&self, v: usize) -> String {
+        self.names.get(&v).cloned().unwrap_or_else(|| "0".to_owned())
+    }
+
+    /// The place of a symbol in the list of values.
+    pub(super) fn position(&self, v: usize) -> Result<usize, NotEmitted> {
+        self.positions.get(&v).copied().ok_or(NotEmitted::Symbol)
+    }
+
+    /// The number of a variable of the kernel in polynomials of the file.
+    pub(super) fn variable(&self, v: usize) -> Result<usize, NotEmitted> {
+        match v.checked_sub(self.germ) {
+            Some(i) if i < self.offset => Ok(i),
+            Some(_) => Err(NotEmitted::Symbol),
+            None => Ok(self.offset + self.position(v)?),
+        }
+    }
+
+    /// The expression without definitions and derivatives.
+    pub(super) fn expand(&self, e: &Expr) -> Result<Expr, NotEmitted> {
+        expand(self.context, e, MAX_DEPTH)
+    }
+
+    /// A polynomial as data, its terms in the order that the file's arithmetic keeps.
+    pub(super) fn poly(&self, p: &Poly) -> Result<String, NotEmitted> {
+        let mut terms = Vec::new();
+        for (m, c) in p.terms() {
+            terms.push((self.exponents(m)?, c));
+        }
+        terms.sort();
+        let terms: Vec<String> =
+            terms.iter().map(|(m, c)| format!("m_ {} {}", nats(m), integer(c))).collect();
+        Ok(format!("[{}]", terms.join("; ")))
+    }
+
+    fn exponents(&self, m: &Monomial) -> Result<Vec<u32>, NotEmitted> {
+        let mut out = Vec::new();
+        for &(v, n) in m {
+            let i = self.variable(v)?;
+            if out.len() <= i {
+                out.resize(i + 1, 0);
+            }
+            out[i] = n;
+        }
+        Ok(out)
+    }
+
+    /// An expanded expression as data.
+    pub(super) fn expr(&self, e: &Expr) -> Result<String, NotEmitted> {
+        let two =
+            |f: &str, a: &Expr, b: &Expr| Ok(format!("({f} {} {})", self.expr(a)?, self.expr(b)?));
+        match e {
+            Expr::Num(q) => Ok(rational(q)),
+            Expr::Var(v) => Ok(format!("(Var {})", self.position(*v)?)),
+            Expr::Neg(a) => Ok(format!("(Neg {})", self.expr(a)?)),
+            Expr::Add(a, b) => two("Add", a, b),
+            Expr::Sub(a, b) => two("Sub", a, b),
+            Expr::Mul(a, b) => two("Mul", a, b),
+            Expr::Div(a, b) => two("Div", a, b),
+            Expr::Pow(a, n) if *n < 0 => {
+                let below = Expr::Pow(a.clone(), n.saturating_neg());
+                two("Div", &Expr::int(1), &below)
+            }
+            Expr::Pow(a, n) => Ok(format!("(Pow {} {n})", self.expr(a)?)),
+            Expr::Abs(a) => Ok(format!("(Abs {})", self.expr(a)?)),
+            Expr::Min(a, b) => two("Min", a, b),
+            Expr::Max(a, b) => two("Max", a, b),
+            Expr::Sqrt(a) => {
+                let root = self.roots.iter().find(|(_, r)| r == e).ok_or(NotEmitted::Symbol)?;
+                Ok(format!("(Root {} {})", self.position(root.0)?, self.expr(a)?))
+            }
+            Expr::Cases(branches, otherwise) => {
+                let mut rest = match otherwise {
+                    Some(e) => self.expr(e)?,
+                    None => "Undefined".to_owned(),
+                };
+                for (guards, body) in branches.iter().rev() {
+                    let mut then = self.expr(body)?;
+                    for g in guards.iter().rev() {
+                        let (a, b) = (self.expr(&g.lhs)?, self.expr(&g.rhs)?);
+                        then = format!("(If {a} {} {b} {then} {rest})", comparison(g.rel));
+                    }
+                    rest = then;
+                }
+                Ok(rest)
+            }
+            Expr::Deriv(f, x) => {
+                let slope = derivative(self.context, f, *x, &Fuel::new(u64::MAX))?;
+                two("Slope", f, &self.expand(&slope)?)
+            }
+            Expr::Let(_) => Err(NotEmitted::Symbol),
+        }
+    }
+
+    /// A relation, of which the sides are expanded, as data.
+    pub(super) fn relation(&self, r: &Relation) -> Result<String, NotEmitted> {
+        let (a, b) = (self.expr(&r.lhs)?, self.expr(&r.rhs)?);
+        Ok(format!("Rel {a} {} {b}", comparison(r.rel)))
+    }
+
+    /// Relations as data.
+    pub(super) fn relations(&self, rs: &[Relation]) -> Result<String, NotEmitted> {
+        let rs = rs.iter().map(|r| self.relation(r)).collect::<Result<Vec<_>, _>>()?;
+        Ok(format!("[{}]", rs.join("; ")))
+    }
+
+    /// The relations with both sides expanded.
+    pub(super) fn expanded<'r>(
+        &self,
+        rs: impl IntoIterator<Item = &'r Relation>,
+    ) -> Result<Vec<Relation>, NotEmitted> {
+        let one = |r: &Relation| {
+            Ok(Relation { lhs: self.expand(&r.lhs)?, rel: r.rel, rhs: self.expand(&r.rhs)? })
+        };
+        rs.into_iter().map(one).collect()
+    }
+
+    /// The relations of a premise as data.
+    pub(super) fn sentence(&self, s: &Sentence, given: bool) -> Result<String, NotEmitted> {
+        let when = self.relations(&self.expanded(&s.when)?)?;
+        let links = self.relations(&self.expanded(s.relations())?)?;
+        Ok(format!("Says {given} {when} {links}"))
+    }
+
+    /// The names of the square roots, and what is known of each: where the radicand is not
+    /// negative, it is not negative and its square is the radicand.
+    pub(super) fn roots(
+        &self,
+        prose: &Prose<'_>,
+    ) -> Result<(Vec<String>, Vec<String>), NotEmitted> {
+        let (mut names, mut given) = (Vec::new(), Vec::new());
+        for (v, root) in &self.roots {
+            let Expr::Sqrt(a) = root else {
+                return Err(NotEmitted::Symbol);
+            };
+            let (s, a) = (self.name(*v), prose.term(a)?);
+            given.push(format!("0 <= {a} -> 0 <= {s} /\\ {s} * {s} = {a}"));
+            names.push(s);
+        }
+        Ok((names, given))
+    }
+
+    /// The declared range of a symbol as relations.
+    pub(super) fn range(&self, v: usize) -> Vec<Relation> {
+        let var = &self.context.vars[v];
+        let end = |b: &kane_kernel::Bound, strict, weak| Relation {
+            lhs: Expr::Var(v),
+            rel: if b.strict { strict } else { weak },
+            rhs: Expr::Num(b.value.clone()),
+        };
+        let lower = var.lower.as_ref().map(|b| end(b, Rel::Gt, Rel::Ge));
+        let upper = var.upper.as_ref().map(|b| end(b, Rel::Lt, Rel::Le));
+        lower.into_iter().chain(upper).collect()
+    }
+}
+
+/// Propositions as people read them.
+pub(super) struct Prose<'a> {
+    /// how symbols are written
+    pub(super) name: &'a dyn Fn(usize) -> String,
+    /// for the derivatives
+    pub(super) symbols: &'a Symbols<'a>,
+}
+
+impl Prose<'_> {
+    fn term(&self, e: &Expr) -> Result<String, NotEmitted> {
+        Ok(coq(&self.slopes(e)?, self.name))
+    }
+
+    /// Derivatives as the expressions that they are, square roots by their names.
+    fn slopes(&self, e: &Expr) -> Result<Expr, NotEmitted> {
+        rebuild(e, &mut |part| match part {
+            Expr::Deriv(f, x) => {
+                let slope = derivative(self.symbols.context, f, *x, &Fuel::new(u64::MAX))?;
+                Ok(Some(self.slopes(&self.symbols.expand(&slope)?)?))
+            }
+            Expr::Sqrt(_) => {
+                let root = self.symbols.roots.iter().find(|(_, r)| r == part);
+                Ok(root.map(|(v, _)| Expr::Var(*v)))
+            }
+            _ => Ok(None),
+        })
+    }
+
+    /// One comparison of expanded sides.
+    pub(super) fn relation(&self, r: &Relation) -> Result<String, NotEmitted> {
+        let r = Relation { lhs: self.slopes(&r.lhs)?, rel: r.rel, rhs: self.slopes(&r.rhs)? };
+        Ok(coq_relation(&r, self.name))
+    }
+
+    /// The conditions under which an expanded expression is defined.
+    pub(super) fn conditions(&self, e: &Expr) -> Result<Vec<String>, NotEmitted> {
+        let mut out = Vec::new();
+        match e {
+            Expr::Div(a, b) => {
+                out.extend(self.conditions(a)?);
+                out.extend(self.conditions(b)?);
+                // A number other than 0 divides.
+                if !matches!(&**b, Expr::Num(q) if !q.is_zero()) {
+                    out.push(format!("{} <> 0", self.term(b)?));
+                }
+            }
+            Expr::Pow(a, n) if *n < 0 => {
+                out.extend(self.conditions(a)?);
+                let below = Expr::Pow(a.clone(), n.saturating_neg());
+                out.push(format!("{} <> 0", self.term(&below)?));
+            }
+            Expr::Sqrt(a) => {
+                out.extend(self.conditions(a)?);
+                out.push(format!("0 <= {}", self.term(a)?));
+            }
+            Expr::Cases(branches, otherwise) => {
+                let mut rest = match otherwise {
+                    Some(e) => self.conditions(e)?,
+                    None => vec!["False".to_owned()],
+                };
+                for (guards, body) in branches.iter().rev() {
+                    let mut then = self.conditions(body)?;
+                    for g in guards.iter().rev() {
+                        let mut all = self.conditions(&g.lhs)?;
+                        all.extend(self.conditions(&g.rhs)?);
+                        let guard = self.relation(g)?;
+                        if !then.is_empty() {
+                            all.push(format!("{guard} -> {}", conj(&then)));
+                        }
+                        if !rest.is_empty() {
+                            all.push(format!("~ ({guard}) -> {}", conj(&rest)));
+                        }
+                        then = all;
+                    }
+                    rest = then;
+                }
+                out = rest;
+            }
+            Expr::Deriv(f, x) => {
+                out.extend(self.conditions(f)?);
+                let slope = derivative(self.symbols.context, f, *x, &Fuel::new(u64::MAX))?;
+                out.extend(self.conditions(&self.symbols.expand(&slope)?)?);
+            }
+            other => {
+                for part in other.children() {
+                    out.extend(self.conditions(part)?);
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// The conditions of both sides.
+    pub(super) fn defined(&self, r: &Relation) -> Result<Vec<String>, NotEmitted> {
+        let mut out = self.conditions(&r.lhs)?;
+        out.extend(self.conditions(&r.rhs)?);
+        Ok(out)
+    }
+
+    /// All relations with the conditions of their sides, in order.
+    pub(super) fn flat(&self, rs: &[Relation]) -> Result<Vec<String>, NotEmitted> {
+        let mut out = Vec::new();
+        for r in rs {
+            out.extend(self.defined(r)?);
+            out.push(self.relation(r)?);
+        }
+        Ok(out)
+    }
+
+    fn spoken(&self, rs: &[Relation]) -> Result<String, NotEmitted> {
+        let Some((r, rest)) = rs.split_first() else {
+            return Ok("True".to_owned());
+        };
+        let mut says = self.relation(r)?;
+        if !rest.is_empty() {
+            says = format!("{says} /\\ {}", grouped(&self.spoken(rest)?));
+        }
+        Ok(arrow(&self.defined(r)?, &says))
+    }
+
+    /// What a premise says; `None` if it says nothing at a point.
+    pub(super) fn hypothesis(&self, h: &Hypothesis) -> Result<Option<String>, NotEmitted> {
+        if h.sentence.relations().next().is_none() {
+            return Ok(None);
+        }
+        self.sentence(&h.sentence, h.given).map(Some)
+    }
+
+    /// What a sentence says at a point.
+    pub(super) fn sentence(&self, s: &Sentence, given: bool) -> Result<String, NotEmitted> {
+        let when = self.flat(&self.symbols.expanded(&s.when)?)?;
+        let links = self.symbols.expanded(s.relations())?;
+        let body = if given { conj(&self.flat(&links)?) } else { self.spoken(&links)? };
+        Ok(arrow(&when, &body))
+    }
+}
+
+/// A conjunction; `True` if it is empty.
+pub(super) fn conj(parts: &[String]) -> String {
+    match parts {
+        [] => "True".to_owned(),
+        [one] => one.clone(),
+        many => many.iter().map(|p| grouped(p)).collect::<Vec<_>>().join(" /\\ "),
+    }
+}
+
+/// Premises before a proposition.
+pub(super) fn arrow(premises: &[String], says: &str) -> String {
+    match premises {
+        [] => says.to_owned(),
+        some => format!("{} -> {says}", grouped(&conj(some))),
+    }
+}
+
+/// In parentheses if it is an implication, a conjunction or a choice.
+pub(super) fn grouped(p: &str) -> String {
+    let open = p.contains("->") || p.contains("/\\") || p.contains("if ") || p.contains("exists ");
+    if open { format!("({p})") } else { p.to_owned() }
+}
+
+/// A rational number as an expression of the file.
+fn rational(q: &BigRational) -> String {
+    format!("(Num {} {})", integer(q.numer()), q.denom())
+}
+
+/// An integer, in parentheses if it is negative.
+pub(super) fn integer(c: &BigInt) -> String {
+    if c.sign() == num_bigint::Sign::Minus { format!("({c})") } else { c.to_string() }
+}
+
+/// Natural numbers as a list.
+fn nats(ns: &[u32]) -> String {
+    if ns.is_empty() { "[]".to_owned() } else { format!("[{}]%nat", join(ns, "; ")) }
+}
+
+/// Things with something between.
+pub(super) fn join<T: ToString>(parts: &[T], between: &str) -> String {
+    parts.iter().map(ToString::to_string).collect::<Vec<_>>().join(between)
+}
+
+fn comparison(rel: Rel) -> &'static str {
+    match rel {
+        Rel::Eq => "Eq",
+        Rel::Ne => "Ne",
+        Rel::Lt => "Lt",
+        Rel::Le => "Le",
+        Rel::Gt => "Gt",
+        Rel::Ge => "Ge",
+    }
+}
+
+fn size(e: &Expr) -> usize {
+    1 + e.children().into_iter().map(size).sum::<usize>()
+}
+
+/// The expression with its definitions written out.
+fn expand(context: &Context, e: &Expr, depth: usize) -> Result<Expr, NotEmitted> {
+    rebuild(e, &mut |part| match part {
+        Expr::Let(i) => {
+            let body = &context.lets.get(*i).ok_or(NotEmitted::Symbol)?.body;
+            let depth = depth.checked_sub(1).ok_or(NotEmitted::Symbol)?;
+            expand(context, body, depth).map(Some)
+        }
+        Expr::Var(v) => context.value(*v).map(|e| expand(context, e, depth)).transpose(),
+        _ => Ok(None),
+    })
+}
+
+/// The expression with some parts replaced, from the outside in.
+fn rebuild(
+    e: &Expr,
+    replace: &mut dyn FnMut(&Expr) -> Result<Option<Expr>, NotEmitted>,
+) -> Result<Expr, NotEmitted> {
+    if let Some(other) = replace(e)? {
+        return Ok(other);
+    }
+    let mut go = |e: &Expr| rebuild(e, replace).map(Box::new);
+    Ok(match e {
+        Expr::Num(_) | Expr::Var(_) | Expr::Let(_) => e.clone(),
+        Expr::Neg(a) => Expr::Neg(go(a)?),
+        Expr::Add(a, b) => Expr::Add(go(a)?, go(b)?),
+        Expr::Sub(a, b) => Expr::Sub(go(a)?, go(b)?),
+        Expr::Mul(a, b) => Expr::Mul(go(a)?, go(b)?),
+        Expr::Div(a, b) => Expr::Div(go(a)?, go(b)?),
+        Expr::Pow(a, n) => Expr::Pow(go(a)?, *n),
+        Expr::Abs(a) => Expr::Abs(go(a)?),
+        Expr::Min(a, b) => Expr::Min(go(a)?, go(b)?),
+        Expr::Max(a, b) => Expr::Max(go(a)?, go(b)?),
+        Expr::Sqrt(a) => Expr::Sqrt(go(a)?),
+        Expr::Deriv(a, x) => Expr::Deriv(go(a)?, *x),
+        Expr::Cases(branches, otherwise) => {
+            let mut out = Vec::new();
+            for (guards, body) in branches {
+                let mut all = Vec::new();
+                for g in guards {
+                    all.push(Relation { lhs: *go(&g.lhs)?, rel: g.rel, rhs: *go(&g.rhs)? });
+                }
+                out.push((all, *go(body)?));
+            }
+            Expr::Cases(out, otherwise.as_deref().map(go).transpose()?)
+        }
+    })
+}
+
+/// Words that Coq or the file's beginning keeps for itself.
+const KEPT: [&str; 40] = [
+    "as", "at", "cofix", "else", "end", "exists", "exists2", "fix", "for", "forall", "fun", "if",
+    "IF", "in", "let", "match", "mod", "Prop", "return", "Set", "then", "Type", "using", "where",
+    "with", "SProp", "by", "R", "IZR", "Rabs", "Rmin", "Rmax", "sqrt", "O", "S", "I", "not", "or",
+    "and", "eq",
+];
+
+/// A name as Coq takes it.
+pub(super) fn identifier(name: &str) -> String {
+    let mut out: String = name
+        .chars()
+        .map(|c| if c.is_alphanumeric() || c == '_' || c == '\'' { c } else { '_' })
+        .collect();
+    if KEPT.contains(&out.as_str()) || out.is_empty() {
+        out.push('_');
+    }
+    out
+}

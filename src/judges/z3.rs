@@ -1,0 +1,85 @@
+//! z3: one question a link, one process a question.
+
+use std::fs;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use kane_report::Report;
+use kane_report::judges::{Answer, Judge};
+use kane_report::smt::{Question, smt};
+
+use super::process::{Scratch, run};
+use super::{Limits, NotAsked, is_installed};
+
+/// Processes at once.
+const AT_ONCE: usize = 2;
+
+/// Asks z3 about all claims that a report shows. `progress` is told how many questions are
+/// answered, and their number.
+///
+/// # Errors
+/// [`NotAsked`].
+pub fn z3(
+    report: &Report<'_>,
+    limits: &Limits,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Judge, NotAsked> {
+    if !is_installed("z3") {
+        return Err(NotAsked::NotInstalled("z3"));
+    }
+    let mut judge = Judge { name: "z3".to_owned(), asked: true, ..Judge::default() };
+    let mut questions = Vec::new();
+    for &statement in &report.shown {
+        for (link, judged) in report.audit.judgements[statement].links.iter().enumerate() {
+            let Some(accepted) = &judged.accepted else {
+                continue;
+            };
+            match smt(accepted) {
+                Some(question) => questions.push(((statement, link), question)),
+                None => {
+                    let why = "it speaks of limits".to_owned();
+                    judge.answers.insert((statement, link), Answer::NotAsked(why));
+                }
+            }
+        }
+    }
+    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let answers = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..AT_ONCE {
+            scope.spawn(|| {
+                while let Some((place, question)) =
+                    questions.get(next.fetch_add(1, Ordering::Relaxed))
+                {
+                    let answer = ask(question, limits);
+                    progress(done.fetch_add(1, Ordering::Relaxed) + 1, questions.len());
+                    answers.lock().expect("no thread panics with the lock").push((*place, answer));
+                }
+            });
+        }
+    });
+    for (place, answer) in answers.into_inner().expect("no thread panics with the lock") {
+        judge.answers.insert(place, answer.map_err(|e| NotAsked::Failed(format!("z3: {e}")))?);
+    }
+    Ok(judge)
+}
+
+/// Puts one question.
+fn ask(question: &Question, limits: &Limits) -> std::io::Result<Answer> {
+    let folder = Scratch::new()?;
+    fs::write(folder.0.join("claim.smt2"), &question.text)?;
+    let said = run("z3", &["claim.smt2"], &folder.0, limits.question)?;
+    let Some(said) = said else {
+        let seconds = limits.question.as_secs();
+        return Ok(Answer::Undecided(format!("no answer within {seconds} s")));
+    };
+    let wanted = if question.satisfiable { "sat" } else { "unsat" };
+    Ok(match said.out.trim() {
+        answer if answer == wanted => Answer::Agrees,
+        "unknown" => Answer::Undecided("unknown".to_owned()),
+        "sat" | "unsat" => {
+            Answer::Disagrees(format!("{} where {wanted} was expected", said.out.trim()))
+        }
+        other => Answer::Disagrees(other.chars().take(200).collect()),
+    })
+}
