@@ -8,6 +8,7 @@ mod input;
 mod labels;
 mod output;
 mod progress;
+mod scene;
 mod stability;
 
 use std::io;
@@ -49,6 +50,7 @@ pub(crate) fn run() -> ExitCode {
         Verb::Collide(args) => collide::run(&args),
         Verb::Chart(args) => chart::run(&args),
         Verb::Stability(args) => stability::run(&args),
+        Verb::Scene(args) => scene::run(&args),
     };
     outcome.into()
 }

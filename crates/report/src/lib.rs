@@ -3,7 +3,7 @@
 //! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
 //! [`markdown`] for the web, [`json`] for programs (its schema is documented in `docs/report-schema.md`),
 //! and [`explain`] writes out one proof or witness in full. [`collision`] does the same for one collision
-//! under the laws, [`stability`] and [`chart`] for what the measurements found. All of them return
+//! under the laws, [`stability`] and [`chart`] for what the measurements found, [`scene`] for the answer to a scene. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
@@ -15,6 +15,7 @@ mod explain;
 mod json;
 mod markdown;
 mod report;
+pub mod scene;
 mod shorten;
 pub mod stability;
 mod summary;

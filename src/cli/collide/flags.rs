@@ -5,7 +5,7 @@ use kane::impact::bodies::{Direction, Motion, Shape, SphereOnPlane};
 use kane::number::{Algebraic, Rational};
 use kane::report::collision::Given;
 
-use super::number::{Domain, read_in};
+use kane::scene::read::{Domain, read_in};
 use crate::cli::args::BodyArgs;
 use crate::cli::input::quoted;
 

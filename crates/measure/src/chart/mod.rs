@@ -8,7 +8,7 @@ mod registry;
 
 pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
-pub use cost::cost;
+pub use cost::{cost, weights};
 pub use method::{Answer, Lane, Method, System};
 pub use registry::{DOMAIN, registry};
 
