@@ -6,6 +6,7 @@ mod exits; // exit codes
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod readme; // the README shows what the program prints
+mod scene; // scenes: models, files, exit codes
 mod stability; // stability and chart
 
 use std::path::{Path, PathBuf};

@@ -19,6 +19,11 @@ pub trait Coordinate: Real {
     /// The number as a fraction, where it is a single finite one.
     fn exact(&self) -> Option<Rational>;
 
+    /// Whether the number has become too long to go on with: exact ones grow with every impact.
+    fn is_long(&self) -> bool {
+        false
+    }
+
     /// The least interval that holds the number.
     fn enclosed(&self) -> Interval {
         self.exact().map_or(Interval::WHOLE, |exact| Interval::from_rational(&exact))
@@ -28,6 +33,9 @@ pub trait Coordinate: Real {
     /// middle; `None` in exact systems.
     fn of_enclosure(enclosure: Interval) -> Option<Self>;
 }
+
+/// Bits of a fraction, above which a motion is not followed any further.
+const MOST_BITS: u64 = 4_096;
 
 impl Coordinate for f32 {
     const SYSTEM: System = System::F32;
@@ -131,6 +139,10 @@ impl Coordinate for Rational {
 
     fn exact(&self) -> Option<Rational> {
         Some(self.clone())
+    }
+
+    fn is_long(&self) -> bool {
+        self.numer().bits() + self.denom().bits() > MOST_BITS
     }
 
     fn of_enclosure(_: Interval) -> Option<Self> {

@@ -39,11 +39,7 @@ impl Strobe {
         }
         let world = stated.map(|stated| crate::Coordinate::to_f64(&stated.value));
         let (end, bounces) = run_for_picture(scene, &world, model.mechanics)?;
-        // after the last impact there is a while to see where it goes
-        let time = match bounces.last() {
-            Some(last) if end.time <= last.time => last.time + last.time.max(0.02) / 2.0,
-            _ => end.time,
-        };
+        let time = end.time;
         let mut states: Vec<Vec<(f64, Round<f64>, f64)>> =
             world.bodies.iter().map(|body| vec![(0.0, body.clone(), 0.0)]).collect();
         for bounce in &bounces {
@@ -85,7 +81,13 @@ impl Strobe {
             .collect();
         let paths = (0..bodies)
             .map(|index| {
-                (0..=FRAMES * FINE).map(|n| at(index, moment(n, FRAMES * FINE)).0).collect()
+                // with its corners
+                let mut times: Vec<f64> = (0..=FRAMES * FINE)
+                    .map(|n| moment(n, FRAMES * FINE))
+                    .chain(states[index].iter().map(|(since, ..)| *since))
+                    .collect();
+                times.sort_by(f64::total_cmp);
+                times.into_iter().map(|time| at(index, time).0).collect()
             })
             .collect();
         Some(Self {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use kane_scene::stress::Row;
 use kane_scene::{Round, Shown};
 
 use super::{SceneReport, verdict, who};
@@ -64,6 +65,18 @@ pub fn models_csv(report: &SceneReport<'_>) -> String {
         let ratio = judged.ratio.map_or_else(String::new, |ratio| format!("{ratio:e}"));
         let verdict = quoted(&verdict(&judged.verdict));
         let _ = writeln!(out, "{},{},{ratio},{verdict}", judged.model, judged.cost);
+    }
+    out
+}
+
+/// A row for each measurement of the table of stress; errors to two digits.
+#[must_use]
+pub fn stress_csv(rows: &[Row]) -> String {
+    let mut out = String::from("case,pushed,to,method,error\n");
+    for row in rows {
+        let error = if row.error == 0.0 { "0".to_owned() } else { super::small(row.error) };
+        let cells = [row.case, row.pushed, &row.to, row.method].map(quoted);
+        let _ = writeln!(out, "{},{error}", cells.join(","));
     }
     out
 }

@@ -40,7 +40,8 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
             .configure_mesh()
             .x_desc("time, s")
             .y_desc("change of energy so far, J")
-            .y_label_formatter(&|y| super::small(*y))
+            // the axis counts in steps that round: its zero is only near it
+            .y_label_formatter(&|y| super::small(if y.abs() < margin / 1e6 { 0.0 } else { *y }))
             .x_label_formatter(&|x| super::number(*x))
             .light_line_style(TRANSPARENT)
             .bold_line_style(RGBColor(225, 225, 225))
@@ -111,15 +112,22 @@ pub fn compare_picture(report: &SceneReport<'_>) -> Result<String, PictureError>
             .draw()?;
         let line = vec![(20.0, 1.0), (most * 12.0, 1.0)];
         chart.draw_series(LineSeries::new(line, RGBColor(213, 94, 0).stroke_width(2)))?;
+        let mut labels: Vec<(String, f64, f64)> = Vec::new();
         for (judged, cost, ratio) in drawn {
             let good = judged.verdict == Verdict::Meets;
             let ink = if good { RGBColor(0, 158, 115) } else { RGBColor(90, 90, 90) };
             let chosen = report.answer.chosen == Some(judged.model);
             let style = if chosen { ink.filled() } else { ink.stroke_width(2) };
             chart.draw_series(std::iter::once(Circle::new((cost, ratio), 5, style)))?;
+            // models in one place share a label
+            match labels.iter_mut().find(|(_, x, y)| *x == cost && (ratio / *y).ln().abs() < 0.2) {
+                Some((text, ..)) => text.push_str(&format!(", {}", judged.model.system)),
+                None => labels.push((judged.model.to_string(), cost, ratio)),
+            }
+        }
+        for (text, cost, ratio) in labels {
             let font = ("sans-serif", 11).into_font();
-            let label = Text::new(judged.model.to_string(), (cost * 1.12, ratio), font);
-            chart.draw_series(std::iter::once(label))?;
+            chart.draw_series(std::iter::once(Text::new(text, (cost * 1.12, ratio), font)))?;
         }
         root.present()?;
     }

@@ -7,7 +7,7 @@ mod markdown;
 mod motion_picture;
 mod text;
 
-pub use csv::{models_csv, states_csv};
+pub use csv::{models_csv, states_csv, stress_csv};
 pub use json::json;
 pub use ledger_picture::{compare_picture, ledger_picture};
 pub use markdown::markdown;

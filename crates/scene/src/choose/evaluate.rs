@@ -1,6 +1,7 @@
 //! A scene under one model.
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
+use kane_measure::chart::System;
 use kane_number::{Interval, Number as _};
 
 use super::model::Mechanics;
@@ -121,7 +122,7 @@ fn bodies<N: Coordinate>(
     let mut bounces: Vec<Bounce<N>> = Vec::new();
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
-    let budget = Budget { shown, ..Budget::default() };
+    let budget = Budget { shown, impacts: most_impacts(N::SYSTEM) };
     let end = run(world, &resolver, &until, budget, &mut |bounce: &Bounce<N>| {
         let none = bounce.slip[0].sign().is_equal() == Some(true);
         no_slip &= none;
@@ -148,6 +149,15 @@ fn bodies<N: Coordinate>(
         end: Some(end),
         start_energy,
     })
+}
+
+/// How many impacts are followed, by what one costs.
+const fn most_impacts(system: System) -> u64 {
+    match system {
+        System::F32 | System::F64 => 100_000,
+        System::DoubleDouble | System::Interval => 10_000,
+        System::Rational => 1_000,
+    }
 }
 
 fn tips<N: Coordinate>(
@@ -185,12 +195,15 @@ fn tips<N: Coordinate>(
 }
 
 /// Steps of a chain's integration, and for the estimate of its error half of them.
-const STEPS: u32 = 1_024;
+const STEPS: u32 = 8_192;
 
 fn chain<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Result<Found<N>, Failed> {
     let (Setup::Bodies(world), Some(stiffness)) = (setup, &scene.stiffness) else {
         return Err(missing("stiffness"));
     };
+    if N::of_enclosure(Interval::zero()).is_none() {
+        return Err(Failed::Invalid("an integration has no exact answer".to_owned()));
+    }
     // exact where it can be, so that spheres that touch have no gap by rounding
     let gap = |i: usize| {
         let (a, b) = (&world.bodies[i], &world.bodies[i + 1]);

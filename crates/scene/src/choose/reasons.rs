@@ -45,15 +45,16 @@ pub(super) fn reasons(
         None => said.push(limit(scene, reference, judged)),
     }
     if let Some(spread) = reference.spread(scene) {
-        for (asked, spread) in scene.asked.iter().zip(spread) {
-            if spread > asked.tolerance.to_f64() {
-                said.push(format!(
-                    "What is not known of the state moves {} by ±{} alone, more than the tolerance of {}: no model mends that.",
-                    asked.quantity,
-                    short(spread),
-                    short(asked.tolerance.to_f64()),
-                ));
-            }
+        let moved = scene.asked.iter().zip(spread);
+        let beyond: Vec<String> = moved
+            .filter(|(asked, spread)| *spread > asked.tolerance.to_f64())
+            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread)))
+            .collect();
+        if !beyond.is_empty() {
+            said.push(format!(
+                "What is not known of the state moves {}, more than the tolerance: no model mends that.",
+                beyond.join(", ")
+            ));
         }
     }
     said

@@ -361,8 +361,9 @@ fn round(source: Source<'_>, body: &Body) -> Result<Round<Stated>, Diagnostic> {
     })
 }
 
-/// Discs in rows; disc n flies in the direction with the half tangent tan(φ/2) = c/8 by a fixed
-/// sequence of c from −20 to 20, so that all is rational and the same everywhere.
+/// Discs in rows; each flies in the direction with the half tangent tan(φ/2) = c/200 by a fixed
+/// sequence of c from −504 to 504 in which none comes twice, so that all is rational, the same
+/// everywhere, and no two impacts are at the same time by symmetry.
 fn discs(source: Source<'_>, table: &Discs) -> Result<Vec<Round<Stated>>, Diagnostic> {
     let (columns, rows) = (*table.columns.get_ref(), *table.rows.get_ref());
     if columns == 0 || rows == 0 || columns.saturating_mul(rows) > MOST_BODIES {
@@ -388,7 +389,7 @@ fn discs(source: Source<'_>, table: &Discs) -> Result<Vec<Round<Stated>>, Diagno
     let mut bodies = Vec::new();
     for index in 0..columns * rows {
         seed = (seed * 29 + 17) % 1009;
-        let tangent = Rational::new((seed % 41 - 20).into(), 8.into());
+        let tangent = Rational::new((seed - 504).into(), 200.into());
         let Direction { cos, sin } = Direction::of_half_tangent(&tangent);
         let turn = if index.is_multiple_of(2) { spin.clone() } else { -spin.clone() };
         bodies.push(Round {

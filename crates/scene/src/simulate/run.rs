@@ -117,6 +117,14 @@ pub enum Stopped {
         /// s, rounded
         time: f64,
     },
+    /// Exact numbers have become too long.
+    #[error("after impact {impact} at {time} s the exact numbers are too long to go on with")]
+    Long {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
     /// The ball never rests.
     #[error("without loss, e = 1, a ball never comes to rest; give `impacts` or `duration_s`")]
     NeverRests,
@@ -154,7 +162,7 @@ pub fn run<N: Coordinate, R: Resolver<N>>(
     }
     loop {
         if matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
-            return Ok(state.end(state.now.clone(), Ending::Impacts));
+            return Ok(state.end(Ending::Impacts));
         }
         let next = state.earliest()?;
         if let Until::Duration(end) = until {
@@ -163,11 +171,11 @@ pub fn run<N: Coordinate, R: Resolver<N>>(
                 None => true,
             };
             if over {
-                return Ok(state.end(end.clone(), Ending::Duration));
+                return Ok(state.end_at(end.clone()));
             }
         }
         let Some((time, encounter)) = next else {
-            return Ok(state.end(state.now.clone(), Ending::Quiet));
+            return Ok(state.end(Ending::Quiet));
         };
         if state.impacts == budget.impacts {
             let time = state.now.to_f64();
@@ -176,6 +184,9 @@ pub fn run<N: Coordinate, R: Resolver<N>>(
         state.impacts += 1;
         let bounce = state.meet(resolver, time, encounter)?;
         observer(&bounce);
+        if bounce.time.is_long() || bounce.slip[1].is_long() {
+            return Err(Stopped::Long { impact: state.impacts, time: state.now.to_f64() });
+        }
         if let Some(end) = state.rests(until, budget, &bounce) {
             return Ok(end);
         }
@@ -190,6 +201,8 @@ struct State<'a, N> {
     impacts: u64,
     bodies: Vec<Round<N>>,
     since: Vec<N>,
+    /// how many impacts there had been then, its own among them
+    settled: Vec<u64>,
     last: Vec<Option<Encounter>>,
     /// the slip after the last impact, where that was with a floor or a ceiling
     held: Vec<Option<N>>,
@@ -205,6 +218,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             impacts: 0,
             bodies: world.bodies.clone(),
             since: vec![N::zero(); count],
+            settled: vec![0; count],
             last: vec![None; count],
             held: vec![None; count],
             next: vec![None; count],
@@ -216,6 +230,10 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     fn here(&self, index: usize) -> Round<N> {
+        if self.settled[index] == self.impacts {
+            // no time has passed, which an interval would not know
+            return self.bodies[index].clone();
+        }
         let time = self.now.clone() - &self.since[index];
         self.bodies[index].flown(&time, &self.world.gravity)
     }
@@ -229,7 +247,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             let touching = self.last[index] == Some(encounter);
             if let Some(time) = to_wall(&body, wall, &self.world.gravity, touching)? {
                 let time = self.now.clone() + time;
-                if earlier(&time, best.as_ref())? {
+                if earlier((&time, encounter), best.as_ref())? {
                     best = Some((time, encounter));
                 }
             }
@@ -245,10 +263,10 @@ impl<'a, N: Coordinate> State<'a, N> {
             }
             let Some(time) = to_body(&body, &self.here(other))? else { continue };
             let time = self.now.clone() + time;
-            if earlier(&time, best.as_ref())? {
+            if earlier((&time, encounter), best.as_ref())? {
                 best = Some((time.clone(), encounter));
             }
-            if earlier(&time, self.next[other].as_ref())? {
+            if earlier((&time, encounter), self.next[other].as_ref())? {
                 self.next[other] = Some((time, encounter));
             }
         }
@@ -259,10 +277,7 @@ impl<'a, N: Coordinate> State<'a, N> {
     fn earliest(&self) -> Result<Option<(N, Encounter)>, Stopped> {
         let mut best: Option<&(N, Encounter)> = None;
         for next in self.next.iter().flatten() {
-            if best.is_some_and(|best| best.1 == next.1) {
-                continue;
-            }
-            if earlier(&next.0, best).map_err(|Unknown| self.undecided())? {
+            if earlier((&next.0, next.1), best).map_err(|Unknown| self.undecided())? {
                 best = Some(next);
             }
         }
@@ -295,6 +310,10 @@ impl<'a, N: Coordinate> State<'a, N> {
                     at_wall(&mut body, wall);
                 }
                 let again = self.last[index] == Some(encounter);
+                if again && side == Side::Floor {
+                    // what goes up comes down as fast; v − g·(2v/g) would round, and widen
+                    body.motion.vy = -self.bodies[index].motion.vy.clone();
+                }
                 let held = if again { self.held[index].as_ref() } else { None };
                 let normal = normal_of(side);
                 let struck =
@@ -345,6 +364,7 @@ impl<'a, N: Coordinate> State<'a, N> {
     fn settle(&mut self, index: usize, encounter: Encounter, body: Round<N>) {
         self.bodies[index] = body;
         self.since[index] = self.now.clone();
+        self.settled[index] = self.impacts;
         self.last[index] = Some(encounter);
         self.next[index] = None;
     }
@@ -371,14 +391,19 @@ impl<'a, N: Coordinate> State<'a, N> {
         Ok(())
     }
 
-    fn end(&self, time: N, ending: Ending) -> End<N> {
-        let bodies = self
-            .bodies
-            .iter()
-            .zip(&self.since)
+    /// The end here and now.
+    fn end(&self, ending: Ending) -> End<N> {
+        let bodies = (0..self.bodies.len()).map(|index| self.here(index)).collect();
+        End { time: self.now.clone(), bodies, impacts: self.impacts, ending }
+    }
+
+    /// The end at a later time.
+    fn end_at(&self, time: N) -> End<N> {
+        let states = self.bodies.iter().zip(&self.since);
+        let flown = states
             .map(|(body, since)| body.flown(&(time.clone() - since), &self.world.gravity))
             .collect();
-        End { time, bodies, impacts: self.impacts, ending }
+        End { time, bodies: flown, impacts: self.impacts, ending: Ending::Duration }
     }
 
     /// Whether this is one ball above a floor.
@@ -472,10 +497,14 @@ fn at_wall<N: Coordinate>(body: &mut Round<N>, wall: &Wall<N>) {
     }
 }
 
-/// Whether a time comes before the best so far.
-fn earlier<N: Coordinate>(time: &N, best: Option<&(N, Encounter)>) -> Result<bool, Unknown> {
+/// Whether an encounter comes before the best so far; one that is known from its other body does not.
+fn earlier<N: Coordinate>(
+    (time, encounter): (&N, Encounter),
+    best: Option<&(N, Encounter)>,
+) -> Result<bool, Unknown> {
     match best {
         None => Ok(true),
+        Some((_, known)) if *known == encounter => Ok(false),
         Some((best, _)) => time.compare(best).is_less().ok_or(Unknown),
     }
 }
