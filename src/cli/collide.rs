@@ -55,8 +55,8 @@ enum Fault {
     Shown(String),
 }
 
-impl From<kane::audit::Diagnostic> for Fault {
-    fn from(fault: kane::audit::Diagnostic) -> Self {
+impl From<kane::scene::read::Fault> for Fault {
+    fn from(fault: kane::scene::read::Fault) -> Self {
         Self::Shown(fault.to_string())
     }
 }

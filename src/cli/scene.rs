@@ -62,16 +62,18 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
     if let Err(outcome) = deliver(args.out.as_deref(), write, shown) {
         return outcome;
     }
-    let good = answer.judged.iter().any(|judged| {
-        judged.model == answer.shown && judged.verdict == Verdict::Meets
-    });
+    let good = answer
+        .judged
+        .iter()
+        .any(|judged| judged.model == answer.shown && judged.verdict == Verdict::Meets);
     if good { Outcome::AsExpected } else { Outcome::Unexpected }
 }
 
 /// Writes the report in every form.
 fn write(dir: &Path, stem: &str, report: &SceneReport<'_>, compare: bool) -> io::Result<()> {
     fs::create_dir_all(dir)?;
-    let file = |ending: &str, text: &str| output::to_file(&dir.join(format!("{stem}{ending}")), text);
+    let file =
+        |ending: &str, text: &str| output::to_file(&dir.join(format!("{stem}{ending}")), text);
     file(".md", &markdown(report))?;
     file(".json", &json(report))?;
     file("-models.csv", &models_csv(report))?;

@@ -5,7 +5,7 @@ use std::path::Path;
 use kane::report::Page;
 use kane::report::scene::{
     SceneReport, compare_picture, json, ledger_picture, markdown, models_csv, motion_picture,
-    states_csv, stress_csv, text,
+    states_csv, stress_csv, stress_picture, text,
 };
 use kane::scene::{Effort, answer, read, stress};
 
@@ -55,7 +55,8 @@ fn every_shipped_scene_is_answered_and_drawn() {
         });
     }
     let shipped = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes"));
-    let files = shipped.expect("the scenes are shipped").map(|entry| entry.expect("readable").path());
+    let files =
+        shipped.expect("the scenes are shipped").map(|entry| entry.expect("readable").path());
     let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
     assert_eq!(scenes.count(), names.len(), "every scene has its snapshot");
 }
@@ -79,14 +80,19 @@ fn all_forms_of_a_report_tell_the_same() {
 
 #[test]
 fn the_committed_stress_is_the_program_s() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/data/scene-stress.csv");
-    let shown = stress_csv(&stress::rows());
-    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-        std::fs::write(&path, &shown).expect("the checkout is writable");
+    let rows = stress::rows();
+    let picture = stress_picture(&rows).expect("it can be drawn");
+    for (file, shown) in
+        [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        if std::env::var_os("KANE_WRITE_DOCS").is_some() {
+            std::fs::write(&path, &shown).expect("the checkout is writable");
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            kept == shown,
+            "{file} is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden stress"
+        );
     }
-    let kept = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        kept == shown,
-        "docs/data/scene-stress.csv is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden stress"
-    );
 }

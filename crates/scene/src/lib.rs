@@ -46,7 +46,8 @@ mod tip;
 mod world;
 
 pub use choose::{
-    Answer, Bounced, Effort, Judged, Line, Mechanics, Model, NoAnswer, Shown, UnknownModel, Verdict, answer,
+    Answer, Bounced, Effort, Judged, Line, Mechanics, Model, NoAnswer, Shown, UnknownModel,
+    Verdict, answer,
 };
 pub use coordinate::Coordinate;
 pub use quantity::{Kind, Quantity};

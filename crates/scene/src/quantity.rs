@@ -90,7 +90,9 @@ impl Quantity {
     /// That nothing is called so, with what may have been meant.
     pub fn parse(key: &str) -> Result<Self, String> {
         let (name, body) = match key.rsplit_once("_of_") {
-            Some((name, number)) => (name, number.parse::<usize>().ok().and_then(|n| n.checked_sub(1))),
+            Some((name, number)) => {
+                (name, number.parse::<usize>().ok().and_then(|n| n.checked_sub(1)))
+            }
             None => (key, Some(0)),
         };
         let found = Kind::ALL.iter().find(|(_, known, _)| *known == name);

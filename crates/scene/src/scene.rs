@@ -10,6 +10,7 @@ use crate::world::World;
 
 /// What collides.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "a scene has one of them")]
 pub enum Setup<N> {
     /// Round bodies that fly and meet.
     Bodies(World<N>),

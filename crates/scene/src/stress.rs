@@ -11,9 +11,7 @@ use crate::coordinate::Coordinate;
 use crate::read;
 use crate::resolver::{ByLaw, NormalOnly};
 use crate::scene::Setup;
-use crate::simulate::{
-    Budget, Chain, Penalty, Until, bounce_by_penalty, collide_chain, run,
-};
+use crate::simulate::{Budget, Chain, Penalty, Until, bounce_by_penalty, collide_chain, run};
 use crate::tip::{Tip, TipBody};
 use crate::world::{Round, Side, Wall, World};
 
@@ -101,7 +99,12 @@ fn kinks(rows: &mut Vec<Row>) {
 }
 
 /// A ball on a floor at 0 with radius 1, J = 2/5·m·r².
-fn ball(mass: Rational, gyration: Rational, velocity: [Rational; 2], restitution: Rational) -> World<Rational> {
+fn ball(
+    mass: Rational,
+    gyration: Rational,
+    velocity: [Rational; 2],
+    restitution: Rational,
+) -> World<Rational> {
     let [vx, vy] = velocity;
     World {
         gravity: integer(10),
@@ -178,12 +181,16 @@ fn jam(rows: &mut Vec<Row>) {
     let critical = ratio(13, 9);
     for power in [1, 4, 8, 12] {
         for below in [true, false] {
-            let share = if below { integer(1) - ten_to(-power) } else { integer(1) + ten_to(-power) };
+            let share =
+                if below { integer(1) - ten_to(-power) } else { integer(1) + ten_to(-power) };
             let tip = Tip {
                 body: TipBody::Rod {
                     mass: integer(1),
                     length: integer(1),
-                    direction: kane_impact::bodies::Direction { cos: ratio(3, 5), sin: ratio(4, 5) },
+                    direction: kane_impact::bodies::Direction {
+                        cos: ratio(3, 5),
+                        sin: ratio(4, 5),
+                    },
                     motion: kane_impact::bodies::Motion {
                         vx: integer(-100_000),
                         vy: integer(-1),
@@ -221,12 +228,7 @@ fn tip_error<L: ImpactLaw>(tip: &Tip<Rational>, law: &L) -> f64 {
 /// J = m·r²·10^−n: the spin of a body without inertia.
 fn inertia(rows: &mut Vec<Row>) {
     for power in [2, 8, 16, 100] {
-        let world = ball(
-            ratio(1, 3),
-            ten_to(-power),
-            [ratio(1, 3), ratio(-1, 7)],
-            ratio(9, 10),
-        );
+        let world = ball(ratio(1, 3), ten_to(-power), [ratio(1, 3), ratio(-1, 7)], ratio(9, 10));
         for (method, (found, exact)) in [
             ("coulomb/f64", once::<f64, _>(&world, &RouthNewton)),
             ("wang-su-li/f64", once::<f64, _>(&world, &WangSuLi)),

@@ -52,11 +52,7 @@ impl<N> Tip<N> {
                 mass: to(mass),
                 length: to(length),
                 direction: direction.clone(),
-                motion: Motion {
-                    vx: to(&motion.vx),
-                    vy: to(&motion.vy),
-                    omega: to(&motion.omega),
-                },
+                motion: Motion { vx: to(&motion.vx), vy: to(&motion.vy), omega: to(&motion.omega) },
             },
             TipBody::Pendulum { mass, length, angles, speeds: [first, second] } => {
                 TipBody::Pendulum {

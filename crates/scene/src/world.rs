@@ -88,11 +88,7 @@ impl<N: Number> Round<N> {
         let mean = vy.clone() - half(gained.clone());
         Self {
             position: [vx.mul_add(time, x), mean.mul_add(time, y)],
-            motion: Motion {
-                vx: vx.clone(),
-                vy: vy.clone() - gained,
-                omega: omega.clone(),
-            },
+            motion: Motion { vx: vx.clone(), vy: vy.clone() - gained, omega: omega.clone() },
             ..self.clone()
         }
     }

@@ -145,10 +145,7 @@ pub fn json(report: &SceneReport<'_>) -> String {
                 tangential_j: &bounce.ledger.tangential.text,
                 rotational_j: &bounce.ledger.rotational.text,
                 gravity_j: &bounce.gravity.text,
-                after: std::iter::once(&bounce.after.0)
-                    .chain(&bounce.after.1)
-                    .map(state)
-                    .collect(),
+                after: std::iter::once(&bounce.after.0).chain(&bounce.after.1).map(state).collect(),
             })
             .collect(),
         end: answer.end.as_ref().map(|end| End {

@@ -24,7 +24,8 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
     let sums: &[Bounced] = &report.answer.sums;
     let Some(last) = sums.last() else { return Ok(None) };
     let all = || sums.iter().flat_map(|sum| sum.parts).chain([0.0]);
-    let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high) =
+        (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
     let margin = ((high - low) * 0.08).max(1e-300);
     let mut svg = String::new();
     {
@@ -54,10 +55,9 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
                 level = sum.parts[part];
                 points.push((sum.time, level));
             }
-            chart
-                .draw_series(LineSeries::new(points, ink.stroke_width(2)))?
-                .label(*name)
-                .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + 18, y)], ink.stroke_width(3)));
+            chart.draw_series(LineSeries::new(points, ink.stroke_width(2)))?.label(*name).legend(
+                move |(x, y)| PathElement::new(vec![(x, y), (x + 18, y)], ink.stroke_width(3)),
+            );
         }
         chart
             .configure_series_labels()

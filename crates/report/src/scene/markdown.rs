@@ -32,7 +32,9 @@ pub fn markdown(report: &SceneReport<'_>) -> String {
     }
     if !answer.bounces.is_empty() {
         let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
-        out.push_str("\n| t, s | who | what | normal, J | tangential, J | rotational, J | gravity, J |\n");
+        out.push_str(
+            "\n| t, s | who | what | normal, J | tangential, J | rotational, J | gravity, J |\n",
+        );
         out.push_str("|---|---|---|---|---|---|---|\n");
         for bounce in &answer.bounces {
             let _ = writeln!(

@@ -5,6 +5,7 @@ mod json;
 mod ledger_picture;
 mod markdown;
 mod motion_picture;
+mod stress_picture;
 mod text;
 
 pub use csv::{models_csv, states_csv, stress_csv};
@@ -12,6 +13,7 @@ pub use json::json;
 pub use ledger_picture::{compare_picture, ledger_picture};
 pub use markdown::markdown;
 pub use motion_picture::motion_picture;
+pub use stress_picture::stress_picture;
 pub use text::text;
 
 use kane_scene::simulate::Encounter;

@@ -49,7 +49,12 @@ impl Scale {
         let by = LONG / extent[0].max(extent[1]).max(1e-9);
         let pixels = |length: f64, more: f64| whole((length * by).max(160.0) + 2.0 * MARGIN + more);
         let size = (pixels(extent[0], 0.0).max(560), pixels(extent[1], HEADER));
-        Self { left: low[0], top: high[1], by, size: (size.0.unsigned_abs(), size.1.unsigned_abs()) }
+        Self {
+            left: low[0],
+            top: high[1],
+            by,
+            size: (size.0.unsigned_abs(), size.1.unsigned_abs()),
+        }
     }
 
     fn at(&self, [x, y]: [f64; 2]) -> (i32, i32) {

@@ -27,7 +27,8 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
     let _ = writeln!(out, "{bold}{}{bold:#}\n", report.headline());
 
     let uncertain = answer.lines.iter().any(|line| line.spread.is_some());
-    let mut rows = vec![vec!["asked".to_owned(), "answer".into(), "error at most".into(), "tolerance".into()]];
+    let mut rows =
+        vec![vec!["asked".to_owned(), "answer".into(), "error at most".into(), "tolerance".into()]];
     if uncertain {
         rows[0].push("inputs move it by".into());
     }
@@ -41,7 +42,9 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
             small(line.tolerance),
         ];
         if uncertain {
-            row.push(line.spread.map_or_else(|| "unknown".to_owned(), |s| format!("±{}", small(s))));
+            row.push(
+                line.spread.map_or_else(|| "unknown".to_owned(), |s| format!("±{}", small(s))),
+            );
         }
         rows.push(row);
     }
@@ -51,7 +54,8 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
     wrapped(&mut out, &answer.reasons.join(" "), width);
 
     out.push('\n');
-    let mut rows = vec![vec!["model".to_owned(), "cost".into(), "error/tol.".into(), "verdict".into()]];
+    let mut rows =
+        vec![vec!["model".to_owned(), "cost".into(), "error/tol.".into(), "verdict".into()]];
     for judged in &answer.judged {
         rows.push(vec![
             judged.model.to_string(),

@@ -9,9 +9,7 @@ use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
 use crate::resolver::{ByLaw, Elastic, NormalOnly, Resolver};
 use crate::scene::{Scene, Setup, Tangential};
-use crate::simulate::{
-    Bounce, Budget, Chain, ChainError, End, Stopped, collide_chain, run,
-};
+use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, collide_chain, run};
 use crate::tip::Tip;
 use crate::world::World;
 
@@ -134,8 +132,7 @@ fn bodies<N: Coordinate>(
             bounces.push(bounce.clone());
         }
     })?;
-    let start_energy =
-        world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
+    let start_energy = world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
     let values = scene.asked.iter().map(|asked| {
         let value = asked.quantity.of(&start_energy, bounces.first(), &end);
         value.ok_or(Failed::NoValue(asked.quantity))

@@ -99,12 +99,7 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
     }
 }
 
-fn of_the_choice(
-    reference: &Reference,
-    judged: &[Judged],
-    chosen: Model,
-    said: &mut Vec<String>,
-) {
+fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: &mut Vec<String>) {
     // the most costly of those passed over tells most; of each mechanics the best
     let passed = judged.iter().take_while(|judged| judged.model != chosen);
     let mut told: Vec<(Mechanics, &Judged)> = Vec::new();
@@ -135,7 +130,8 @@ fn of_the_choice(
     let shorter = judged
         .iter()
         .rfind(|judged| {
-            judged.model.mechanics == chosen.mechanics && judged.model.cost() <= chosen.cost()
+            judged.model.mechanics == chosen.mechanics
+                && judged.model.cost() <= chosen.cost()
                 && judged.model != chosen
         })
         .map(|judged| format!("; {}: {}", judged.model.system, in_words(&judged.verdict)));
@@ -189,5 +185,7 @@ pub(super) fn in_words(verdict: &Verdict) -> String {
 
 fn capital(words: &str) -> String {
     let mut chars = words.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + chars.as_str())
+    chars
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + chars.as_str())
 }

@@ -36,13 +36,16 @@ impl Reference {
             let found = evaluate(scene, &nominal, mechanics, 1)?;
             Ok(found.values.into_iter().map(|value| (value.clone(), value)).collect::<Vec<_>>())
         };
-        let asks_exactly =
-            scene.asked.iter().any(|asked| asked.tolerance < Rational::new(1.into(), 10_u64.pow(15).into()));
+        let asks_exactly = scene
+            .asked
+            .iter()
+            .any(|asked| asked.tolerance < Rational::new(1.into(), 10_u64.pow(15).into()));
         let at = evaluate(scene, &nominal.map(|x| x.enclosed()), mechanics, 1);
         let enclosed = |found: &Found<Interval>| -> Result<Vec<(Rational, Rational)>, Failed> {
-            let ends = found.values.iter().zip(&scene.asked).map(|(value, asked)| {
-                value.ends().map_err(|_| Failed::NoValue(asked.quantity))
-            });
+            let ends =
+                found.values.iter().zip(&scene.asked).map(|(value, asked)| {
+                    value.ends().map_err(|_| Failed::NoValue(asked.quantity))
+                });
             ends.collect()
         };
         // exact numbers where they are needed and can be had; else enclosures
@@ -57,7 +60,8 @@ impl Reference {
             },
             (false, Ok(found)) => (enclosed(found), Known::Enclosed),
         };
-        let over = (scene.uncertain() > 0).then(|| evaluate(scene, &scene.enclosed(), mechanics, 1));
+        let over =
+            (scene.uncertain() > 0).then(|| evaluate(scene, &scene.enclosed(), mechanics, 1));
         Self { mechanics, values, known, over, at }
     }
 
@@ -92,8 +96,8 @@ pub(super) fn at(scene: &Scene, mechanics: Mechanics, setup: &Setup<Rational>) -
 
 /// What the scene states of its contacts.
 fn mechanics(scene: &Scene) -> Mechanics {
-    let frictionless = scene.setup.friction().value == Rational::default()
-        && scene.setup.friction().is_certain();
+    let frictionless =
+        scene.setup.friction().value == Rational::default() && scene.setup.friction().is_certain();
     match (&scene.tangential, &scene.setup) {
         _ if scene.stiffness.is_some() => Mechanics::Chain,
         _ if frictionless => Mechanics::NormalOnly,

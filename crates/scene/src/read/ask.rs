@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use kane_audit::Diagnostic;
 use kane_number::Rational;
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::number::Domain;
-use super::source::{Number, Source};
+use super::source::{Fault, Number, Source};
 use crate::quantity::Quantity;
 use crate::scene::{Asked, Setup};
 use crate::simulate::Until;
@@ -25,7 +24,7 @@ pub(super) struct UntilTable {
 pub(super) fn until(
     source: Source<'_>,
     table: &Spanned<UntilTable>,
-) -> Result<Until<Rational>, Diagnostic> {
+) -> Result<Until<Rational>, Fault> {
     let UntilTable { impacts, duration_s, rest } = table.get_ref();
     match (impacts, duration_s, rest) {
         (Some(impacts), None, None) => match impacts.get_ref() {
@@ -39,8 +38,10 @@ pub(super) fn until(
         }
         (None, None, Some(rest)) if *rest.get_ref() => Ok(Until::Rest),
         (None, None, Some(rest)) => Err(source.fault(rest.span(), "rest can only be true")),
-        _ => Err(source
-            .fault(table.span(), "[until] needs exactly one of impacts, duration_s and rest")),
+        _ => {
+            Err(source
+                .fault(table.span(), "[until] needs exactly one of impacts, duration_s and rest"))
+        }
     }
 }
 
@@ -49,15 +50,18 @@ pub(super) fn asked<N>(
     source: Source<'_>,
     table: &BTreeMap<Spanned<String>, Number>,
     setup: &Setup<N>,
-) -> Result<Vec<Asked>, Diagnostic> {
+) -> Result<Vec<Asked>, Fault> {
     let mut in_order: Vec<_> = table.iter().collect();
     in_order.sort_by_key(|(key, _)| key.span().start);
     let mut asked = Vec::new();
     for (key, tolerance) in in_order {
         let quantity =
             Quantity::parse(key.get_ref()).map_err(|error| source.fault(key.span(), error))?;
-        let tolerance =
-            source.number(tolerance, &format!("the tolerance of {quantity}"), Domain::NotNegative)?;
+        let tolerance = source.number(
+            tolerance,
+            &format!("the tolerance of {quantity}"),
+            Domain::NotNegative,
+        )?;
         match setup {
             Setup::Bodies(world) if quantity.body >= world.bodies.len() => {
                 let count = world.bodies.len();

@@ -2,6 +2,7 @@
 
 mod angle;
 mod ask;
+mod bodies;
 mod file;
 mod number;
 mod source;
@@ -10,5 +11,5 @@ mod stated;
 pub use angle::direction;
 pub use file::scene;
 pub use number::{Domain, read, read_in};
-pub use source::{Number, Source, load};
+pub use source::{Fault, Number, Source, load};
 pub use stated::Stated;

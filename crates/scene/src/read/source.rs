@@ -14,6 +14,9 @@ use super::number::{Domain, read_in};
 /// No description of a few bodies is longer.
 const MAX_BYTES: u64 = 1 << 16;
 
+/// Something wrong with a file, shown with its line and a caret.
+pub type Fault = Box<Diagnostic>;
+
 /// A number, whose text is looked up in the file: only the text is exact.
 pub type Number = Spanned<toml::Value>;
 
@@ -45,15 +48,15 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Something wrong at a place of the file.
     #[must_use]
-    pub fn fault(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::of_file(self.name, self.text, span, message.into())
+    pub fn fault(&self, span: Range<usize>, message: impl Into<String>) -> Fault {
+        Box::new(Diagnostic::of_file(self.name, self.text, span, message.into()))
     }
 
     /// The file as tables.
     ///
     /// # Errors
     /// The first thing that does not fit, with the key that may have been meant.
-    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Diagnostic> {
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Fault> {
         toml::from_str(self.text).map_err(|error| {
             let span = error.span().unwrap_or_default();
             let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
@@ -79,12 +82,7 @@ impl Source<'_> {
     ///
     /// # Errors
     /// That it is no number, or outside the domain; `symbol` says which.
-    pub fn number(
-        &self,
-        number: &Number,
-        symbol: &str,
-        domain: Domain,
-    ) -> Result<Rational, Diagnostic> {
+    pub fn number(&self, number: &Number, symbol: &str, domain: Domain) -> Result<Rational, Fault> {
         read_in(&self.written(number), domain)
             .map_err(|error| self.fault(number.span(), format!("{symbol} {error}")))
     }

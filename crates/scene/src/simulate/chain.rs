@@ -21,7 +21,9 @@ pub enum ChainError {
     #[error("the spheres did not part within the budget of steps")]
     Endless,
     /// Numbers that describe no chain.
-    #[error("a chain needs two spheres at least, positive masses and stiffness, and finite numbers")]
+    #[error(
+        "a chain needs two spheres at least, positive masses and stiffness, and finite numbers"
+    )]
     Invalid,
 }
 

@@ -61,10 +61,7 @@ impl<N> Bounce<N> {
                 rotational: to(&self.ledger.rotational),
             },
             gravity: to(&self.gravity),
-            after: (
-                self.after.0.map(&mut to),
-                self.after.1.as_ref().map(|body| body.map(&mut to)),
-            ),
+            after: (self.after.0.map(&mut to), self.after.1.as_ref().map(|body| body.map(&mut to))),
         }
     }
 }

@@ -21,9 +21,7 @@ pub(super) fn to_wall<N: Coordinate>(
     match wall.side {
         Side::Left => straight(x.clone() - &wall.at - r, &body.motion.vx, touching),
         Side::Right => straight(wall.at.clone() - x - r, &-body.motion.vx.clone(), touching),
-        Side::Floor if weightless => {
-            straight(y.clone() - &wall.at - r, &body.motion.vy, touching)
-        }
+        Side::Floor if weightless => straight(y.clone() - &wall.at - r, &body.motion.vy, touching),
         Side::Ceiling if weightless => {
             straight(wall.at.clone() - y - r, &-body.motion.vy.clone(), touching)
         }
@@ -77,15 +75,9 @@ fn not_before<N: Coordinate>(gap: N) -> N {
 
 /// The time until two bodies meet, if they do, both given at the same time. Gravity moves both
 /// alike, so that their relative motion is uniform: |d + w·t| = `r_1` + `r_2`.
-pub(super) fn to_body<N: Coordinate>(
-    a: &Round<N>,
-    b: &Round<N>,
-) -> Result<Option<N>, Unknown> {
+pub(super) fn to_body<N: Coordinate>(a: &Round<N>, b: &Round<N>) -> Result<Option<N>, Unknown> {
     let d = [0, 1].map(|i| a.position[i].clone() - &b.position[i]);
-    let w = [
-        a.motion.vx.clone() - &b.motion.vx,
-        a.motion.vy.clone() - &b.motion.vy,
-    ];
+    let w = [a.motion.vx.clone() - &b.motion.vx, a.motion.vy.clone() - &b.motion.vy];
     let dot = |a: &[N; 2], b: &[N; 2]| a[0].clone() * &b[0] + a[1].clone() * &b[1];
     let closing = dot(&d, &w);
     if !closing.sign().is_less().ok_or(Unknown)? {
@@ -101,4 +93,3 @@ pub(super) fn to_body<N: Coordinate>(
     let root = discriminant.sqrt().ok_or(Unknown)?;
     Ok(Some(gap / (root - closing)))
 }
-

@@ -6,6 +6,7 @@ mod flight;
 mod penalty;
 mod rest;
 mod run;
+mod state;
 
 pub use chain::{Chain, ChainError, collide_chain};
 pub use encounter::{Bounce, Encounter};

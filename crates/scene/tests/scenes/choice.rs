@@ -10,27 +10,33 @@ const SHIPPED: [(&str, &str, &str); 10] = [
     ("rest", include_str!("../../../../docs/scenes/rest.toml"), "coulomb/rational"),
     ("two-spheres", include_str!("../../../../docs/scenes/two-spheres.toml"), "coulomb/f64"),
     ("rod-jam", include_str!("../../../../docs/scenes/rod-jam.toml"), "energetic/f64"),
-    ("double-pendulum", include_str!("../../../../docs/scenes/double-pendulum.toml"), "energetic/f32"),
+    (
+        "double-pendulum",
+        include_str!("../../../../docs/scenes/double-pendulum.toml"),
+        "energetic/f32",
+    ),
     ("cradle-apart", include_str!("../../../../docs/scenes/cradle-apart.toml"), "normal-only/f64"),
     ("cradle-touching", include_str!("../../../../docs/scenes/cradle-touching.toml"), "chain/f64"),
     ("discs", include_str!("../../../../docs/scenes/discs.toml"), "coulomb/f64"),
 ];
 
 fn answered(name: &str, text: &str, wanted: Option<Model>) -> (Scene, Answer) {
-    let scene = read::scene(name, text).unwrap_or_else(|fault| panic!("{fault}"));
+    let scene = read::scene(name, text).expect("the scene is well formed");
     let answer = answer(&scene, wanted, Effort::Chosen, &mut |_, _| {});
-    let answer = answer.unwrap_or_else(|none| panic!("{name}: {none}"));
-    (scene, answer)
+    (scene, answer.expect("there is an answer"))
 }
 
 #[test]
 fn the_chosen_model_meets_the_tolerance_and_the_next_cheaper_misses() {
     for (name, text, expected) in SHIPPED {
         let (_, answer) = answered(name, text, None);
-        let chosen = answer.chosen.unwrap_or_else(|| panic!("{name}: {:#?}", answer.judged));
+        let chosen = answer.chosen.expect(name);
         println!("{name}: {chosen}\n  {}", answer.reasons.join("\n  "));
         for judged in &answer.judged {
-            println!("    {} {} {:?} {:?}", judged.model, judged.cost, judged.ratio, judged.verdict);
+            println!(
+                "    {} {} {:?} {:?}",
+                judged.model, judged.cost, judged.ratio, judged.verdict
+            );
         }
         assert_eq!(chosen.to_string(), expected, "{name}");
         assert_eq!(answer.shown, chosen);
@@ -81,7 +87,9 @@ fn a_process_answers_where_an_elastic_contact_does_not_slide() {
     let with = Elastic { poisson_ratio: n("3/10"), process: Some(&Fixed) };
     let without = Elastic { process: None, ..with.clone() };
     // α = 7/2·1/5·19/10/(2·slip): 0.3325 slides by the formula, 0.665 takes the process
-    for (slip, k) in [("2", 1.0 - 2.0 * 0.3325), ("-2", 1.0 - 2.0 * 0.3325), ("1", -0.25), ("-1", -0.25)] {
+    for (slip, k) in
+        [("2", 1.0 - 2.0 * 0.3325), ("-2", 1.0 - 2.0 * 0.3325), ("1", -0.25), ("-1", -0.25)]
+    {
         let outcome = with.resolve(&contact(slip).map(Interval::from_rational)).unwrap();
         let found = outcome.slip / Interval::from_rational(&n(slip));
         assert!((found.midpoint() - k).abs() < 1e-12, "{slip}: {found}");
@@ -98,7 +106,7 @@ fn a_process_answers_where_an_elastic_contact_does_not_slide() {
 fn where_nothing_is_good_enough_the_reason_is_named() {
     // beyond sliding, the compliance of the contact decides
     let steep = SHIPPED[0].1.replacen("value = 3.378", "value = 0.5", 1);
-    let (_, scene) = (0, read::scene("steep", &steep).unwrap());
+    let scene = read::scene("steep", &steep).unwrap();
     let none = answer(&scene, None, Effort::Chosen, &mut |_, _| {}).unwrap_err();
     assert!(none.reason.contains("tangential compliance decides"), "{none}");
     // an irrational time has no exact answer
@@ -114,7 +122,8 @@ fn another_model_is_answered_with_its_error() {
     let (_, answer) = answered("backspin", SHIPPED[1].1, Some(model));
     assert_eq!((answer.shown, answer.chosen), (model, None));
     assert!(answer.lines.iter().any(|line| line.error.unwrap() > line.tolerance));
-    for (bad, message) in [("slidin", "did you mean `sliding`?"), ("coulomb/f65", "number system")] {
+    for (bad, message) in [("slidin", "did you mean `sliding`?"), ("coulomb/f65", "number system")]
+    {
         let error = bad.parse::<Model>().unwrap_err().to_string();
         assert!(error.contains(message), "{error}");
     }

@@ -3,9 +3,7 @@
 use kane_impact::bodies::{Collision, Motion, PlanarBody};
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
 use kane_number::{Interval, Rational};
-use kane_scene::simulate::{
-    Budget, Chain, ChainError, Ending, Stopped, Until, collide_chain, run,
-};
+use kane_scene::simulate::{Budget, Chain, ChainError, Ending, Stopped, Until, collide_chain, run};
 use kane_scene::{ByLaw, Coordinate as _, NormalOnly, Side, Wall, World};
 
 use crate::{above_floor, ball, energy, n, of};
@@ -25,8 +23,7 @@ fn an_impact_is_that_of_the_bodies_of_the_laws() {
         arm: [n("0"), -ball.radius.clone()],
         before: ball.motion.clone(),
     };
-    let collision =
-        Collision { body, other: None, friction: n("1/5"), restitution: n("3/4") };
+    let collision = Collision { body, other: None, friction: n("1/5"), restitution: n("3/4") };
     let collided = collision.collide(&WangSuLi).unwrap();
     assert_eq!(seen[0].after.0.motion, collided.after);
     assert_eq!(seen[0].ledger, collided.energy);
@@ -48,8 +45,8 @@ fn two_bodies_part_as_the_laws_say_and_keep_their_momentum() {
     // they meet off centre unless both have the same velocity along x
     let mut world = world;
     world.bodies[1].motion.vx = n("1/3");
-    let end =
-        run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {}).unwrap();
+    let end = run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
+        .unwrap();
     let planar = |body: &kane_scene::Round<Rational>, arm: Rational| PlanarBody {
         mass: body.mass.clone(),
         inertia: body.inertia.clone(),
@@ -102,8 +99,9 @@ fn every_side_of_a_room_is_the_floor_turned() {
             friction: n("1/5"),
             restitution: n("3/4"),
         };
-        let end = run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
-            .unwrap();
+        let end =
+            run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
+                .unwrap();
         let motion = &end.bodies[0].motion;
         let vt = integer(xt) * &motion.vx + integer(yt) * &motion.vy;
         let vn = integer(xn) * &motion.vx + integer(yn) * &motion.vy;
@@ -135,8 +133,9 @@ fn the_end_of_infinitely_many_impacts_does_not_depend_on_where_the_sum_begins() 
         assert_eq!(early.time, n("1/2") + n("3"));
         // the 200th impact is within e^200 of it
         let until = Until::Impacts(200);
-        let far = run(&of::<f64>(&world), &ByLaw(RouthNewton), &until, Budget::default(), &mut |_| {})
-            .unwrap();
+        let far =
+            run(&of::<f64>(&world), &ByLaw(RouthNewton), &until, Budget::default(), &mut |_| {})
+                .unwrap();
         assert!((far.time - 3.5).abs() < 1e-12);
         assert!((far.bodies[0].position[0] - early.bodies[0].position[0].to_f64()).abs() < 1e-12);
         assert!((far.bodies[0].motion.omega - early.bodies[0].motion.omega.to_f64()).abs() < 1e-9);
@@ -286,9 +285,8 @@ fn a_chain_converges_as_its_steps_get_finer() {
     let touching = row(&[0.1, 0.2, 0.1], &[0.0, 0.0], &[1.0, 0.0, 0.0]);
     let at = |steps| collide_chain(&touching, steps).unwrap();
     let exact = at(8_192);
-    let error = |steps| {
-        at(steps).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max)
-    };
+    let error =
+        |steps| at(steps).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max);
     // of order 5/2 at least where a force as δ^(3/2) begins within a step: 8 times finer is 181
     // times better; half of that is asked, because where in a step it begins is chance
     assert!(error(512) < error(64) / 90.0, "{} {}", error(64), error(512));

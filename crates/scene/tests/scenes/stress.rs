@@ -64,7 +64,9 @@ fn a_million_bounces_drift_by_no_more_than_their_roundings() {
     // n equal flights: the sum errs by at most n·u relatively, the flight by 2u; the velocity turns
     // exactly
     let rows = rows();
-    let worst = rows.iter().find(|row| row.case.starts_with("drift") && row.to == "1e6" && row.method == "f64");
+    let worst = rows
+        .iter()
+        .find(|row| row.case.starts_with("drift") && row.to == "1e6" && row.method == "f64");
     assert!(worst.expect("it is measured").error < 1e6 * U);
     let world = above_floor(vec![ball("1", "1", ["0", "1"], ["0", "-3", "0"])], "10", "1/5", "1");
     let budget = Budget { impacts: 1_000_000, ..Budget::default() };
@@ -78,7 +80,8 @@ fn a_million_bounces_drift_by_no_more_than_their_roundings() {
 fn box_drift(impacts: u64) -> f64 {
     let discs = box_of_discs();
     let budget = Budget { impacts: u64::MAX, ..Budget::default() };
-    let end = run(&discs, &NormalOnly, &Until::Impacts(impacts), budget, &mut |_| {}).unwrap();
+    let end = run(&discs, &NormalOnly, &Until::Impacts(impacts), budget, &mut |_| {})
+        .expect("it can be followed");
     (energy(&end.bodies) / energy(&discs.bodies) - 1.0).abs()
 }
 
