@@ -77,10 +77,6 @@ pub trait Process {
     /// k, `i_x` and Δe at α = `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`) > 0 for Poisson's ratio ν and
     /// restitution e; `None` outside the domain.
     fn answer(&self, alpha: f64, poisson_ratio: f64, restitution: f64) -> Option<Compliant>;
-
-    /// The greatest α up to which the process slides all the time, so that k = 1 − 2α; `ratio` is
-    /// `W_tt`/`W_nn`, 7/2 for a solid sphere.
-    fn slides_up_to(&self, poisson_ratio: f64, restitution: f64, ratio: f64) -> f64;
 }
 
 /// An elastic contact: sliding all the time where that is documented, and a process elsewhere.

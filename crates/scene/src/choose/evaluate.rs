@@ -9,7 +9,7 @@ use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
 use crate::resolver::{ByLaw, Elastic, NormalOnly, Resolver};
 use crate::scene::{Scene, Setup, Tangential};
-use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, collide_chain, run};
+use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
 use crate::tip::Tip;
 use crate::world::World;
 
@@ -120,7 +120,7 @@ fn bodies<N: Coordinate>(
     let mut bounces: Vec<Bounce<N>> = Vec::new();
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
-    let budget = Budget { shown, impacts: most_impacts(N::SYSTEM) };
+    let budget = Budget { shown, impacts: most_impacts(N::SYSTEM, &until) };
     let end = run(world, &resolver, &until, budget, &mut |bounce: &Bounce<N>| {
         let none = bounce.slip[0].sign().is_equal() == Some(true);
         no_slip &= none;
@@ -148,12 +148,15 @@ fn bodies<N: Coordinate>(
     })
 }
 
-/// How many impacts are followed, by what one costs.
-const fn most_impacts(system: System) -> u64 {
-    match system {
-        System::F32 | System::F64 => 100_000,
-        System::DoubleDouble | System::Interval => 10_000,
-        System::Rational => 1_000,
+/// How many impacts are followed, by what one costs; of a ball that comes to rest fewer, because what
+/// has not stopped slipping by then never does.
+const fn most_impacts<N>(system: System, until: &Until<N>) -> u64 {
+    match (system, until) {
+        (System::Rational, Until::Rest) => 60,
+        (System::Rational, _) => 1_000,
+        (_, Until::Rest) => 4_000,
+        (System::F32 | System::F64, _) => 100_000,
+        (System::DoubleDouble | System::Interval, _) => 10_000,
     }
 }
 

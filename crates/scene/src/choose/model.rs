@@ -66,7 +66,7 @@ impl Mechanics {
             Self::Grip => "Coulomb friction with tangential restitution",
             Self::Energetic => "Coulomb friction with energetic restitution",
             Self::Chain => "the chain of Hertz's springs",
-            Self::Compliant => "a compliant process",
+            Self::Compliant => "an elastic contact",
         }
     }
 

@@ -67,10 +67,6 @@ impl kane_scene::Process for Fixed {
         let impulse = (1.0 - k) / (2.0 * alpha);
         Some(kane_scene::Compliant { k, impulse, energy: -impulse * (1.0 + k) / 2.0, error: 1e-3 })
     }
-
-    fn slides_up_to(&self, _: f64, _: f64, _: f64) -> f64 {
-        0.5
-    }
 }
 
 #[test]
