@@ -109,6 +109,26 @@ Exit codes:
   1  a cell is undecided
   2  bad input or usage";
 
+const SCENE_EXAMPLES: &str = "\
+Examples:
+  kane scene docs/scenes/backspin.toml           the answer by the least model, and why that one
+  kane scene docs/scenes/rest.toml --out out     also writes out/rest.json, .md, -motion.svg,
+                                                 -ledger.svg, -states.csv and -models.csv
+  kane scene docs/scenes/backspin.toml --model sliding
+                                                 by another model, with its error
+  kane scene docs/scenes/two-spheres.toml --compare
+                                                 every model that applies, by cost and error
+
+A scene says what collides, what is asked and how accurately; see docs/scene-format.md. Models, from
+the least: normal-only, sliding, wang-su-li, coulomb, grip, energetic, chain, compliant; each in f64,
+or as in coulomb/rational in f32, f64, double-double or rational.
+
+Exit codes:
+  0  the model shown is certified to be good enough
+  1  it is not
+  2  bad input or usage
+  3  it has no answer";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
@@ -126,6 +146,9 @@ pub(crate) enum Verb {
     /// Find where the formulas of a derivation document fail in floating point
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
+    /// Answer a scene by the least model that is good enough
+    #[command(after_help = SCENE_EXAMPLES)]
+    Scene(SceneArgs),
 }
 
 /// Another judge of claims.
@@ -302,6 +325,29 @@ pub(crate) struct StabilityArgs {
     pub(crate) file: Option<PathBuf>,
 
     /// Also write NAME-stability.md, .json, .csv and .svg into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct SceneArgs {
+    /// The scene
+    #[arg(value_name = "FILE.toml")]
+    pub(crate) file: PathBuf,
+
+    /// Answer by this model instead of the least good one: NAME or NAME/SYSTEM
+    #[arg(long, value_name = "MODEL")]
+    pub(crate) model: Option<String>,
+
+    /// Try every model that applies, and chart error against cost
+    #[arg(long)]
+    pub(crate) compare: bool,
+
+    /// Also write the report, the pictures and all states into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

@@ -2,7 +2,6 @@
 
 mod file;
 mod flags;
-mod number;
 
 use std::fs;
 use std::path::Path;
@@ -13,6 +12,7 @@ use kane::impact::InvalidInput;
 use kane::number::{Algebraic, Rational};
 use kane::report::Page;
 use kane::report::collision::{self, Collision};
+use kane::scene::read::read as read_number;
 
 use super::args::{CollideArgs, Format};
 use super::input::quoted;
@@ -53,6 +53,12 @@ enum Fault {
     Message(String),
     /// a message as it is to be shown, with the place in a file
     Shown(String),
+}
+
+impl From<kane::scene::read::Fault> for Fault {
+    fn from(fault: kane::scene::read::Fault) -> Self {
+        Self::Shown(fault.to_string())
+    }
 }
 
 impl From<String> for Fault {
@@ -124,7 +130,7 @@ fn parameters(given: &[String]) -> Result<Parameters, String> {
                 "--param: `{text}` has no value; write LAW.NAME=VALUE, as in walton.beta0=0.44"
             ));
         };
-        let value = number::read(value).map_err(|error| format!("--param {path} {error}"))?;
+        let value = read_number(value).map_err(|error| format!("--param {path} {error}"))?;
         parameters.set(path, value).map_err(|error| format!("--param: {error}"))?;
     }
     Ok(parameters)

@@ -9,6 +9,7 @@ mod labels;
 mod laws;
 mod output;
 mod progress;
+mod scene;
 mod stability;
 
 use std::io;
@@ -51,6 +52,7 @@ pub(crate) fn run() -> ExitCode {
         Verb::Collide(args) => collide::run(&args),
         Verb::Chart(args) => chart::run(&args),
         Verb::Stability(args) => stability::run(&args),
+        Verb::Scene(args) => scene::run(&args),
     };
     outcome.into()
 }

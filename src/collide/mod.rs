@@ -26,7 +26,6 @@
 //! assert!(law.checks.iter().all(|check| check.holds));
 //! ```
 
-mod angle;
 mod checks;
 mod lanes;
 mod parameters;
@@ -34,7 +33,7 @@ mod readings;
 mod system;
 mod written;
 
-pub use angle::direction;
+pub use kane_scene::read::direction;
 pub use parameters::{LawParameter, Parameters, UnknownParameter};
 pub use system::{Happened, System};
 pub use written::written;

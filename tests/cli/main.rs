@@ -9,6 +9,7 @@ mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
+mod scene; // scenes: models, files, exit codes
 mod stability; // stability and chart
 
 use std::path::{Path, PathBuf};

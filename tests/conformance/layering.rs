@@ -6,15 +6,16 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 8] = [
+const LEVELS: [(&str, u32); 9] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-algebra", 1),
     ("kane-impact", 2),
     ("kane-audit", 3),
     ("kane-measure", 4),
-    ("kane-report", 5),
-    ("kane", 6),
+    ("kane-scene", 5),
+    ("kane-report", 6),
+    ("kane", 7),
 ];
 
 /// All that the kernel may stand on.

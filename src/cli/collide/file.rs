@@ -6,25 +6,18 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::Spanned;
 
-use kane::audit::Diagnostic;
 use kane::collide::{Parameters, Question, System, direction};
 use kane::impact::bodies::{
     Collision, Direction, DoublePendulum, Motion, PlanarBody, Shape, SphereOnPlane,
 };
 use kane::number::{Algebraic, Rational};
 use kane::report::collision::Given;
+use kane::scene::read::{Domain, Number, Source, load};
 
 use super::Fault;
 use super::flags::{of_floats, pairs};
-use super::number::{Domain, read_in};
 use crate::cli::args::BodyArgs;
 use crate::cli::input::quoted;
-
-/// No description of a few bodies is longer.
-const MAX_BYTES: u64 = 1 << 16;
-
-/// A number, whose text is looked up in the file: only the text is exact.
-type Number = Spanned<toml::Value>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -117,12 +110,9 @@ pub(super) fn question(path: &Path, flags: &BodyArgs) -> Result<Question, Fault>
     }
     let name = path.display().to_string();
     let text = load(path).map_err(|error| format!("cannot read {name}: {error}"))?;
-    let file: File = toml::from_str(&text).map_err(|error| {
-        let span = error.span().unwrap_or_default();
-        let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
-        Fault::Shown(Diagnostic::of_file(&name, &text, span, message).to_string())
-    })?;
-    let mut reader = Reader { name: &name, text: &text, given: Vec::new(), notes: Vec::new() };
+    let source = Source { name: &name, text: &text };
+    let file: File = source.parse()?;
+    let mut reader = Reader { source, given: Vec::new(), notes: Vec::new() };
     let system = reader.system(&file)?;
     let mut question = Question::new(system, Parameters::default());
     question.given = reader.given;
@@ -134,34 +124,21 @@ pub(super) fn question(path: &Path, flags: &BodyArgs) -> Result<Question, Fault>
     Ok(question)
 }
 
-fn load(path: &Path) -> Result<String, String> {
-    use std::io::Read as _;
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
-    let read = file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
-    read.map_err(|error| error.to_string())?;
-    if u64::try_from(bytes.len()).is_ok_and(|length| length > MAX_BYTES) {
-        return Err(format!("it has more than {MAX_BYTES} bytes"));
-    }
-    String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())
-}
-
 /// Reads exact numbers out of the file's text and keeps what was given.
 struct Reader<'a> {
-    name: &'a str,
-    text: &'a str,
+    source: Source<'a>,
     given: Vec<Given>,
     notes: Vec<String>,
 }
 
 impl Reader<'_> {
     fn fault(&self, span: Range<usize>, message: impl Into<String>) -> Fault {
-        Fault::Shown(Diagnostic::of_file(self.name, self.text, span, message.into()).to_string())
+        self.source.fault(span, message).into()
     }
 
     /// A fault of no place in particular.
     fn lacks(&self, message: &str) -> Fault {
-        Fault::Message(format!("{}: {message}", self.name))
+        Fault::Message(format!("{}: {message}", self.source.name))
     }
 
     /// The number as written: TOML's own floats would not be exact.
@@ -171,15 +148,8 @@ impl Reader<'_> {
         (symbol, unit): (&str, &'static str),
         domain: Domain,
     ) -> Result<Rational, Fault> {
-        let written = match number.get_ref() {
-            toml::Value::String(text) => text.clone(),
-            toml::Value::Integer(_) | toml::Value::Float(_) => {
-                self.text.get(number.span()).unwrap_or_default().replace('_', "")
-            }
-            _ => String::new(),
-        };
-        let value = read_in(&written, domain)
-            .map_err(|error| self.fault(number.span(), format!("{symbol} {error}")))?;
+        let value = self.source.number(number, symbol, domain)?;
+        let written = self.source.written(number);
         self.given.push(Given { symbol: symbol.to_owned(), value: written, unit, assumed: false });
         Ok(value)
     }

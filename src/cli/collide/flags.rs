@@ -5,9 +5,9 @@ use kane::impact::bodies::{Direction, Motion, Shape, SphereOnPlane};
 use kane::number::{Algebraic, Rational};
 use kane::report::collision::Given;
 
-use super::number::{Domain, read_in};
 use crate::cli::args::BodyArgs;
 use crate::cli::input::quoted;
+use kane::scene::read::{Domain, read_in};
 
 /// What is asked by the flags.
 pub(super) fn question(args: &BodyArgs) -> Result<Question, String> {

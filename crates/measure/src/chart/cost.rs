@@ -8,7 +8,8 @@ use super::method::{Method, System};
 /// What an addition, a multiplication, a division and a root cost in each system, in additions of
 /// `f64`. Set once, by the operations of floats that the system's own algorithms are made of; not
 /// measured, so that a rank does not depend on a machine.
-const fn weights(system: System) -> [u64; 4] {
+#[must_use]
+pub const fn weights(system: System) -> [u64; 4] {
     match system {
         System::F32 | System::F64 => [1, 1, 4, 5],
         System::DoubleDouble => [20, 25, 45, 50],

@@ -9,7 +9,7 @@ mod registry;
 pub(crate) use accuracy::right;
 pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
-pub use cost::cost;
+pub use cost::{cost, weights};
 pub use method::{Answer, Lane, Method, System};
 pub use registry::{DOMAIN, registry};
 

@@ -1,10 +1,10 @@
 //! Exact numbers from what people type, and their domains.
 
-use kane::number::{ParseError, Rational, Rounding, encode, parse};
+use kane_number::{ParseError, Rational, Rounding, encode, parse};
 
 /// What a value must be.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Domain {
+pub enum Domain {
     /// any number
     Any,
     /// above zero
@@ -45,7 +45,10 @@ impl Domain {
 }
 
 /// Reads an exact number of a size that floats have too.
-pub(super) fn read(text: &str) -> Result<Rational, String> {
+///
+/// # Errors
+/// What is wrong with the text, in words that follow the name of the quantity.
+pub fn read(text: &str) -> Result<Rational, String> {
     let value = parse(text).map_err(|error| {
         let hint = match error {
             ParseError::TooManyDigits { .. } | ParseError::ExponentTooLarge { .. } => "",
@@ -55,7 +58,7 @@ pub(super) fn read(text: &str) -> Result<Rational, String> {
     })?;
     let float: f64 = encode(&value, Rounding::NearestEven);
     let zero = Rational::default();
-    let vanishes = value != zero && kane::number::decode(float).is_ok_and(|float| float == zero);
+    let vanishes = value != zero && kane_number::decode(float).is_ok_and(|float| float == zero);
     if !float.is_finite() || vanishes {
         return Err(format!("is {}, beyond the range of f64, about 1e-323 to 1e308", shown(text)));
     }
@@ -75,7 +78,10 @@ fn shown(text: &str) -> String {
 }
 
 /// Reads a number of a domain.
-pub(super) fn read_in(text: &str, domain: Domain) -> Result<Rational, String> {
+///
+/// # Errors
+/// As [`read`], or that the number is outside the domain.
+pub fn read_in(text: &str, domain: Domain) -> Result<Rational, String> {
     let value = read(text)?;
     if domain.holds(&value) {
         Ok(value)

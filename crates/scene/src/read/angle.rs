@@ -2,8 +2,8 @@
 
 use num_traits::{Signed as _, Zero as _};
 
-use crate::impact::bodies::Direction;
-use crate::number::{Integer, Rational, Rounding, decode, encode};
+use kane_impact::bodies::Direction;
+use kane_number::{Integer, Rational, Rounding, decode, encode};
 
 /// π to 100 decimals, cut.
 const PI: &str = "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
@@ -68,7 +68,7 @@ fn rounded(x: &Rational) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse;
+    use kane_number::parse;
 
     #[test]
     fn right_angles_and_thirty_degrees_are_exact() {

@@ -1,0 +1,82 @@
+//! The states and the models as rows for spreadsheets and plotting programs.
+
+use std::fmt::Write as _;
+
+use kane_scene::stress::Row;
+use kane_scene::{Round, Shown};
+
+use super::{SceneReport, verdict, who};
+use crate::stability::quoted;
+
+/// A row for each body of each impact that is kept, and one for each body at the end. Numbers are
+/// those of the model: fractions where it is exact.
+#[must_use]
+pub fn states_csv(report: &SceneReport<'_>) -> String {
+    let answer = report.answer;
+    let mut out = String::from(
+        "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s,dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j\n",
+    );
+    let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
+    let state = |body: &Round<Shown>| {
+        let [x, y] = &body.position;
+        let m = &body.motion;
+        [x, y, &m.vx, &m.vy, &m.omega].map(|number| number.text.clone()).join(",")
+    };
+    for (index, bounce) in answer.bounces.iter().enumerate() {
+        let (first, second) = match bounce.encounter {
+            kane_scene::simulate::Encounter::Wall(i, _) => (i, i),
+            kane_scene::simulate::Encounter::Pair(i, j) => (i, j),
+        };
+        let who = quoted(&who(bounce.encounter, bodies));
+        let energy = [
+            &bounce.ledger.normal,
+            &bounce.ledger.tangential,
+            &bounce.ledger.rotational,
+            &bounce.gravity,
+        ];
+        let energy = energy.map(|number| number.text.clone()).join(",");
+        let struck = std::iter::once((first, &bounce.after.0))
+            .chain(bounce.after.1.as_ref().map(|body| (second, body)));
+        for (body, after) in struck {
+            let _ = writeln!(
+                out,
+                "{},{},{who},{},{},{},{energy}",
+                index + 1,
+                bounce.time.text,
+                quoted(bounce.regime),
+                body + 1,
+                state(after)
+            );
+        }
+    }
+    if let Some(end) = &answer.end {
+        for (index, body) in end.bodies.iter().enumerate() {
+            let _ = writeln!(out, "end,{},,,{},{},,,,", end.time.text, index + 1, state(body));
+        }
+    }
+    out
+}
+
+/// A row for each model that was tried.
+#[must_use]
+pub fn models_csv(report: &SceneReport<'_>) -> String {
+    let mut out = String::from("model,counted_cost,error_by_tolerance,verdict\n");
+    for judged in &report.answer.judged {
+        let ratio = judged.ratio.map_or_else(String::new, |ratio| format!("{ratio:e}"));
+        let verdict = quoted(&verdict(&judged.verdict));
+        let _ = writeln!(out, "{},{},{ratio},{verdict}", judged.model, judged.cost);
+    }
+    out
+}
+
+/// A row for each measurement of the table of stress; errors to two digits.
+#[must_use]
+pub fn stress_csv(rows: &[Row]) -> String {
+    let mut out = String::from("case,pushed,to,method,error\n");
+    for row in rows {
+        let error = if row.error == 0.0 { "0".to_owned() } else { super::small(row.error) };
+        let cells = [row.case, row.pushed, &row.to, row.method].map(quoted);
+        let _ = writeln!(out, "{},{error}", cells.join(","));
+    }
+    out
+}

@@ -1,0 +1,251 @@
+//! A scene under one model.
+
+use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
+use kane_measure::chart::System;
+use kane_number::{Interval, Number as _};
+
+use super::model::Mechanics;
+use crate::coordinate::Coordinate;
+use crate::quantity::{Kind, Quantity};
+use crate::resolver::{ByLaw, Elastic, NormalOnly, Resolver};
+use crate::scene::{Scene, Setup, Tangential};
+use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
+use crate::tip::Tip;
+use crate::world::World;
+
+/// Why a model has no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(super) enum Failed {
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    #[error(transparent)]
+    NoImpulse(#[from] kane_impact::NoImpulse),
+    #[error(transparent)]
+    Chain(#[from] ChainError),
+    #[error("{0}")]
+    Invalid(String),
+    #[error("{0} has no value here")]
+    NoValue(Quantity),
+}
+
+impl Failed {
+    /// Whether the model itself refuses, rather than its number system.
+    pub(super) fn is_of_the_model(&self) -> bool {
+        let refuses = |reason: &kane_impact::NoImpulse| {
+            matches!(reason, kane_impact::NoImpulse::Outside { .. })
+        };
+        match self {
+            Self::NoImpulse(reason) => refuses(reason),
+            Self::Stopped(Stopped::NoImpulse { source, .. }) => refuses(source),
+            _ => false,
+        }
+    }
+}
+
+/// What a model finds.
+pub(super) struct Found<N> {
+    /// One a quantity asked for.
+    pub(super) values: Vec<N>,
+    /// Every impact slid all the time, or had no slip.
+    pub(super) slides: bool,
+    /// No impact had any slip.
+    pub(super) no_slip: bool,
+    /// α of the first impact, with the sign of its slip.
+    pub(super) alpha: Option<N>,
+    pub(super) bounces: Vec<Bounce<N>>,
+    pub(super) end: Option<End<N>>,
+    pub(super) start_energy: N,
+}
+
+/// Runs the scene; keeps up to `kept` impacts.
+pub(super) fn evaluate<N: Coordinate>(
+    scene: &Scene,
+    setup: &Setup<N>,
+    mechanics: Mechanics,
+    kept: usize,
+) -> Result<Found<N>, Failed> {
+    evaluate_with(scene, setup, mechanics, kept, Budget::default().shown)
+}
+
+/// The same with so many impacts of a ball that comes to rest followed one by one.
+pub(super) fn evaluate_with<N: Coordinate>(
+    scene: &Scene,
+    setup: &Setup<N>,
+    mechanics: Mechanics,
+    kept: usize,
+    shown: u64,
+) -> Result<Found<N>, Failed> {
+    let elastic;
+    let walton;
+    let resolver: &dyn Resolver<N> = match mechanics {
+        Mechanics::NormalOnly => &NormalOnly,
+        Mechanics::Sliding => &ByLaw(WhittakerUncapped),
+        Mechanics::WangSuLi => &ByLaw(WangSuLi),
+        Mechanics::Coulomb => &ByLaw(RouthNewton),
+        Mechanics::Energetic => &ByLaw(Stronge1990),
+        Mechanics::Grip => {
+            let Tangential::Grip(share) = &scene.tangential else {
+                return Err(missing("tangential_restitution"));
+            };
+            walton = ByLaw(Walton { restitution: share.clone() });
+            &walton
+        }
+        Mechanics::Compliant => {
+            let Tangential::Elastic(ratio) = &scene.tangential else {
+                return Err(missing("poisson_ratio"));
+            };
+            elastic = Elastic { poisson_ratio: ratio.clone(), process: None };
+            &elastic
+        }
+        Mechanics::Chain => return chain(scene, setup),
+    };
+    match setup {
+        Setup::Bodies(world) => bodies(scene, world, resolver, kept, shown),
+        Setup::Tip(tip) => tips(scene, tip, resolver),
+    }
+}
+
+fn missing(key: &str) -> Failed {
+    Failed::Invalid(format!("the scene states no {key}"))
+}
+
+fn bodies<N: Coordinate>(
+    scene: &Scene,
+    world: &World<N>,
+    resolver: &dyn Resolver<N>,
+    kept: usize,
+    shown: u64,
+) -> Result<Found<N>, Failed> {
+    let (mut slides, mut no_slip) = (true, true);
+    let mut bounces: Vec<Bounce<N>> = Vec::new();
+    let mut alpha = None;
+    let until = scene.until.map(N::from_rational);
+    let budget = Budget { shown, impacts: most_impacts(N::SYSTEM, &until) };
+    let end = run(world, &resolver, &until, budget, &mut |bounce: &Bounce<N>| {
+        let none = bounce.slip[0].sign().is_equal() == Some(true);
+        no_slip &= none;
+        slides &= none || bounce.regime.starts_with("slide");
+        if bounces.is_empty() {
+            alpha = world.alpha(bounce);
+        }
+        if bounces.len() < kept.max(1) {
+            bounces.push(bounce.clone());
+        }
+    })?;
+    let start_energy = world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
+    let values = scene.asked.iter().map(|asked| {
+        let value = asked.quantity.of(&start_energy, bounces.first(), &end);
+        value.ok_or(Failed::NoValue(asked.quantity))
+    });
+    Ok(Found {
+        values: values.collect::<Result<_, _>>()?,
+        slides,
+        no_slip,
+        alpha,
+        bounces,
+        end: Some(end),
+        start_energy,
+    })
+}
+
+/// How many impacts are followed, by what one costs; of a ball that comes to rest fewer, because what
+/// has not stopped slipping by then never does.
+const fn most_impacts<N>(system: System, until: &Until<N>) -> u64 {
+    match (system, until) {
+        (System::Rational, Until::Rest) => 60,
+        (System::Rational, _) => 1_000,
+        (_, Until::Rest) => 4_000,
+        (System::F32 | System::F64, _) => 100_000,
+        (System::DoubleDouble | System::Interval, _) => 10_000,
+    }
+}
+
+fn tips<N: Coordinate>(
+    scene: &Scene,
+    tip: &Tip<N>,
+    resolver: &dyn Resolver<N>,
+) -> Result<Found<N>, Failed> {
+    let (contact, energy) = tip.contact().map_err(|error| Failed::Invalid(error.to_string()))?;
+    let outcome = resolver.resolve(&contact)?;
+    let values = scene.asked.iter().map(|asked| {
+        let value = match asked.quantity.kind {
+            Kind::K => outcome.slip.checked_div(contact.slip()),
+            Kind::TangentialImpulse => Some(outcome.impulse.tangential.clone()),
+            Kind::NormalImpulse => Some(outcome.impulse.normal.clone()),
+            Kind::Slip => Some(outcome.slip.clone()),
+            Kind::Separation => Some(outcome.separation.clone()),
+            Kind::EnergyRatio => {
+                outcome.work.total().checked_div(&energy).map(|change| N::one() + change)
+            }
+            _ => None,
+        };
+        value.ok_or(Failed::NoValue(asked.quantity))
+    });
+    let no_slip = contact.slip().sign().is_equal() == Some(true);
+    Ok(Found {
+        values: values.collect::<Result<_, _>>()?,
+        slides: outcome.regime.starts_with("slide"),
+        // without slip a contact that couples may still have a tangential impulse
+        no_slip: no_slip && contact.delassus().tn().sign().is_equal() == Some(true),
+        alpha: None,
+        bounces: Vec::new(),
+        end: None,
+        start_energy: energy,
+    })
+}
+
+/// Steps of a chain's integration, and for the estimate of its error half of them.
+const STEPS: u32 = 8_192;
+
+fn chain<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Result<Found<N>, Failed> {
+    let (Setup::Bodies(world), Some(stiffness)) = (setup, &scene.stiffness) else {
+        return Err(missing("stiffness"));
+    };
+    if N::of_enclosure(Interval::zero()).is_none() {
+        return Err(Failed::Invalid("an integration has no exact answer".to_owned()));
+    }
+    // exact where it can be, so that spheres that touch have no gap by rounding
+    let gap = |i: usize| {
+        let (a, b) = (&world.bodies[i], &world.bodies[i + 1]);
+        let exact = b.position[0].clone() - &a.position[0] - &a.radius - &b.radius;
+        exact.to_f64().max(0.0)
+    };
+    let chain = Chain {
+        masses: world.bodies.iter().map(|body| body.mass.to_f64()).collect(),
+        gaps: (0..world.bodies.len() - 1).map(gap).collect(),
+        velocities: world.bodies.iter().map(|body| body.motion.vx.to_f64()).collect(),
+        stiffness: stiffness.to_f64(),
+    };
+    let (coarse, fine) = (collide_chain(&chain, STEPS / 2)?, collide_chain(&chain, STEPS)?);
+    // at least first order is certain, so that what is left is at most what the halving changed;
+    // twice that, and a part for the rounding of the steps
+    let speed = chain.velocities.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let velocity = |i: usize| {
+        let error = 2.0 * (fine[i] - coarse[i]).abs() + 1e-13 * speed;
+        Interval::between(fine[i] - error, fine[i] + error)
+    };
+    let kinetic = |velocity: &dyn Fn(usize) -> Interval| {
+        chain.masses.iter().enumerate().fold(Interval::zero(), |sum, (i, mass)| {
+            sum + velocity(i).square() * Interval::from(*mass / 2.0)
+        })
+    };
+    let start = kinetic(&|i| Interval::from(chain.velocities[i]));
+    let values = scene.asked.iter().map(|asked| {
+        let value = match asked.quantity.kind {
+            Kind::Vx => Some(velocity(asked.quantity.body)),
+            Kind::Energy => Some(kinetic(&velocity)),
+            Kind::EnergyRatio => kinetic(&velocity).checked_div(&start),
+            _ => None,
+        };
+        value.and_then(N::of_enclosure).ok_or(Failed::NoValue(asked.quantity))
+    });
+    Ok(Found {
+        values: values.collect::<Result<_, _>>()?,
+        slides: true,
+        no_slip: true,
+        alpha: None,
+        bounces: Vec::new(),
+        end: None,
+        start_energy: N::of_enclosure(start).unwrap_or_else(N::zero),
+    })
+}

@@ -1,0 +1,187 @@
+//! Whether a model is good enough.
+
+use kane_measure::chart::System;
+use kane_number::{DoubleDouble, Interval, Rational};
+
+use super::evaluate::{Found, evaluate};
+use super::model::{Mechanics, Model};
+use super::reference::{Reference, at};
+use super::upwards;
+use crate::coordinate::Coordinate;
+use crate::quantity::Quantity;
+use crate::scene::Scene;
+
+/// What is said of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Every error is certified to be within the tolerance.
+    Meets,
+    /// It measurably misses.
+    Misses {
+        /// The quantity with the worst error by its tolerance.
+        quantity: Quantity,
+        /// At least so far off.
+        by: f64,
+        /// Only at some corner of the stated uncertainty.
+        at_a_corner: bool,
+    },
+    /// It may be good enough, but nothing certifies it.
+    Uncertified(&'static str),
+    /// It has no answer.
+    Fails(String),
+}
+
+/// A model with its cost and its error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// The model.
+    pub model: Model,
+    /// In additions of `f64`, an impact.
+    pub cost: u64,
+    /// A bound on the error of each quantity at the values as stated; `None` if unknown.
+    pub errors: Vec<Option<f64>>,
+    /// The greatest error by its tolerance; `None` if unknown, or the tolerance is 0 and the error
+    /// is not.
+    pub ratio: Option<f64>,
+    /// Whether it is good enough.
+    pub verdict: Verdict,
+}
+
+pub(super) fn judge(scene: &Scene, reference: &Reference, model: Model) -> Judged {
+    let blank = |verdict| Judged {
+        model,
+        cost: model.cost(),
+        errors: vec![None; scene.asked.len()],
+        ratio: None,
+        verdict,
+    };
+    let values = match exact_values(scene, model) {
+        Ok(values) => values,
+        Err(reason) => return blank(Verdict::Fails(reason)),
+    };
+    let Ok(truth) = &reference.values else {
+        return blank(Verdict::Uncertified("the reference has no answer to compare with"));
+    };
+    // between these two the error is
+    let mut bounds: Vec<(Rational, Rational)> = Vec::new();
+    for (value, (low, high)) in values.iter().zip(truth) {
+        let zero = Rational::default();
+        let (below, above) = (low - value, value - high);
+        let least = below.max(above).max(zero);
+        let most = (value - low).max(high - value);
+        bounds.push((least, most));
+    }
+    let errors: Vec<Option<f64>> = bounds.iter().map(|(_, most)| Some(upwards(most))).collect();
+    let ratio = ratio(scene, &errors);
+    let verdict = verdict(scene, reference, model, &bounds);
+    Judged { errors, ratio, verdict, ..blank(Verdict::Meets) }
+}
+
+fn ratio(scene: &Scene, errors: &[Option<f64>]) -> Option<f64> {
+    let mut worst = 0.0_f64;
+    for (error, asked) in errors.iter().zip(&scene.asked) {
+        let (error, tolerance) = ((*error)?, asked.tolerance.to_f64());
+        if error > 0.0 {
+            worst = worst.max(error / tolerance);
+        }
+    }
+    worst.is_finite().then_some(worst)
+}
+
+fn verdict(
+    scene: &Scene,
+    reference: &Reference,
+    model: Model,
+    bounds: &[(Rational, Rational)],
+) -> Verdict {
+    let missing = scene
+        .asked
+        .iter()
+        .zip(bounds)
+        .filter(|(asked, (least, _))| *least > asked.tolerance)
+        .map(|(asked, (least, _))| (asked.quantity, upwards(least), asked.tolerance.to_f64()))
+        .max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
+    if let Some((quantity, by, _)) = missing {
+        return Verdict::Misses { quantity, by, at_a_corner: false };
+    }
+    if scene.asked.iter().zip(bounds).any(|(asked, (_, most))| *most > asked.tolerance) {
+        return Verdict::Uncertified("the reference is not known well enough");
+    }
+    let Some(over) = &reference.over else { return Verdict::Meets };
+    if model.mechanics == reference.mechanics {
+        return Verdict::Meets;
+    }
+    // the same formulas over the whole uncertainty?
+    if let Ok(found) = over
+        && equal(model.mechanics, found)
+    {
+        return Verdict::Meets;
+    }
+    if let Some(miss) = corner(scene, reference, model.mechanics) {
+        return miss;
+    }
+    if let Ok(found) = over
+        && within(scene, found, model.mechanics)
+    {
+        return Verdict::Meets;
+    }
+    Verdict::Uncertified("it is not certified over the stated uncertainty")
+}
+
+/// Whether the model's formulas are those of the reference, given what happened at every impact.
+fn equal(model: Mechanics, found: &Found<Interval>) -> bool {
+    match model {
+        Mechanics::NormalOnly => found.no_slip,
+        Mechanics::Sliding | Mechanics::Coulomb => found.slides,
+        _ => false,
+    }
+}
+
+/// Whether the two enclosures over the whole uncertainty are so close that any two of their members
+/// are within the tolerance.
+fn within(scene: &Scene, found: &Found<Interval>, model: Mechanics) -> bool {
+    let Ok(other) = evaluate(scene, &scene.enclosed(), model, 1) else { return false };
+    scene.asked.iter().zip(found.values.iter().zip(&other.values)).all(|(asked, (a, b))| {
+        let width = a.hull(b).ends().map(|(low, high)| high - low);
+        width.is_ok_and(|width| width <= asked.tolerance)
+    })
+}
+
+/// The worst miss at a corner of the uncertainty, measured in floats.
+fn corner(scene: &Scene, reference: &Reference, model: Mechanics) -> Option<Verdict> {
+    let mut worst: Option<(Quantity, f64, f64)> = None;
+    for corner in scene.corners() {
+        let truth = at(scene, reference.mechanics, &corner)?;
+        let Some(values) = at(scene, model, &corner) else { continue };
+        for ((asked, a), b) in scene.asked.iter().zip(truth).zip(values) {
+            let (error, tolerance) = ((a - b).abs(), asked.tolerance.to_f64());
+            // what floats themselves may err by is no miss of the model
+            let noise = 1e-9 * (1.0 + a.abs());
+            let by = error / tolerance;
+            if error > tolerance + noise && worst.is_none_or(|(.., most)| by > most) {
+                worst = Some((asked.quantity, error, by));
+            }
+        }
+    }
+    worst.map(|(quantity, by, _)| Verdict::Misses { quantity, by, at_a_corner: true })
+}
+
+/// The model's values as exact numbers. Chains and processes say how far they are off themselves, and
+/// that is in the reference already.
+fn exact_values(scene: &Scene, model: Model) -> Result<Vec<Rational>, String> {
+    fn of<N: Coordinate>(scene: &Scene, model: Model) -> Result<Vec<Rational>, String> {
+        let setup = scene.nominal().map(N::from_rational);
+        let found = evaluate(scene, &setup, model.mechanics, 1).map_err(|f| f.to_string())?;
+        let exact = found.values.iter().zip(&scene.asked).map(|(value, asked)| {
+            value.exact().ok_or_else(|| format!("{} is beyond the range", asked.quantity))
+        });
+        exact.collect()
+    }
+    match model.system {
+        System::F32 => of::<f32>(scene, model),
+        System::F64 => of::<f64>(scene, model),
+        System::DoubleDouble => of::<DoubleDouble>(scene, model),
+        System::Interval => Err("intervals hold no single answer".to_owned()),
+        System::Rational => of::<Rational>(scene, model),
+    }
+}

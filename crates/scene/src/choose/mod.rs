@@ -1,0 +1,252 @@
+//! The least model that is good enough.
+//!
+//! Candidates are tried from the cheapest by counted cost. One is accepted where its error in every
+//! quantity asked for is *certified* to be within the tolerance, and passed over where it measurably
+//! is not, or where nothing certifies it. No clock is asked.
+
+mod evaluate;
+mod judge;
+mod model;
+mod reasons;
+mod reference;
+
+pub use judge::{Judged, Verdict};
+pub use model::{Mechanics, Model, UnknownModel};
+
+use kane_number::{Rational, Rounding, encode};
+use num_traits::Signed as _;
+
+use crate::coordinate::Coordinate;
+use crate::quantity::Quantity;
+use crate::scene::Scene;
+use crate::simulate::{Bounce, End, Until};
+use crate::strobe::Strobe;
+use evaluate::{Found, evaluate};
+use reference::Reference;
+
+/// How many models are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Up to the first that is good enough.
+    Chosen,
+    /// All that apply.
+    All,
+}
+
+/// A number as a float and as its own text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// near it
+    pub value: f64,
+    /// the shortest decimal of a float, or a fraction
+    pub text: String,
+}
+
+/// A quantity that was asked for, answered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// What was asked.
+    pub quantity: Quantity,
+    /// Near the answer of the model.
+    pub value: f64,
+    /// The exact answer, from a model in exact numbers.
+    pub exact: Option<String>,
+    /// No further is the answer from that of the reference; `None` if that is unknown.
+    pub error: Option<f64>,
+    /// What was asked for.
+    pub tolerance: f64,
+    /// How far the stated uncertainty moves the reference's answer to either side; `None` if nothing
+    /// is uncertain, or it is not known.
+    pub spread: Option<f64>,
+}
+
+/// The answer to a scene.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// Every quantity, in the order of the file.
+    pub lines: Vec<Line>,
+    /// The models that were tried, from the cheapest.
+    pub judged: Vec<Judged>,
+    /// The cheapest that is good enough; `None` if none is.
+    pub chosen: Option<Model>,
+    /// The one whose answer is shown: the chosen one, or the one that was asked for, or the most
+    /// faithful one.
+    pub shown: Model,
+    /// Why, sentence by sentence.
+    pub reasons: Vec<String>,
+    /// The impacts, up to some thousand.
+    pub bounces: Vec<Bounce<Shown>>,
+    /// What impacts and gravity have done to the energy up to each of them.
+    pub sums: Vec<Bounced>,
+    /// The state at the end; `None` for one impact of a tip and for a chain.
+    pub end: Option<End<Shown>>,
+    /// The kinetic energy at the start; J.
+    pub start_energy: f64,
+    /// The motion as a picture shows it; `None` for one impact of a tip and for a chain.
+    pub strobe: Option<Strobe>,
+}
+
+/// The change of energy since the start, right after an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounced {
+    /// s
+    pub time: f64,
+    /// By the normal, tangential and rotational part of impacts, and by gravity; J.
+    pub parts: [f64; 4],
+}
+
+/// The running sums of a ledger.
+fn sums(bounces: &[Bounce<Shown>]) -> Vec<Bounced> {
+    let mut parts = [0.0; 4];
+    let after = |bounce: &Bounce<Shown>| {
+        let Bounce { ledger, gravity, .. } = bounce;
+        let added = [&ledger.normal, &ledger.tangential, &ledger.rotational, gravity];
+        for (part, added) in parts.iter_mut().zip(added) {
+            *part += added.value;
+        }
+        Bounced { time: bounce.time.value, parts }
+    };
+    bounces.iter().map(after).collect()
+}
+
+/// Why there is nothing to show.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{model} has no answer: {reason}")]
+pub struct NoAnswer {
+    /// The model.
+    pub model: Model,
+    /// What it lacks.
+    pub reason: String,
+}
+
+/// Answers a scene by the least model, or by the one given. `progress` hears how many of how many
+/// models are judged.
+///
+/// # Errors
+/// [`NoAnswer`] if the model to be shown has none.
+pub fn answer(
+    scene: &Scene,
+    wanted: Option<Model>,
+    effort: Effort,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Answer, NoAnswer> {
+    let reference = Reference::of(scene);
+    let candidates = model::candidates(reference.mechanics);
+    let mut judged = Vec::new();
+    for (index, candidate) in candidates.iter().enumerate() {
+        progress(index, candidates.len());
+        if wanted.is_some_and(|wanted| effort == Effort::Chosen && wanted != *candidate) {
+            continue;
+        }
+        let verdict = judge::judge(scene, &reference, *candidate);
+        let good = verdict.verdict == Verdict::Meets;
+        judged.push(verdict);
+        if good && effort == Effort::Chosen {
+            break;
+        }
+    }
+    if let Some(wanted) = wanted
+        && !judged.iter().any(|judged| judged.model == wanted)
+    {
+        judged.push(judge::judge(scene, &reference, wanted));
+    }
+    let chosen = judged.iter().find(|judged| judged.verdict == Verdict::Meets).map(|j| j.model);
+    let faithful = model::faithful(reference.mechanics);
+    let shown = wanted.or(chosen).unwrap_or(faithful);
+    let told = of_model(scene, shown).map_err(|reason| NoAnswer { model: shown, reason })?;
+    let verdict = judged.iter().find(|judged| judged.model == shown);
+    let spread = reference.spread(scene);
+    let lines = scene
+        .asked
+        .iter()
+        .enumerate()
+        .map(|(index, asked)| Line {
+            quantity: asked.quantity,
+            value: told.values[index].value,
+            exact: told.exact.then(|| told.values[index].text.clone()),
+            error: verdict.and_then(|judged| judged.errors.get(index).copied().flatten()),
+            tolerance: asked.tolerance.to_f64(),
+            spread: spread.as_ref().map(|spread| spread[index]),
+        })
+        .collect();
+    let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);
+    Ok(Answer {
+        lines,
+        chosen,
+        shown,
+        reasons,
+        strobe: Strobe::of(scene, shown),
+        judged,
+        sums: sums(&told.bounces),
+        bounces: told.bounces,
+        end: told.end,
+        start_energy: told.start_energy,
+    })
+}
+
+/// Rounded up, so that a bound stays one.
+fn upwards(exact: &Rational) -> f64 {
+    encode(&exact.abs(), Rounding::Up)
+}
+
+/// What a model says, whatever its number system.
+struct Told {
+    values: Vec<Shown>,
+    exact: bool,
+    bounces: Vec<Bounce<Shown>>,
+    end: Option<End<Shown>>,
+    start_energy: f64,
+}
+
+/// Impacts that are kept for tables.
+const KEPT: usize = 5_000;
+
+fn of_model(scene: &Scene, model: Model) -> Result<Told, String> {
+    use kane_measure::chart::System;
+    fn told<N: Coordinate>(scene: &Scene, model: Model) -> Result<Told, String> {
+        let setup = scene.nominal().map(N::from_rational);
+        let found: Found<N> =
+            evaluate(scene, &setup, model.mechanics, KEPT).map_err(|failed| failed.to_string())?;
+        let shown = |x: &N| Shown { value: x.to_f64(), text: x.to_string() };
+        Ok(Told {
+            values: found.values.iter().map(shown).collect(),
+            exact: N::SYSTEM == System::Rational,
+            bounces: found.bounces.iter().map(|bounce| bounce.map(shown)).collect(),
+            end: found.end.as_ref().map(|end| end.map(shown)),
+            start_energy: found.start_energy.to_f64(),
+        })
+    }
+    match model.system {
+        System::F32 => told::<f32>(scene, model),
+        System::F64 => told::<f64>(scene, model),
+        System::DoubleDouble => told::<kane_number::DoubleDouble>(scene, model),
+        System::Interval => told::<kane_number::Interval>(scene, model),
+        System::Rational => told::<Rational>(scene, model),
+    }
+}
+
+/// The motion in floats for a picture: more impacts than a table shows, and a while after the last.
+pub(crate) fn run_for_picture(
+    scene: &Scene,
+    world: &crate::world::World<f64>,
+    mechanics: Mechanics,
+) -> Option<(End<f64>, Vec<Bounce<f64>>)> {
+    let setup = crate::scene::Setup::Bodies(world.clone());
+    let follow = |scene: &Scene| {
+        let found = evaluate::evaluate_with(scene, &setup, mechanics, KEPT, PICTURED).ok()?;
+        Some((found.end?, found.bounces))
+    };
+    let (end, bounces) = follow(scene)?;
+    if !matches!(scene.until, Until::Impacts(_)) {
+        return Some((end, bounces));
+    }
+    // after the last impact there is a while to see where it goes
+    let time = end.time * 1.2 + 1e-3;
+    let Ok(time) = kane_number::decode(time) else { return Some((end, bounces)) };
+    let longer = Scene { until: Until::Duration(time), ..scene.clone() };
+    Some(follow(&longer).unwrap_or((end, bounces)))
+}
+
+/// Impacts of a ball that comes to rest, followed one by one for a picture: later ones are too small
+/// to be seen.
+const PICTURED: u64 = 60;

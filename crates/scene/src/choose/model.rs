@@ -1,0 +1,173 @@
+//! The models, and what they cost.
+
+use std::fmt;
+use std::str::FromStr;
+
+use kane_algebra::syntax::nearest;
+use kane_measure::chart::{System, weights};
+
+/// How impacts are resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Mechanics {
+    /// One dimension: no friction at all.
+    NormalOnly,
+    /// Friction in full against the slip before, all the time: k = 1 − 2α.
+    Sliding,
+    /// The law of Wang, Su and Li.
+    WangSuLi,
+    /// Coulomb friction on rigid bodies, Newton's restitution: slide, then stick.
+    Coulomb,
+    /// The same where sticking gives a share of the slip back, after Walton.
+    Grip,
+    /// Coulomb friction on rigid bodies, Stronge's energetic restitution.
+    Energetic,
+    /// Spheres that touch at once, Hertz's springs.
+    Chain,
+    /// A compliant process.
+    Compliant,
+}
+
+impl Mechanics {
+    /// From the least.
+    pub const ALL: [Self; 8] = [
+        Self::NormalOnly,
+        Self::Sliding,
+        Self::WangSuLi,
+        Self::Coulomb,
+        Self::Grip,
+        Self::Energetic,
+        Self::Chain,
+        Self::Compliant,
+    ];
+
+    /// Its name.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::NormalOnly => "normal-only",
+            Self::Sliding => "sliding",
+            Self::WangSuLi => "wang-su-li",
+            Self::Coulomb => "coulomb",
+            Self::Grip => "grip",
+            Self::Energetic => "energetic",
+            Self::Chain => "chain",
+            Self::Compliant => "compliant",
+        }
+    }
+
+    /// What it is, in words that follow "by".
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::NormalOnly => "normal impulses alone",
+            Self::Sliding => "friction in full against the slip",
+            Self::WangSuLi => "the law of Wang, Su and Li",
+            Self::Coulomb => "Coulomb friction on rigid bodies",
+            Self::Grip => "Coulomb friction with tangential restitution",
+            Self::Energetic => "Coulomb friction with energetic restitution",
+            Self::Chain => "the chain of Hertz's springs",
+            Self::Compliant => "an elastic contact",
+        }
+    }
+
+    /// Additions, multiplications, divisions and roots of one impact with the flight before it,
+    /// counted in the code; those of the two integrations to the nearest power of ten.
+    const fn operations(self) -> [u64; 4] {
+        match self {
+            Self::NormalOnly => [14, 16, 5, 1],
+            Self::Sliding => [20, 26, 7, 1],
+            Self::WangSuLi => [24, 30, 8, 1],
+            Self::Coulomb => [26, 32, 8, 1],
+            Self::Grip => [28, 34, 8, 1],
+            Self::Energetic => [36, 48, 12, 2],
+            Self::Chain => [100_000, 100_000, 10_000, 1_000],
+            Self::Compliant => [1_000_000, 1_000_000, 100_000, 10_000],
+        }
+    }
+}
+
+/// A way to resolve impacts, in a number system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Model {
+    /// How.
+    pub mechanics: Mechanics,
+    /// In which numbers.
+    pub system: System,
+}
+
+impl Model {
+    /// The counted cost of one impact, in additions of `f64`, by the weights of
+    /// `docs/data/methods.csv`.
+    #[must_use]
+    pub fn cost(self) -> u64 {
+        let counted = self.mechanics.operations().into_iter().zip(weights(self.system));
+        counted.map(|(count, weight)| count * weight).sum()
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{}/{}", self.mechanics.id(), self.system))
+    }
+}
+
+/// A word that names no model.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct UnknownModel(String);
+
+impl FromStr for Model {
+    type Err = UnknownModel;
+
+    /// `coulomb`, which is in `f64`, or `coulomb/rational`.
+    fn from_str(text: &str) -> Result<Self, UnknownModel> {
+        let (name, system) = text.split_once('/').unwrap_or((text, "f64"));
+        let names = || Mechanics::ALL.iter().map(|mechanics| mechanics.id());
+        let unknown = |what: &str, word: &str, names: Vec<String>| {
+            let near = nearest(word, names.iter().map(String::as_str));
+            let hint = match near {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("there are {}", names.join(", ")),
+            };
+            UnknownModel(format!("no {what} is called `{word}`; {hint}"))
+        };
+        let mechanics = Mechanics::ALL.into_iter().find(|mechanics| mechanics.id() == name);
+        let mechanics = mechanics
+            .ok_or_else(|| unknown("model", name, names().map(str::to_owned).collect()))?;
+        let found = System::ALL.into_iter().find(|known| known.to_string() == system);
+        let systems = || System::ALL.iter().map(ToString::to_string).collect();
+        let system = found.ok_or_else(|| unknown("number system", system, systems()))?;
+        Ok(Self { mechanics, system })
+    }
+}
+
+/// What may stand in for a reference, the reference among them, from the cheapest; among equals the
+/// shorter floats first.
+pub(super) fn candidates(reference: Mechanics) -> Vec<Model> {
+    use Mechanics::{Chain, Coulomb, Energetic, Grip, NormalOnly, Sliding, WangSuLi};
+    let mechanics: &[Mechanics] = match reference {
+        NormalOnly => &[NormalOnly],
+        Chain => &[NormalOnly, Chain],
+        Grip => &[NormalOnly, Sliding, WangSuLi, Coulomb, Grip],
+        Energetic => &[NormalOnly, Sliding, WangSuLi, Coulomb, Energetic],
+        Mechanics::Compliant => &[NormalOnly, Sliding, WangSuLi, Coulomb, Mechanics::Compliant],
+        _ => &[NormalOnly, Sliding, WangSuLi, Coulomb],
+    };
+    let systems = |mechanics: Mechanics| match mechanics {
+        Chain | Mechanics::Compliant => vec![System::F64],
+        _ => vec![System::F32, System::F64, System::DoubleDouble, System::Rational],
+    };
+    let mut all: Vec<Model> = mechanics
+        .iter()
+        .flat_map(|mechanics| {
+            systems(*mechanics).into_iter().map(|system| Model { mechanics: *mechanics, system })
+        })
+        .collect();
+    all.sort_by_key(|model| (model.cost(), model.system));
+    all
+}
+
+/// The reference itself, in floats.
+pub(super) const fn faithful(reference: Mechanics) -> Model {
+    Model { mechanics: reference, system: System::F64 }
+}

@@ -1,0 +1,191 @@
+//! Why this model, in sentences.
+
+use super::judge::{Judged, Verdict};
+use super::model::{Mechanics, Model};
+use super::reference::{Known, Reference};
+use crate::coordinate::Coordinate as _;
+use crate::scene::{Scene, Setup};
+
+/// A short number for prose.
+pub(super) fn short(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e4).contains(&magnitude) {
+        let digits = if magnitude < 0.1 { 4 } else { 3 };
+        let text = format!("{value:.digits$}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+pub(super) fn reasons(
+    scene: &Scene,
+    reference: &Reference,
+    judged: &[Judged],
+    chosen: Option<Model>,
+    wanted: Option<Model>,
+) -> Vec<String> {
+    let mut said = vec![format!(
+        "The scene's own terms are {}{}.",
+        reference.mechanics.words(),
+        match (&reference.values, reference.known) {
+            (Err(_), _) => "",
+            (Ok(_), Known::Exactly) => ", known exactly",
+            (Ok(_), Known::Enclosed) => ", known within enclosures",
+        }
+    )];
+    said.extend(of_the_contact(scene, reference));
+    if let Some(wanted) = wanted {
+        said.push(format!("{wanted} was asked for."));
+    }
+    match chosen {
+        Some(chosen) => of_the_choice(reference, judged, chosen, &mut said),
+        None => said.push(limit(scene, reference, judged)),
+    }
+    if let Some(spread) = reference.spread(scene) {
+        let moved = scene.asked.iter().zip(spread);
+        let beyond: Vec<String> = moved
+            .filter(|(asked, spread)| *spread > asked.tolerance.to_f64())
+            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread)))
+            .collect();
+        if !beyond.is_empty() {
+            said.push(format!(
+                "What is not known of the state moves {}, more than the tolerance: no model mends that.",
+                beyond.join(", ")
+            ));
+        }
+    }
+    said
+}
+
+/// Coupling and α.
+fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
+    match &scene.setup {
+        Setup::Tip(_) => Some(
+            "The tip is off the normal through the centre of mass, so that the contact couples and neither direction can be left out.".to_owned(),
+        ),
+        Setup::Bodies(_) => {
+            let found = match &reference.over {
+                Some(Ok(found)) => found,
+                _ => reference.at.as_ref().ok()?,
+            };
+            if reference.mechanics == Mechanics::Chain {
+                return None;
+            }
+            if found.no_slip {
+                return Some("No impact has any slip, so that one dimension is enough.".to_owned());
+            }
+            let alpha = found.alpha?;
+            let (low, high) = (alpha.lower().abs(), alpha.upper().abs());
+            let (middle, half) = (f64::midpoint(low, high), (high - low).abs() / 2.0);
+            let stated = if half > 1e-12 * middle {
+                format!("{} ± {}", short(middle), short(half))
+            } else {
+                short(middle)
+            };
+            let what = if reference.mechanics == Mechanics::NormalOnly {
+                "there is no friction"
+            } else if found.slides {
+                "every impact slides all the time"
+            } else {
+                "not every impact slides all the time"
+            };
+            Some(format!(
+                "Round bodies do not couple (W_tn = 0), so that normal and tangential motion separate; |alpha| = {stated} at the first impact, and {what}."
+            ))
+        }
+    }
+}
+
+fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: &mut Vec<String>) {
+    // the most costly of those passed over tells most; of each mechanics the best
+    let passed = judged.iter().take_while(|judged| judged.model != chosen);
+    let mut told: Vec<(Mechanics, &Judged)> = Vec::new();
+    for judged in passed.filter(|judged| judged.model.mechanics != chosen.mechanics) {
+        match told.iter_mut().find(|(mechanics, _)| *mechanics == judged.model.mechanics) {
+            Some(slot) => slot.1 = judged,
+            None => told.push((judged.model.mechanics, judged)),
+        }
+    }
+    for (mechanics, judged) in told {
+        said.push(format!("{}: {}.", capital(mechanics.words()), in_words(&judged.verdict)));
+    }
+    let same = chosen.mechanics == reference.mechanics;
+    let equal = match (same, chosen.mechanics) {
+        (true, _) => String::new(),
+        (false, Mechanics::NormalOnly) => {
+            ", which is as good here as the scene's own terms".to_owned()
+        }
+        (false, _) => ", which here is what the scene's own terms come to".to_owned(),
+    };
+    let found = judged.iter().find(|judged| judged.model == chosen);
+    let worst = found.and_then(|judged| judged.errors.iter().flatten().copied().reduce(f64::max));
+    let error = match worst {
+        Some(0.0) => ", exactly".to_owned(),
+        Some(error) => format!(", with no error above {}", short(error)),
+        None => String::new(),
+    };
+    let shorter = judged
+        .iter()
+        .rfind(|judged| {
+            judged.model.mechanics == chosen.mechanics
+                && judged.model.cost() <= chosen.cost()
+                && judged.model != chosen
+        })
+        .map(|judged| format!("; {}: {}", judged.model.system, in_words(&judged.verdict)));
+    said.push(format!(
+        "Good enough and cheapest is {}{equal}, in {}{error}{}.",
+        chosen.mechanics.words(),
+        chosen.system,
+        shorter.unwrap_or_default()
+    ));
+}
+
+/// Why none is good enough: the part that limits.
+fn limit(scene: &Scene, reference: &Reference, judged: &[Judged]) -> String {
+    match &reference.values {
+        Err(failed) if failed.is_of_the_model() => {
+            let part = match reference.mechanics {
+                Mechanics::Compliant => "The tangential compliance of the contact",
+                _ => "The law of impact",
+            };
+            format!("{part} limits the answer: {failed}.")
+        }
+        Err(failed) => format!(
+            "The order of impacts limits the answer: rounding grows from impact to impact until nothing can be certified ({failed})."
+        ),
+        Ok(_) => {
+            let of_reference =
+                judged.iter().rfind(|judged| judged.model.mechanics == reference.mechanics);
+            let part = match of_reference.map(|judged| &judged.verdict) {
+                Some(Verdict::Misses { .. }) => "The number system limits the answer",
+                _ => "What is known of the reference limits the answer",
+            };
+            let asked = scene.asked.iter().map(|asked| short(asked.tolerance.to_f64()));
+            let asked: Vec<String> = asked.collect();
+            format!("{part}: no model reaches {}.", asked.join(", "))
+        }
+    }
+}
+
+/// A verdict, to follow the name of a model.
+pub(super) fn in_words(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Meets => "good enough".to_owned(),
+        Verdict::Misses { quantity, by, at_a_corner } => {
+            let place = if *at_a_corner { " within the stated uncertainty" } else { "" };
+            format!("{quantity} is off by {}{place}", short(*by))
+        }
+        Verdict::Uncertified(why) => (*why).to_owned(),
+        Verdict::Fails(reason) => format!("no answer ({reason})"),
+    }
+}
+
+fn capital(words: &str) -> String {
+    let mut chars = words.chars();
+    chars
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + chars.as_str())
+}

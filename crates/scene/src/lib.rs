@@ -1,0 +1,58 @@
+//! Scenes: what collides, what is asked of it, and the least model that answers.
+//!
+//! A [`Scene`] is read [from TOML](read::scene). [`simulate`] follows it event by event, in any
+//! number system; [`answer`] chooses the cheapest model that is good enough, says why, and returns
+//! the values with their errors, the energy ledger and the motion.
+//!
+//! ```
+//! use kane_scene::{Effort, answer, read};
+//!
+//! let text = r#"
+//! title = "A ball drops"
+//! friction = 0
+//! restitution = "1/2"
+//! gravity_m_s2 = 10
+//! floor_m = 0
+//!
+//! [[body]]
+//! mass_kg = 1
+//! radius_m = 0.1
+//! position_m = [0, 1.35]
+//! velocity_m_s = [0, 0]
+//!
+//! [until]
+//! rest = true
+//!
+//! [ask]
+//! time_s = 0
+//! "#;
+//! let scene = read::scene("ball.toml", text).expect("the scene is well formed");
+//! let answer = answer(&scene, None, Effort::Chosen, &mut |_, _| {}).expect("there is an answer");
+//! // it falls for 1/2 s and bounces for 2·5/2/(10·(1 − 1/2)) s, infinitely many times
+//! assert_eq!(answer.lines[0].exact.as_deref(), Some("3/2"));
+//! assert_eq!(answer.shown.to_string(), "normal-only/rational");
+//! ```
+
+mod choose;
+mod coordinate;
+mod quantity;
+pub mod read;
+mod resolver;
+mod scene;
+pub mod simulate;
+pub mod stress;
+mod strobe;
+mod tip;
+mod world;
+
+pub use choose::{
+    Answer, Bounced, Effort, Judged, Line, Mechanics, Model, NoAnswer, Shown, UnknownModel,
+    Verdict, answer,
+};
+pub use coordinate::Coordinate;
+pub use quantity::{Kind, Quantity};
+pub use resolver::{ByLaw, Compliant, Elastic, NormalOnly, Process, Resolver};
+pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
+pub use strobe::{Frame, Strobe};
+pub use tip::{Tip, TipBody};
+pub use world::{Round, Side, Wall, World};

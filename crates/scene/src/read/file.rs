@@ -1,0 +1,243 @@
+//! The format of scenes, `docs/scene-format.md`.
+
+use std::collections::BTreeMap;
+
+use kane_number::Rational;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::ask::{UntilTable, asked, until};
+use super::bodies::{Body, Discs, Pendulum, Rod, discs, hinged, rod_tip, round, stated};
+use super::number::Domain;
+use super::source::{Fault, Number, Source};
+use super::stated::Stated;
+use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
+use crate::simulate::Until;
+use crate::tip::Tip;
+use crate::world::{Side, Wall, World};
+
+/// A scene has tens of bodies, not thousands.
+pub(super) const MOST_BODIES: usize = 100;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct File {
+    title: Option<String>,
+    friction: Number,
+    restitution: Number,
+    #[serde(rename = "tangential_restitution")]
+    grip: Option<Number>,
+    #[serde(rename = "poisson_ratio")]
+    poisson_ratio: Option<Number>,
+    #[serde(rename = "hertz_stiffness_n_m_3_2")]
+    stiffness: Option<Number>,
+    #[serde(rename = "gravity_m_s2")]
+    gravity: Option<Number>,
+    #[serde(rename = "floor_m")]
+    floor: Option<Number>,
+    #[serde(rename = "ceiling_m")]
+    ceiling: Option<Number>,
+    #[serde(rename = "left_m")]
+    left: Option<Number>,
+    #[serde(rename = "right_m")]
+    right: Option<Number>,
+    body: Option<Vec<Body>>,
+    discs: Option<Spanned<Discs>>,
+    rod_tip: Option<Rod>,
+    double_pendulum: Option<Pendulum>,
+    until: Option<Spanned<UntilTable>>,
+    ask: BTreeMap<Spanned<String>, Number>,
+}
+
+/// Reads a scene; `name` is what faults call the file.
+///
+/// # Errors
+/// The first thing wrong with it, with its place.
+pub fn scene(name: &str, text: &str) -> Result<Scene, Fault> {
+    let source = Source { name, text };
+    read(source)
+}
+
+fn read(source: Source<'_>) -> Result<Scene, Fault> {
+    let file: File = source.parse()?;
+    let setup = setup(source, &file)?;
+    let scene = Scene {
+        title: file
+            .title
+            .as_deref()
+            .unwrap_or(source.name)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" "),
+        until: match (&file.until, &setup) {
+            (Some(table), Setup::Bodies(_)) => until(source, table)?,
+            (Some(table), Setup::Tip(_)) => {
+                return Err(source.fault(table.span(), "a tip has one impact; leave [until] out"));
+            }
+            (None, Setup::Tip(_)) => Until::Impacts(1),
+            (None, Setup::Bodies(_)) => {
+                return Err(source.fault(0..0, "[until] is missing: impacts, duration_s or rest"));
+            }
+        },
+        tangential: tangential(source, &file)?,
+        stiffness: match &file.stiffness {
+            None => None,
+            Some(number) => {
+                in_a_row(source, number, &setup, &file)?;
+                Some(source.number(number, "the stiffness", Domain::Positive)?)
+            }
+        },
+        asked: asked(source, &file.ask, &setup)?,
+        setup,
+    };
+    if scene.uncertain() > MOST_UNCERTAIN {
+        return Err(
+            source.fault(0..0, format!("at most {MOST_UNCERTAIN} numbers may be uncertain"))
+        );
+    }
+    Ok(scene)
+}
+
+/// A chain of springs moves along one line, without spin and loss.
+fn in_a_row(
+    source: Source<'_>,
+    number: &Number,
+    setup: &Setup<Stated>,
+    file: &File,
+) -> Result<(), Fault> {
+    let zero = Stated::default();
+    let Setup::Bodies(world) = setup else {
+        return Err(source.fault(number.span(), "a stiffness is for spheres in a row"));
+    };
+    let first = &world.bodies[0];
+    let row = world.bodies.len() > 1
+        && world.walls.is_empty()
+        && world
+            .bodies
+            .windows(2)
+            .all(|pair| pair[0].position[0].value < pair[1].position[0].value)
+        && world.bodies.iter().all(|body| {
+            body.position[1] == first.position[1]
+                && body.motion.vy == zero
+                && body.motion.omega == zero
+        });
+    let lossless = world.restitution.value == Rational::from_integer(1.into());
+    if !row || !lossless || file.gravity.is_some() {
+        return Err(source.fault(
+            number.span(),
+            "a stiffness is for bodies on a horizontal line, from left to right, without spin, walls and gravity, and for restitution = 1",
+        ));
+    }
+    Ok(())
+}
+
+fn tangential(source: Source<'_>, file: &File) -> Result<Tangential, Fault> {
+    match (&file.grip, &file.poisson_ratio) {
+        (None, None) => Ok(Tangential::Rigid),
+        (Some(_), _) | (_, Some(_)) if file.body.is_none() && file.discs.is_none() => {
+            let span =
+                file.grip.as_ref().or(file.poisson_ratio.as_ref()).map_or(0..0, Spanned::span);
+            Err(source.fault(span, "tangential compliance is described for round bodies alone"))
+        }
+        (Some(grip), None) => {
+            Ok(Tangential::Grip(source.number(grip, "tangential_restitution", Domain::Fraction)?))
+        }
+        (None, Some(ratio)) => {
+            let value = source.number(ratio, "poisson_ratio", Domain::NotNegative)?;
+            if value > Rational::new(1.into(), 2.into()) {
+                return Err(source.fault(ratio.span(), "poisson_ratio must be at most 1/2"));
+            }
+            Ok(Tangential::Elastic(value))
+        }
+        (Some(both), Some(_)) => {
+            Err(source
+                .fault(both.span(), "tangential_restitution and poisson_ratio; give one of them"))
+        }
+    }
+}
+
+fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
+    let kinds = [
+        file.body.is_some(),
+        file.discs.is_some(),
+        file.rod_tip.is_some(),
+        file.double_pendulum.is_some(),
+    ];
+    if kinds.iter().filter(|given| **given).count() != 1 {
+        return Err(source.fault(
+            0..0,
+            "exactly one of [[body]], [discs], [rod-tip] and [double-pendulum] must be there",
+        ));
+    }
+    let friction = stated(source, &file.friction, "friction", Domain::NotNegative)?;
+    let restitution = stated(source, &file.restitution, "restitution", Domain::Fraction)?;
+    if let Some(rod) = &file.rod_tip {
+        return Ok(Setup::Tip(Tip { body: rod_tip(source, rod)?, friction, restitution }));
+    }
+    if let Some(pendulum) = &file.double_pendulum {
+        return Ok(Setup::Tip(Tip { body: hinged(source, pendulum)?, friction, restitution }));
+    }
+    let gravity = match &file.gravity {
+        Some(gravity) => source.number(gravity, "gravity_m_s2", Domain::NotNegative)?,
+        None => Rational::default(),
+    };
+    let mut walls = Vec::new();
+    for (number, side, key) in [
+        (&file.floor, Side::Floor, "floor_m"),
+        (&file.ceiling, Side::Ceiling, "ceiling_m"),
+        (&file.left, Side::Left, "left_m"),
+        (&file.right, Side::Right, "right_m"),
+    ] {
+        if let Some(number) = number {
+            walls.push(Wall { side, at: source.number(number, key, Domain::Any)?.into() });
+        }
+    }
+    let bodies = match (&file.body, &file.discs) {
+        (Some(bodies), _) => {
+            bodies.iter().map(|body| round(source, body)).collect::<Result<Vec<_>, _>>()?
+        }
+        (None, Some(table)) => discs(source, table.get_ref())?,
+        (None, None) => Vec::new(),
+    };
+    let world = World { gravity: gravity.into(), walls, bodies, friction, restitution };
+    apart(source, &world, file)?;
+    Ok(Setup::Bodies(world))
+}
+
+/// No body may be inside another or inside a wall.
+fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), Fault> {
+    let span = |index: usize| match (&file.body, &file.discs) {
+        (Some(bodies), _) => bodies[index].position_m[0].span(),
+        (None, Some(discs)) => discs.get_ref().spacing_m.span(),
+        (None, None) => 0..0,
+    };
+    if world.bodies.is_empty() || world.bodies.len() > MOST_BODIES {
+        return Err(source.fault(0..0, format!("a scene has 1 to {MOST_BODIES} bodies")));
+    }
+    for (i, body) in world.bodies.iter().enumerate() {
+        let [x, y] = [&body.position[0].value, &body.position[1].value];
+        let r = &body.radius.value;
+        for wall in &world.walls {
+            let at = &wall.at.value;
+            let gap = match wall.side {
+                Side::Floor => y - at - r,
+                Side::Ceiling => at - y - r,
+                Side::Left => x - at - r,
+                Side::Right => at - x - r,
+            };
+            if gap < Rational::default() {
+                let message = format!("body {} is inside the {}", i + 1, wall.side.name());
+                return Err(source.fault(span(i), message));
+            }
+        }
+        for (j, other) in world.bodies.iter().enumerate().skip(i + 1) {
+            let [dx, dy] = [0, 1].map(|k| &body.position[k].value - &other.position[k].value);
+            let reach = r + &other.radius.value;
+            if &dx * &dx + &dy * &dy < &reach * &reach {
+                let message = format!("bodies {} and {} overlap", i + 1, j + 1);
+                return Err(source.fault(span(j), message));
+            }
+        }
+    }
+    Ok(())
+}

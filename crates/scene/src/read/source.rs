@@ -1,0 +1,98 @@
+//! A TOML file of which the numbers are taken as written.
+
+use std::ops::Range;
+use std::path::Path;
+
+use kane_algebra::syntax::nearest;
+use kane_audit::Diagnostic;
+use kane_number::Rational;
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+
+use super::number::{Domain, read_in};
+
+/// No description of a few bodies is longer.
+const MAX_BYTES: u64 = 1 << 16;
+
+/// Something wrong with a file, shown with its line and a caret.
+pub type Fault = Box<Diagnostic>;
+
+/// A number, whose text is looked up in the file: only the text is exact.
+pub type Number = Spanned<toml::Value>;
+
+/// The text of a file.
+///
+/// # Errors
+/// Why it cannot be read, in words.
+pub fn load(path: &Path) -> Result<String, String> {
+    use std::io::Read as _;
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+    let read = file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
+    read.map_err(|error| error.to_string())?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length > MAX_BYTES) {
+        return Err(format!("it has more than {MAX_BYTES} bytes"));
+    }
+    String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())
+}
+
+/// A file's name, as faults show it, and its text.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// as the user wrote it
+    pub name: &'a str,
+    /// all of it
+    pub text: &'a str,
+}
+
+impl Source<'_> {
+    /// Something wrong at a place of the file.
+    #[must_use]
+    pub fn fault(&self, span: Range<usize>, message: impl Into<String>) -> Fault {
+        Box::new(Diagnostic::of_file(self.name, self.text, span, message.into()))
+    }
+
+    /// The file as tables.
+    ///
+    /// # Errors
+    /// The first thing that does not fit, with the key that may have been meant.
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Fault> {
+        toml::from_str(self.text).map_err(|error| {
+            let span = error.span().unwrap_or_default();
+            let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
+            let mut fault = self.fault(span, message);
+            fault.note = suggestion(&fault.message);
+            fault
+        })
+    }
+
+    /// A number's text: TOML's own floats would not be exact.
+    #[must_use]
+    pub fn written(&self, number: &Number) -> String {
+        match number.get_ref() {
+            toml::Value::String(text) => text.clone(),
+            toml::Value::Integer(_) | toml::Value::Float(_) => {
+                self.text.get(number.span()).unwrap_or_default().replace('_', "")
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// The number as written, exactly.
+    ///
+    /// # Errors
+    /// That it is no number, or outside the domain; `symbol` says which.
+    pub fn number(&self, number: &Number, symbol: &str, domain: Domain) -> Result<Rational, Fault> {
+        read_in(&self.written(number), domain)
+            .map_err(|error| self.fault(number.span(), format!("{symbol} {error}")))
+    }
+}
+
+/// The key that may have been meant, out of a complaint of the form "unknown field `a`, expected one
+/// of `b`, `c`".
+fn suggestion(message: &str) -> Option<String> {
+    let mut words = message.strip_prefix("unknown field ")?.split('`').skip(1).step_by(2);
+    let unknown = words.next()?;
+    let near = nearest(unknown, words)?;
+    Some(format!("did you mean `{near}`?"))
+}

@@ -1,0 +1,14 @@
+//! Motion, event by event: flights in closed form between impacts, never a fixed step.
+
+mod chain;
+mod encounter;
+mod flight;
+mod penalty;
+mod rest;
+mod run;
+mod state;
+
+pub use chain::{Chain, ChainError, collide_chain};
+pub use encounter::{Bounce, Encounter};
+pub use penalty::{Penalty, bounce_by_penalty};
+pub use run::{Budget, End, Ending, Stopped, Until, run};

@@ -1,0 +1,195 @@
+//! The events of a world, in their order.
+
+use kane_impact::NoImpulse;
+
+use super::encounter::Bounce;
+use super::flight::Unknown;
+use super::state::State;
+use crate::coordinate::Coordinate;
+use crate::resolver::Resolver;
+use crate::world::{Round, World};
+
+/// When to stop.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Until<N> {
+    /// After so many impacts.
+    Impacts(u64),
+    /// At this time; s.
+    Duration(N),
+    /// When a bouncing ball has come to rest on the floor.
+    Rest,
+}
+
+impl<N> Until<N> {
+    /// The same in another number system.
+    pub fn map<M>(&self, to: impl FnOnce(&N) -> M) -> Until<M> {
+        match self {
+            Self::Impacts(n) => Until::Impacts(*n),
+            Self::Duration(time) => Until::Duration(to(time)),
+            Self::Rest => Until::Rest,
+        }
+    }
+}
+
+/// How much work a motion may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// The most impacts that are followed one by one.
+    pub impacts: u64,
+    /// So many impacts of a ball that comes to rest are shown before the rest of them, infinitely
+    /// many, is summed up.
+    pub shown: u64,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { impacts: 100_000, shown: 12 }
+    }
+}
+
+/// Why a motion ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The impacts asked for have happened.
+    Impacts,
+    /// The time is over.
+    Duration,
+    /// The ball rests on the floor, after infinitely many impacts.
+    Rest,
+    /// Nothing meets any more.
+    Quiet,
+}
+
+/// The state at the end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct End<N> {
+    /// s
+    pub time: N,
+    /// Every body at that time.
+    pub bodies: Vec<Round<N>>,
+    /// Impacts that were followed one by one.
+    pub impacts: u64,
+    /// Why it ended.
+    pub ending: Ending,
+}
+
+impl<N> End<N> {
+    /// The same with other numbers.
+    pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> End<M> {
+        End {
+            time: to(&self.time),
+            bodies: self.bodies.iter().map(|body| body.map(&mut to)).collect(),
+            impacts: self.impacts,
+            ending: self.ending,
+        }
+    }
+}
+
+/// Why a motion could not be followed to its end.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Stopped {
+    /// The law has no answer.
+    #[error("impact {impact} at {time} s: {source}")]
+    NoImpulse {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+        /// The law's reason.
+        source: NoImpulse,
+    },
+    /// The number system cannot tell what comes next, or does not hold the time of it.
+    #[error("after impact {impact} at {time} s the number system cannot tell what comes next")]
+    Undecided {
+        /// Counted from 1; 0 is the start.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
+    /// More impacts than the budget allows.
+    #[error(
+        "{impacts} impacts happened by {time} s, and the end is not reached; many impacts in a short time are a pile that comes to rest, which is followed for one ball on a floor alone"
+    )]
+    Budget {
+        /// The budget.
+        impacts: u64,
+        /// s, rounded
+        time: f64,
+    },
+    /// Exact numbers have become too long.
+    #[error("after impact {impact} at {time} s the exact numbers are too long to go on with")]
+    Long {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
+    /// The ball never rests.
+    #[error("without loss, e = 1, a ball never comes to rest; give `impacts` or `duration_s`")]
+    NeverRests,
+    /// The rest is that of one ball on a floor.
+    #[error(
+        "`rest` needs one ball, a floor, no other wall, and gravity; give `impacts` or `duration_s`"
+    )]
+    NotABall,
+}
+
+/// Follows a world, event by event, and tells an observer every impact.
+///
+/// A flight is in closed form, and the next impact is the earliest root of a polynomial of degree two.
+/// Each body keeps the state of its own last impact, so that what does not meet is not rounded. A
+/// ball that comes to rest is followed to the end of infinitely many impacts in closed form.
+///
+/// Exact in exact numbers, and enclosing on intervals, as far as they can tell the order of events; in
+/// floats heuristic: each impact rounds, and the errors grow as the motion amplifies them.
+///
+/// # Errors
+/// [`Stopped`].
+pub fn run<N: Coordinate, R: Resolver<N>>(
+    world: &World<N>,
+    resolver: &R,
+    until: &Until<N>,
+    budget: Budget,
+    observer: &mut impl FnMut(&Bounce<N>),
+) -> Result<End<N>, Stopped> {
+    let mut state = State::new(world);
+    if matches!(until, Until::Rest) {
+        state.can_rest()?;
+    }
+    for index in 0..world.bodies.len() {
+        state.predict(index).map_err(|Unknown| state.undecided())?;
+    }
+    loop {
+        if matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
+            return Ok(state.end(Ending::Impacts));
+        }
+        let next = state.earliest()?;
+        if let Until::Duration(end) = until {
+            let over = match &next {
+                Some((time, _)) => end.compare(time).is_less().ok_or_else(|| state.undecided())?,
+                None => true,
+            };
+            if over {
+                return Ok(state.end_at(end.clone()));
+            }
+        }
+        let Some((time, encounter)) = next else {
+            return Ok(state.end(Ending::Quiet));
+        };
+        if state.impacts == budget.impacts {
+            let time = state.now.to_f64();
+            return Err(Stopped::Budget { impacts: budget.impacts, time });
+        }
+        state.impacts += 1;
+        let bounce = state.meet(resolver, time, encounter)?;
+        observer(&bounce);
+        if bounce.time.is_long() || bounce.slip[1].is_long() {
+            return Err(Stopped::Long { impact: state.impacts, time: state.now.to_f64() });
+        }
+        if let Some(end) = state.rests(until, budget, &bounce) {
+            return Ok(end);
+        }
+        state.refresh(encounter).map_err(|Unknown| state.undecided())?;
+    }
+}

@@ -1,0 +1,321 @@
+//! Where all bodies are between two events, and what they meet next.
+
+use super::encounter::{Bounce, Encounter, normal_of, strike};
+use super::flight::{Unknown, to_body, to_wall};
+use super::rest::{Tail, rest, tail};
+use super::run::{Budget, End, Ending, Stopped, Until};
+use crate::coordinate::Coordinate;
+use crate::resolver::Resolver;
+use crate::world::{Round, Side, Wall, World};
+
+/// Every body at the time of its last impact, and what it meets next.
+pub(super) struct State<'a, N> {
+    world: &'a World<N>,
+    pub(super) now: N,
+    pub(super) impacts: u64,
+    bodies: Vec<Round<N>>,
+    since: Vec<N>,
+    /// how many impacts there had been then, its own among them
+    settled: Vec<u64>,
+    last: Vec<Option<Encounter>>,
+    /// the slip after the last impact, where that was with a floor or a ceiling
+    held: Vec<Option<N>>,
+    next: Vec<Option<(N, Encounter)>>,
+}
+
+impl<'a, N: Coordinate> State<'a, N> {
+    pub(super) fn new(world: &'a World<N>) -> Self {
+        let count = world.bodies.len();
+        Self {
+            world,
+            now: N::zero(),
+            impacts: 0,
+            bodies: world.bodies.clone(),
+            since: vec![N::zero(); count],
+            settled: vec![0; count],
+            last: vec![None; count],
+            held: vec![None; count],
+            next: vec![None; count],
+        }
+    }
+
+    pub(super) fn undecided(&self) -> Stopped {
+        Stopped::Undecided { impact: self.impacts, time: self.now.to_f64() }
+    }
+
+    fn here(&self, index: usize) -> Round<N> {
+        if self.settled[index] == self.impacts {
+            // no time has passed, which an interval would not know
+            return self.bodies[index].clone();
+        }
+        let time = self.now.clone() - &self.since[index];
+        self.bodies[index].flown(&time, &self.world.gravity)
+    }
+
+    /// Looks for what the body meets next, and tells those that it would meet before all else.
+    pub(super) fn predict(&mut self, index: usize) -> Result<(), Unknown> {
+        let body = self.here(index);
+        let mut best: Option<(N, Encounter)> = None;
+        for wall in &self.world.walls {
+            let encounter = Encounter::Wall(index, wall.side);
+            let touching = self.last[index] == Some(encounter);
+            if let Some(time) = to_wall(&body, wall, &self.world.gravity, touching)? {
+                let time = self.now.clone() + time;
+                if earlier((&time, encounter), best.as_ref())? {
+                    best = Some((time, encounter));
+                }
+            }
+        }
+        for other in 0..self.bodies.len() {
+            if other == index {
+                continue;
+            }
+            let encounter = Encounter::Pair(index.min(other), index.max(other));
+            let parted = Some(encounter);
+            if self.last[index] == parted && self.last[other] == parted {
+                continue;
+            }
+            let Some(time) = to_body(&body, &self.here(other))? else { continue };
+            let time = self.now.clone() + time;
+            if earlier((&time, encounter), best.as_ref())? {
+                best = Some((time.clone(), encounter));
+            }
+            if earlier((&time, encounter), self.next[other].as_ref())? {
+                self.next[other] = Some((time, encounter));
+            }
+        }
+        self.next[index] = best;
+        Ok(())
+    }
+
+    pub(super) fn earliest(&self) -> Result<Option<(N, Encounter)>, Stopped> {
+        let mut best: Option<&(N, Encounter)> = None;
+        for next in self.next.iter().flatten() {
+            if earlier((&next.0, next.1), best).map_err(|Unknown| self.undecided())? {
+                best = Some(next);
+            }
+        }
+        Ok(best.cloned())
+    }
+
+    /// Brings the bodies to their impact and through it.
+    pub(super) fn meet<R: Resolver<N>>(
+        &mut self,
+        resolver: &R,
+        time: N,
+        encounter: Encounter,
+    ) -> Result<Bounce<N>, Stopped> {
+        self.now = time;
+        let world = self.world;
+        let coefficients = (&world.friction, &world.restitution);
+        let fault =
+            |source| Stopped::NoImpulse { impact: self.impacts, time: self.now.to_f64(), source };
+        let fallen = |index: usize, body: &Round<N>| {
+            let drop = self.bodies[index].position[1].clone() - &body.position[1];
+            body.mass.clone() * &world.gravity * drop
+        };
+        let (struck, gravity) = match encounter {
+            Encounter::Wall(index, side) => {
+                let mut body = self.here(index);
+                if let Some(wall) = world.walls.iter().find(|wall| wall.side == side) {
+                    at_wall(&mut body, wall);
+                }
+                let again = self.last[index] == Some(encounter);
+                if again && side == Side::Floor {
+                    // what goes up comes down as fast; v − g·(2v/g) would round, and widen
+                    body.motion.vy = -self.bodies[index].motion.vy.clone();
+                }
+                let held = if again { self.held[index].as_ref() } else { None };
+                let normal = normal_of(side);
+                let struck =
+                    strike(resolver, coefficients, &normal, &body, None, held).map_err(fault)?;
+                (struck, fallen(index, &body))
+            }
+            Encounter::Pair(i, j) => {
+                let (first, second) = (self.here(i), self.here(j));
+                let reach = first.radius.clone() + &second.radius;
+                let normal =
+                    [0, 1].map(|k| (first.position[k].clone() - &second.position[k]) / &reach);
+                let struck = strike(resolver, coefficients, &normal, &first, Some(&second), None)
+                    .map_err(fault)?;
+                (struck, fallen(i, &first) + fallen(j, &second))
+            }
+        };
+        let bounce = Bounce {
+            time: self.now.clone(),
+            encounter,
+            regime: struck.regime,
+            slip: struck.slip,
+            approach: struck.approach,
+            separation: struck.separation,
+            impulse: struck.impulse,
+            ledger: struck.ledger,
+            gravity,
+            after: (struck.first, struck.second),
+        };
+        match encounter {
+            Encounter::Wall(i, side) => {
+                let level = matches!(side, Side::Floor | Side::Ceiling);
+                self.held[i] = level.then(|| bounce.slip[1].clone());
+                self.settle(i, encounter, bounce.after.0.clone());
+            }
+            Encounter::Pair(i, j) => {
+                self.held[i] = None;
+                self.held[j] = None;
+                self.settle(i, encounter, bounce.after.0.clone());
+                if let Some(second) = &bounce.after.1 {
+                    self.settle(j, encounter, second.clone());
+                }
+            }
+        }
+        Ok(bounce)
+    }
+
+    fn settle(&mut self, index: usize, encounter: Encounter, body: Round<N>) {
+        self.bodies[index] = body;
+        self.since[index] = self.now.clone();
+        self.settled[index] = self.impacts;
+        self.last[index] = Some(encounter);
+        self.next[index] = None;
+    }
+
+    /// Looks again for all whose next impact has changed.
+    pub(super) fn refresh(&mut self, encounter: Encounter) -> Result<(), Unknown> {
+        let (i, j) = match encounter {
+            Encounter::Wall(i, _) => (i, i),
+            Encounter::Pair(i, j) => (i, j),
+        };
+        // those that were to meet one of the two must look elsewhere
+        for other in 0..self.bodies.len() {
+            let waits = matches!(&self.next[other], Some((_, Encounter::Pair(a, b)))
+                if [*a, *b].contains(&i) || [*a, *b].contains(&j));
+            if waits {
+                self.next[other] = None;
+                self.predict(other)?;
+            }
+        }
+        self.predict(i)?;
+        if j != i {
+            self.predict(j)?;
+        }
+        Ok(())
+    }
+
+    /// The end here and now.
+    pub(super) fn end(&self, ending: Ending) -> End<N> {
+        let bodies = (0..self.bodies.len()).map(|index| self.here(index)).collect();
+        End { time: self.now.clone(), bodies, impacts: self.impacts, ending }
+    }
+
+    /// The end at a later time.
+    pub(super) fn end_at(&self, time: N) -> End<N> {
+        let states = self.bodies.iter().zip(&self.since);
+        let flown = states
+            .map(|(body, since)| body.flown(&(time.clone() - since), &self.world.gravity))
+            .collect();
+        End { time, bodies: flown, impacts: self.impacts, ending: Ending::Duration }
+    }
+
+    /// Whether this is one ball above a floor.
+    fn is_ball(&self) -> bool {
+        let floor = matches!(&self.world.walls[..], [Wall { side: Side::Floor, .. }]);
+        floor && self.bodies.len() == 1 && self.world.gravity.sign().is_greater() == Some(true)
+    }
+
+    pub(super) fn can_rest(&self) -> Result<(), Stopped> {
+        if !self.is_ball() {
+            return Err(Stopped::NotABall);
+        }
+        let loses = self.world.restitution.compare(&N::one()).is_less();
+        if loses == Some(false) { Err(Stopped::NeverRests) } else { Ok(()) }
+    }
+
+    /// The end, if the ball comes to rest before anything else is asked for.
+    pub(super) fn rests(
+        &self,
+        until: &Until<N>,
+        budget: Budget,
+        bounce: &Bounce<N>,
+    ) -> Option<End<N>> {
+        let World { gravity, friction, restitution, .. } = self.world;
+        let body = &bounce.after.0;
+        let lies = body.motion.vy.sign().is_equal() == Some(true);
+        let asked = match until {
+            Until::Impacts(_) => lies,
+            Until::Duration(_) | Until::Rest => true,
+        };
+        if !asked || !(lies || self.impacts >= budget.shown) || self.can_rest().is_err() {
+            return None;
+        }
+        if restitution.compare(&N::one()).is_less() != Some(true) {
+            return None;
+        }
+        let tail = tail(body, &bounce.slip[1], friction, restitution)?;
+        let rest = rest(body, &tail, gravity, friction, restitution);
+        let time = self.now.clone() + &rest.time;
+        let end =
+            |time, body, ending| End { time, bodies: vec![body], impacts: self.impacts, ending };
+        match until {
+            Until::Duration(end_time) => {
+                if end_time.compare(&time).is_less() != Some(false) {
+                    return None;
+                }
+                let left = end_time.clone() - time;
+                let body = crept(&rest.body, &tail, &left, gravity, friction)?;
+                Some(end(end_time.clone(), body, Ending::Duration))
+            }
+            _ => Some(end(time, rest.body, Ending::Rest)),
+        }
+    }
+}
+
+/// A body that rests on the floor slides on under friction, until it rolls.
+fn crept<N: Coordinate>(
+    body: &Round<N>,
+    tail: &Tail<N>,
+    time: &N,
+    gravity: &N,
+    friction: &N,
+) -> Option<Round<N>> {
+    let mut after = body.clone();
+    let mut left = time.clone();
+    if let Tail::Sliding(sign) = tail {
+        let slip = body.motion.omega.mul_add(&body.radius, &body.motion.vx);
+        let slowing = friction.clone() * gravity * sign;
+        let ratio = N::one() + body.mass.clone() * body.rotational_mobility();
+        let stop = slip / (slowing.clone() * ratio);
+        let slides = if left.compare(&stop).is_less()? { left.clone() } else { stop };
+        let change = slowing * &slides;
+        let mean = body.motion.vx.clone() - crate::coordinate::half(change.clone());
+        after.position[0] = mean.mul_add(&slides, &body.position[0]);
+        after.motion.vx = body.motion.vx.clone() - &change;
+        let turn = body.radius.clone() * &body.mass * change / &body.inertia;
+        after.motion.omega = body.motion.omega.clone() - turn;
+        left = left - slides;
+    }
+    after.position[0] = after.motion.vx.mul_add(&left, &after.position[0]);
+    Some(after)
+}
+
+/// A body that touches a wall is where the wall is, whatever rounding says.
+fn at_wall<N: Coordinate>(body: &mut Round<N>, wall: &Wall<N>) {
+    let r = &body.radius;
+    match wall.side {
+        Side::Left => body.position[0] = wall.at.clone() + r,
+        Side::Right => body.position[0] = wall.at.clone() - r,
+        Side::Floor => body.position[1] = wall.at.clone() + r,
+        Side::Ceiling => body.position[1] = wall.at.clone() - r,
+    }
+}
+
+/// Whether an encounter comes before the best so far; one that is known from its other body does not.
+fn earlier<N: Coordinate>(
+    (time, encounter): (&N, Encounter),
+    best: Option<&(N, Encounter)>,
+) -> Result<bool, Unknown> {
+    match best {
+        None => Ok(true),
+        Some((_, known)) if *known == encounter => Ok(false),
+        Some((best, _)) => time.compare(best).is_less().ok_or(Unknown),
+    }
+}

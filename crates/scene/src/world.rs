@@ -1,0 +1,147 @@
+//! Round bodies among walls, under gravity.
+
+use kane_impact::bodies::Motion;
+use kane_number::Number;
+
+use crate::coordinate::half;
+use crate::simulate::{Bounce, Encounter};
+
+/// A round body and where it is; SI units, y upwards, ω from x to y.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Round<N> {
+    /// m > 0; kg.
+    pub mass: N,
+    /// J > 0; kg·m².
+    pub inertia: N,
+    /// r > 0; m.
+    pub radius: N,
+    /// The centre; m.
+    pub position: [N; 2],
+    /// Its velocity and the spin.
+    pub motion: Motion<N>,
+}
+
+/// The side on which a wall bounds the room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// below
+    Floor,
+    /// above
+    Ceiling,
+    /// at the least x
+    Left,
+    /// at the greatest x
+    Right,
+}
+
+impl Side {
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Floor => "floor",
+            Self::Ceiling => "ceiling",
+            Self::Left => "left wall",
+            Self::Right => "right wall",
+        }
+    }
+}
+
+/// A fixed plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall<N> {
+    /// Which side of the room it bounds.
+    pub side: Side,
+    /// Its height, or its x; m.
+    pub at: N,
+}
+
+/// Round bodies among walls, under gravity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct World<N> {
+    /// g ≥ 0, downwards; m/s².
+    pub gravity: N,
+    /// At most one a side.
+    pub walls: Vec<Wall<N>>,
+    /// At least one.
+    pub bodies: Vec<Round<N>>,
+    /// μ ≥ 0 of every contact.
+    pub friction: N,
+    /// 0 ≤ e ≤ 1 of every contact.
+    pub restitution: N,
+}
+
+impl<N: Number> Round<N> {
+    /// The kinetic energy, m·v²/2 + J·ω²/2; J.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> N {
+        let Motion { vx, vy, omega } = &self.motion;
+        half((vx.square() + vy.square()) * &self.mass + omega.square() * &self.inertia)
+    }
+
+    /// The body after a flight of the given time under gravity; s, m/s².
+    #[must_use]
+    pub fn flown(&self, time: &N, gravity: &N) -> Self {
+        let Motion { vx, vy, omega } = &self.motion;
+        let [x, y] = &self.position;
+        let gained = gravity.clone() * time;
+        let mean = vy.clone() - half(gained.clone());
+        Self {
+            position: [vx.mul_add(time, x), mean.mul_add(time, y)],
+            motion: Motion { vx: vx.clone(), vy: vy.clone() - gained, omega: omega.clone() },
+            ..self.clone()
+        }
+    }
+
+    /// The radius across J: r²/J, the rotational part of the tangential mobility; 1/kg.
+    pub(crate) fn rotational_mobility(&self) -> N {
+        self.radius.square() / &self.inertia
+    }
+}
+
+impl<N> Round<N> {
+    /// The same body in another number system.
+    pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> Round<M> {
+        let [x, y] = &self.position;
+        let Motion { vx, vy, omega } = &self.motion;
+        Round {
+            mass: to(&self.mass),
+            inertia: to(&self.inertia),
+            radius: to(&self.radius),
+            position: [to(x), to(y)],
+            motion: Motion { vx: to(vx), vy: to(vy), omega: to(omega) },
+        }
+    }
+}
+
+impl<N: Number> World<N> {
+    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
+    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+        let free = |index: usize| N::one() / &self.bodies[index].mass;
+        let turning = |index: usize| self.bodies[index].rotational_mobility();
+        let (nn, turn) = match bounce.encounter {
+            Encounter::Wall(i, _) => (free(i), turning(i)),
+            Encounter::Pair(i, j) => (free(i) + free(j), turning(i) + turning(j)),
+        };
+        let ratio = (nn.clone() + turn) / nn;
+        let change = ratio * &self.friction * (N::one() + &self.restitution) * &bounce.approach;
+        change.checked_div(&bounce.slip[0].double())
+    }
+}
+
+impl<N> World<N> {
+    /// The same world in another number system.
+    pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> World<M> {
+        World {
+            gravity: to(&self.gravity),
+            walls: self
+                .walls
+                .iter()
+                .map(|wall| Wall { side: wall.side, at: to(&wall.at) })
+                .collect(),
+            bodies: self.bodies.iter().map(|body| body.map(&mut to)).collect(),
+            friction: to(&self.friction),
+            restitution: to(&self.restitution),
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! What bad files get: a message that points at the place.
+
+use kane_scene::read::scene;
+
+const GOOD: &str = r#"title = "A ball"
+friction = 0.2
+restitution = "3/4"
+gravity_m_s2 = 9.81
+floor_m = 0
+
+[[body]]
+mass_kg = 1
+radius_m = 0.1
+position_m = [0, 1]
+velocity_m_s = [{ value = 1, within = 0.1 }, 0]
+
+[until]
+impacts = 3
+
+[ask]
+k = 0.01
+"#;
+
+#[test]
+fn the_good_file_is_read_exactly() {
+    let scene = scene("good.toml", GOOD).expect("it is good");
+    assert_eq!(scene.uncertain(), 1);
+    assert_eq!(scene.corners().len(), 2);
+    assert_eq!(scene.nominal().friction().to_string(), "1/5");
+}
+
+#[test]
+fn every_fault_points_at_its_place() {
+    for (change, with, line, message) in [
+        ("friction = 0.2", "fricton = 0.2", 2, "unknown field `fricton`"),
+        ("k = 0.01", "kk = 0.01", 17, "nothing is called `kk`"),
+        ("k = 0.01", "k = -1", 17, "the tolerance of k is -1, but must be at least 0"),
+        ("impacts = 3", "impacts = 0", 14, "impacts must be a whole number above 0"),
+        ("impacts = 3", "impacts = 3\nrest = true", 13, "exactly one of impacts"),
+        ("mass_kg = 1", "mass_kg = 0", 8, "mass_kg is 0, but must be above 0"),
+        (
+            "restitution = \"3/4\"",
+            "restitution = 1.5",
+            3,
+            "restitution is 1.5, but must be from 0 to 1",
+        ),
+        ("position_m = [0, 1]", "position_m = [0, 0.05]", 10, "body 1 is inside the floor"),
+        ("within = 0.1", "withn = 0.1", 11, "unknown key `withn`"),
+        ("within = 0.1", "within = -0.1", 11, "must be at least 0"),
+        ("radius_m = 0.1", "radius_m = \"1/0\"", 9, "radius_m cannot be 1/0"),
+        ("k = 0.01", "v_x_m_s_of_2 = 0.01", 17, "there are 1 bodies"),
+        (
+            "friction = 0.2",
+            "friction = { value = 0.2, within = 0.3 }",
+            2,
+            "an end of the range of friction",
+        ),
+    ] {
+        let text = GOOD.replacen(change, with, 1);
+        assert_ne!(text, GOOD, "{change}");
+        let fault = scene("bad.toml", &text).expect_err(with);
+        assert!(fault.message.contains(message), "{with}: {}", fault.message);
+        assert_eq!(fault.line, line, "{with}: {fault}");
+        assert!(fault.to_string().contains('^'), "{fault}");
+    }
+}
+
+#[test]
+fn a_key_mistyped_gets_a_suggestion() {
+    let text = GOOD.replacen("friction", "fricton", 1);
+    let fault = scene("bad.toml", &text).expect_err("it is mistyped");
+    assert_eq!(fault.note.as_deref(), Some("did you mean `friction`?"));
+}
+
+#[test]
+fn what_needs_a_table_says_so() {
+    for (without, message) in [("[ask]\nk = 0.01\n", "ask"), ("[until]\nimpacts = 3\n", "[until]")]
+    {
+        let text = GOOD.replacen(without, "", 1);
+        let fault = scene("bad.toml", &text).expect_err("something is missing");
+        assert!(fault.message.contains(message), "{}", fault.message);
+    }
+    let two = format!(
+        "{GOOD}\n[rod-tip]\nmass_kg = 1\nlength_m = 1\nhalf_tangent = 1\nvelocity_m_s = [0, -1]\n"
+    );
+    let fault = scene("bad.toml", &two).expect_err("two things are described");
+    assert!(fault.message.contains("exactly one of"), "{}", fault.message);
+}

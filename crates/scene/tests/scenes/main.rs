@@ -1,0 +1,55 @@
+//! Scenes: the motion, the choice of a model, the format, and where methods fail.
+
+mod choice; // every shipped scene: the chosen model meets the tolerance, the next cheaper misses
+mod format; // what bad files get
+mod motion; // flights and impacts, each by two ways
+mod stress; // drift, reversal, Zeno, grazing, penalty steps
+
+use kane_impact::bodies::Motion;
+use kane_number::{Rational, parse};
+use kane_scene::{Coordinate, Round, Side, Wall, World};
+
+/// A literal.
+fn n(text: &str) -> Rational {
+    parse(text).expect("a literal")
+}
+
+/// A ball with J = 2/5·m·r² and all that is given as literals.
+fn ball(mass: &str, radius: &str, position: [&str; 2], motion: [&str; 3]) -> Round<Rational> {
+    let [x, y] = position.map(n);
+    let [vx, vy, omega] = motion.map(n);
+    let (mass, radius) = (n(mass), n(radius));
+    Round {
+        inertia: &mass * &radius * &radius * n("2/5"),
+        mass,
+        radius,
+        position: [x, y],
+        motion: Motion { vx, vy, omega },
+    }
+}
+
+/// A world of balls above a floor at 0.
+fn above_floor(
+    bodies: Vec<Round<Rational>>,
+    gravity: &str,
+    friction: &str,
+    restitution: &str,
+) -> World<Rational> {
+    World {
+        gravity: n(gravity),
+        walls: vec![Wall { side: Side::Floor, at: n("0") }],
+        bodies,
+        friction: n(friction),
+        restitution: n(restitution),
+    }
+}
+
+/// The same world in another number system.
+fn of<N: Coordinate>(world: &World<Rational>) -> World<N> {
+    world.map(N::from_rational)
+}
+
+/// The kinetic energy of all bodies.
+fn energy<N: Coordinate>(bodies: &[Round<N>]) -> N {
+    bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy())
+}

@@ -1,0 +1,54 @@
+//! `kane scene`: models, files, exit codes.
+
+use std::fs;
+
+use crate::{kane, scratch};
+
+#[test]
+fn a_scene_is_answered_and_written_in_every_form() {
+    let dir = scratch("scene");
+    let out = dir.join("out");
+    let file = "docs/scenes/backspin.toml";
+    let run = kane(&["scene", file, "--compare", "--out", out.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("coulomb/f32: all that is asked for is within its tolerance"));
+    assert!(run.stdout.contains(&format!("kane scene {file} --compare")), "{}", run.stdout);
+    for ending in
+        [".md", ".json", "-motion.svg", "-ledger.svg", "-compare.svg", "-states.csv", "-models.csv"]
+    {
+        let path = out.join(format!("backspin{ending}"));
+        assert!(path.is_file(), "{} is missing", path.display());
+    }
+    let json = fs::read_to_string(out.join("backspin.json")).expect("it was written");
+    assert_eq!(json, kane(&["scene", file, "--compare", "--format", "json"]).stdout);
+}
+
+#[test]
+fn another_model_says_by_how_much_it_misses() {
+    let run = kane(&["scene", "docs/scenes/backspin.toml", "--model", "sliding"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(run.stdout.contains("omega_rad_s off by"), "{}", run.stdout);
+    let run = kane(&["scene", "docs/scenes/rod-jam.toml", "--model", "sliding"]);
+    assert_eq!(run.code, 3);
+    assert!(run.stderr.contains("the contact jams"), "{}", run.stderr);
+}
+
+#[test]
+fn bad_input_is_shown_with_its_line() {
+    let dir = scratch("scene-bad");
+    let path = dir.join("bad.toml");
+    fs::write(&path, "friction = 0.1\nrestitution = 2\n\n[ask]\nk = 1\n").expect("writable");
+    let file = path.to_str().expect("UTF-8");
+    for arguments in [
+        vec!["scene", file],
+        vec!["scene", "no-such-file.toml"],
+        vec!["scene", "docs/scenes/rest.toml", "--model", "coulom"],
+    ] {
+        let run = kane(&arguments);
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.stdout.is_empty() && run.stderr.starts_with("error"), "{}", run.stderr);
+    }
+    assert!(kane(&["scene", file]).stderr.contains("exactly one of"));
+    let hint = kane(&["scene", "docs/scenes/rest.toml", "--model", "coulom"]).stderr;
+    assert!(hint.contains("did you mean `coulomb`?"), "{hint}");
+}

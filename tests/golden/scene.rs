@@ -1,0 +1,98 @@
+//! The shipped scenes as the program prints them, and the table of stress.
+
+use std::path::Path;
+
+use kane::report::Page;
+use kane::report::scene::{
+    SceneReport, compare_picture, json, ledger_picture, markdown, models_csv, motion_picture,
+    states_csv, stress_csv, stress_picture, text,
+};
+use kane::scene::{Effort, answer, read, stress};
+
+use crate::settings;
+
+fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
+    let file = format!("docs/scenes/{name}.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&file);
+    let source = read::load(&path).expect("the scene is shipped");
+    let scene = read::scene(&file, &source).expect("it is well formed");
+    let answer = answer(&scene, None, effort, &mut |_, _| {}).expect("it has an answer");
+    let command = format!("kane scene {file}");
+    check(&SceneReport { answer: &answer, title: scene.title.clone(), command });
+}
+
+#[test]
+fn every_shipped_scene_is_answered_and_drawn() {
+    let names = [
+        "backspin",
+        "cradle-apart",
+        "cradle-touching",
+        "discs",
+        "double-pendulum",
+        "paper-sphere",
+        "rest",
+        "rod-jam",
+        "superball",
+        "two-spheres",
+    ];
+    for name in names {
+        shipped(name, Effort::Chosen, |report| {
+            let shown = text(report, Page::default());
+            for line in shown.lines() {
+                assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
+            }
+            settings().bind(|| insta::assert_snapshot!(name, shown));
+            // what flies has a picture of its motion; what is struck has a ledger
+            let flies = report.answer.strobe.is_some();
+            let motion = motion_picture(report).expect("it can be drawn");
+            let ledger = ledger_picture(report).expect("it can be drawn");
+            assert_eq!((motion.is_some(), ledger.is_some()), (flies, flies), "{name}");
+            for picture in motion.iter().chain(&ledger) {
+                assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
+                assert!(!picture.contains("NaN"));
+            }
+            assert_eq!(motion, motion_picture(report).expect("again"), "the same in every run");
+        });
+    }
+    let shipped = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes"));
+    let files =
+        shipped.expect("the scenes are shipped").map(|entry| entry.expect("readable").path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    assert_eq!(scenes.count(), names.len(), "every scene has its snapshot");
+}
+
+#[test]
+fn all_forms_of_a_report_tell_the_same() {
+    shipped("backspin", Effort::All, |report| {
+        let value: serde_json::Value = serde_json::from_str(&json(report)).expect("it is JSON");
+        assert_eq!(value["schema"]["name"], "kane-scene");
+        assert_eq!(value["chosen"], "coulomb/f32");
+        let models = value["models"].as_array().expect("a list");
+        assert_eq!(models_csv(report).lines().count(), models.len() + 1);
+        let impacts = value["impacts"].as_array().expect("a list");
+        // one body: a row an impact, one for the end, and the head
+        assert_eq!(states_csv(report).lines().count(), impacts.len() + 2);
+        assert!(markdown(report).contains("| wang-su-li/f64 |"));
+        let picture = compare_picture(report).expect("it can be drawn");
+        assert!(picture.contains("coulomb/f32, f64") || picture.contains("coulomb/f64"));
+    });
+}
+
+#[test]
+fn the_committed_stress_is_the_program_s() {
+    let rows = stress::rows();
+    let picture = stress_picture(&rows).expect("it can be drawn");
+    for (file, shown) in
+        [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        if std::env::var_os("KANE_WRITE_DOCS").is_some() {
+            std::fs::write(&path, &shown).expect("the checkout is writable");
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            kept == shown,
+            "{file} is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden stress"
+        );
+    }
+}
