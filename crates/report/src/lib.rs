@@ -4,7 +4,7 @@
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
 //! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
-//! for what the measurements found. All of them return
+//! for what the measurements found; [`figures`] draws curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
@@ -14,6 +14,7 @@ pub mod collision;
 mod columns;
 mod envelope;
 mod explain;
+pub mod figures;
 pub mod growth;
 mod html;
 mod json;
@@ -35,6 +36,6 @@ pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
 pub use markdown::markdown;
-pub use report::Report;
+pub use report::{Picture, Report};
 pub use summary::Summary;
 pub use text::{Page, text};
