@@ -107,6 +107,7 @@
 //! `cli`, on by default: the program `kane` and everything that only it needs.
 
 pub mod collide;
+pub mod figures;
 pub mod judges;
 
 pub use kane_algebra as algebra;

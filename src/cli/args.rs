@@ -64,6 +64,7 @@ Examples:
   kane chart --quick                      a first look, in some seconds
   kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
   kane chart --growth                     how cost grows with rows, bounces, variables and degree
+  kane chart --figures --out figures      draws what the laws say: figures/*.svg, data in *.csv
 
 A method is a form of a law in a number system. Its error is that at the worst of some hundred
 inputs, alpha from 2^-30 to 2^30, against the exact value; its time is the median of several
@@ -72,7 +73,11 @@ are counted in docs/data/methods.csv.
 
 With --growth: what a row costs by the number of rows in a batch; how an exact chain of bounces
 grows, and how many digits floats and intervals keep in it; what a claim costs the audit by its
-variables and its degree, and where it stays undecided. Files are growth.svg, .csv, .json, .md.";
+variables and its degree, and where it stays undecided. Files are growth.svg, .csv, .json, .md.
+
+With --figures: k, i_x and the effective friction over alpha under all laws, with measured points and
+the elastic half-space; by how much models miss the half-space; where Kane's pendulum gains energy.
+Nothing is timed, and the files are the same in every run.";
 
 const STABILITY_EXAMPLES: &str = "\
 Examples:
@@ -309,7 +314,11 @@ pub(crate) struct ChartArgs {
     #[arg(long)]
     pub(crate) growth: bool,
 
-    /// Also write chart.md, .json, .csv and .svg into this directory, or growth.*
+    /// The figures instead: laws over alpha with measured points, model error, Kane's puzzle
+    #[arg(long, conflicts_with_all = ["quick", "growth", "format"])]
+    pub(crate) figures: bool,
+
+    /// Also write chart.md, .json, .csv and .svg into this directory, or growth.*, or the figures
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

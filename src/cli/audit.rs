@@ -8,12 +8,29 @@ use std::sync::Mutex;
 use kane::audit::{Audit, Body, Document, Options};
 use kane::judges::{self, NotAsked};
 use kane::report::judges::Judge;
-use kane::report::{self, Report};
+use kane::report::{self, Picture, Report};
 
 use super::args::{AuditArgs, Format, JudgeName};
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, labels, output};
+
+/// Two figures for the paper, drawn beforehand: `docs/figures`, which the tests draw anew. With all of
+/// them the page would be above a megabyte.
+const PICTURES: [Picture; 2] = {
+    macro_rules! picture {
+        ($stem:literal, $title:literal) => {
+            Picture {
+                title: $title,
+                svg: include_str!(concat!("../../docs/figures/", $stem, ".svg")),
+            }
+        };
+    }
+    [
+        picture!("slip-over-alpha", "k over α under all laws, with measured points"),
+        picture!("energy-map", "at which friction and restitution laws create energy"),
+    ]
+};
 
 /// Runs the verb.
 pub(super) fn run(args: &AuditArgs) -> Outcome {
@@ -50,6 +67,7 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
             let report = Report::new(audit, command(input, &args.only));
+            let report = if input.is_paper() { report.with_pictures(&PICTURES) } else { report };
             (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
         .unzip();

@@ -1,4 +1,4 @@
-//! `kane chart`: speed against accuracy.
+//! `kane chart`: speed against accuracy, growth, and the figures.
 
 use std::fs;
 use std::io;
@@ -8,11 +8,12 @@ use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
 use kane::report::chart::{self as digits, ChartReport};
 use kane::report::chart_picture;
+use kane::report::figures as drawn;
 use kane::report::growth::{self as size, GrowthReport};
 
 use super::args::{ChartArgs, Format};
 use super::progress::Progress;
-use super::{Outcome, deliver, output};
+use super::{Outcome, bad_input, deliver, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &ChartArgs) -> Outcome {
@@ -21,8 +22,11 @@ pub(super) fn run(args: &ChartArgs) -> Outcome {
     for (flag, given) in [(" --growth", args.growth), (" --quick", args.quick)] {
         command.push_str(if given { flag } else { "" });
     }
-    let delivered =
-        if args.growth { by_size(args, effort, command) } else { by_digit(args, effort, command) };
+    let delivered = match (args.figures, args.growth) {
+        (true, _) => figures(args),
+        (false, true) => by_size(args, effort, command),
+        (false, false) => by_digit(args, effort, command),
+    };
     delivered.err().unwrap_or(Outcome::AsExpected)
 }
 
@@ -68,6 +72,25 @@ fn by_size(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Outc
         )
     };
     deliver(args.out.as_deref(), files, shown)
+}
+
+/// What the laws say, drawn.
+fn figures(args: &ChartArgs) -> Result<(), Outcome> {
+    let mut progress = Progress::counting("points");
+    let figures = kane::figures::figures(&mut |done, all| progress.update(done, all));
+    drop(progress);
+    let figures = figures.map_err(|error| bad_input(&error.to_string()))?;
+    let files = |dir: &Path| {
+        fs::create_dir_all(dir)?;
+        for figure in &figures {
+            let picture = drawn::svg(figure).map_err(io::Error::other)?;
+            for (ending, text) in [("svg", picture), ("csv", drawn::csv(figure))] {
+                output::to_file(&dir.join(format!("{}.{ending}", figure.stem)), &text)?;
+            }
+        }
+        Ok(())
+    };
+    deliver(args.out.as_deref(), files, || drawn::text(&figures))
 }
 
 /// Writes a chart in every form: Markdown, JSON, CSV and SVG.

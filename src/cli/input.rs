@@ -20,6 +20,13 @@ pub(super) struct Input {
     pub(super) bytes: Vec<u8>,
 }
 
+impl Input {
+    /// Whether this is the paper, wherever it was read from.
+    pub(super) fn is_paper(&self) -> bool {
+        self.bytes == PAPER.as_bytes()
+    }
+}
+
 /// Reads every file, or takes the paper if there is none; with one message for every file that cannot be read.
 pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
     if files.is_empty() {

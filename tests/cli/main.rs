@@ -5,6 +5,7 @@ mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
 mod errors; // what bad input gets
 mod exits; // exit codes
+mod figures; // the figures, and the page that shows them
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod print; // the report for LaTeX, compiled

@@ -1,6 +1,7 @@
 //! Snapshots of what the program prints: every file under `snapshots/` has one test here that owns it.
 
 mod collide; // one collision under all laws, or under one in depth
+mod figures; // the figures and their data
 mod fixture;
 mod growth; // how cost grows with size, without a clock
 mod judges; // what Coq and z3 are handed

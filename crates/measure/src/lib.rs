@@ -27,6 +27,7 @@ mod error;
 mod expand;
 mod formula;
 pub mod growth;
+mod over_alpha;
 mod program;
 mod stability;
 
@@ -35,6 +36,7 @@ pub use axis::{Axis, Format};
 pub use dyadic::{Dyadic, DyadicNumber};
 pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
+pub use over_alpha::{Curve, OverAlpha, over_alpha};
 pub use program::{Branch, Operation, Program, Unsupported};
 pub use stability::{
     Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,

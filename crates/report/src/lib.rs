@@ -4,7 +4,8 @@
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
 //! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
-//! for what the measurements found, [`scene`] for the answer to a scene. All of them return
+//! for what the measurements found, [`scene`] for the answer to a scene;
+//! [`figures`] draws curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
@@ -15,6 +16,7 @@ mod columns;
 pub mod coq;
 mod envelope;
 mod explain;
+pub mod figures;
 pub mod growth;
 mod html;
 mod json;
@@ -40,6 +42,6 @@ pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json, json_with_judges};
 pub use latex::latex;
 pub use markdown::markdown;
-pub use report::Report;
+pub use report::{Picture, Report};
 pub use summary::Summary;
 pub use text::{Page, text};

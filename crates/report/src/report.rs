@@ -13,6 +13,17 @@ pub struct Report<'a> {
     pub shown: Vec<usize>,
     /// a command that prints this report
     pub command: String,
+    /// pictures that belong to the document, for the forms that can show them
+    pub pictures: &'a [Picture],
+}
+
+/// A picture that belongs to a document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// what it shows, for those who do not see it
+    pub title: &'static str,
+    /// the picture itself, one `svg` element
+    pub svg: &'static str,
 }
 
 impl<'a> Report<'a> {
@@ -23,7 +34,15 @@ impl<'a> Report<'a> {
             audit,
             shown: (0..audit.document.statements.len()).collect(),
             command: command.into(),
+            pictures: &[],
         }
+    }
+
+    /// The same report with pictures.
+    #[must_use]
+    pub const fn with_pictures(mut self, pictures: &'a [Picture]) -> Self {
+        self.pictures = pictures;
+        self
     }
 
     /// The same report, narrowed to these statements.

@@ -7,10 +7,12 @@
 
 use std::fmt::Write as _;
 
+use kane::figures::experiment::{
+    FRICTION, Point, RADIUS, RESTITUTION, SPEED, compliance, observed,
+};
 use kane::impact::bodies::{Motion, SphereOnPlane};
 use kane::impact::compliant::{
-    Bilinear, Compliance, DimensionReduction, Elastic, HertzMindlin, MawBarberFawcett, Memory,
-    Process,
+    Bilinear, DimensionReduction, HertzMindlin, MawBarberFawcett, Memory, Process,
 };
 use kane::impact::laws::{LawVisitor, Walton, visit_laws};
 use kane::impact::{Alpha, ImpactLaw};
@@ -18,18 +20,6 @@ use kane::number::{Number, Rational};
 
 use super::exact;
 use crate::support::root;
-
-const RESTITUTION: f64 = 0.98;
-const FRICTION: f64 = 0.092;
-const RADIUS: f64 = 0.0025;
-const SPEED: f64 = 3.9;
-
-/// A measured collision in the paper's variables.
-struct Point {
-    degrees: f64,
-    alpha: f64,
-    k: f64,
-}
 
 /// The rows of a data file, after its comments and the line of names.
 fn rows(name: &str) -> Vec<Vec<String>> {
@@ -43,11 +33,6 @@ fn rows(name: &str) -> Vec<Vec<String>> {
 pub(super) fn number_rows(name: &str) -> Vec<Vec<f64>> {
     let number = |cell: &String| f64::from_rational(&exact(cell));
     rows(name).iter().map(|row| row.iter().map(number).collect()).collect()
-}
-
-/// α = 7/4·μ·(1 + e)/tan θ, (7) without spin before.
-fn alpha(degrees: f64) -> f64 {
-    1.75 * FRICTION * (1.0 + RESTITUTION) / degrees.to_radians().tan()
 }
 
 /// The sphere of the experiment: alumina, 4000 kg/m³, 3.9 m/s. A law is asked about the collision as
@@ -65,41 +50,8 @@ fn sphere(degrees: f64) -> SphereOnPlane<f64> {
     }
 }
 
-/// The points of a file; `to_k` gives k from the angle in degrees and what was measured.
-fn points(name: &str, to_k: fn(f64, f64) -> f64) -> Vec<Point> {
-    let point = |row: &Vec<String>| {
-        let [degrees, measured] = [0, 1].map(|i| f64::from_rational(&exact(&row[i])));
-        Point { degrees, alpha: alpha(degrees), k: to_k(degrees, measured) }
-    };
-    rows(name).iter().map(point).collect()
-}
-
-fn by_restitution(_: f64, e_t: f64) -> f64 {
-    1.0 - 3.5 * (1.0 - e_t)
-}
-
-fn by_spin(degrees: f64, omega: f64) -> f64 {
-    let sliding = FRICTION * (1.0 + RESTITUTION) * SPEED * degrees.to_radians().cos();
-    1.0 - 2.0 * alpha(degrees) * 0.4 * RADIUS * omega / sliding
-}
-
-fn by_recoil(degrees: f64, recoil: f64) -> f64 {
-    RESTITUTION * recoil.to_radians().tan() / degrees.to_radians().tan()
-}
-
 fn series() -> [(&'static str, Vec<Point>); 4] {
-    [
-        (
-            "tangential restitution of the centre",
-            points("kharaz-2001-restitution.csv", by_restitution),
-        ),
-        (
-            "tangential restitution of the centre, digitised by others",
-            points("kharaz-2001-restitution-second.csv", by_restitution),
-        ),
-        ("spin after", points("kharaz-2001-spin.csv", by_spin)),
-        ("direction of the contact point after", points("kharaz-2001-contact.csv", by_recoil)),
-    ]
+    observed().map(|observed| (observed.name, observed.points))
 }
 
 /// What a law or a compliant process says of a series.
@@ -149,15 +101,9 @@ fn fits(points: &[Point]) -> Vec<Fit> {
     fits.1
 }
 
-/// Alumina (E = 380 GPa, ν = 0.23) on soda-lime glass, whose E = 70 GPa and ν = 0.25 are not told with
-/// the points, but usual: χ = 1.504. Nothing is fitted.
+/// With the materials of the experiment.
 fn processes() -> [Box<dyn Process>; 5] {
-    let elastic = |young: f64, poisson: f64| Elastic {
-        shear_modulus: young / (2.0 * (1.0 + poisson)),
-        poisson,
-    };
-    let bodies = [elastic(380e9, 0.23), elastic(70e9, 0.25)];
-    let compliance = Compliance::between(bodies, 3.5, RESTITUTION).expect("two materials");
+    let compliance = compliance().expect("two materials");
     assert!((compliance.chi() - 1.504).abs() < 5e-4, "{}", compliance.chi());
     [
         Box::new(Bilinear::new(compliance)),
@@ -262,7 +208,7 @@ fn the_conversions_are_those_that_were_stated() {
         let at = format!("at {}°", point.degrees);
         super::assert_printed(&format!("α {at}"), point.alpha, stated[0]);
         super::assert_printed(&format!("k {at}"), point.k, stated[1]);
-        super::assert_printed(&format!("i {at}"), (1.0 - point.k) / (2.0 * point.alpha), stated[2]);
+        super::assert_printed(&format!("i {at}"), point.impulse(), stated[2]);
         for (law, stated) in laws.iter().zip(&stated[3..]) {
             let fit = fits.iter().find(|fit| fit.law == *law).expect("a law");
             let k = fit.k[n].expect("total");
@@ -281,7 +227,7 @@ fn the_conversions_are_those_that_were_stated() {
     for (point, stated) in spin.iter().zip(SPIN) {
         let at = format!("at {}°", point.degrees);
         super::assert_printed(&format!("α {at}"), point.alpha, stated[0]);
-        super::assert_printed(&format!("i {at}"), (1.0 - point.k) / (2.0 * point.alpha), stated[1]);
+        super::assert_printed(&format!("i {at}"), point.impulse(), stated[1]);
         super::assert_printed(&format!("k {at}"), point.k, stated[2]);
     }
 }

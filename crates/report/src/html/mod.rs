@@ -11,12 +11,12 @@ mod words;
 use std::ops::Range;
 
 use kane_audit::Verdict;
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
 use crate::report::Entry;
 use crate::typeset::Names;
 use crate::wording::mark;
-use crate::{Report, Summary};
+use crate::{Picture, Report, Summary};
 use anchors::Anchors;
 use frame::Frame;
 use prose::Part;
@@ -32,10 +32,14 @@ pub fn html(report: &Report<'_>) -> String {
     let parts = prose::parts(&document.text, &|label| page.anchors.find(label));
     let mut contents: Vec<(String, Markup)> = Vec::new();
     let body = page.body(&parts, &mut contents);
+    if !report.pictures.is_empty() {
+        contents.push(("figures".to_owned(), html! { "Figures" }));
+    }
     contents.push(("graph".to_owned(), html! { "Graph of the derivation" }));
     let content = html! {
         (page.filter())
         (body)
+        (pictures(report.pictures))
         (graph::graph(&page))
     };
     Frame {
@@ -200,6 +204,18 @@ impl<'a> Page<'a> {
         html! {
             @if !pieces.is_empty() {
                 div.block { @for piece in &pieces { (piece) } }
+            }
+        }
+    }
+}
+
+/// The pictures, each as it is: white in dark mode, too, as on paper.
+fn pictures(pictures: &[Picture]) -> Markup {
+    html! {
+        @if !pictures.is_empty() {
+            h2 #figures { "Figures" }
+            @for Picture { title, svg } in pictures {
+                div.drawn role="img" aria-label=(title) tabindex="0" { (PreEscaped(svg)) }
             }
         }
     }

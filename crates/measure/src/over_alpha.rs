@@ -1,0 +1,112 @@
+//! What every law says of a sphere on a plane, over α, exactly.
+
+use std::collections::BTreeSet;
+
+use kane_impact::laws::{LawVisitor, visit_laws};
+use kane_impact::{Alpha, Contact, ImpactLaw, Ratios};
+use kane_number::{Algebraic, Rational};
+
+/// All laws over α; what coincides is kept once.
+#[derive(Clone, Debug)]
+pub struct OverAlpha {
+    /// Where the laws were asked, ascending: the decimals of a grid, and for every change of a law's
+    /// regime two fractions that enclose it.
+    pub alphas: Vec<Rational>,
+    /// The curves, in the order of the laws.
+    pub curves: Vec<Curve>,
+    /// The laws that say nothing in terms of α alone.
+    pub without: Vec<&'static str>,
+}
+
+/// A curve, and the laws that it belongs to.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// Laws that give exactly the same k, `i_x` and Δe at every α that was asked.
+    pub laws: Vec<&'static str>,
+    /// By α; `None` where the laws have no finite value. Exact.
+    pub ratios: Vec<Option<Ratios<Algebraic>>>,
+}
+
+/// Asks every law of the registry, with its default parameters, for α from 1/50 to 20.
+#[must_use]
+pub fn over_alpha() -> OverAlpha {
+    let grid = grid();
+    let mut borders = Borders { grid: &grid, found: BTreeSet::new() };
+    visit_laws(&mut borders);
+    let mut alphas = borders.found;
+    alphas.extend(grid);
+    let alphas = alphas.into_iter().collect();
+    let mut asked = Asked { alphas, curves: Vec::new(), without: Vec::new() };
+    visit_laws(&mut asked);
+    let Asked { alphas, curves, without } = asked;
+    OverAlpha { alphas, curves, without }
+}
+
+/// Decimals of two or three digits, about 48 to the decade.
+fn grid() -> Vec<Rational> {
+    let mantissas = || (20..50).step_by(2).chain((50..100).step_by(4)).chain((100..200).step_by(5));
+    let decades = [1000, 100, 10];
+    let of = |unit: i32| mantissas().map(move |n| Rational::new(n.into(), unit.into()));
+    let last = Rational::from_integer(20.into());
+    decades.into_iter().flat_map(of).chain([last]).collect()
+}
+
+/// How often the stretch between neighbours of the grid is halved around a change of regime.
+const HALVINGS: u32 = 12;
+
+/// Looks for the α at which some law changes its regime, where a curve may have a corner or jump.
+struct Borders<'a> {
+    grid: &'a [Rational],
+    found: BTreeSet<Rational>,
+}
+
+impl LawVisitor for Borders<'_> {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        for (lower, upper) in self.grid.iter().zip(self.grid.iter().skip(1)) {
+            let below = state(law, lower);
+            if state(law, upper) == below {
+                continue;
+            }
+            let (mut lower, mut upper) = (lower.clone(), upper.clone());
+            for _ in 0..HALVINGS {
+                let middle = (&lower + &upper) / Rational::from_integer(2.into());
+                let side = if state(law, &middle) == below { &mut lower } else { &mut upper };
+                *side = middle;
+            }
+            self.found.extend([lower, upper]);
+        }
+    }
+}
+
+/// Which regime applies, and whether the law accepts what it gives.
+fn state<L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<(usize, bool)> {
+    let contact = Contact::of_alpha(alpha.clone());
+    if law.frame(&contact).is_some() {
+        return None;
+    }
+    let regimes = law.regimes::<Rational>();
+    let index = regimes.iter().position(|regime| regime.applies(law, &contact) == Some(true))?;
+    // a root need not be rational, so that its absence would tell nothing
+    let has_root = regimes.get(index)?.root.is_some();
+    Some((index, has_root || law.ratios(&Alpha::Finite(alpha.clone())).is_some()))
+}
+
+struct Asked {
+    alphas: Vec<Rational>,
+    curves: Vec<Curve>,
+    without: Vec<&'static str>,
+}
+
+impl LawVisitor for Asked {
+    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+        let ask = |alpha: &Rational| law.ratios(&Alpha::Finite(Algebraic::from(alpha.clone())));
+        let ratios: Vec<_> = self.alphas.iter().map(ask).collect();
+        if ratios.iter().all(Option::is_none) {
+            self.without.push(law.id());
+        } else if let Some(curve) = self.curves.iter_mut().find(|curve| curve.ratios == ratios) {
+            curve.laws.push(law.id());
+        } else {
+            self.curves.push(Curve { laws: vec![law.id()], ratios });
+        }
+    }
+}
