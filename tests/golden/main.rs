@@ -6,6 +6,7 @@ mod laws; // what the impact laws return, over a range of states
 mod methods; // the errors and counted costs of all methods
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
+mod rounding; // the scripts that bound rounding errors
 mod stability; // where the formulas of the paper fail
 
 /// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.

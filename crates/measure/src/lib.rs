@@ -27,6 +27,7 @@ mod error;
 mod expand;
 mod formula;
 mod program;
+mod rounding;
 mod stability;
 
 pub use arithmetic::{Arithmetic, Plain, PlainNumber};
@@ -34,6 +35,7 @@ pub use axis::{Axis, Format};
 pub use dyadic::{Dyadic, DyadicNumber};
 pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
+pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use program::{Branch, Operation, Program, Unsupported};
 pub use stability::{
     Better, Cell, Examined, Plane, Point, Range, Stability, Subject, equal_forms, examine,

@@ -11,6 +11,7 @@ pub mod chart;
 mod chart_picture;
 pub mod collision;
 mod envelope;
+mod gappa;
 mod explain;
 mod json;
 mod markdown;
@@ -22,6 +23,7 @@ mod text;
 
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
+pub use gappa::gappa;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use markdown::markdown;
 pub use report::Report;
