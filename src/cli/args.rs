@@ -24,7 +24,7 @@ Examples:
   kane audit                              the paper, which the program carries with it
   kane audit --only 9                     one statement of it, by its label
   kane audit --explain 16                 its proof or witness, step by step
-  kane audit notes.md --out reports       writes reports/notes.md and reports/notes.json
+  kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
 
 A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted,
@@ -62,11 +62,16 @@ const CHART_EXAMPLES: &str = "\
 Examples:
   kane chart --quick                      a first look, in some seconds
   kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
+  kane chart --growth                     how cost grows with rows, bounces, variables and degree
 
 A method is a form of a law in a number system. Its error is that at the worst of some hundred
 inputs, alpha from 2^-30 to 2^30, against the exact value; its time is the median of several
 rounds in which all methods take turns. A warning says where the clock contradicts the costs that
-are counted in docs/data/methods.csv.";
+are counted in docs/data/methods.csv.
+
+With --growth: what a row costs by the number of rows in a batch; how an exact chain of bounces
+grows, and how many digits floats and intervals keep in it; what a claim costs the audit by its
+variables and its degree, and where it stays undecided. Files are growth.svg, .csv, .json, .md.";
 
 const STABILITY_EXAMPLES: &str = "\
 Examples:
@@ -75,14 +80,15 @@ Examples:
   kane stability --out maps               also writes maps/oblique-collision-stability.svg,
                                           .csv, .json and .md
 
-A formula is evaluated as written, in f32 and in f64, over all positive inputs of its domain. It
-fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
+A formula is evaluated as written, in f32 and in f64, over its whole domain: one input along all
+floats of either sign, two that are not negative on a plane, all others at points that are searched
+for the worst. What cannot be evaluated is listed with the reason. A formula fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
 or where more than half of its bits are wrong. Ranges end at representable numbers.
 
 Exit codes:
   0  the formulas are examined, whatever is found
   2  bad input or usage
-  3  the document has no formula of one or two inputs";
+  3  the document has no formula";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
@@ -106,7 +112,7 @@ pub(crate) struct AuditArgs {
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
-    /// Also write NAME.md and NAME.json for every document into this directory
+    /// Also write NAME.html, .tex, .md and .json for every document into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -208,7 +214,11 @@ pub(crate) struct ChartArgs {
     #[arg(long)]
     pub(crate) quick: bool,
 
-    /// Also write chart.md, .json, .csv and .svg into this directory
+    /// How cost grows with size, instead of what the next digit costs
+    #[arg(long)]
+    pub(crate) growth: bool,
+
+    /// Also write chart.md, .json, .csv and .svg into this directory, or growth.*
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

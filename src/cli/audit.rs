@@ -120,13 +120,19 @@ fn explanations(reports: &[Report<'_>]) -> String {
     each.collect::<Vec<_>>().join("\n")
 }
 
-/// Writes NAME.md and NAME.json for every report.
+/// Writes NAME in every form for every report.
 fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Result<()> {
     fs::create_dir_all(dir)?;
     for (input, report) in inputs.iter().zip(reports) {
-        output::to_file(&dir.join(format!("{}.md", input.stem)), &report::markdown(report))?;
-        let json = report::json(std::slice::from_ref(report));
-        output::to_file(&dir.join(format!("{}.json", input.stem)), &json)?;
+        let forms = [
+            ("html", report::html(report)),
+            ("md", report::markdown(report)),
+            ("tex", report::latex(report)),
+            ("json", report::json(std::slice::from_ref(report))),
+        ];
+        for (ending, text) in forms {
+            output::to_file(&dir.join(format!("{}.{ending}", input.stem)), &text)?;
+        }
     }
     Ok(())
 }

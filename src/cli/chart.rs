@@ -5,8 +5,10 @@ use std::io;
 use std::path::Path;
 
 use kane::measure::chart::{Effort, chart};
-use kane::report::chart::{ChartReport, csv, json, markdown, text};
+use kane::measure::growth::growth;
+use kane::report::chart::{self as digits, ChartReport};
 use kane::report::chart_picture;
+use kane::report::growth::{self as size, GrowthReport};
 
 use super::args::{ChartArgs, Format};
 use super::progress::Progress;
@@ -15,30 +17,64 @@ use super::{Outcome, deliver, output};
 /// Runs the verb.
 pub(super) fn run(args: &ChartArgs) -> Outcome {
     let effort = if args.quick { Effort::Quick } else { Effort::Full };
+    let mut command = "kane chart".to_owned();
+    for (flag, given) in [(" --growth", args.growth), (" --quick", args.quick)] {
+        command.push_str(if given { flag } else { "" });
+    }
+    let delivered =
+        if args.growth { by_size(args, effort, command) } else { by_digit(args, effort, command) };
+    delivered.err().unwrap_or(Outcome::AsExpected)
+}
+
+/// What the next digit costs.
+fn by_digit(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Outcome> {
     let mut progress = Progress::counting("rounds");
     let all = chart(effort, &mut |done, all| progress.update(done, all));
     drop(progress);
-    let command = if args.quick { "kane chart --quick" } else { "kane chart" };
-    let report = ChartReport { all: &all, machine: machine(), command: command.to_owned() };
+    let report = ChartReport { all: &all, machine: machine(), command };
     let shown = || match args.format {
-        Format::Text => text(&report, output::page()),
-        Format::Markdown => markdown(&report),
-        Format::Json => json(&report),
+        Format::Text => digits::text(&report, output::page()),
+        Format::Markdown => digits::markdown(&report),
+        Format::Json => digits::json(&report),
     };
-    if let Err(outcome) = deliver(args.out.as_deref(), |dir| write(dir, &report), shown) {
-        return outcome;
-    }
-    Outcome::AsExpected
+    let files = |dir: &Path| {
+        let picture = chart_picture(&report).map_err(io::Error::other)?;
+        write(
+            dir,
+            "chart",
+            [digits::markdown(&report), digits::json(&report), digits::csv(&report), picture],
+        )
+    };
+    deliver(args.out.as_deref(), files, shown)
 }
 
-/// Writes chart in every form.
-fn write(dir: &Path, report: &ChartReport<'_>) -> io::Result<()> {
+/// How cost grows with size.
+fn by_size(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Outcome> {
+    let mut progress = Progress::counting("steps");
+    let growth = growth(effort, &mut |done, all| progress.update(done, all));
+    drop(progress);
+    let report = GrowthReport { growth: &growth, machine: machine(), command };
+    let shown = || match args.format {
+        Format::Text => size::text(&report, output::page()),
+        Format::Markdown => size::markdown(&report),
+        Format::Json => size::json(&report),
+    };
+    let files = |dir: &Path| {
+        let picture = size::picture(&report).map_err(io::Error::other)?;
+        write(
+            dir,
+            "growth",
+            [size::markdown(&report), size::json(&report), size::csv(&report), picture],
+        )
+    };
+    deliver(args.out.as_deref(), files, shown)
+}
+
+/// Writes a chart in every form: Markdown, JSON, CSV and SVG.
+fn write(dir: &Path, stem: &str, forms: [String; 4]) -> io::Result<()> {
     fs::create_dir_all(dir)?;
-    let picture = chart_picture(report).map_err(io::Error::other)?;
-    let forms =
-        [("md", markdown(report)), ("json", json(report)), ("csv", csv(report)), ("svg", picture)];
-    for (ending, text) in forms {
-        output::to_file(&dir.join(format!("chart.{ending}")), &text)?;
+    for (ending, text) in ["md", "json", "csv", "svg"].into_iter().zip(forms) {
+        output::to_file(&dir.join(format!("{stem}.{ending}")), &text)?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! What must hold of an outcome in exact numbers, whatever the law.
 
 use crate::impact::bodies::{CollideError, Ledger};
-use crate::impact::{ImpactLaw, Restitution};
+use crate::impact::{Facing, Frame, ImpactLaw, Restitution};
 use crate::number::Real;
 use crate::report::collision::Check;
 
@@ -30,9 +30,24 @@ pub(super) fn checks<L: ImpactLaw, N: Real>(
     ];
     let moving = system.moving(&after);
     if law.restitution() == Restitution::Newton {
-        let separation = contact.restitution().clone() * contact.approach();
-        let holds = equal(&outcome.separation, &separation);
-        checks.push(check("restitution after Newton: v_n+ = e*a", holds));
+        let forward = law.regime(&contact)?;
+        let impulse = match forward.facing {
+            Facing::Forward => outcome.impulse.clone(),
+            Facing::Backward => outcome.impulse.clone().mirrored(),
+        };
+        let slips = contact.slip().sign().is_equal() != Some(true);
+        let (claim, separation, newton) = match law.frame(&forward.contact).filter(|_| slips) {
+            None => {
+                let newton = contact.restitution().clone() * contact.approach();
+                ("restitution after Newton: v_n+ = e*a", outcome.separation.clone(), newton)
+            }
+            Some(Frame { turn, contact }) => {
+                let newton = contact.restitution().clone() * contact.approach();
+                let separation = contact.separation_after(&impulse.turned(&turn));
+                ("restitution after Newton in the law's frame: v_n'+ = e'*a'", separation, newton)
+            }
+        };
+        checks.push(check(claim, equal(&separation, &newton)));
     }
     let change = moving.kinetic_energy() - system.kinetic_energy();
     checks.push(check("energy: T+ - T- of the bodies = dE_t + dE_n", equal(&change, &work)));
@@ -40,7 +55,9 @@ pub(super) fn checks<L: ImpactLaw, N: Real>(
         let sum = normal + tangential + rotational;
         checks.push(check("energy by parts: dT_x + dT_y + dT_rot = dE", equal(&sum, &work)));
     }
-    let uncoupled = contact.delassus().tn().sign().is_equal() == Some(true);
+    // alpha is formed with Newton's p_n in the contact's own frame
+    let uncoupled =
+        contact.delassus().tn().sign().is_equal() == Some(true) && law.frame(&contact).is_none();
     if let (true, Some(alpha), Some(ratios)) =
         (uncoupled, contact.alpha(), outcome.ratios(&contact))
     {

@@ -1,7 +1,10 @@
 //! The parameters that laws have of their own.
 
 use crate::impact::ImpactLaw;
-use crate::impact::laws::{Brach, ChatterjeeRuina, LawVisitor, SmithPrinted, Walton, visit_laws};
+use crate::impact::laws::{
+    Brach, ChatterjeeRuina, KuninakaHayakawa, LawVisitor, LougeAdams, Saitoh, SmithPrinted, Walton,
+    visit_laws,
+};
 use crate::number::Rational;
 
 /// A parameter of a law, and its domain.
@@ -45,7 +48,7 @@ pub enum UnknownParameter {
 
 impl LawParameter {
     /// All of them.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 10] = [
         Self {
             law: "brach",
             name: "share",
@@ -73,6 +76,48 @@ impl LawParameter {
             least: -1,
             greatest: Some(1),
             meaning: "the tangential restitution",
+        },
+        Self {
+            law: "louge-adams",
+            name: "tilt",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangent of half the angle by which the normal leans",
+        },
+        Self {
+            law: "louge-adams",
+            name: "beta0",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangential restitution at sticking",
+        },
+        Self {
+            law: "kuninaka-hayakawa",
+            name: "tilt",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangent of half the angle by which the normal leans",
+        },
+        Self {
+            law: "kuninaka-hayakawa",
+            name: "beta0",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangential restitution at sticking",
+        },
+        Self {
+            law: "saitoh",
+            name: "turn",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangent of half the angle by which the normal turns",
+        },
+        Self {
+            law: "saitoh",
+            name: "beta0",
+            least: 0,
+            greatest: Some(1),
+            meaning: "the tangential restitution at sticking",
         },
     ];
 
@@ -122,8 +167,13 @@ impl Parameters {
         visit_laws(&mut Adjusted { parameters: self, visitor });
     }
 
-    fn of(&self, law: &str) -> Option<Rational> {
-        self.0.iter().find(|(known, _)| known.law == law).map(|(_, value)| value.clone())
+    /// Puts the value of a law's parameter where it belongs, if it is set.
+    fn put(&self, law: &str, name: &str, value: &mut Rational) {
+        if let Some((_, set)) =
+            self.0.iter().find(|(known, _)| known.law == law && known.name == name)
+        {
+            value.clone_from(set);
+        }
     }
 }
 
@@ -135,16 +185,26 @@ struct Adjusted<'a, V> {
 
 impl<V: LawVisitor> LawVisitor for Adjusted<'_, V> {
     fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let Some(value) = self.parameters.of(law.id()) else {
-            self.visitor.visit(law);
-            return;
-        };
-        match law.id() {
-            "brach" => self.visitor.visit(&Brach { share: value }),
-            "smith-printed" => self.visitor.visit(&SmithPrinted { share: value }),
-            "walton" => self.visitor.visit(&Walton { restitution: value }),
-            "chatterjee-ruina" => self.visitor.visit(&ChatterjeeRuina { restitution: value }),
-            _ => self.visitor.visit(law),
+        macro_rules! adjusted {
+            ($($id:literal: $law:ident { $($name:literal: $field:ident),* })*) => {
+                match law.id() {
+                    $($id => {
+                        let mut law = $law::default();
+                        $(self.parameters.put($id, $name, &mut law.$field);)*
+                        self.visitor.visit(&law);
+                    })*
+                    _ => self.visitor.visit(law),
+                }
+            };
+        }
+        adjusted! {
+            "brach": Brach { "share": share }
+            "smith-printed": SmithPrinted { "eta": share }
+            "walton": Walton { "beta0": restitution }
+            "chatterjee-ruina": ChatterjeeRuina { "e_t": restitution }
+            "louge-adams": LougeAdams { "tilt": tilt, "beta0": restitution }
+            "kuninaka-hayakawa": KuninakaHayakawa { "tilt": tilt, "beta0": restitution }
+            "saitoh": Saitoh { "turn": turn, "beta0": restitution }
         }
     }
 }
@@ -187,7 +247,9 @@ mod tests {
             parameters.visit(&mut seen);
             let law = seen.0.into_iter().find(|(law, _)| *law == parameter.law);
             let value = Rational::new(3.into(), 7.into());
-            assert_eq!(law.expect("it is visited").1, [(parameter.name, value)]);
+            let mut of_its_own = law.expect("it is visited").1;
+            of_its_own.retain(|(name, _)| *name == parameter.name);
+            assert_eq!(of_its_own, [(parameter.name, value)]);
         }
     }
 }

@@ -72,6 +72,9 @@ impl LawVisitor for Readings<'_> {
             statement: law.statement(),
             source: law.source(),
             restitution: match law.restitution() {
+                Restitution::Newton if has_frame(law) => {
+                    "Newton, v_n'+ = e'*a' in a frame of the law's own, in which its statement and its cone stand too"
+                }
                 Restitution::Newton => "Newton, v_n+ = e*a",
                 Restitution::Poisson => {
                     "Poisson, the impulse of restitution is e times that of compression"
@@ -84,6 +87,11 @@ impl LawVisitor for Readings<'_> {
             answer,
         });
     }
+}
+
+/// Whether the law stands in a frame of its own.
+fn has_frame<L: ImpactLaw>(law: &L) -> bool {
+    law.frame(&Contact::of_alpha(Rational::one())).is_some()
 }
 
 /// The reason, without the law's name, which stands beside it.

@@ -1,11 +1,11 @@
-//! `--out` writes Markdown and JSON for every document.
+//! `--out` writes every form for every document.
 
 use std::fs;
 
 use crate::{document, kane, scratch};
 
 #[test]
-fn every_document_becomes_a_markdown_and_a_json_file() {
+fn every_document_becomes_a_file_in_every_form() {
     let dir = scratch("out");
     let one = document(&dir, "one.md", "var x > 0\nclaim a: x > 0");
     let two = document(&dir, "two.md", "var x > 0\nclaim b: x + x = 2*x");
@@ -22,7 +22,7 @@ fn every_document_becomes_a_markdown_and_a_json_file() {
     names.sort();
     assert_eq!(
         names,
-        ["one.json", "one.md", "two.json", "two.md"],
+        ["one.html", "one.json", "one.md", "one.tex", "two.html", "two.json", "two.md", "two.tex"],
         "and no temporary file is left"
     );
 
@@ -36,8 +36,9 @@ fn every_document_becomes_a_markdown_and_a_json_file() {
 fn the_paper_s_report_has_the_paper_s_name() {
     let dir = scratch("out-paper");
     kane(&["audit", "--out", dir.to_str().expect("UTF-8")]);
-    assert!(dir.join("oblique-collision.md").is_file());
-    assert!(dir.join("oblique-collision.json").is_file());
+    for ending in ["html", "json", "md", "tex"] {
+        assert!(dir.join(format!("oblique-collision.{ending}")).is_file(), "{ending}");
+    }
 }
 
 #[test]

@@ -1,10 +1,13 @@
 //! The program as its user meets it: what it prints, where, and how it exits.
 
+mod browser; // the page in a browser: what loads, filters, the graph, widths, contrast
+mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
 mod errors; // what bad input gets
 mod exits; // exit codes
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
+mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
 mod stability; // stability and chart
 

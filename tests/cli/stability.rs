@@ -40,7 +40,9 @@ fn what_cannot_be_read_is_bad_input() {
 
 #[test]
 fn help_shows_examples() {
-    for (verb, example) in [("stability", "--out maps"), ("chart", "--quick")] {
+    for (verb, example) in
+        [("stability", "--out maps"), ("chart", "--quick"), ("chart", "--growth")]
+    {
         let run = kane(&[verb, "--help"]);
         assert_eq!(run.code, 0);
         assert!(run.stdout.contains("Examples:") && run.stdout.contains(example));
@@ -58,4 +60,33 @@ fn a_quick_chart_has_all_its_parts() {
     for ending in ["md", "json", "csv", "svg"] {
         assert!(dir.join(format!("chart.{ending}")).is_file());
     }
+}
+
+#[test]
+fn quick_growth_has_all_its_parts() {
+    let dir = scratch("growth");
+    let run = kane(&["chart", "--growth", "--quick", "--out", dir.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for part in ["ns a row", "Bounces in a chain: wang-su-li", "in the audit", "rustc"] {
+        assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
+    }
+    for ending in ["md", "json", "csv", "svg"] {
+        assert!(dir.join(format!("growth.{ending}")).is_file());
+    }
+}
+
+#[test]
+fn inputs_of_either_sign_and_three_of_them_are_shown() {
+    let dir = scratch("stability-signs");
+    let text = "var x, a, b, c\nlet f := x*x - 2\nlet h := b*b - 4*a*c\nlet g := d(x^2, x) + 1";
+    let file = document(&dir, "signs.md", text);
+    let run = kane(&["stability", &file]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("2 formulas in f32 and f64: 2 fail somewhere; 1 left out"));
+    assert!(
+        run.stdout.contains("[-1.41") && run.stdout.contains("points, as at"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains("left out\n  g: it has a derivative"), "{}", run.stdout);
 }

@@ -10,8 +10,8 @@ use std::fs;
 
 use kane::audit::Verdict;
 use kane::impact::laws::{LawVisitor, visit_laws};
-use kane::impact::{Alpha, ImpactLaw, Restitution};
-use kane::number::{Rational, parse};
+use kane::impact::{Alpha, Contact, ImpactLaw, Restitution};
+use kane::number::{Number as _, Rational, parse};
 
 use crate::support::{judged, root};
 
@@ -35,7 +35,7 @@ const fn line(
 
 const STOPS: &[(&str, &str)] = &[("", "max(0, 1 - 2*alpha)")];
 
-const HEADLINES: [Headline; 18] = [
+const HEADLINES: [Headline; 21] = [
     line("wang-su-li", "Wang, Su and Li", &[("", "(1 - alpha)/(1 + alpha)")]),
     line(
         "whittaker-uncapped",
@@ -63,10 +63,16 @@ const HEADLINES: [Headline; 18] = [
     line("smith-printed", "under Smith's name in Wang, Su and Li", &[("", "1 - 2*eta*alpha")]),
     line("walton", "Walton 1993", &[("", "max(-beta0, 1 - 2*alpha)")]),
     line("chatterjee-ruina", "Chatterjee and Ruina 1998", &[("", "max(-e_t, 1 - 2*alpha)")]),
+    line("louge-adams", "Louge and Adams 2002", NOT_BY_ALPHA),
+    line("kuninaka-hayakawa", "Kuninaka and Hayakawa 2004", NOT_BY_ALPHA),
     line("djerassi-newton", "Djerassi 2009, part A", STOPS),
     line("djerassi-poisson", "Djerassi 2009, part B", STOPS),
     line("djerassi-stronge", "Djerassi 2009, part B", STOPS),
+    line("saitoh", "Saitoh, Bodrova, Hayakawa and Brilliantov 2010", NOT_BY_ALPHA),
 ];
+
+/// Of laws in a turned frame, whose k depends on e, μ and the angle of incidence one by one.
+const NOT_BY_ALPHA: &[(&str, &str)] = &[];
 
 fn headline(id: &str) -> &'static Headline {
     let found = HEADLINES.iter().find(|headline| headline.id == id);
@@ -82,6 +88,8 @@ struct Entry {
     restitution: Restitution,
     gap: Option<&'static str>,
     normal: Option<Rational>,
+    /// Whether the law stands in a frame of its own.
+    turned: bool,
     /// k at some α, where it is rational.
     values: Vec<(Rational, Rational)>,
 }
@@ -102,6 +110,7 @@ impl LawVisitor for Catalogue {
             restitution: law.restitution(),
             gap: law.gap(),
             normal: law.normal_collision(),
+            turned: law.frame(&Contact::of_alpha(Rational::one())).is_some(),
             values: alphas().iter().filter_map(value).collect(),
         });
     }
@@ -178,11 +187,15 @@ fn formula(headline: &Headline) -> String {
         "" => format!("`{}`", shown(formula)),
         until => format!("`{}` up to `α = {until}`, then ", shown(formula)),
     };
-    headline.k.iter().map(piece).collect()
+    match headline.k {
+        NOT_BY_ALPHA => "not by `α` alone".into(),
+        pieces => pieces.iter().map(piece).collect(),
+    }
 }
 
-const fn hypothesis(restitution: Restitution) -> &'static str {
-    match restitution {
+const fn hypothesis(entry: &Entry) -> &'static str {
+    match entry.restitution {
+        Restitution::Newton if entry.turned => "Newton, in a turned frame",
         Restitution::Newton => "Newton",
         Restitution::Poisson => "Poisson",
         Restitution::Energetic => "energetic",
@@ -228,11 +241,12 @@ fn section(out: &mut String, entry: &Entry, doc: &Docstring) {
     }
     let _ = write!(
         out,
-        "\nIn the derivation language, with momentum and restitution understood:\n\n```text\n{}\n```\n\n",
+        "\nIn the derivation language, with momentum and restitution understood{}:\n\n```text\n{}\n```\n\n",
+        if entry.turned { ", in the turned frame and where it does not couple" } else { "" },
         entry.statement
     );
     let _ = writeln!(out, "- parameters beyond μ and e: {}", defaults(entry));
-    let _ = writeln!(out, "- restitution: {}", hypothesis(entry.restitution));
+    let _ = writeln!(out, "- restitution: {}", hypothesis(entry));
     let limit = entry
         .normal
         .as_ref()
@@ -256,11 +270,12 @@ fn page() -> String {
             headline.who,
             formula(headline),
             defaults(entry),
-            hypothesis(entry.restitution),
+            hypothesis(entry),
             provenance(doc),
         );
     }
     out.push_str(TAIL);
+    out.push_str(WITHOUT);
     for entry in &entries {
         section(&mut out, entry, &docs[entry.id]);
     }
@@ -285,6 +300,17 @@ The formulas for k on a sphere are proved: they follow from what each law states
 On a sphere many of these are the same law. They differ on contacts that couple.
 
 *Exact in exact numbers* means that the same code, run in rational numbers or in algebraic ones where it takes a root, makes no error at all. Bounds in ulps are for floats; *heuristic* means that none has been derived.
+";
+
+const WITHOUT: &str = "
+Publications that are named beside these laws, and have no law of their own here:
+
+| publication | what is known | why it has no law |
+|---|---|---|
+| Rémond | the name alone; the reference could not be identified, and is perhaps to S. Rémond's work on the packing and flow of grains | no formula could be attributed to it |
+| Donahue, Hrenya, Zelinskaya and Nakagawa 2008 | abstract consulted: normal collisions of three spheres in a row, Phys. Fluids 20, 113301 | no friction and no oblique impact; it comes with the scene of the cradle |
+| Stronge 1991 | abstract consulted: both parts of the impulse always dissipate; that the energetic coefficient is free of the angle of incidence is from memory | it is the law `stronge-1990`, whose e is that coefficient |
+| Chatterjee and Ruina 1998, in space | as for `chatterjee-ruina` | a function of its own, `ChatterjeeRuina::impulse_in_space`, as the laws here are planar |
 ";
 
 #[test]
@@ -394,7 +420,7 @@ fn the_formulas_for_the_sphere_are_those_of_the_code() {
     let mut text = String::from("var alpha > 0, share, eta, beta0, e_t\n");
     let mut claims = 0;
     for entry in catalogue() {
-        assert!(entry.values.len() >= 8, "{} has values", entry.id);
+        assert!(entry.values.len() >= 8 || entry.turned, "{} has values", entry.id);
         let parameters: String =
             entry.parameters.iter().map(|(name, value)| format!(", {name} = {value}")).collect();
         for (n, (alpha, k)) in entry.values.iter().enumerate() {

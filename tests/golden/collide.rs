@@ -92,7 +92,7 @@ fn every_example_file_has_a_table() {
     for entry in folder.read_dir().expect("the examples are there") {
         let path = entry.expect("the examples can be listed").path();
         let shown = printed(path.to_str().expect("UTF-8"));
-        assert!(shown.contains("18 laws"), "{shown}");
+        assert!(shown.contains("21 laws"), "{shown}");
         assert!(!shown.contains("NaN") && !shown.contains("inf"), "{shown}");
         count += 1;
     }

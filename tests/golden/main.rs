@@ -2,8 +2,10 @@
 
 mod collide; // one collision under all laws, or under one in depth
 mod fixture;
+mod growth; // how cost grows with size, without a clock
 mod laws; // what the impact laws return, over a range of states
 mod methods; // the errors and counted costs of all methods
+mod model_error; // laws and processes beside the elastic half-space
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod rounding; // the scripts that bound rounding errors

@@ -1,6 +1,7 @@
 //! The report of a small audit, in every format.
 
-use kane::report::{Page, Report, explain, json, markdown, text};
+use kane::audit::Options;
+use kane::report::{Page, Report, explain, html, json, latex, markdown, text};
 
 use crate::fixture::audit;
 use crate::settings;
@@ -62,4 +63,78 @@ fn an_explanation_can_be_followed_on_paper() {
     let audit = audit();
     let all = (0..audit.document.statements.len()).filter_map(|index| explain(&audit, index));
     assert_report("explain", &all.collect::<Vec<_>>().join("\n----\n"));
+}
+
+#[test]
+fn a_page_of_every_verdict() {
+    let audit = audit();
+    let shown = html(&Report::new(&audit, "kane audit wall.md"));
+    // style and script are files of their own in the source; the snapshot shows what they are applied to
+    let body = shown.split_once("<body>").expect("it has a body").1;
+    let body = body.split_once("<script>").expect("it ends in a script").0;
+    // a tag a line, for whoever compares two of them
+    assert_report("html", &body.replace("><", ">\n<"));
+}
+
+#[test]
+fn a_page_of_one_statement_leads_nowhere_else() {
+    let audit = audit();
+    let shown = html(&Report::new(&audit, "kane audit --only 16 wall.md").only(&[4]));
+    assert_eq!(shown.matches("<article").count(), 1);
+    for link in shown.split("href=\"#").skip(1) {
+        let anchor = link.split('"').next().expect("it is closed");
+        assert!(shown.contains(&format!("id=\"{anchor}\"")), "#{anchor} leads nowhere");
+    }
+}
+
+#[test]
+fn latex_of_every_verdict() {
+    let audit = audit();
+    let shown = latex(&Report::new(&audit, "kane audit wall.md"));
+    let body = shown.split_once("\\begin{document}").expect("it has a body").1;
+    assert_report("latex", body);
+}
+
+#[test]
+fn the_page_and_the_appendix_of_the_paper_hold_all_that_the_report_holds() {
+    let bytes = include_bytes!("../../docs/derivations/oblique-collision.md");
+    let document = kane::audit::read("oblique-collision.md", bytes).expect("it is well formed");
+    let audit = kane::audit::audit(document, &Options::default(), &mut |_, _| {});
+    let report = Report::new(&audit, "kane audit");
+    let statements = audit.document.statements.len();
+
+    let page = html(&report);
+    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+    assert_eq!(page, html(&report), "the same in every run");
+    assert_eq!(page.matches("<article").count(), statements);
+    assert!(!page.contains("class=\"tex\""), "every formula is converted");
+    assert!(!page.contains("<merror"), "every formula is converted");
+    for (index, start) in page.match_indices("href=\"") {
+        let link = page[index + start.len()..].split('"').next().expect("it is closed");
+        let anchor = link.strip_prefix('#').expect("it stays in the page");
+        assert!(page.contains(&format!("id=\"{anchor}\"")), "#{anchor} leads nowhere");
+    }
+    let ids: Vec<_> = page.split(" id=\"").skip(1).map(|rest| rest.split('"').next()).collect();
+    let mut distinct = ids.clone();
+    distinct.sort_unstable();
+    distinct.dedup();
+    assert_eq!(ids.len(), distinct.len(), "no two elements share an anchor");
+    let certificates = audit.judgements.iter().flat_map(|j| &j.links).flat_map(|l| &l.certificate);
+    let appendix = latex(&report);
+    for certificate in certificates {
+        assert!(page.contains(certificate) && appendix.contains(certificate), "{certificate}");
+    }
+    assert_eq!(appendix.matches("\n\\statement{").count(), statements);
+    for text in [&page, &appendix] {
+        // of the document, as `sha256sum` tells it
+        assert!(text.contains(&audit.document.sha256()));
+    }
+}
+
+#[test]
+fn the_digest_is_that_of_sha_256() {
+    // FIPS 180-2, appendix B.1, gives the digest of `abc`
+    let document = kane::audit::read("abc.md", b"abc").expect("a text without statements");
+    let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+    assert_eq!(document.sha256(), expected);
 }

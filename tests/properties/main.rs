@@ -18,6 +18,8 @@ mod decide;
 mod dyadic;
 /// Who creates energy, and exactly when.
 mod energy;
+/// Laws that stand in a frame of their own.
+mod frames;
 /// The same on very many contacts, by intervals.
 mod long_run;
 /// Closed forms against the integration of their process.
@@ -28,6 +30,8 @@ mod random;
 mod rigid;
 /// Floats from physical inputs, of every size.
 mod rounding;
+/// The law that is known in space.
+mod spatial;
 /// What laws state, solved exactly, against their code.
 mod statement;
 /// Inputs for all of these.

@@ -19,6 +19,7 @@ use kane_number::{Algebraic, Number, Ordered as _, Rational, Real};
 use proptest::prelude::*;
 
 use crate::contacts::tame_contact;
+use crate::frames::{as_given, as_seen};
 use crate::{cases, rational};
 
 /// A law's statement, parsed, and its parameters.
@@ -155,14 +156,36 @@ struct Solve<'a> {
 
 impl LawVisitor for Solve<'_> {
     fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let coupled = self.contact.delassus().tn() != &rational(0, 1);
+        self.at(law, self.contact);
+        if law.frame(self.contact).is_some() {
+            self.at(law, &self.contact.mirrored());
+        }
+    }
+}
+
+impl Solve<'_> {
+    /// At the contact that the law sees as this one, facing either way.
+    fn at<L: ImpactLaw>(&mut self, law: &L, seen: &Contact<Rational>) {
+        let coupled = seen.delassus().tn() != &rational(0, 1);
         if coupled && !law.is_stated_for_coupling() {
             return;
         }
-        let solutions = solutions(&Statement::of(law), self.contact);
-        let exact = self.contact.map(|x| Algebraic::from(x.clone()));
+        let contact = as_given(law, seen);
+        let (slip, approach) = (contact.slip().sign(), contact.approach().sign());
+        if slip.is_greater() != Some(true) || approach.is_at_least() != Some(true) {
+            return;
+        }
+        // the law may have another restitution in its frame
+        let seen = law.frame(&contact).map_or_else(|| seen.clone(), |frame| frame.contact);
+        let forward = *seen.slip() > rational(0, 1);
+        let solutions =
+            solutions(&Statement::of(law), &if forward { seen.clone() } else { seen.mirrored() });
+        let exact = contact.map(|x| Algebraic::from(x.clone()));
         let computed = match law.resolve(&exact) {
-            Ok(outcome) => vec![outcome.slip / exact.slip()],
+            Ok(outcome) => {
+                let (seen, impulse) = as_seen(law, &exact, &outcome.impulse);
+                vec![seen.slip_after(&impulse) / seen.slip()]
+            }
             // what its acceptance or its gap forbids is not a solution of the statement alone
             Err(NoImpulse::Outside { .. }) => Vec::new(),
             Err(error) => unreachable!("exact numbers decide: {error}"),
@@ -176,7 +199,7 @@ impl LawVisitor for Solve<'_> {
                 law.id(),
                 texts(&solutions),
                 texts(&computed),
-                self.contact,
+                contact,
             ));
         }
     }

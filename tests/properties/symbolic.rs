@@ -2,7 +2,7 @@
 //!
 //! Regime by regime, the impulse is computed on rational functions of v_t, a, W, μ, e and the root x.
 //! Together with the regime's guards, the root's polynomial and its interval it must satisfy every
-//! line of the statement. An equation may hold identically, or modulo the polynomial of x; what
+//! line of the statement, in the law's frame. An equation may hold identically, or modulo the polynomial of x; what
 //! needs an inequality goes to the prover, and counts only with a certificate that the kernel
 //! accepts.
 
@@ -19,6 +19,7 @@ use kane_impact::laws::{LawVisitor, visit_laws};
 use kane_impact::{Contact, Delassus, Guard, ImpactLaw, Regime, Relation as Sign};
 use kane_number::Number;
 
+use crate::frames::as_given;
 use crate::rational;
 use crate::statement::{SYMBOLS, Statement, links, value};
 
@@ -154,9 +155,10 @@ struct Tally {
 }
 
 impl Tally {
-    /// Every line of the law's statement, in this regime.
-    fn regime<L: ImpactLaw>(&mut self, law: &L, index: usize, coupled: bool) {
-        let contact = contact(coupled);
+    /// Every line of the law's statement, in this regime, at what the law sees as this contact.
+    fn regime<L: ImpactLaw>(&mut self, law: &L, index: usize, seen: &Contact<Symbolic>) {
+        let coupled = !seen.delassus().tn().is_zero();
+        let contact = as_given(law, seen);
         let guards = |regime: &Regime<L, Symbolic>| -> Vec<Relation> {
             regime.guards.iter().map(|g| guard(law, g, &contact)).collect()
         };
@@ -165,17 +167,32 @@ impl Tally {
         let earlier: Vec<_> = regimes[..index].iter().map(guards).collect();
         let root = Symbolic::symbol(ROOT);
         let outcome = regime.outcome(law, &contact, &root);
-        let sliding = outcome.impulse.normal.clone() * contact.friction();
-        let Some(i_x) = (-outcome.impulse.tangential.clone()).checked_div(&sliding) else { return };
-        let k = outcome.slip.clone() / contact.slip();
+        let frame = law.frame(&contact);
+        let (seen, impulse, slip) = match &frame {
+            None => (&contact, outcome.impulse.clone(), outcome.slip.clone()),
+            Some(frame) => {
+                let impulse = outcome.impulse.turned(&frame.turn);
+                let slip = frame.contact.slip_after(&impulse);
+                (&frame.contact, impulse, slip)
+            }
+        };
+        let facing = seen.slip().clone() / Symbolic::symbol(0);
+        let sliding = impulse.normal.clone() * seen.friction() * &facing;
+        let Some(i_x) = (-impulse.tangential.clone()).checked_div(&sliding) else { return };
+        let k = slip / seen.slip();
         let mut symbols = vec![k, i_x];
-        symbols.push(contact.alpha().expect("v is no zero"));
-        symbols.extend([contact.restitution().clone(), contact.friction().clone()]);
+        symbols.push(seen.alpha().expect("v is no zero") / facing);
+        symbols.extend([seen.restitution().clone(), seen.friction().clone()]);
         debug_assert_eq!(symbols.len(), SYMBOLS.len());
         let statement = Statement::of(law);
         symbols.extend(statement.parameters.iter().map(Symbolic::from_rational));
 
         let mut hypotheses = guards(regime);
+        if frame.is_some() {
+            // it faces forwards and approaches in its own frame, too
+            hypotheses.push(compare(contact.slip(), Rel::Gt, &Symbolic::zero()));
+            hypotheses.push(compare(contact.approach(), Rel::Gt, &Symbolic::zero()));
+        }
         let polynomial = regime.root.as_ref().map(|root_of| {
             let (lower, upper) = (root_of.between)(law, &contact);
             let coefficients = (root_of.coefficients)(law, &contact);
@@ -208,7 +225,7 @@ impl Tally {
                     let conclusion = compare(&lhs, link.rel, &rhs);
                     let mut found = follows(known.clone(), when.clone(), conclusion.clone());
                     if found.is_err() {
-                        self.lemmas += add_lemmas(&mut known, &outcome.impulse.normal);
+                        self.lemmas += add_lemmas(&mut known, &impulse.normal);
                         found = follows(known, when.clone(), conclusion);
                     }
                     match found {
@@ -239,9 +256,13 @@ fn vanishes(function: &Symbolic, polynomial: Option<&Symbolic>) -> bool {
 impl LawVisitor for Tally {
     fn visit<L: ImpactLaw>(&mut self, law: &L) {
         for index in 0..law.regimes::<Symbolic>().len() {
-            self.regime(law, index, false);
+            self.regime(law, index, &contact(false));
             if law.is_stated_for_coupling() {
-                self.regime(law, index, true);
+                self.regime(law, index, &contact(true));
+            }
+            // in a turned frame the slip may be backwards
+            if law.frame(&contact(false)).is_some() {
+                self.regime(law, index, &contact(false).mirrored());
             }
         }
     }
@@ -272,7 +293,7 @@ fn the_code_satisfies_its_statement_regime_by_regime() {
     assert!(identities >= 49 && certificates >= 428, "{identities}, {certificates}");
 }
 
-/// Without coupling: wherever a regime ends at a guard that includes its boundary, the regime that
+/// Without coupling in the law's frame: wherever a regime ends at a guard that includes its boundary, the regime that
 /// takes over there gives the same impulse, so that it does not matter which of the two is asked.
 #[derive(Default)]
 struct Seams {
@@ -292,7 +313,7 @@ fn closed(relation: Relation) -> Relation {
 
 impl Seams {
     fn between<L: ImpactLaw>(&mut self, law: &L, first: usize, second: usize) {
-        let contact = contact(false);
+        let contact = as_given(law, &contact(false));
         let regimes = law.regimes::<Symbolic>();
         let guards = |index: usize| -> Vec<Relation> {
             regimes[index].guards.iter().map(|g| guard(law, g, &contact)).collect()
@@ -304,6 +325,10 @@ impl Seams {
             return; // the other regime's root would have to be told from this one's
         }
         let mut common = guards(second);
+        if law.frame(&contact).is_some() {
+            common.push(compare(contact.slip(), Rel::Gt, &Symbolic::zero()));
+            common.push(compare(contact.approach(), Rel::Ge, &Symbolic::zero()));
+        }
         if let Some(root_of) = &regimes[second].root {
             let (lower, upper) = (root_of.between)(law, &contact);
             let coefficients = (root_of.coefficients)(law, &contact);
@@ -315,14 +340,19 @@ impl Seams {
         }
         let others: Vec<_> = (0..second).filter(|&index| index != first).map(guards).collect();
         for (number, border) in guards(first).into_iter().enumerate() {
-            if !matches!(border.rel, Rel::Ge | Rel::Le) {
+            // beyond a guard that both have is neither of the two
+            if !matches!(border.rel, Rel::Ge | Rel::Le) || guards(second).contains(&border) {
                 continue;
             }
             let mut border = vec![Relation { rel: Rel::Eq, ..border }];
             border.extend(
                 guards(first).into_iter().enumerate().filter(|(n, _)| *n != number).map(|(_, g)| g),
             );
-            for way in passed_over(&others) {
+            // what fails a guard of the second regime does not lead to it
+            let leads = |way: &Vec<Relation>| {
+                !guards(second).iter().any(|guard| way.contains(&negated(guard)))
+            };
+            for way in passed_over(&others).into_iter().filter(leads) {
                 let known: Vec<_> = common
                     .iter()
                     .chain(&border)

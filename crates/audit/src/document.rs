@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use kane_kernel::{Context, Expr, Sentence};
+use sha2::{Digest as _, Sha256};
 
 use crate::Verdict;
 
@@ -72,6 +73,12 @@ pub enum Content {
 }
 
 impl Document {
+    /// The SHA-256 of the text as 64 hexadecimal digits, which `sha256sum` prints for the file, too.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        Sha256::digest(&self.text).iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
     /// The statement's text as written, without its comment.
     #[must_use]
     pub fn source(&self, statement: &Statement) -> &str {

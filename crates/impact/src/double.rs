@@ -35,8 +35,8 @@ const GREATEST: f64 = f64::from_bits((1023 + 200) << 52);
 
 /// Gives the impulse of a law in `f64`, whatever the size of its inputs.
 ///
-/// Plain `f64`, with the bound that the law states, where the contact does not couple and is
-/// [well scaled](Contact::is_well_scaled); otherwise in scaled double-double, rounded once: within
+/// Plain `f64`, with the bound that the law states, where the contact does not couple, nor in a
+/// [frame](ImpactLaw::frame) of the law's own, and is [well scaled](Contact::is_well_scaled); otherwise in scaled double-double, rounded once: within
 /// 1 ulp wherever the law itself does not lose more than half of the 106 bits. Says which.
 ///
 /// # Errors
@@ -45,7 +45,8 @@ pub fn impulse<L: ImpactLaw>(
     law: &L,
     contact: &Contact<f64>,
 ) -> Result<(Impulse<f64>, Arithmetic), CollideError<f64>> {
-    if *contact.delassus().tn() == 0.0 && contact.is_well_scaled() {
+    let uncoupled = *contact.delassus().tn() == 0.0 && law.frame(contact).is_none();
+    if uncoupled && contact.is_well_scaled() {
         return Ok((law.impulse(contact)?, Arithmetic::Plain));
     }
     let wide = law.impulse(&contact.map(Number::widen))?;

@@ -2,7 +2,7 @@
 
 use kane_number::{Number, Ordered, Rational, Real};
 
-use crate::{Alpha, Contact, Facing, Impulse, Outcome, Ratios, Work};
+use crate::{Alpha, Contact, Facing, Frame, Impulse, Outcome, Ratios, Work};
 
 /// A sign that a guard asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +97,7 @@ pub enum NoImpulse {
 /// The hypothesis by which the coefficient of restitution ends a collision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Restitution {
-    /// Kinematic: `v_n⁺` = −e·`v_n`.
+    /// Kinematic: `v_n⁺` = −e·`v_n`, in the law's [frame](ImpactLaw::frame).
     Newton,
     /// Kinetic: the normal impulse of restitution is e times that of compression.
     Poisson,
@@ -132,6 +132,13 @@ pub trait ImpactLaw: Clone + 'static {
     /// The hypothesis of restitution; Newton's unless the law says otherwise.
     fn restitution(&self) -> Restitution {
         Restitution::Newton
+    }
+
+    /// The frame in which the law's statement, friction cone and restitution stand, for a contact
+    /// that faces forwards and slips; `None` where that is the contact's own, as it always is
+    /// without slip.
+    fn frame<N: Number>(&self, _: &Contact<N>) -> Option<Frame<N>> {
+        None
     }
 
     /// The regimes in order, for contacts that face forwards; the first whose guards hold is taken.
@@ -210,7 +217,8 @@ pub trait ImpactLaw: Clone + 'static {
     }
 
     /// The law in terms of α, for `v_t` > 0, or `None` where it has no finite value: its outcome on
-    /// [`Contact::of_alpha`].
+    /// [`Contact::of_alpha`]. `None` also of a law with a [frame](Self::frame) of its own, whose k
+    /// depends on e, μ and the angle of incidence one by one.
     ///
     /// Exact in exact numbers; see each law for its bound in floats.
     fn ratios<N: Real>(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {
@@ -221,7 +229,11 @@ pub trait ImpactLaw: Clone + 'static {
                 return Some(Ratios { k, impulse: N::zero(), energy: N::zero() });
             }
         };
-        let outcome = self.resolve(&Contact::of_alpha(alpha.clone())).ok()?;
+        let contact = Contact::of_alpha(alpha.clone());
+        if self.frame(&contact).is_some() {
+            return None;
+        }
+        let outcome = self.resolve(&contact).ok()?;
         // v_t = 1/2 and μ·p_n = 1
         Some(Ratios {
             k: outcome.slip.double(),
@@ -290,12 +302,12 @@ impl<L: ImpactLaw, N: Number> Regime<L, N> {
             None => half((slip.clone() + contact.slip()) * &impulse.tangential),
         };
         let (separation, normal) = match law.restitution() {
-            Restitution::Newton => {
+            Restitution::Newton if law.frame(contact).is_none() => {
                 let (e, a) = (contact.restitution(), contact.approach());
                 let loss = (N::one() - e) * a * &impulse.normal;
                 (e.clone() * a, -half(loss))
             }
-            Restitution::Poisson | Restitution::Energetic => {
+            Restitution::Newton | Restitution::Poisson | Restitution::Energetic => {
                 let separation = contact.separation_after(&impulse);
                 let mean = separation.clone() - contact.approach();
                 (separation, half(mean * &impulse.normal))

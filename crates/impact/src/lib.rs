@@ -3,7 +3,7 @@
 //! A law maps a [`Contact`] to the tangential impulse. It is generic over
 //! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
 //! rationals, and the two can be compared digit by digit. The laws are in [`laws`], what collides is
-//! in [`bodies`].
+//! in [`bodies`]. What happens in time between elastic bodies is in [`compliant`].
 //!
 //! ```
 //! use kane_impact::bodies::{CollideError, Motion, SphereOnPlane};
@@ -48,11 +48,13 @@ mod alpha;
 mod arithmetic;
 pub mod batch;
 pub mod bodies;
+pub mod compliant;
 mod contact;
 pub mod decide;
 mod delassus;
 pub mod double;
 pub mod exact;
+mod frame;
 mod impulse;
 mod invalid;
 mod law;
@@ -60,14 +62,17 @@ pub mod laws;
 pub mod oracle;
 mod outcome;
 mod spatial;
+mod spatial_contact;
 
 pub mod puzzle;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
+pub use frame::Frame;
 pub use impulse::Impulse;
 pub use invalid::InvalidInput;
 pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
 pub use outcome::{Outcome, Work};
 pub use spatial::{SpatialDelassus, Symmetric};
+pub use spatial_contact::SpatialContact;

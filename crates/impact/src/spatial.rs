@@ -41,8 +41,27 @@ impl<N: Number> Symmetric<N> {
         ]
     }
 
+    /// The determinant, by the first row and the adjugate.
+    pub(crate) fn determinant(&self, adjugate: &Self) -> N {
+        let [determinant, _, _] =
+            self.times(&[adjugate.xx.clone(), adjugate.xy.clone(), adjugate.xz.clone()]);
+        determinant
+    }
+
+    /// The same matrix in another number system.
+    fn map<M>(&self, to: impl Fn(&N) -> M) -> Symmetric<M> {
+        Symmetric {
+            xx: to(&self.xx),
+            yy: to(&self.yy),
+            zz: to(&self.zz),
+            xy: to(&self.xy),
+            xz: to(&self.xz),
+            yz: to(&self.yz),
+        }
+    }
+
     /// The determinant times the inverse.
-    fn adjugate(&self) -> Self {
+    pub(crate) fn adjugate(&self) -> Self {
         let minor = difference_of_products::<N>;
         Self {
             xx: minor(&self.yy, &self.zz, &self.yz, &self.yz),
@@ -100,9 +119,8 @@ impl<N: Ordered> SpatialDelassus<N> {
         positive("the moment of inertia about x", inertia.xx.clone())?;
         let adjugate = inertia.adjugate();
         positive("the minor of the inertia tensor in x and y", adjugate.zz.clone())?;
-        let [along_x, _, _] =
-            inertia.times(&[adjugate.xx.clone(), adjugate.xy.clone(), adjugate.xz.clone()]);
-        let determinant = positive("the determinant of the inertia tensor", along_x)?;
+        let determinant = inertia.determinant(&adjugate);
+        let determinant = positive("the determinant of the inertia tensor", determinant)?;
         let column = |p: [N; 3]| {
             let [x, y, z] = adjugate.times(&cross(lever, &p));
             let spin = [x / &determinant, y / &determinant, z / &determinant];
@@ -129,5 +147,10 @@ impl<N: Number> SpatialDelassus<N> {
     #[must_use]
     pub fn change(&self, impulse: &[N; 3]) -> [N; 3] {
         self.entries.times(impulse)
+    }
+
+    /// The same operator in another number system.
+    pub fn map<M>(&self, to: impl Fn(&N) -> M) -> SpatialDelassus<M> {
+        SpatialDelassus { entries: self.entries.map(to) }
     }
 }

@@ -18,6 +18,12 @@ pub trait Format: Binary + PlainNumber + Debug + Display + LowerExp {
         Self::from_magnitude_bits(false, place)
     }
 
+    /// The float of either sign at this place.
+    #[must_use]
+    fn signed(negative: bool, place: u64) -> Self {
+        Self::from_magnitude_bits(negative, place)
+    }
+
     /// The exact value, or `None` for NaN and ±∞.
     fn exactly(self) -> Option<DyadicNumber> {
         DyadicNumber::of(self).ok()
@@ -66,6 +72,17 @@ impl Axis {
             }
         };
         (first <= last).then_some(Self { first, last })
+    }
+
+    /// The finite floats < 0 between two bounds, by the places of their magnitudes; `None` if there
+    /// is none.
+    #[must_use]
+    pub fn below_zero<F: Format>(lower: Option<&Bound>, upper: Option<&Bound>) -> Option<Self> {
+        let mirrored = |bound: &Bound| Bound { value: -bound.value.clone(), strict: bound.strict };
+        let (least, most) = (upper.map(mirrored), lower.map(mirrored));
+        let axis = Self::between::<F>(least.as_ref(), most.as_ref())?;
+        let first = axis.first.max(1);
+        (first <= axis.last).then_some(Self { first, ..axis })
     }
 
     /// A few places in every binade: both ends, their neighbours, and some between, the same in

@@ -9,10 +9,7 @@ use kane_kernel::{Bound, Expr, Rel, Relation};
 use kane_number::Rational;
 
 use crate::expand::{Choice, Expansions, conditions, relations, symbols};
-use crate::{Arithmetic, Program};
-
-/// The most inputs of a formula that can be examined.
-const MAX_INPUTS: usize = 2;
+use crate::{Arithmetic, Axis, Format, Program, Unsupported};
 
 /// A formula with everything that is needed to evaluate it.
 #[derive(Clone, Debug)]
@@ -46,6 +43,19 @@ pub struct Input {
     pub upper: Option<Bound>,
 }
 
+impl Input {
+    /// The floats of its range on one side of 0, which counts as positive; `None` if there is none.
+    #[must_use]
+    pub fn axis<F: Format>(&self, negative: bool) -> Option<Axis> {
+        let (lower, upper) = (self.lower.as_ref(), self.upper.as_ref());
+        if negative {
+            Axis::below_zero::<F>(lower, upper)
+        } else {
+            Axis::between::<F>(lower, upper)
+        }
+    }
+}
+
 /// A relation between two programs over the same inputs.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -74,10 +84,10 @@ impl Formula {
 /// What was found in a document.
 #[derive(Clone, Debug, Default)]
 pub struct Formulas {
-    /// formulas of one or two inputs, in the order of the text
+    /// the formulas, in the order of the text
     pub formulas: Vec<Formula>,
-    /// labels of formulas that were left out because they have more inputs
-    pub larger: Vec<String>,
+    /// labels of formulas that no program over floats can evaluate, and why
+    pub left_out: Vec<(String, String)>,
 }
 
 /// Finds the formulas of a document: the body of each `let`, and each side of an equation of which
@@ -144,13 +154,16 @@ impl Formulas {
         if inputs.is_empty() || matches!(expr, Expr::Var(_) | Expr::Let(_)) {
             return;
         }
-        if inputs.len() > MAX_INPUTS {
-            if !self.larger.iter().any(|known| known == label) {
-                self.larger.push(label.to_owned());
+        let program = match Program::new(expr, context, &choice.values, &inputs) {
+            Ok(program) => program,
+            Err(why) => {
+                let left_out = (label.to_owned(), reason(why, context));
+                if !self.left_out.contains(&left_out) {
+                    self.left_out.push(left_out);
+                }
+                return;
             }
-            return;
-        }
-        let Ok(program) = Program::new(expr, context, &choice.values, &inputs) else { return };
+        };
         let side = |expr| Program::new(expr, context, &choice.values, &inputs);
         let body = document.statements.get(index).map(|statement| &statement.body);
         let conditions: Vec<Condition> = body
@@ -183,6 +196,18 @@ impl Formulas {
             program,
             conditions,
         });
+    }
+}
+
+/// Why an expression is no formula of floats, in words.
+fn reason(why: Unsupported, context: &kane_kernel::Context) -> String {
+    match why {
+        Unsupported::Derivative => "it has a derivative".to_owned(),
+        Unsupported::Power => "an exponent is too large".to_owned(),
+        Unsupported::Symbol(symbol) => {
+            let name = context.vars.get(symbol).map_or("a symbol", |var| var.name.as_str());
+            format!("{name} is neither an input nor given by a formula")
+        }
     }
 }
 

@@ -26,6 +26,7 @@ mod dyadic;
 mod error;
 mod expand;
 mod formula;
+pub mod growth;
 mod program;
 mod rounding;
 mod stability;
@@ -35,8 +36,8 @@ pub use axis::{Axis, Format};
 pub use dyadic::{Dyadic, DyadicNumber};
 pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
-pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use program::{Branch, Operation, Program, Unsupported};
+pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use stability::{
-    Better, Cell, Examined, Plane, Point, Range, Stability, Subject, equal_forms, examine,
+    Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,
 };

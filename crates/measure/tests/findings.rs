@@ -218,3 +218,77 @@ fn the_float_beyond_an_edge_is_sound() {
     }
     assert!(checked > 50, "{checked}");
 }
+
+fn of(text: &str) -> Stability {
+    let text = format!("```kane\n{text}\n```\n");
+    let document = kane_audit::read("own.md", text.as_bytes()).expect("it is well formed");
+    examine(&document, false, &mut |_, _| {})
+}
+
+/// x² − 2 cancels at √2 and at −√2 alike; the root of 2 is no float, so nothing is left at the two
+/// floats next to it.
+#[test]
+fn a_domain_that_reaches_below_zero_is_examined_on_both_sides() {
+    let found = of("var x\nlet f := x*x - 2");
+    let sides: Vec<bool> = found.lines.iter().map(|line| line.negative).collect();
+    assert_eq!(sides, [false, false, true, true]);
+    for (above, below) in found.lines.iter().zip(&found.lines[2..]) {
+        let [up] = ranges(above, Fault::Lost)[..] else { panic!("one range: {:?}", above.ranges) };
+        let [down] = ranges(below, Fault::Lost)[..] else {
+            panic!("one range: {:?}", below.ranges)
+        };
+        assert!(up.from.value < 2.0_f64.sqrt() && 2.0_f64.sqrt() < up.to.value);
+        // x ↦ −x is exact in floats, so the ranges are mirror images, in ascending order
+        assert_eq!((down.from.value, down.to.value), (-up.to.value, -up.from.value));
+        assert_eq!(
+            (down.lost, &down.cause, down.worst.place),
+            (up.lost, &up.cause, up.worst.place)
+        );
+        assert_eq!(below.domain.1.value.to_bits() >> 63, 1, "0 itself is on the other side");
+    }
+    // a range below 0 alone has no other side
+    let below = of("var -3 <= x < -1\nlet f := x*x - 2");
+    assert!(below.lines.iter().all(|line| line.negative) && below.lines.len() == 2);
+    assert_eq!(below.lines[1].domain.0.value, -3.0);
+    assert_eq!(below.lines[1].domain.1.value, (-1.0_f64).next_down());
+}
+
+/// b² − 4·a·c is the textbook's example; the search must find inputs at which nothing is left, and
+/// none at which a sum of squares fails otherwise than by the range of the format.
+#[test]
+fn three_inputs_are_searched_and_what_cancels_is_found() {
+    let found = of("var a, b, c\nlet f := b^2 - 4*a*c\nlet s := a^2 + b^2 + c^2");
+    assert!(found.lines.is_empty() && found.planes.is_empty());
+    assert_eq!(found.searches.len(), 4, "two formulas in two formats");
+    for search in &found.searches {
+        assert!(search.tried > 3_000);
+        let lost = search.faults.iter().find(|(fault, ..)| *fault == Fault::Lost);
+        if search.formula == 0 {
+            let (_, count, example) = lost.expect("a difference of products cancels");
+            let [a, b, c] = example.as_slice() else { panic!("three inputs") };
+            assert!(*count > 10 && a.value * c.value > 0.0, "{example:?}");
+            // 4ac is within a factor of b², or nothing would cancel
+            let ratio = 4.0 * a.value * c.value / (b.value * b.value);
+            assert!((0.9..1.1).contains(&ratio), "{example:?}");
+            assert!(search.worst.1 >= 100 * i64::from(search.precision - 3));
+        } else {
+            assert!(lost.is_none(), "nothing cancels in a sum of squares: {lost:?}");
+        }
+    }
+}
+
+#[test]
+fn two_inputs_of_which_one_may_be_negative_have_a_plane_and_a_search() {
+    let found = of("var x, y > 0\nlet f := x + y");
+    assert_eq!((found.planes.len(), found.searches.len()), (2, 2));
+    let negative = of("var x < 0, y > 0\nlet f := x + y");
+    assert_eq!((negative.planes.len(), negative.searches.len()), (0, 2));
+}
+
+#[test]
+fn what_is_not_examined_is_listed_with_its_reason() {
+    let found = of("var x > 0\nlet f := x + 1\nlet g := d(x^2, x) + 1");
+    let left_out = &found.subject.left_out;
+    assert_eq!(left_out.as_slice(), [("g".to_owned(), "it has a derivative".to_owned())]);
+    assert_eq!(found.subject.examined, 1);
+}

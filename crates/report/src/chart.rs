@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use kane_measure::chart::{Measured, System, contradictions, front};
+use kane_measure::chart::{Measured, Method, System, contradictions, front};
 use serde::Serialize;
 
 use crate::envelope::{Program, Schema};
@@ -50,6 +50,11 @@ fn ulps(hundredths: Option<i64>) -> String {
         Some(h) if h <= 0 => "<= 1".to_owned(),
         Some(h) => format!("2^{}.{}", h / 100, h % 100 / 10),
     }
+}
+
+/// The form as written, or that it is the law's own code.
+const fn form_of(method: &Method) -> &'static str {
+    if method.is_law { "the program's own" } else { method.text }
 }
 
 impl ChartReport<'_> {
@@ -137,8 +142,8 @@ pub fn text(report: &ChartReport<'_>, page: Page) -> String {
                 digits(accuracy.median),
                 if exact { String::new() } else { ulps(accuracy.ulps) },
                 padded(&measured.method.system.to_string(), 13),
-                padded(measured.method.name, 5),
-                if measured.method.is_law { "the program's own" } else { measured.method.text },
+                padded(measured.method.name, 7),
+                form_of(&measured.method),
             );
             let ink = if on_front { green } else { Style::new() };
             let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&row, width));
@@ -184,7 +189,7 @@ pub fn markdown(report: &ChartReport<'_>) -> String {
             let on_front = front.get(index).copied().unwrap_or(false);
             let worst = if on_front { format!("**{worst}**") } else { worst };
             let method = &measured.method;
-            let form = if method.is_law { "the program's own" } else { method.text };
+            let form = form_of(method);
             let _ = writeln!(
                 out,
                 "| {time} | {quartiles} | {worst} | {} | {:e} | {} | {} `{form}` |",
@@ -227,7 +232,7 @@ pub fn csv(report: &ChartReport<'_>) -> String {
             method.law.to_owned(),
             method.quantity.to_owned(),
             method.name.to_owned(),
-            if method.is_law { "the program's own".to_owned() } else { method.text.to_owned() },
+            form_of(method).to_owned(),
             method.k.to_owned(),
             method.system.to_string(),
             format!("2^{}", method.least.max(first)),

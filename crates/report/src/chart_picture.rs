@@ -18,7 +18,7 @@ const EXACT: i64 = 3800;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Colours of the palette by Okabe and Ito, which colour-blind people tell apart; shapes differ, too.
-const fn colour(system: System) -> RGBColor {
+pub(crate) const fn colour(system: System) -> RGBColor {
     match system {
         System::F32 => RGBColor(213, 94, 0),
         System::F64 => RGBColor(0, 114, 178),
@@ -147,7 +147,11 @@ fn panel(
             }
             labels.push((x, y));
             let text = format!("{} {}", measured.method.name, measured.method.text);
-            let text = if measured.method.is_law { "the law's code".to_owned() } else { text };
+            let own = || match measured.method.name {
+                "columns" => "the law's code, in columns".to_owned(),
+                _ => "the law's code".to_owned(),
+            };
+            let text = if measured.method.is_law { own() } else { text };
             let font = ("sans-serif", 11).into_font();
             area.draw(&Text::new(shorten(&text, 34), (x + 9, y + 2), font))?;
         }

@@ -1,6 +1,5 @@
 //! One collision under the laws: data, and the three ways to show it.
 
-mod columns;
 mod json;
 mod markdown;
 mod text;

@@ -1,30 +1,41 @@
-//! Presents verdicts as text, Markdown and JSON; computes nothing.
+//! Presents verdicts as text, Markdown, HTML, LaTeX and JSON; computes nothing.
 //!
 //! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
-//! [`markdown`] for the web, [`json`] for programs (its schema is documented in `docs/report-schema.md`),
-//! and [`explain`] writes out one proof or witness in full. [`collision`] does the same for one collision
-//! under the laws, [`stability`] and [`chart`] for what the measurements found. All of them return
+//! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
+//! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
+//! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
+//! for what the measurements found. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
 pub mod chart;
 mod chart_picture;
 pub mod collision;
+mod columns;
 mod envelope;
-mod gappa;
 mod explain;
+mod gappa;
+pub mod growth;
+mod html;
 mod json;
+mod latex;
+mod layers;
 mod markdown;
+mod outline;
 mod report;
 mod shorten;
 pub mod stability;
 mod summary;
 mod text;
+mod typeset;
+mod wording;
 
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use gappa::gappa;
+pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
+pub use latex::latex;
 pub use markdown::markdown;
 pub use report::Report;
 pub use summary::Summary;

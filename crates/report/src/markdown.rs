@@ -2,9 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_algebra::syntax::{Notation as _, latex_name};
-use kane_audit::{Body, Content, LinkJudgement};
-use kane_kernel::{Context, Sentence};
+use kane_audit::LinkJudgement;
 
 use crate::report::Entry;
 use crate::{Report, Summary};
@@ -36,7 +34,7 @@ fn section(out: &mut String, entry: &Entry<'_>) {
         let _ = write!(out, " · *{}*", escape(&remark));
     }
     out.push_str("\n\n");
-    if let Some(formula) = formula(entry) {
+    if let Some(formula) = entry.formula() {
         let _ = writeln!(out, "{}\n", math(&formula));
     }
     let _ = writeln!(out, "{}\n", code(&entry.source()));
@@ -64,28 +62,6 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     if !ground.is_empty() {
         let _ = writeln!(out, "{}\n", ground.join(" "));
     }
-}
-
-/// The whole statement as a formula, with its conditions; `None` for what is said in words.
-fn formula(entry: &Entry<'_>) -> Option<String> {
-    let context = entry.context();
-    match &entry.statement.body {
-        Body::Let(index) => context.lets.get(*index).map(|definition| {
-            format!("{} := {}", latex_name(&definition.name), definition.body.latex(context))
-        }),
-        Body::Given(sentence) => sentence_latex(sentence, context),
-        Body::Claim(claim) => match &claim.content {
-            Content::Links(links) => {
-                let links = links.iter().map(|(link, _)| link.clone()).collect();
-                sentence_latex(&Sentence { when: claim.when.clone(), links }, context)
-            }
-            Content::Contradiction | Content::NotImplied(_) => None,
-        },
-    }
-}
-
-fn sentence_latex(sentence: &Sentence, context: &Context) -> Option<String> {
-    (!sentence.links.is_empty()).then(|| sentence.latex(context))
 }
 
 /// One link: its verdict and reason, with the steps folded away.
@@ -161,7 +137,7 @@ fn longest_run(text: &str, c: char) -> usize {
 }
 
 /// The text with its first letter in upper case.
-fn capitalised(text: &str) -> String {
+pub(crate) fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }

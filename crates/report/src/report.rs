@@ -1,7 +1,8 @@
 //! What is shown of an audit.
 
-use kane_audit::{Audit, Body, Judgement, LinkJudgement, Statement, Verdict};
-use kane_kernel::Context;
+use kane_algebra::syntax::{Notation as _, latex_name};
+use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
+use kane_kernel::{Context, Sentence};
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]
@@ -108,6 +109,63 @@ impl<'a> Entry<'a> {
         rest[..end.unwrap_or(rest.len())].trim().to_owned()
     }
 
+    /// The claim, if it is one.
+    pub(crate) fn claim(&self) -> Option<&'a Claim> {
+        match &self.statement.body {
+            Body::Claim(claim) => Some(claim),
+            Body::Let(_) | Body::Given(_) => None,
+        }
+    }
+
+    /// The statements that it names, in their order: those that it cites, and the one that it says does not follow.
+    pub(crate) fn premises(&self) -> Vec<usize> {
+        let Some(claim) = self.claim() else { return Vec::new() };
+        let mut premises = claim.from.clone();
+        premises.extend(self.denied());
+        premises.sort_unstable();
+        premises.dedup();
+        premises
+    }
+
+    /// The statement that a `not implied` is about.
+    pub(crate) fn denied(&self) -> Option<usize> {
+        match self.claim()?.content {
+            Content::NotImplied(index) => Some(index),
+            Content::Links(_) | Content::Contradiction => None,
+        }
+    }
+
+    /// What it says in LaTeX, and its conditions; `None` for what is said in words.
+    pub(crate) fn said(&self) -> Option<(String, Option<String>)> {
+        let context = self.context();
+        let (links, when) = match &self.statement.body {
+            Body::Let(index) => {
+                let definition = context.lets.get(*index)?;
+                let (name, body) = (latex_name(&definition.name), definition.body.latex(context));
+                return Some((format!("{name} := {body}"), None));
+            }
+            Body::Given(sentence) => (sentence.links.clone(), &sentence.when),
+            Body::Claim(claim) => match &claim.content {
+                Content::Links(links) => {
+                    (links.iter().map(|(link, _)| link.clone()).collect(), &claim.when)
+                }
+                Content::Contradiction | Content::NotImplied(_) => return None,
+            },
+        };
+        let when = (!when.is_empty()).then(|| when.latex(context));
+        let said = Sentence { when: Vec::new(), links };
+        (!said.links.is_empty()).then(|| (said.latex(context), when))
+    }
+
+    /// The whole statement in LaTeX; `None` for what is said in words.
+    pub(crate) fn formula(&self) -> Option<String> {
+        let (said, when) = self.said()?;
+        Some(match when {
+            Some(when) => format!("{said} \\quad\\text{{when }} {when}"),
+            None => said,
+        })
+    }
+
     /// Labels of the statements at these indices.
     pub(crate) fn labels(&self, indices: &[usize]) -> Vec<&'a str> {
         let statements = &self.audit.document.statements;
@@ -127,6 +185,18 @@ impl<'a> Entry<'a> {
     pub(crate) fn decisive(&self) -> Option<(usize, &'a LinkJudgement)> {
         let worst = self.judgement.links.iter().map(|link| link.verdict).max()?;
         self.judgement.links.iter().enumerate().find(|(_, link)| link.verdict == worst)
+    }
+
+    /// Why the verdict is what it is, in the words of the first of the worst links.
+    pub(crate) fn decisive_reason(&self) -> Option<String> {
+        let links = &self.judgement.links;
+        self.decisive().map(|(index, link)| match links.len() {
+            1 => link.reason.clone(),
+            n if links.iter().all(|other| other.verdict == link.verdict) => {
+                format!("{n} links: {}", link.reason)
+            }
+            n => format!("link {} of {n}: {}", index + 1, link.reason),
+        })
     }
 
     /// Whether the statement, or one link of it, is refuted.

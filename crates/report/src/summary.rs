@@ -69,6 +69,15 @@ impl Summary {
     /// One line: `29 equations, 113 claims: 80 proved, 20 refuted; refuted as printed: (1), (25)`.
     #[must_use]
     pub fn headline(&self) -> String {
+        let mut line = self.counts();
+        if !self.refuted_as_printed.is_empty() {
+            let _ = write!(line, "; refuted as printed: {}", self.refuted_as_printed.join(", "));
+        }
+        line
+    }
+
+    /// The counts of the headline alone: `29 equations, 113 claims: 80 proved, 20 refuted`.
+    pub(crate) fn counts(&self) -> String {
         let mut line = String::new();
         if self.equations > 0 {
             line.push_str(&counted(self.equations, "equation"));
@@ -79,9 +88,6 @@ impl Summary {
             self.verdicts.iter().map(|(verdict, n)| format!("{n} {verdict}")).collect();
         if !verdicts.is_empty() {
             let _ = write!(line, ": {}", verdicts.join(", "));
-        }
-        if !self.refuted_as_printed.is_empty() {
-            let _ = write!(line, "; refuted as printed: {}", self.refuted_as_printed.join(", "));
         }
         line
     }

@@ -99,15 +99,7 @@ fn reason(entry: &Entry<'_>) -> String {
     }
     let judgement = entry.judgement;
     let mut parts: Vec<String> = entry.expectation().into_iter().chain(entry.support()).collect();
-    if let Some((index, link)) = entry.decisive() {
-        parts.push(match judgement.links.len() {
-            1 => link.reason.clone(),
-            n if judgement.links.iter().all(|other| other.verdict == link.verdict) => {
-                format!("{n} links: {}", link.reason)
-            }
-            n => format!("link {} of {n}: {}", index + 1, link.reason),
-        });
-    }
+    parts.extend(entry.decisive_reason());
     if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
         parts.push("no model of the hypotheses found".to_owned());
     }

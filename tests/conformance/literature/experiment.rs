@@ -8,6 +8,10 @@
 use std::fmt::Write as _;
 
 use kane::impact::bodies::{Motion, SphereOnPlane};
+use kane::impact::compliant::{
+    Bilinear, Compliance, DimensionReduction, Elastic, HertzMindlin, MawBarberFawcett, Memory,
+    Process,
+};
 use kane::impact::laws::{LawVisitor, Walton, visit_laws};
 use kane::impact::{Alpha, ImpactLaw};
 use kane::number::{Number, Rational};
@@ -33,6 +37,12 @@ fn rows(name: &str) -> Vec<Vec<String>> {
     let text = std::fs::read_to_string(path).expect("the data are there");
     let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+/// The same rows as floats.
+pub(super) fn number_rows(name: &str) -> Vec<Vec<f64>> {
+    let number = |cell: &String| f64::from_rational(&exact(cell));
+    rows(name).iter().map(|row| row.iter().map(number).collect()).collect()
 }
 
 /// α = 7/4·μ·(1 + e)/tan θ, (7) without spin before.
@@ -92,7 +102,7 @@ fn series() -> [(&'static str, Vec<Point>); 4] {
     ]
 }
 
-/// What a law says of a series.
+/// What a law or a compliant process says of a series.
 struct Fit {
     law: &'static str,
     k: Vec<Option<f64>>,
@@ -109,20 +119,53 @@ impl LawVisitor for Fits<'_> {
             let rebound = sphere.collide(law).ok()?;
             Some(rebound.slip / sphere.before.vx)
         };
-        let k: Vec<Option<f64>> = self.0.iter().map(value).collect();
+        let k = self.0.iter().map(value).collect();
+        self.add(law.id(), k);
+    }
+}
+
+impl Fits<'_> {
+    fn add(&mut self, law: &'static str, k: Vec<Option<f64>>) {
         let squares =
             k.iter().zip(self.0).filter_map(|(k, point)| Some((k.as_ref()? - point.k).powi(2)));
         let squares: Vec<f64> = squares.collect();
         let count = u32::try_from(squares.len()).map_or(f64::NAN, f64::from);
         let rms = (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / count).sqrt());
-        self.1.push(Fit { law: law.id(), k, rms });
+        self.1.push(Fit { law, k, rms });
     }
 }
 
 fn fits(points: &[Point]) -> Vec<Fit> {
     let mut fits = Fits(points, Vec::new());
     visit_laws(&mut fits);
+    for process in processes() {
+        let value = |point: &Point| {
+            let outcome = process.outcome(&Alpha::Finite(point.alpha)).ok()?;
+            Some(outcome.ratios.k)
+        };
+        let k = points.iter().map(value).collect();
+        fits.add(process.id(), k);
+    }
     fits.1
+}
+
+/// Alumina (E = 380 GPa, ν = 0.23) on soda-lime glass, whose E = 70 GPa and ν = 0.25 are not told with
+/// the points, but usual: χ = 1.504. Nothing is fitted.
+fn processes() -> [Box<dyn Process>; 5] {
+    let elastic = |young: f64, poisson: f64| Elastic {
+        shear_modulus: young / (2.0 * (1.0 + poisson)),
+        poisson,
+    };
+    let bodies = [elastic(380e9, 0.23), elastic(70e9, 0.25)];
+    let compliance = Compliance::between(bodies, 3.5, RESTITUTION).expect("two materials");
+    assert!((compliance.chi() - 1.504).abs() < 5e-4, "{}", compliance.chi());
+    [
+        Box::new(Bilinear::new(compliance)),
+        Box::new(HertzMindlin::new(compliance)),
+        Box::new(HertzMindlin::new(compliance).remembering(Memory::Displacement)),
+        Box::new(MawBarberFawcett::new(compliance)),
+        Box::new(DimensionReduction::new(compliance)),
+    ]
 }
 
 fn rms(points: &[Point], law: &str) -> f64 {
@@ -161,7 +204,8 @@ fn table(points: &[Point]) -> String {
 #[test]
 fn the_laws_beside_the_measured_points() {
     let mut page = String::from(
-        "Kharaz, Gorham and Salman (2001): k measured, k by each law with its default parameters,\n\
+        "Kharaz, Gorham and Salman (2001): k measured, k by each law with its default parameters and\n\
+         by each compliant process with the materials' constants,\n\
          and the root of the mean square of the difference over the points where the law has a value\n",
     );
     for (name, points) in series() {
@@ -239,6 +283,27 @@ fn the_conversions_are_those_that_were_stated() {
         super::assert_printed(&format!("α {at}"), point.alpha, stated[0]);
         super::assert_printed(&format!("i {at}"), (1.0 - point.k) / (2.0 * point.alpha), stated[1]);
         super::assert_printed(&format!("k {at}"), point.k, stated[2]);
+    }
+}
+
+/// What the numbers say: in every series the half-space, fitted to nothing, is nearer to the points
+/// than any rigid law and than either shortcut of Hertz and Mindlin. Linear springs come as near in
+/// one series, whose last point, k = 1.19 at 84.8°, no theory can reach.
+#[test]
+fn the_half_space_is_the_best_of_all() {
+    for (name, points) in series() {
+        let fits = fits(&points);
+        let of = |id: &str| fits.iter().find(|fit| fit.law == id).and_then(|fit| fit.rms);
+        let maw = of("maw-barber-fawcett").expect("total");
+        for fit in &fits {
+            let half_space = ["maw-barber-fawcett", "dimension-reduction"].contains(&fit.law);
+            let complete = fit.k.iter().all(Option::is_some);
+            if let (Some(rms), true, false) = (fit.rms, complete, half_space) {
+                let tie = fit.law == "stronge-bilinear" && name.starts_with("direction");
+                let ahead = if tie { 0.005 } else { 0.0 };
+                assert!(maw < rms + ahead, "{name}: {} {rms}, half-space {maw}", fit.law);
+            }
+        }
     }
 }
 

@@ -40,7 +40,12 @@ fn every_law_that_slides_gives_the_rebound_by_hand() {
     }
     let mut laws = Slides(Vec::new(), Vec::new());
     visit_laws(&mut laws);
-    assert_eq!(laws.1, ["wang-su-li", "garwin", "keller-printed", "smith-printed"]);
+    // the last three slide on a surface of another direction
+    let others = ["louge-adams", "kuninaka-hayakawa", "saitoh"];
+    assert_eq!(
+        laws.1,
+        [&["wang-su-li", "garwin", "keller-printed", "smith-printed"], &others[..]].concat()
+    );
     assert_eq!(laws.0.len(), 14);
     for (value, printed) in SLIDING.iter().zip(["2.787226", "2.192162", "407.474"]) {
         assert!(rounds_to(exact(value), printed), "{value} is printed as {printed}");

@@ -7,12 +7,16 @@ use kane::impact::laws::{LawVisitor, visit_laws};
 use kane::impact::{Alpha, ImpactLaw};
 use kane::number::{Algebraic, Number, Rational, decode, parse};
 
+mod compliant; // what every compliant process is held to
 mod experiment; // measured points, and how far each law is from them
 mod granular; // a reference case of granular mechanics
+mod hertz_mindlin; // increments as in codes of granular mechanics
 mod kane_table; // Kane's double pendulum under eight laws
+mod maw; // the elastic half-space
 mod numbers; // single values
 mod smith_cubic; // Smith's law on a contact that couples
 mod sphere_table; // k(α) of the sphere
+mod stronge_bilinear; // two springs
 
 /// A decimal as printed, exactly.
 fn exact(printed: &str) -> Rational {

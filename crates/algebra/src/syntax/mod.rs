@@ -34,7 +34,7 @@ pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, NoValue, eval, holds};
 pub use lexer::Token;
 pub use links::Endpoint;
-pub use names::{RESERVED, canonical_name, latex_name};
+pub use names::{RESERVED, canonical_name, greek_letter, latex_name};
 pub use number::literal;
 pub use parser::{
     MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING, Parser, parse_expr,

@@ -71,6 +71,12 @@ fn greek_name(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(_, letters)| letters.contains(letter)).map(|(name, _)| *name)
 }
 
+/// The letter that a spelled-out name stands for: α for `alpha`.
+#[must_use]
+pub fn greek_letter(name: &str) -> Option<char> {
+    GREEK.iter().find(|(known, _)| *known == name).and_then(|(_, letters)| letters.chars().next())
+}
+
 /// The digit that a subscript digit stands for.
 fn subscript_digit(c: char) -> Option<char> {
     let digit = u32::from(c).checked_sub(u32::from('₀'))?;
@@ -200,6 +206,13 @@ mod tests {
         assert_eq!(canonical_name("µ′"), "mu'");
         assert_eq!(canonical_name("Δe"), "Deltae");
         assert_eq!(canonical_name("v₀"), "v0");
+    }
+
+    #[test]
+    fn a_spelled_out_name_gives_its_letter() {
+        assert_eq!(greek_letter("mu"), Some('μ'));
+        assert_eq!(greek_letter("Omega"), Some('Ω'));
+        assert_eq!(greek_letter("me"), None);
     }
 
     #[test]

@@ -156,28 +156,33 @@ impl Batched for GarwinCapped {
 /// 10u, each one division of terms of one sign. d = (α − 1/2)·(α + 5/2) + 1/4 has at most 4u, its root
 /// 3u, α + √d 4u and 1 + α + √d as much; so k has u + 4u + u, i_x half of k's (as |k| ≤ 1) and 2u, and
 /// Δe = −i_x/(1 + α + √d) has 5u + 4u + u. The single lane finds its root by iteration: the two agree
-/// within their bounds, not bit for bit. Where it slides, Δe has an absolute error of at most u.
+/// within their bounds, not bit for bit.
+///
+/// Sliding is no branch: by how much α falls short of 1/2, s = fl(1/2 − α), is added to the row at
+/// α = 1/2, which is k = 0, i_x = 1, Δe = −1/2 without an error. So k = 2s = fl(1 − 2α) is correctly
+/// rounded, and Δe = −fl(1/2 + s) has an absolute error of at most 3/4·u: u/4 from s, which is below
+/// 1/2, and u/2 from a sum that is at most 1. Selections whose other side takes a division or a root
+/// would be compiled to branches; those of minima and maxima are not.
 #[derive(Clone, Copy, Debug)]
 pub struct WeightedKernel;
 
-/// 2⁶⁰: from here on √d is α + 1 to within rounding, and d might overflow later.
+/// 2⁶⁰: from here on √d is taken for α, because d might overflow later: 2⁶⁰ + fl(α − 2⁶⁰), which with
+/// the 1 that is missing has less than the 3u of a root.
 const FAR: f64 = f64::from_bits((1023 + 60) << 52);
 
 impl Kernel for WeightedKernel {
     #[inline]
     fn row(self, alpha: f64) -> Row {
-        let finite = if alpha > f64::MAX { f64::MAX } else { alpha };
+        let reach = if alpha > 0.5 { alpha } else { 0.5 };
+        let finite = if reach > f64::MAX { f64::MAX } else { reach };
         let near = if finite > FAR { FAR } else { finite };
-        let near = if near < 0.5 { 0.5 } else { near };
-        let root = ((near - 0.5) * (near + 2.5) + 0.25).sqrt();
-        let root = if finite > FAR { finite } else { root };
-        let slides = alpha <= 0.5;
+        let root = ((near - 0.5) * (near + 2.5) + 0.25).sqrt() + (finite - near);
         // halves, so that the sum does not overflow
         let reversed = (0.5 - finite) / (0.5 * finite + 0.5 * root);
-        let share = 0.5 * (1.0 - reversed) / alpha;
-        let k = if slides { 1.0 - 2.0 * alpha } else { reversed };
-        let impulse = if slides { 1.0 } else { share };
-        let lost = if slides { 0.5 * (1.0 + k) } else { share / (1.0 + finite + root) };
+        let impulse = 0.5 * (1.0 - reversed) / reach;
+        let lost = impulse / (1.0 + finite + root);
+        let short = if alpha < 0.5 { 0.5 - alpha } else { 0.0 };
+        let (k, lost) = (reversed + 2.0 * short, lost + short);
         Row { k, impulse, energy: 0.0 - lost }
     }
 }

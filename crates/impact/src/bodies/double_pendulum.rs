@@ -26,6 +26,12 @@ impl<N: Number> Direction<N> {
         Self { cos: (N::one() - square) / &sum, sin: tangent.double() / sum }
     }
 
+    /// The direction with the opposite angle.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { cos: self.cos.clone(), sin: -self.sin.clone() }
+    }
+
     /// The same direction in another number system.
     pub fn map<M>(&self, to: impl Fn(&N) -> M) -> Direction<M> {
         Direction { cos: to(&self.cos), sin: to(&self.sin) }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::filter::{Filter, LIMIT};
+use super::filter::{Filter, is_usual};
 use super::question::{Question, Sliding};
 use super::{Shares, decide};
 use crate::InvalidInput;
@@ -101,19 +101,4 @@ fn filter_block<Q: Question>(
         *sign = if *value > 0.0 { Ordering::Greater } else { Ordering::Less };
     }
     doubts == 0
-}
-
-/// The conditions of [`super::is_usual`] by comparisons of floats, which come in vectors everywhere.
-#[inline]
-fn is_usual(sphere: &SphereOnPlane<f64>) -> bool {
-    let positive = |x: f64| (x > 0.0) & (x <= LIMIT);
-    let within = |x: f64, most: f64| (x >= 0.0) & (x <= most);
-    positive(sphere.mass)
-        & positive(sphere.radius)
-        & positive(sphere.inertia)
-        & within(sphere.friction, LIMIT)
-        & within(sphere.restitution, 1.0)
-        & within(sphere.before.vy, LIMIT)
-        & (sphere.before.vx.abs() <= LIMIT)
-        & (sphere.before.omega.abs() <= LIMIT)
 }

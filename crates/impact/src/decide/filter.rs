@@ -33,6 +33,7 @@
 use std::cmp::Ordering;
 
 use super::arithmetic::Arithmetic;
+use crate::bodies::SphereOnPlane;
 
 /// Inputs are at most 2^this in magnitude, as the caller sees to.
 const CAP: i32 = 100;
@@ -41,7 +42,24 @@ const CAP: i32 = 100;
 pub(super) const GREATEST: u64 = (1023 + CAP.unsigned_abs() as u64) << 52;
 
 /// 2^[`CAP`].
-pub(super) const LIMIT: f64 = f64::from_bits(GREATEST);
+const LIMIT: f64 = f64::from_bits(GREATEST);
+
+/// Whether all inputs are in their domains and at most 2^[`CAP`] in magnitude; may say no to some
+/// that are. No branch, and vectors everywhere: for columns.
+///
+/// One comparison serves all upper ends: rounding is monotone, so where no summand is negative, a sum
+/// in floats is at least as large as each of them. A NaN that a minimum passes over makes that sum
+/// NaN, or is the restitution, and fails its comparison; so does an infinity.
+#[inline]
+pub(super) fn is_usual(sphere: &SphereOnPlane<f64>) -> bool {
+    let SphereOnPlane { mass, radius, inertia, friction, restitution, before } = sphere;
+    let least = |a: f64, b: f64| if a < b { a } else { b };
+    let speeds = before.vy + (before.vx.abs() + before.omega.abs());
+    let size = ((mass + radius) + (inertia + friction)) + speeds;
+    let positive = least(*mass, least(*radius, *inertia)) > 0.0;
+    let not_negative = least(*friction, least(*restitution, before.vy)) >= 0.0;
+    positive & not_negative & (*restitution <= 1.0) & (size <= LIMIT)
+}
 
 /// Whether an input of either sign is at most 2^[`CAP`] in magnitude; false for NaN.
 #[inline]
@@ -188,6 +206,37 @@ mod tests {
         assert_eq!(product.sign(), None); // too long a product to exclude overflow
         assert_eq!(x(1.0).minus(&x(1.0_f64.next_up())).sign(), None); // within 3u of 2
         assert_eq!(x(1.0).minus(&x(1.0 + 8.0 * f64::EPSILON)).sign(), Some(Ordering::Less));
+    }
+
+    #[test]
+    fn no_input_outside_of_its_domain_is_usual() {
+        use crate::bodies::Motion;
+        let sphere = |inputs: [f64; 8]| {
+            let [mass, radius, inertia, friction, restitution, vx, vy, omega] = inputs;
+            let before = Motion { vx, vy, omega };
+            SphereOnPlane { mass, radius, inertia, friction, restitution, before }
+        };
+        let sound = [1.0, 2.0, 0.5, 0.0, 1.0, -3.0, 0.0, -4.0];
+        assert!(is_usual(&sphere(sound)));
+        let beyond =
+            [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2.0 * LIMIT, -2.0 * LIMIT];
+        let negative = [-1.0, -f64::from_bits(1), -f64::MIN_POSITIVE];
+        for index in 0..8 {
+            let with = |value: f64| {
+                let mut inputs = sound;
+                inputs[index] = value;
+                is_usual(&sphere(inputs))
+            };
+            assert!(beyond.iter().all(|&value| !with(value)), "{index}");
+            let may_be_negative = index == 5 || index == 7;
+            assert!(negative.iter().all(|&value| with(value) == may_be_negative), "{index}");
+            assert_eq!(with(0.0), index > 2, "{index}");
+            assert_eq!(with(1.0_f64.next_up()), index != 4, "{index}");
+        }
+        // two wrongs do not make a right: one negative input hides a large one from the sum only
+        let mut inputs = sound;
+        (inputs[0], inputs[1]) = (-2.0 * LIMIT, 2.0 * LIMIT);
+        assert!(!is_usual(&sphere(inputs)));
     }
 
     /// What underflow takes from a factor grows with the cofactor.

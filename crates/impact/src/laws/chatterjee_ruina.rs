@@ -2,6 +2,7 @@
 
 use kane_number::{Number, Rational};
 
+use super::walton::Rebounds;
 use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 
@@ -17,7 +18,8 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
 /// ```
 ///
 /// Both plastic impulses end with `v_n` = 0, so e is Newton's coefficient. On a sphere, k =
-/// max(−`e_t`, 1 − 2α). Energy never rises for 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1.
+/// max(−`e_t`, 1 − 2α). Energy never rises for 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1. The same formula holds in
+/// space, see [`impulse_in_space`](Self::impulse_in_space).
 ///
 /// Domain: every contact, with 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1; the range of `e_t` is the caller's.
 /// Exact in exact numbers.
@@ -40,25 +42,128 @@ impl Default for ChatterjeeRuina {
     }
 }
 
-impl ChatterjeeRuina {
-    /// (1 + e_t)·det W·p_II,t = −(1 + e_t)·(`W_nn`·v_t + `W_tn`·a)
-    fn tangential<N: Number>(&self, contact: &Contact<N>) -> N {
-        let w = contact.delassus();
-        let velocity = w.nn().mul_add(contact.slip(), &(contact.approach().clone() * w.tn()));
-        -(velocity * (N::one() + N::from_rational(&self.restitution)))
+/// Where the law stands: in the contact's frame, or in one of the law's own.
+pub(crate) trait View<L> {
+    /// The contact as it is seen there.
+    fn contact<N: Number>(law: &L, contact: &Contact<N>) -> Contact<N>;
+
+    /// An impulse from there, in the contact's frame.
+    fn back<N: Number>(law: &L, contact: &Contact<N>, impulse: Impulse<N>) -> Impulse<N>;
+
+    /// Whether the contact is seen as it is.
+    const PLAIN: bool;
+}
+
+/// In the contact's own frame.
+pub(crate) struct Own;
+
+impl<L> View<L> for Own {
+    fn contact<N: Number>(_: &L, contact: &Contact<N>) -> Contact<N> {
+        contact.clone()
     }
 
-    /// The impulse before the cone is asked, times det W.
-    fn numerators<N: Number>(&self, contact: &Contact<N>) -> (N, N) {
-        let (w, tangential) = (contact.delassus(), self.tangential(contact));
-        // W_nn·p_n = (1 + e)·a − W_tn·p_t
-        let normal = contact.closing() * w.determinant() - tangential.clone() * w.tn();
-        (tangential, normal / w.nn())
+    fn back<N: Number>(_: &L, _: &Contact<N>, impulse: Impulse<N>) -> Impulse<N> {
+        impulse
     }
 
-    fn margin<N: Number>(&self, contact: &Contact<N>, tangential: fn(N) -> N) -> N {
-        let (t, n) = self.numerators(contact);
-        n.mul_add(contact.friction(), &tangential(t))
+    const PLAIN: bool = true;
+}
+
+/// (1 + e_t)·det W·p_II,t = −(1 + e_t)·(`W_nn`·v_t + `W_tn`·a)
+fn tangential<L: Rebounds, N: Number>(law: &L, contact: &Contact<N>) -> N {
+    let w = contact.delassus();
+    let velocity = w.nn().mul_add(contact.slip(), &(contact.approach().clone() * w.tn()));
+    -(velocity * (N::one() + law.share::<N>()))
+}
+
+/// The impulse before the cone is asked, times det W.
+fn numerators<L: Rebounds, N: Number>(law: &L, contact: &Contact<N>) -> (N, N) {
+    let (w, tangential) = (contact.delassus(), tangential(law, contact));
+    // W_nn·p_n = (1 + e)·a − W_tn·p_t
+    let normal = contact.closing() * w.determinant() - tangential.clone() * w.tn();
+    (tangential, normal / w.nn())
+}
+
+/// μ·`p_n` + `p_t` ≥ 0 of that impulse.
+pub(crate) const fn above<V: View<L>, L: Rebounds, N: Number>() -> Guard<L, N> {
+    Guard::new(Relation::NotNegative, |law: &L, contact: &Contact<N>| {
+        let contact = V::contact(law, contact);
+        let (tangential, normal) = numerators(law, &contact);
+        normal.mul_add(contact.friction(), &tangential)
+    })
+}
+
+/// μ·`p_n` − `p_t` ≥ 0 of that impulse.
+pub(crate) const fn below<V: View<L>, L: Rebounds, N: Number>() -> Guard<L, N> {
+    Guard::new(Relation::NotNegative, |law: &L, contact: &Contact<N>| {
+        let contact = V::contact(law, contact);
+        let (tangential, normal) = numerators(law, &contact);
+        normal.mul_add(contact.friction(), &-tangential)
+    })
+}
+
+/// `p_t` < 0 of that impulse.
+pub(crate) const fn backward<V: View<L>, L: Rebounds, N: Number>() -> Guard<L, N> {
+    Guard::new(Relation::Negative, |law: &L, contact: &Contact<N>| {
+        tangential(law, &V::contact(law, contact))
+    })
+}
+
+/// That impulse, where it is inside the cone.
+pub(crate) const fn inside<V: View<L>, L: Rebounds, N: Number>(
+    name: &'static str,
+    guards: &'static [Guard<L, N>],
+) -> Regime<L, N> {
+    let regime = Regime::new(name, guards, |law: &L, contact: &Contact<N>, _: &N| {
+        let seen = V::contact(law, contact);
+        let (tangential, normal) = numerators(law, &seen);
+        let determinant = seen.delassus().determinant();
+        let (tangential, normal) = (tangential / &determinant, normal / determinant);
+        V::back(law, contact, Impulse { tangential, normal })
+    });
+    if !V::PLAIN {
+        return regime;
+    }
+    Regime {
+        // v_t⁺ = −e_t·v_t + (e − e_t)·a·W_tn/W_nn, from W·p_I and W·p_II
+        slip: Some(|law: &L, contact: &Contact<N>, _: &N| {
+            let share = law.share::<N>();
+            let (w, e) = (contact.delassus(), contact.restitution().clone());
+            let pushed = (e - &share) * contact.approach() * w.tn() / w.nn();
+            pushed - share * contact.slip()
+        }),
+        ..regime
+    }
+}
+
+/// The impulse on the cone, backwards.
+pub(crate) const fn on_the_cone_backward<V: View<L>, L: Rebounds, N: Number>(
+    name: &'static str,
+    guards: &'static [Guard<L, N>],
+) -> Regime<L, N> {
+    Regime::new(name, guards, |law, contact, _| {
+        let seen = V::contact(law, contact);
+        V::back(law, contact, seen.with_ratio(&-seen.friction().clone()))
+    })
+}
+
+/// The impulse on the cone, forwards.
+pub(crate) const fn on_the_cone_forward<V: View<L>, L: Rebounds, N: Number>(
+    name: &'static str,
+    guards: &'static [Guard<L, N>],
+) -> Regime<L, N> {
+    Regime::new(name, guards, |law, contact, _| {
+        let seen = V::contact(law, contact);
+        V::back(law, contact, seen.with_ratio(seen.friction()))
+    })
+}
+
+/// What the law comes to on a contact that does not couple, in terms of β0 = `e_t`.
+pub(crate) const UNCOUPLED: &str = "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0";
+
+impl Rebounds for ChatterjeeRuina {
+    fn share<N: Number>(&self) -> N {
+        N::from_rational(&self.restitution)
     }
 }
 
@@ -90,46 +195,15 @@ impl ImpactLaw for ChatterjeeRuina {
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
         const {
             &[
-                Regime {
-                    // v_t⁺ = −e_t·v_t + (e − e_t)·a·W_tn/W_nn, from W·p_I and W·p_II
-                    slip: Some(|law: &Self, contact: &Contact<N>, _| {
-                        let restitution = N::from_rational(&law.restitution);
-                        let (w, e) = (contact.delassus(), contact.restitution().clone());
-                        let pushed = (e - &restitution) * contact.approach() * w.tn() / w.nn();
-                        pushed - restitution * contact.slip()
-                    }),
-                    ..Regime::new(
-                        "inside the cone",
-                        guards![
-                            Guard::new(
-                                Relation::NotNegative,
-                                |law: &Self, contact: &Contact<N>| { law.margin(contact, |t| t) }
-                            ),
-                            Guard::new(
-                                Relation::NotNegative,
-                                |law: &Self, contact: &Contact<N>| { law.margin(contact, |t| -t) }
-                            ),
-                        ],
-                        |law, contact, _| {
-                            let (tangential, normal) = law.numerators(contact);
-                            let determinant = contact.delassus().determinant();
-                            Impulse {
-                                tangential: tangential / &determinant,
-                                normal: normal / determinant,
-                            }
-                        },
-                    )
-                },
-                Regime::new(
-                    "on the cone, against the slip",
-                    guards![Guard::new(Relation::Negative, |law: &Self, contact: &Contact<N>| {
-                        law.tangential(contact)
-                    })],
-                    |_, contact, _| contact.with_ratio(&-contact.friction().clone()),
+                inside::<Own, Self, N>(
+                    "inside the cone",
+                    guards![above::<Own, Self, N>(), below::<Own, Self, N>()],
                 ),
-                Regime::new("on the cone, along the slip", &[], |_, contact, _| {
-                    contact.with_ratio(contact.friction())
-                }),
+                on_the_cone_backward::<Own, Self, N>(
+                    "on the cone, against the slip",
+                    guards![backward::<Own, Self, N>()],
+                ),
+                on_the_cone_forward::<Own, Self, N>("on the cone, along the slip", &[]),
             ]
         }
     }

@@ -2,14 +2,17 @@
 
 mod brach;
 mod chatterjee_ruina;
+mod chatterjee_ruina_spatial;
 mod djerassi;
 mod garwin;
 mod kane_levinson;
 mod keller_printed;
 mod routh;
+mod saitoh;
 mod share;
 mod smith;
 mod smith_printed;
+mod tilted;
 mod walton;
 mod wang_su_li;
 mod whittaker_stop;
@@ -22,8 +25,10 @@ pub use garwin::{Garwin, GarwinCapped};
 pub use kane_levinson::KaneLevinson;
 pub use keller_printed::KellerPrinted;
 pub use routh::{Keller1986, RouthNewton, Stronge1990};
+pub use saitoh::Saitoh;
 pub use smith::Smith1991;
 pub use smith_printed::SmithPrinted;
+pub use tilted::{KuninakaHayakawa, LougeAdams};
 pub use walton::Walton;
 pub use wang_su_li::WangSuLi;
 pub use whittaker_stop::WhittakerStop;
@@ -55,7 +60,10 @@ pub fn visit_laws(visitor: &mut impl LawVisitor) {
     visitor.visit(&SmithPrinted::default());
     visitor.visit(&Walton::default());
     visitor.visit(&ChatterjeeRuina::default());
+    visitor.visit(&LougeAdams::default());
+    visitor.visit(&KuninakaHayakawa::default());
     visitor.visit(&DjerassiNewton);
     visitor.visit(&DjerassiPoisson);
     visitor.visit(&DjerassiStronge);
+    visitor.visit(&Saitoh::default());
 }

@@ -54,7 +54,9 @@ pub struct Keller1986;
 ///
 /// The process of [`RouthNewton`]; the collision ends when the normal impulse has given back e² of
 /// the normal work of compression. If the slip stops before, that takes a square root. Energy never
-/// rises for 0 ≤ e ≤ 1.
+/// rises for 0 ≤ e ≤ 1. Here e is the energetic coefficient, a property of the bodies that is
+/// free of the angle of incidence, whereas the ratio −`v_n⁺`/`v_n` that follows depends on the angle
+/// where the contact couples; so this id is the angle-free law.
 ///
 /// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
 /// algebraic ones hold the square root, rational ones only where it is rational, as it always is

@@ -126,7 +126,7 @@ fn error(reference: &Dyadic, answer: &Answer, exact: &DyadicNumber) -> DyadicNum
 
 /// Hundredths of decimal digits that are right; all of them if the error is no more than the doubt
 /// about the reference.
-fn right(error: &DyadicNumber, exact: &DyadicNumber) -> i64 {
+pub(crate) fn right(error: &DyadicNumber, exact: &DyadicNumber) -> i64 {
     if error.certain_bits() <= 8 {
         return i64::MAX;
     }

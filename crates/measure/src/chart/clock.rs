@@ -35,6 +35,15 @@ pub struct Time {
     pub rounds: usize,
 }
 
+impl Time {
+    /// The quartiles of readings.
+    pub(crate) fn of(mut times: Vec<u64>) -> Self {
+        times.sort_unstable();
+        let at = |quarter: usize| times.get(times.len() * quarter / 4).copied().unwrap_or(0);
+        Self { median: at(2), quartiles: (at(1), at(3)), rounds: times.len() }
+    }
+}
+
 /// Inputs of a round.
 const INPUTS: usize = 128;
 
@@ -74,10 +83,5 @@ pub fn clock(
         }
     }
     progress(rounds, rounds);
-    let time = |mut times: Vec<u64>| {
-        times.sort_unstable();
-        let at = |quarter: usize| times.get(times.len() * quarter / 4).copied().unwrap_or(0);
-        Time { median: at(2), quartiles: (at(1), at(3)), rounds: times.len() }
-    };
-    prepared.into_iter().map(|(.., times)| time(times)).collect()
+    prepared.into_iter().map(|(.., times)| Time::of(times)).collect()
 }

@@ -6,6 +6,7 @@ mod cost;
 mod method;
 mod registry;
 
+pub(crate) use accuracy::right;
 pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
 pub use cost::cost;

@@ -1,10 +1,16 @@
 //! The methods. A new form is one line here, and runs in every number system.
 
-use kane_impact::laws::{Smith1991, WangSuLi, WhittakerUncapped};
+use std::cell::RefCell;
+use std::hint::black_box;
+
+use kane_impact::batch::{self, Batched, Columns};
+use kane_impact::laws::{
+    GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
+};
 use kane_impact::{Alpha, ImpactLaw, Ratios};
 use kane_number::{DoubleDouble, Interval, Rational};
 
-use super::method::{Form, Lane, Method, repeatedly};
+use super::method::{Answer, Form, Lane, Method, System, repeatedly};
 
 /// α runs from 2 to the power of the first to that of the second, where a form says nothing else.
 pub const DOMAIN: (i32, i32) = (-30, 30);
@@ -29,7 +35,8 @@ macro_rules! registry {
         [$k:literal, $is_law:literal, $least:expr] |$a:ident| $body:expr;)*) => {
         $( fn $id<N: Lane>($a: &N) -> Option<N> { $body } )*
 
-        /// Every form in every number system, by law and quantity.
+        /// Every form in every number system, by law and quantity, and then the kernels over
+        /// columns, which have floats alone.
         #[must_use]
         pub fn registry() -> Vec<Method> {
             let mut all = Vec::new();
@@ -40,6 +47,7 @@ macro_rules! registry {
                 };
                 registry!(@systems all form $id: f32, f64, DoubleDouble, Interval, Rational);
             )*
+            all.extend(columns());
             all
         }
     };
@@ -116,6 +124,70 @@ registry! {
         |a| Some(law(&Smith1991, a)?.k);
 }
 
+/// Gives k, `i_x` and Δe by the law's kernel, in this order.
+fn evaluate<L: Batched + Default>(alpha: &[f64], [k, impulse, energy]: &mut [Vec<f64>; 3]) {
+    batch::evaluate(&L::default(), alpha, Columns { k, impulse, energy });
+}
+
+/// One quantity at α.
+fn in_columns<L: Batched + Default, const QUANTITY: usize>(alpha: f64) -> Option<Answer> {
+    let mut out = [vec![0.0], vec![0.0], vec![0.0]];
+    evaluate::<L>(&[alpha], &mut out);
+    out.get(QUANTITY)?.first()?.answer()
+}
+
+/// A pass over a column; a row gives all three quantities.
+fn over_columns<L: Batched + Default + 'static>(alphas: &[f64]) -> Box<dyn Fn()> {
+    let alphas = alphas.to_vec();
+    let rows = || vec![1.0; alphas.len()];
+    let out = RefCell::new([rows(), rows(), rows()]);
+    Box::new(move || {
+        evaluate::<L>(black_box(&alphas), &mut out.borrow_mut());
+        black_box(&out);
+    })
+}
+
+/// A kernel for one quantity: `text` is what it is equal to, with `k` where that is used.
+fn column<L: Batched + Default + 'static, const QUANTITY: usize>(
+    text: &'static str,
+    k: &'static str,
+    least: i32,
+) -> Method {
+    let quantity = ["k", "i_x", "Delta_e"][QUANTITY];
+    let law = L::default().id();
+    let form = Form { law, quantity, name: "columns", text, k, is_law: true, least };
+    Method::new(form, System::F64, in_columns::<L, QUANTITY>, over_columns::<L>)
+}
+
+/// The kernels over columns, a line for each quantity that is no constant.
+fn columns() -> Vec<Method> {
+    const FADING: &str = "(1 - alpha)/(1 + alpha)";
+    const STOP: &str = "max(0, 1 - 2*alpha)";
+    const WALTON: &str = "max(-11/25, 1 - 2*alpha)";
+    const GARWIN: &str = "max(-1, 1 - 2*alpha)";
+    const WEIGHTED: &str = "alpha - sqrt(alpha^2 + 2*alpha - 1)";
+    const LOSS: &str = "-(1 - k^2)/(4*alpha)";
+    vec![
+        column::<WangSuLi, 0>(FADING, "", -30),
+        column::<WangSuLi, 1>("1/(1 + alpha)", "", -30),
+        column::<WangSuLi, 2>("-1/(1 + alpha)^2", "", -30),
+        column::<WhittakerUncapped, 0>("-2*alpha + 1", "", -30),
+        column::<WhittakerUncapped, 2>("alpha - 1", "", -30),
+        column::<WhittakerStop, 0>(STOP, "", -30),
+        column::<WhittakerStop, 1>("min(1, 1/(2*alpha))", "", -30),
+        column::<WhittakerStop, 2>(LOSS, STOP, -30),
+        column::<Walton, 0>(WALTON, "", -30),
+        column::<Walton, 1>("min(1, 18/25/alpha)", "", -30),
+        column::<Walton, 2>(LOSS, WALTON, -30),
+        column::<GarwinCapped, 0>(GARWIN, "", -30),
+        column::<GarwinCapped, 1>("min(1, 1/alpha)", "", -30),
+        column::<GarwinCapped, 2>(LOSS, GARWIN, -30),
+        column::<Smith1991, 0>(WEIGHTED, "", 0),
+        column::<Smith1991, 1>("(1 - k)/(2*alpha)", WEIGHTED, 0),
+        column::<Smith1991, 2>(LOSS, WEIGHTED, 0),
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use kane_number::decode;
@@ -149,5 +221,29 @@ mod tests {
             }
         }
         assert!(compared > 10_000);
+    }
+
+    /// The bounds that the kernels state, in ulp, where they state one in relative terms.
+    #[test]
+    fn columns_keep_the_bounds_of_their_kernels_over_the_domain() {
+        // hundredths of log₂: 9/4, 3/2, 4, 1/2, 6, 5 and 10 ulp
+        let bound = |law: &str, quantity: &str| match (law, quantity) {
+            ("wang-su-li", "k") => Some(117),
+            ("wang-su-li", "Delta_e") => Some(200),
+            (_, "k") if law != "smith-1991" => Some(-100),
+            ("whittaker-uncapped", "Delta_e") => Some(-100),
+            ("smith-1991", "k") => Some(259),
+            ("smith-1991", "i_x") => Some(233),
+            ("smith-1991", "Delta_e") => Some(333),
+            (_, "i_x") => Some(59),
+            _ => None, // sliding loses Δe to within an absolute bound
+        };
+        for method in columns() {
+            let found = super::super::accuracy(&method).expect("columns have an answer everywhere");
+            assert!(found.worst > 1000, "{} {}: {found:?}", method.law, method.quantity);
+            if let (Some(bound), Some(ulps)) = (bound(method.law, method.quantity), found.ulps) {
+                assert!(ulps <= bound, "{} {}: {found:?}", method.law, method.quantity);
+            }
+        }
     }
 }

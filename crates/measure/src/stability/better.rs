@@ -88,12 +88,13 @@ fn equal_at(a: &Formula, b: &Formula, inputs: &[Rational]) -> Option<bool> {
 pub(super) fn better<F: Format>(
     subject: &Subject,
     index: usize,
+    negative: bool,
     range: &Range,
     failures: &[usize],
 ) -> Option<Better> {
     let mut best: Option<((i64, usize), Better)> = None;
     for other in subject.equal.get(index)? {
-        let probe = Probe::<F>::new(subject, *other)?;
+        let probe = Probe::<F>::new(subject, *other, negative)?;
         let (from, to) = (range.from.place, range.to.place);
         let width = to - from;
         let step = |i: u64| from + width / PROBES * i + (width % PROBES) * i / PROBES;

@@ -82,10 +82,10 @@ fn range<F: Format>(
     let exact = probe.exact(worst.place);
     Some(Range {
         fault,
-        from: Point::of::<F>(from),
-        to: Point::of::<F>(to),
+        from: Point::of::<F>(probe.negative, from),
+        to: Point::of::<F>(probe.negative, to),
         open: (below.is_none(), above.is_none()),
-        worst: Point::of::<F>(worst.place),
+        worst: Point::of::<F>(probe.negative, worst.place),
         lost: worst.sample.lost,
         computed: computed.map_or_else(|| "no value".to_owned(), |float| format!("{float:e}")),
         exact: exact.map_or_else(String::new, |exact| exact.rounded_to::<F>()),

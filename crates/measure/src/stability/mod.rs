@@ -5,13 +5,15 @@ mod cause;
 mod edges;
 mod plane;
 mod scan;
+mod search;
 
 use kane_audit::Document;
 
-use crate::{Axis, Fault, Format, Formula, formulas};
+use crate::{Fault, Format, Formula, formulas};
 use scan::Probe;
 
 pub use plane::{Cell, Plane};
+pub use search::Searched;
 
 /// The forms of one value that the program knows, as a derivation document.
 const EQUAL_FORMS: &str = include_str!("../../../../docs/derivations/equal-forms.md");
@@ -37,8 +39,8 @@ pub struct Subject {
     pub examined: usize,
     /// how many of them are the document's own; the others are the program's
     pub own: usize,
-    /// labels of formulas with too many inputs
-    pub larger: Vec<String>,
+    /// labels of what is printed as a formula but is not examined, and why
+    pub left_out: Vec<(String, String)>,
     /// per formula, the indices of the formulas of equal value
     pub equal: Vec<Vec<usize>>,
 }
@@ -61,14 +63,14 @@ impl Subject {
         found.formulas.extend(known);
         let equal = better::groups(&found.formulas);
         let examined = if all { found.formulas.len() } else { own };
-        Self { formulas: found.formulas, examined, own, larger: found.larger, equal }
+        Self { formulas: found.formulas, examined, own, left_out: found.left_out, equal }
     }
 }
 
 /// A representable number as a report needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// its place in the order of representable numbers ≥ 0
+    /// the place of its magnitude in the order of representable numbers ≥ 0
     pub place: u64,
     /// its value; a narrower format is widened exactly
     pub value: f64,
@@ -77,8 +79,8 @@ pub struct Point {
 }
 
 impl Point {
-    pub(crate) fn of<F: Format>(place: u64) -> Self {
-        let float = F::at(place);
+    pub(crate) fn of<F: Format>(negative: bool, place: u64) -> Self {
+        let float = F::signed(negative, place);
         let text = if place == 0 { "0".to_owned() } else { format!("{float:e}") };
         // the shortest decimal of a narrower format does not name the same f64, so go by bits
         let value = kane_number::decode(float).map_or(f64::NAN, |exact| {
@@ -131,6 +133,8 @@ pub struct Examined {
     pub format: &'static str,
     /// its precision in bits
     pub precision: u32,
+    /// whether this is the part of the domain below 0
+    pub negative: bool,
     /// the least and the greatest input
     pub domain: (Point, Point),
     /// where it fails, by the least input
@@ -152,10 +156,12 @@ pub struct Stability {
     pub title: Option<String>,
     /// the formulas
     pub subject: Subject,
-    /// formulas of one input, f32 before f64
+    /// formulas of one input: first inputs ≥ 0, f32 before f64, then those below 0
     pub lines: Vec<Examined>,
-    /// formulas of two inputs
+    /// formulas of two inputs, where both are ≥ 0
     pub planes: Vec<Plane>,
+    /// formulas of three inputs or more, and those of two of which one may be below 0
+    pub searches: Vec<Searched>,
 }
 
 /// Examines every formula in `f32` and `f64` over its whole domain. Deterministic.
@@ -164,41 +170,81 @@ pub struct Stability {
 /// two representable numbers on either side of an edge are told apart by evaluation. Lost digits
 /// come and go from one float to the next near an edge; the one that is given is the outermost that
 /// the search found, and its neighbour is sound. Of formulas of two inputs a grid of binades is
-/// examined, without edges. Negative inputs are not examined.
+/// examined, without edges, where both are ≥ 0; formulas of more inputs, and those of two that may be
+/// below 0, are searched at points: what is found there is a failure, but others may exist.
 pub fn examine(
     document: &Document,
     all: bool,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Stability {
-    let subject = Subject::new(document, all);
-    let (mut lines, mut planes) = (Vec::new(), Vec::new());
+    let mut subject = Subject::new(document, all);
+    let (mut planes, mut searches) = (Vec::new(), Vec::new());
     let steps = 2 * subject.formulas.len();
-    let (mut singles, mut doubles) = (Vec::new(), Vec::new());
+    let mut found: [Vec<Option<Examined>>; 4] = Default::default();
     for index in 0..subject.formulas.len() {
         progress(2 * index, steps);
         let inputs = subject.formulas.get(index).map_or(0, |formula| formula.inputs.len());
-        if inputs == 1 {
-            // those that are not examined may be better, so they are asked, too
-            singles.push(line::<f32>(&subject, index));
-            progress(2 * index + 1, steps);
-            doubles.push(line::<f64>(&subject, index));
-        } else {
-            singles.push(None);
-            doubles.push(None);
-            if index < subject.examined {
-                planes.extend(plane::examine::<f32>(&subject, index));
-                progress(2 * index + 1, steps);
-                planes.extend(plane::examine::<f64>(&subject, index));
-            }
+        // those that are not examined may be better, so they are asked, too
+        let is_line = inputs == 1;
+        let [singles, doubles, below_singles, below_doubles] = &mut found;
+        for (lines, negative) in [(singles, false), (below_singles, true)] {
+            lines.push(if is_line { line::<f32>(&subject, index, negative) } else { None });
+        }
+        if index < subject.examined && !is_line {
+            planes.extend(plane::examine::<f32>(&subject, index));
+            searches.extend(search::examine::<f32>(&subject, index));
+        }
+        progress(2 * index + 1, steps);
+        for (lines, negative) in [(doubles, false), (below_doubles, true)] {
+            lines.push(if is_line { line::<f64>(&subject, index, negative) } else { None });
+        }
+        if index < subject.examined && !is_line {
+            planes.extend(plane::examine::<f64>(&subject, index));
+            searches.extend(search::examine::<f64>(&subject, index));
         }
     }
-    advise::<f32>(&subject, &mut singles);
-    advise::<f64>(&subject, &mut doubles);
-    for pair in singles.into_iter().zip(doubles).take(subject.examined) {
-        lines.extend(<[_; 2]>::from(pair).into_iter().flatten());
+    let [singles, doubles, below_singles, below_doubles] = &mut found;
+    for lines in [singles, below_singles] {
+        advise::<f32>(&subject, lines);
+    }
+    for lines in [doubles, below_doubles] {
+        advise::<f64>(&subject, lines);
+    }
+    let mut lines = Vec::new();
+    for index in 0..subject.examined {
+        let of = found.iter_mut().filter_map(|lines| lines.get_mut(index)?.take());
+        lines.extend(of.map(Examined::ascending));
     }
     progress(steps, steps);
-    Stability { name: document.name.clone(), title: document.title.clone(), subject, lines, planes }
+    let is_examined = |index: usize| {
+        lines.iter().any(|line| line.formula == index)
+            || planes.iter().any(|plane| plane.formula == index)
+            || searches.iter().any(|search| search.formula == index)
+    };
+    for (index, formula) in subject.formulas.iter().enumerate().take(subject.examined) {
+        if !is_examined(index) {
+            let why = "no float was found in its domain".to_owned();
+            subject.left_out.push((formula.label.clone(), why));
+        }
+    }
+    let (name, title) = (document.name.clone(), document.title.clone());
+    Stability { name, title, subject, lines, planes, searches }
+}
+
+impl Examined {
+    /// With ranges from their least to their greatest input, which below 0 is against the order of
+    /// magnitudes.
+    fn ascending(mut self) -> Self {
+        if self.negative {
+            self.domain = (self.domain.1, self.domain.0);
+            self.ranges.reverse();
+            for range in &mut self.ranges {
+                std::mem::swap(&mut range.from, &mut range.to);
+                range.open = (range.open.1, range.open.0);
+            }
+        }
+        self
+    }
 }
 
 /// Says for each range which equal formula is better there.
@@ -207,17 +253,18 @@ fn advise<F: Format>(subject: &Subject, examined: &mut [Option<Examined>]) {
         examined.iter().map(|e| e.as_ref().map_or(0, |e| e.ranges.len())).collect();
     for examined in examined.iter_mut().flatten() {
         for range in &mut examined.ranges {
-            range.better = better::better::<F>(subject, examined.formula, range, &failures);
+            let (index, negative) = (examined.formula, examined.negative);
+            range.better = better::better::<F>(subject, index, negative, range, &failures);
         }
     }
 }
 
-/// One formula of one input in one format; `None` if no float is in its domain.
-fn line<F: Format>(subject: &Subject, index: usize) -> Option<Examined> {
+/// One formula of one input in one format, on one side of 0; `None` if no float is in its domain.
+fn line<F: Format>(subject: &Subject, index: usize, negative: bool) -> Option<Examined> {
     let formula = subject.formulas.get(index)?;
     let input = formula.inputs.first()?;
-    let axis = Axis::between::<F>(input.lower.as_ref(), input.upper.as_ref())?;
-    let probe = Probe::<F>::new(subject, index)?;
+    let axis = input.axis::<F>(negative)?;
+    let probe = Probe::<F>::new(subject, index, negative)?;
     let samples = scan::scan(&probe, &axis);
     let (first, last) = (samples.first()?.place, samples.last()?.place);
     let mut ranges = edges::ranges(&probe, &samples);
@@ -231,9 +278,10 @@ fn line<F: Format>(subject: &Subject, index: usize) -> Option<Examined> {
         formula: index,
         format: F::NAME,
         precision: F::PRECISION,
-        domain: (Point::of::<F>(first), Point::of::<F>(last)),
+        negative,
+        domain: (Point::of::<F>(negative, first), Point::of::<F>(negative, last)),
         ranges,
-        worst: (Point::of::<F>(worst_place), worst_lost),
+        worst: (Point::of::<F>(negative, worst_place), worst_lost),
         profile: scan::profile::<F>(&samples),
         tried: samples.len(),
     })

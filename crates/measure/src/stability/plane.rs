@@ -1,8 +1,8 @@
 //! Formulas of two inputs, over a grid of binades.
 
-use crate::{Axis, Fault, Format, Plain, Sample, judge};
+use crate::{Axis, Fault, Format, Sample};
 
-use super::scan::{reference, reference_value};
+use super::search::Asked;
 use super::{Point, Subject};
 
 /// Cells along each side at most.
@@ -38,34 +38,23 @@ pub struct Plane {
 pub(super) fn examine<F: Format>(subject: &Subject, index: usize) -> Option<Plane> {
     let formula = subject.formulas.get(index)?;
     let [first, second] = formula.inputs.as_slice() else { return None };
-    let places = |input: &crate::Input| {
-        Axis::between::<F>(input.lower.as_ref(), input.upper.as_ref()).map(|axis| grid::<F>(&axis))
-    };
+    let places = |input: &crate::Input| input.axis::<F>(false).map(|axis| grid::<F>(&axis));
     let (first, second) = (places(first)?, places(second)?);
-    let plain = Plain::<F>::new();
-    let constants = formula.program.constants(&plain);
+    let asked = Asked::<F>::new(formula);
     let mut cells = Vec::new();
     let mut faults: Vec<(Fault, usize, (Point, Point))> = Vec::new();
     let mut worst: Option<((u64, u64), Sample)> = None;
+    let binade = |place: u64| F::at(place).exactly().map(|x| x.binade());
+    let point = |place: u64| Point::of::<F>(false, place);
     for &a in &first {
         for &b in &second {
-            let (x, y) = (F::at(a).exactly()?, F::at(b).exactly()?);
-            let binades = (x.binade(), y.binade());
-            let wide = reference(binades.0.unsigned_abs() + binades.1.unsigned_abs());
-            let inputs = [x, y];
-            if !formula.admits(&wide, &inputs) {
-                continue;
-            }
-            let Some(exact) = reference_value(&formula.program, &wide, &inputs) else { continue };
-            let computed =
-                formula.program.values(&plain, &constants, &[F::at(a), F::at(b)]).pop().flatten();
-            let Some(computed) = computed else { continue };
-            let sample = judge(computed, &exact);
+            let binades = (binade(a)?, binade(b)?);
+            let Some((sample, _)) = asked.at(&[(false, a), (false, b)]) else { continue };
             cells.push(Cell { binades, sample });
             if let Some(fault) = sample.fault {
                 match faults.iter_mut().find(|(known, ..)| *known == fault) {
                     Some((_, count, _)) => *count += 1,
-                    None => faults.push((fault, 1, (Point::of::<F>(a), Point::of::<F>(b)))),
+                    None => faults.push((fault, 1, (point(a), point(b)))),
                 }
             }
             let key = |sample: &Sample| (sample.fault, sample.lost);
@@ -82,7 +71,7 @@ pub(super) fn examine<F: Format>(subject: &Subject, index: usize) -> Option<Plan
         precision: F::PRECISION,
         cells,
         faults,
-        worst: ((Point::of::<F>(a), Point::of::<F>(b)), sample.lost),
+        worst: ((point(a), point(b)), sample.lost),
     })
 }
 

@@ -36,6 +36,8 @@ pub(super) fn reference_value(
 /// A formula of one input, ready to be asked about any float.
 pub(super) struct Probe<'a, F: Format> {
     pub(super) formula: &'a Formula,
+    /// whether the input is below 0; places are those of its magnitude
+    pub(super) negative: bool,
     constants: Vec<Option<F>>,
     /// formulas of the same value, for inputs at which this one has none
     equals: Vec<&'a Formula>,
@@ -51,12 +53,16 @@ pub(super) struct Tried {
 }
 
 impl<'a, F: Format> Probe<'a, F> {
-    pub(super) fn new(subject: &'a Subject, index: usize) -> Option<Self> {
+    pub(super) fn new(subject: &'a Subject, index: usize, negative: bool) -> Option<Self> {
         let formula = subject.formulas.get(index)?;
         let constants = formula.program.constants(&Plain::<F>::new());
         let equals = subject.equal.get(index).into_iter().flatten();
         let equals = equals.filter_map(|other| subject.formulas.get(*other)).collect();
-        Some(Self { formula, constants, equals })
+        Some(Self { formula, negative, constants, equals })
+    }
+
+    fn at(&self, place: u64) -> F {
+        F::signed(self.negative, place)
     }
 
     /// What the formula returns.
@@ -66,12 +72,12 @@ impl<'a, F: Format> Probe<'a, F> {
 
     /// The results of all operations.
     pub(super) fn all_computed(&self, place: u64) -> Vec<Option<F>> {
-        self.formula.program.values(&Plain::<F>::new(), &self.constants, &[F::at(place)])
+        self.formula.program.values(&Plain::<F>::new(), &self.constants, &[self.at(place)])
     }
 
     /// The exact value, by the formula or by an equal one; `None` outside the domain.
     pub(super) fn exact(&self, place: u64) -> Option<DyadicNumber> {
-        let input = F::at(place).exactly()?;
+        let input = self.at(place).exactly()?;
         let binades = if input.is_zero() { 0 } else { input.binade().unsigned_abs() };
         let arithmetic = reference(binades);
         let inputs = [input];
@@ -86,7 +92,7 @@ impl<'a, F: Format> Probe<'a, F> {
 
     /// The exact results of all operations.
     pub(super) fn all_exact(&self, place: u64) -> Vec<Option<DyadicNumber>> {
-        let Some(input) = F::at(place).exactly() else { return vec![] };
+        let Some(input) = self.at(place).exactly() else { return vec![] };
         let binades = if input.is_zero() { 0 } else { input.binade().unsigned_abs() };
         let arithmetic = reference(binades);
         let constants = self.formula.program.constants(&arithmetic);

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 
-use super::columns::{Column, lines, wrapped};
 use super::{Answer, Collision, Energy, LawAnswer, Reading, brief, full, ulps};
 use crate::Page;
+use crate::columns::{Column, lines, wrapped};
 use crate::shorten::padded;
 
 /// Columns of a page that has no width of its own, as in a file.

@@ -9,7 +9,7 @@ use super::{Entry, StabilityReport, bits};
 /// The name of the schema.
 const SCHEMA_NAME: &str = "kane-stability";
 /// The version of the schema.
-const SCHEMA_VERSION: u32 = 1;
+const SCHEMA_VERSION: u32 = 2;
 
 #[derive(Serialize)]
 struct File<'a> {
@@ -18,7 +18,7 @@ struct File<'a> {
     command: &'a str,
     document: &'a str,
     title: Option<&'a str>,
-    not_examined: &'a [String],
+    left_out: Vec<LeftOut<'a>>,
     formulas: Vec<Formula<'a>>,
 }
 
@@ -34,6 +34,30 @@ struct Formula<'a> {
     equal: Vec<&'a str>,
     lines: Vec<Line<'a>>,
     planes: Vec<Plane<'a>>,
+    searches: Vec<Search<'a>>,
+}
+
+#[derive(Serialize)]
+struct LeftOut<'a> {
+    label: &'a str,
+    why: &'a str,
+}
+
+#[derive(Serialize)]
+struct Search<'a> {
+    format: &'a str,
+    precision: u32,
+    points: usize,
+    worst: Vec<&'a str>,
+    bits_lost: String,
+    faults: Vec<Points<'a>>,
+}
+
+#[derive(Serialize)]
+struct Points<'a> {
+    fault: &'static str,
+    points: usize,
+    example: Vec<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -101,7 +125,12 @@ pub fn json(report: &StabilityReport<'_>) -> String {
         command: &report.command,
         document: &stability.name,
         title: stability.title.as_deref(),
-        not_examined: &stability.subject.larger,
+        left_out: stability
+            .subject
+            .left_out
+            .iter()
+            .map(|(label, why)| LeftOut { label, why })
+            .collect(),
         formulas: entries.iter().enumerate().map(|(i, e)| formula(report, i, e)).collect(),
     };
     let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
@@ -124,6 +153,7 @@ fn formula<'a>(report: &StabilityReport<'a>, index: usize, entry: &Entry<'a>) ->
         equal: equal.filter_map(|i| subject.formulas.get(*i)).map(|f| f.text.as_str()).collect(),
         lines: entry.lines.iter().map(|line| self::line(report, line)).collect(),
         planes: entry.planes.iter().map(|plane| self::plane(plane)).collect(),
+        searches: entry.searches.iter().map(|search| self::search(search)).collect(),
     }
 }
 
@@ -179,4 +209,28 @@ fn plane(plane: &kane_measure::Plane) -> Plane<'_> {
             })
             .collect(),
     }
+}
+
+fn search(search: &kane_measure::Searched) -> Search<'_> {
+    let (worst, lost) = &search.worst;
+    Search {
+        format: search.format,
+        precision: search.precision,
+        points: search.tried,
+        worst: texts(worst),
+        bits_lost: bits(*lost),
+        faults: search
+            .faults
+            .iter()
+            .map(|(fault, points, example)| Points {
+                fault: fault.name(),
+                points: *points,
+                example: texts(example),
+            })
+            .collect(),
+    }
+}
+
+fn texts(points: &[kane_measure::Point]) -> Vec<&str> {
+    points.iter().map(|point| point.text.as_str()).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{StabilityReport, bits, interval, named, short};
+use super::{StabilityReport, bits, interval, named, short, short_all};
 
 /// The report as Markdown: one table a formula that fails, and one of those that do not.
 #[must_use]
@@ -59,15 +59,25 @@ pub fn markdown(report: &StabilityReport<'_>) -> String {
                     writeln!(out, "| {} | {fault} | {count} of {cells} | {a}, {b} |", plane.format);
             }
         }
+        if !entry.searches.is_empty() {
+            out.push_str("\n| | fault | points | as at |\n|---|---|---|---|\n");
+        }
+        for search in &entry.searches {
+            for (fault, count, example) in &search.faults {
+                let (points, at) = (search.tried, short_all(example));
+                let _ =
+                    writeln!(out, "| {} | {fault} | {count} of {points} | {at} |", search.format);
+            }
+        }
     }
     if entries.iter().any(|entry| !entry.fails()) {
         out.push_str("\n## No failure\n\n| formula | most bits lost |\n|---|---|\n");
     }
     for entry in entries.iter().filter(|entry| !entry.fails()) {
         let formula = entry.formula;
-        let lines = entry.lines.iter().map(|l| format!("{} {}", l.format, bits(l.worst.1)));
-        let planes = entry.planes.iter().map(|p| format!("{} {}", p.format, bits(p.worst.1)));
-        let losses: Vec<String> = lines.chain(planes).collect();
+        let losses = entry.losses();
+        let losses: Vec<String> =
+            losses.iter().map(|(format, lost, _)| format!("{format} {}", bits(*lost))).collect();
         let _ = writeln!(
             out,
             "| {}: `{} = {}` | {} |",
@@ -77,9 +87,11 @@ pub fn markdown(report: &StabilityReport<'_>) -> String {
             losses.join(", ")
         );
     }
-    if !stability.subject.larger.is_empty() {
-        let larger = stability.subject.larger.join(", ");
-        let _ = writeln!(out, "\nNot examined, with more than two inputs: {larger}.");
+    if !stability.subject.left_out.is_empty() {
+        out.push_str("\n## Left out\n\n");
+    }
+    for (label, why) in &stability.subject.left_out {
+        let _ = writeln!(out, "- {label}: {why}");
     }
     let _ = writeln!(out, "\nkane {}: `{}`", env!("CARGO_PKG_VERSION"), report.command);
     out

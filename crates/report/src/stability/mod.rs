@@ -6,7 +6,7 @@ mod markdown;
 mod picture;
 mod text;
 
-use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Stability};
+use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Searched, Stability};
 
 pub use csv::csv;
 pub(crate) use csv::quoted;
@@ -30,6 +30,7 @@ pub(crate) struct Entry<'a> {
     pub(crate) is_own: bool,
     pub(crate) lines: Vec<&'a Examined>,
     pub(crate) planes: Vec<&'a Plane>,
+    pub(crate) searches: Vec<&'a Searched>,
 }
 
 impl<'a> StabilityReport<'a> {
@@ -42,6 +43,7 @@ impl<'a> StabilityReport<'a> {
             is_own: index < subject.own,
             lines: stability.lines.iter().filter(|line| line.formula == index).collect(),
             planes: stability.planes.iter().filter(|plane| plane.formula == index).collect(),
+            searches: stability.searches.iter().filter(|search| search.formula == index).collect(),
         };
         subject.formulas.iter().enumerate().take(subject.examined).map(of).collect()
     }
@@ -59,9 +61,9 @@ impl<'a> StabilityReport<'a> {
         let fail = if failing == 1 { "fails" } else { "fail" };
         let mut headline =
             format!("{} {formulas} in f32 and f64: {failing} {fail} somewhere", entries.len());
-        let larger = self.stability.subject.larger.len();
-        if larger > 0 {
-            headline.push_str(&format!("; {larger} not examined, with more than two inputs"));
+        let left_out = self.stability.subject.left_out.len();
+        if left_out > 0 {
+            headline.push_str(&format!("; {left_out} left out"));
         }
         headline
     }
@@ -71,6 +73,24 @@ impl Entry<'_> {
     pub(crate) fn fails(&self) -> bool {
         self.lines.iter().any(|line| !line.ranges.is_empty())
             || self.planes.iter().any(|plane| !plane.faults.is_empty())
+            || self.searches.iter().any(|search| !search.faults.is_empty())
+    }
+
+    /// Per format, the most hundredths of bits that are lost, and the input where that is if there
+    /// is one input.
+    pub(crate) fn losses(&self) -> Vec<(&'static str, i64, Option<&Point>)> {
+        let lines = self.lines.iter().map(|l| (l.format, l.worst.1, Some(&l.worst.0)));
+        let planes = self.planes.iter().map(|p| (p.format, p.worst.1, None));
+        let searches = self.searches.iter().map(|s| (s.format, s.worst.1, None));
+        let mut losses: Vec<(&'static str, i64, Option<&Point>)> = Vec::new();
+        for loss in lines.chain(planes).chain(searches) {
+            match losses.iter_mut().find(|known| known.0 == loss.0) {
+                Some(known) if loss.1 > known.1 => *known = loss,
+                Some(_) => {}
+                None => losses.push(loss),
+            }
+        }
+        losses
     }
 
     /// Which formulas are evaluated first, and where else this one stands; empty for none.
@@ -133,6 +153,13 @@ pub(crate) fn bits(hundredths: i64) -> String {
 /// A representable number in few characters: a power of two as such, others to four digits.
 pub(crate) fn short(point: &Point) -> String {
     let pattern = point.value.to_bits();
+    if point.value < 0.0 {
+        let text = point.text.trim_start_matches('-').to_owned();
+        return format!(
+            "-{}",
+            short(&Point { place: point.place, value: point.value.abs(), text })
+        );
+    }
     let fraction = pattern & ((1 << 52) - 1);
     let field = i64::try_from(pattern >> 52).unwrap_or(0);
     if pattern == 0 {
@@ -146,6 +173,11 @@ pub(crate) fn short(point: &Point) -> String {
     } else {
         format!("{:.3e}", point.value)
     }
+}
+
+/// Several inputs in few characters.
+pub(crate) fn short_all(points: &[Point]) -> String {
+    points.iter().map(short).collect::<Vec<_>>().join(", ")
 }
 
 /// A range by its first and last failing input.

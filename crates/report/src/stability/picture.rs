@@ -52,7 +52,10 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// [`PictureError`], which drawing into a string does not give in practice.
 pub fn picture(report: &StabilityReport<'_>) -> Result<String, PictureError> {
     let entries = report.entries();
-    let failing: Vec<&Entry<'_>> = entries.iter().filter(|entry| entry.fails()).collect();
+    // a search has no picture
+    let is_drawn =
+        |entry: &&Entry<'_>| entry.fails() && !(entry.lines.is_empty() && entry.planes.is_empty());
+    let failing: Vec<&Entry<'_>> = entries.iter().filter(is_drawn).collect();
     let rows = u32::try_from(failing.len().div_ceil(COLUMNS).max(1)).unwrap_or(1);
     let columns = u32::try_from(COLUMNS).unwrap_or(1);
     let size = (PANEL.0 * columns, HEADER + PANEL.1 * rows + 24);
@@ -88,8 +91,8 @@ fn draw_header(area: &Area<'_>, report: &StabilityReport<'_>) -> Result<(), Pict
         area.draw(&PathElement::new(vec![(x, 54), (x + 24, 54)], colour.stroke_width(3)))?;
         area.draw(&Text::new(name, (x + 30, 47), font()))?;
     }
-    area.draw(&Text::new("dotted: half of the bits", (250, 47), font()))?;
-    area.draw(&Text::new("planes, f64:", (420, 47), font()))?;
+    area.draw(&Text::new("dotted: half of the bits; thin: below 0", (250, 47), font()))?;
+    area.draw(&Text::new("planes, f64:", (500, 47), font()))?;
     let legend = [
         (SOUND, "sound"),
         (LOST, "digits lost"),
@@ -98,7 +101,7 @@ fn draw_header(area: &Area<'_>, report: &StabilityReport<'_>) -> Result<(), Pict
         (INFINITE, "infinite"),
         (NAN, "NaN"),
     ];
-    let mut x = 505;
+    let mut x = 585;
     for (colour, name) in legend {
         area.draw(&Rectangle::new([(x, 48), (x + 14, 60)], colour.filled()))?;
         area.draw(&Rectangle::new([(x, 48), (x + 14, 60)], BLACK.stroke_width(1)))?;
@@ -128,7 +131,7 @@ fn lines(area: &Area<'_>, entry: &Entry<'_>) -> Result<(), PictureError> {
         .build_cartesian_2d(-1074_i64..1024, 0_i64..5600)?;
     chart
         .configure_mesh()
-        .x_desc(format!("log2 {input}"))
+        .x_desc(format!("log2 |{input}|"))
         .y_desc("bits lost")
         .x_labels(9)
         .y_labels(6)
@@ -137,21 +140,23 @@ fn lines(area: &Area<'_>, entry: &Entry<'_>) -> Result<(), PictureError> {
         .bold_line_style(RGBColor(225, 225, 225))
         .draw()?;
     for (format, colour) in [("f64", DOUBLE), ("f32", SINGLE)] {
-        let Some(line) = entry.lines.iter().find(|line| line.format == format) else { continue };
-        let half = 50 * i64::from(line.precision);
-        let ends = |examined: &Examined| -> Option<(i64, i64)> {
-            Some((examined.profile.first()?.0, examined.profile.last()?.0))
-        };
-        if let Some((first, last)) = ends(line) {
-            let step = ((last - first) / 60).max(1);
-            let steps = usize::try_from(step).unwrap_or(1);
-            for start in (first..last).step_by(2 * steps) {
-                let dash = vec![(start, half), (start + step, half)];
-                chart.draw_series(std::iter::once(PathElement::new(dash, colour)))?;
+        for line in entry.lines.iter().filter(|line| line.format == format) {
+            let half = 50 * i64::from(line.precision);
+            let ends = |examined: &Examined| -> Option<(i64, i64)> {
+                Some((examined.profile.first()?.0, examined.profile.last()?.0))
+            };
+            if let Some((first, last)) = ends(line) {
+                let step = ((last - first) / 60).max(1);
+                let steps = usize::try_from(step).unwrap_or(1);
+                for start in (first..last).step_by(2 * steps) {
+                    let dash = vec![(start, half), (start + step, half)];
+                    chart.draw_series(std::iter::once(PathElement::new(dash, colour)))?;
+                }
             }
+            let points = super::thinned(line).into_iter().map(|(binade, lost, _)| (binade, lost));
+            let width = if line.negative { 1 } else { 2 };
+            chart.draw_series(LineSeries::new(points, colour.stroke_width(width)))?;
         }
-        let points = super::thinned(line).into_iter().map(|(binade, lost, _)| (binade, lost));
-        chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
     }
     Ok(())
 }

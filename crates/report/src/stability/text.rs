@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use anstyle::{AnsiColor, Style};
 use kane_measure::Fault;
 
-use super::{Entry, StabilityReport, bits, interval, named, short, title};
+use super::{Entry, StabilityReport, bits, interval, named, short, short_all, title};
 use crate::Page;
 use crate::shorten::{padded, shorten};
 
@@ -26,7 +26,8 @@ pub fn text(report: &StabilityReport<'_>, page: Page) -> String {
     }
     let _ = writeln!(out, "{bold}{}{bold:#}", report.headline());
     out.push_str(
-        "a range runs from the first to the last failing input; bits lost at its worst input\n",
+        "a range runs from the first to the last failing input; bits lost at its worst input\n\
+         cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs\n",
     );
 
     let entries = report.entries();
@@ -65,6 +66,19 @@ pub fn text(report: &StabilityReport<'_>, page: Page) -> String {
                 let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&row, width));
             }
         }
+        for search in &entry.searches {
+            for (fault, count, example) in &search.faults {
+                let row = format!(
+                    "  {:4}{} {count} of {} points, as at {}",
+                    search.format,
+                    padded(&fault.to_string(), 12),
+                    search.tried,
+                    short_all(example),
+                );
+                let ink = ink(style(*fault));
+                let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&row, width));
+            }
+        }
         for (index, better) in betters.iter().enumerate() {
             let mark = if betters.len() > 1 { letter(index) } else { String::new() };
             let row = format!("  {} {better}", padded(&format!("better {mark}"), 15));
@@ -73,8 +87,11 @@ pub fn text(report: &StabilityReport<'_>, page: Page) -> String {
     }
 
     sound(&mut out, &entries, width);
-    if !stability.subject.larger.is_empty() {
-        let _ = writeln!(out, "\nmore than two inputs: {}", stability.subject.larger.join(", "));
+    if !stability.subject.left_out.is_empty() {
+        out.push_str("\nleft out\n");
+    }
+    for (label, why) in &stability.subject.left_out {
+        let _ = writeln!(out, "{}", shorten(&format!("  {label}: {why}"), width));
     }
     let _ = writeln!(out, "\nkane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
     out
@@ -132,16 +149,9 @@ fn sound(out: &mut String, entries: &[Entry<'_>], width: usize) {
     out.push_str("\nno failure, and the most bits lost\n");
     for entry in sound {
         let mut losses = Vec::new();
-        for line in &entry.lines {
-            losses.push(format!(
-                "{} {:>4} at {}",
-                line.format,
-                bits(line.worst.1),
-                padded(&short(&line.worst.0), 9)
-            ));
-        }
-        for plane in &entry.planes {
-            losses.push(padded(&format!("{} {:>4}", plane.format, bits(plane.worst.1)), 21));
+        for (format, lost, at) in entry.losses() {
+            let at = at.map_or_else(String::new, |at| format!(" at {}", padded(&short(at), 9)));
+            losses.push(padded(&format!("{format} {:>4}{at}", bits(lost)), 21));
         }
         let row = format!("  {}  {}", losses.join("  "), heading(entry));
         let _ = writeln!(out, "{}", shorten(&row, width));

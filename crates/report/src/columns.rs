@@ -6,7 +6,7 @@ use crate::shorten::{padded, shorten};
 
 /// A column of text.
 #[derive(Clone, Debug)]
-pub(super) struct Column {
+pub(crate) struct Column {
     head: String,
     cells: Vec<String>,
     /// numbers stand to the right
@@ -16,16 +16,16 @@ pub(super) struct Column {
 }
 
 impl Column {
-    pub(super) fn left(head: impl Into<String>, cells: Vec<String>) -> Self {
+    pub(crate) fn left(head: impl Into<String>, cells: Vec<String>) -> Self {
         Self { head: head.into(), cells, right: false, rest: None }
     }
 
-    pub(super) fn right(head: impl Into<String>, cells: Vec<String>) -> Self {
+    pub(crate) fn right(head: impl Into<String>, cells: Vec<String>) -> Self {
         Self { head: head.into(), cells, right: true, rest: None }
     }
 
     /// A column for words, which may be cut to `least` columns.
-    pub(super) fn words(head: impl Into<String>, cells: Vec<String>, least: usize) -> Self {
+    pub(crate) fn words(head: impl Into<String>, cells: Vec<String>, least: usize) -> Self {
         Self { head: head.into(), cells, right: false, rest: Some(least) }
     }
 
@@ -51,7 +51,7 @@ impl Column {
 
 /// The lines of the table, in blocks of columns that fit into `width` and begin with the first
 /// column. Words are cut there only if `cut`.
-pub(super) fn lines(columns: &[Column], width: usize, cut: bool) -> Vec<Vec<String>> {
+pub(crate) fn lines(columns: &[Column], width: usize, cut: bool) -> Vec<Vec<String>> {
     let Some((name, others)) = columns.split_first() else { return Vec::new() };
     let gap = 2;
     let mut blocks: Vec<Vec<&Column>> = Vec::new();
@@ -101,7 +101,7 @@ fn block_lines(name: &Column, block: &[&Column], width: usize) -> Vec<String> {
 }
 
 /// Words broken into lines of `width`, after `head` and under it.
-pub(super) fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrapped(head: &str, text: &str, width: usize) -> Vec<String> {
     let indent = head.width();
     let mut lines = vec![head.to_owned()];
     for word in text.split(' ').filter(|word| !word.is_empty()) {

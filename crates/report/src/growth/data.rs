@@ -1,0 +1,159 @@
+//! The curves for programs: one row a point.
+
+use std::fmt::Write as _;
+
+use kane_measure::chart::System;
+use serde::Serialize;
+
+use super::{GrowthReport, chain_reading, family_reading};
+use crate::chart::{digits, nanoseconds};
+use crate::envelope::{Program, Schema};
+use crate::stability::quoted;
+
+/// One point of a curve.
+#[derive(Serialize)]
+struct Point {
+    part: &'static str,
+    series: String,
+    system: String,
+    grows: &'static str,
+    size: usize,
+    quantity: &'static str,
+    value: String,
+}
+
+impl GrowthReport<'_> {
+    fn points(&self) -> Vec<Point> {
+        let mut points = Vec::new();
+        for batch in &self.growth.batches {
+            for rows in &batch.points {
+                let quartiles = [
+                    ("ns", rows.time.median),
+                    ("ns_first_quartile", rows.time.quartiles.0),
+                    ("ns_third_quartile", rows.time.quartiles.1),
+                ];
+                points.extend(quartiles.map(|(quantity, time)| Point {
+                    part: "batch",
+                    series: batch.name.to_owned(),
+                    system: System::F64.to_string(),
+                    grows: "rows",
+                    size: rows.rows,
+                    quantity,
+                    value: nanoseconds(time),
+                }));
+            }
+        }
+        for chain in &self.growth.chains {
+            for bounce in &chain.bounces {
+                let mut add = |system: System, quantity, value| {
+                    points.push(Point {
+                        part: "chain",
+                        series: chain.law.to_owned(),
+                        system: system.to_string(),
+                        grows: "bounces",
+                        size: bounce.n,
+                        quantity,
+                        value,
+                    });
+                };
+                if let Some(bits) = bounce.bits {
+                    add(System::Rational, "bits", bits.to_string());
+                }
+                for (system, found) in &bounce.digits {
+                    if let Some(right) = found.right {
+                        add(*system, "digits_right", digits(right));
+                    }
+                    if let Some(certain) = found.certain {
+                        add(*system, "digits_certain", digits(certain));
+                    }
+                }
+                for (system, time) in &bounce.times {
+                    add(*system, "ns", nanoseconds(*time));
+                }
+            }
+        }
+        for family in &self.growth.families {
+            for asked in &family.asked {
+                let mut add = |quantity, value| {
+                    points.push(Point {
+                        part: "audit",
+                        series: family.name.to_owned(),
+                        system: String::new(),
+                        grows: family.grows,
+                        size: asked.size,
+                        quantity,
+                        value,
+                    });
+                };
+                add("verdict", asked.verdict.to_string());
+                add("steps", asked.steps.to_string());
+                if let Some(time) = asked.time {
+                    add("ns", nanoseconds(time));
+                }
+            }
+        }
+        points
+    }
+}
+
+/// Every point as CSV. Without a clock, the same in every run.
+#[must_use]
+pub fn csv(report: &GrowthReport<'_>) -> String {
+    let mut out = String::from("part,series,system,grows,size,quantity,value\n");
+    for point in report.points() {
+        let Point { part, series, system, grows, size, quantity, value } = point;
+        let series = quoted(&series);
+        let _ = writeln!(out, "{part},{series},{system},{grows},{size},{quantity},{value}");
+    }
+    out
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    command: &'a str,
+    machine: &'a str,
+    readings: Vec<Reading>,
+    points: Vec<Point>,
+}
+
+/// What a curve comes to, in words.
+#[derive(Serialize)]
+struct Reading {
+    series: String,
+    reading: String,
+    ended: Vec<String>,
+}
+
+/// Every point for programs, ended by a line feed.
+#[must_use]
+pub fn json(report: &GrowthReport<'_>) -> String {
+    let growth = report.growth;
+    let batches = report.rows_reading().map(|reading| Reading {
+        series: "rows in a batch".to_owned(),
+        reading,
+        ended: Vec::new(),
+    });
+    let chains = growth.chains.iter().map(|chain| Reading {
+        series: chain.law.to_owned(),
+        reading: chain_reading(chain),
+        ended: chain.ended.iter().map(|(system, end)| format!("{system}: {end}")).collect(),
+    });
+    let families = growth.families.iter().map(|family| Reading {
+        series: family.name.to_owned(),
+        reading: family_reading(family),
+        ended: Vec::new(),
+    });
+    let file = File {
+        schema: Schema { name: "kane-growth", version: 1 },
+        program: Program::THIS,
+        command: &report.command,
+        machine: &report.machine,
+        readings: batches.into_iter().chain(chains).chain(families).collect(),
+        points: report.points(),
+    };
+    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
+    out.push('\n');
+    out
+}

@@ -1,0 +1,74 @@
+
+"use strict";
+(() => {
+  const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+
+  // filter by verdict
+  const form = document.querySelector(".filter");
+  const boxes = all("input[name=v]", form);
+  const statements = all("article[data-v]");
+  const told = form.querySelector("output");
+  const apply = () => {
+    const on = new Set(boxes.filter((box) => box.checked).map((box) => box.value));
+    for (const part of all("[data-v]")) part.classList.toggle("off", !on.has(part.dataset.v));
+    const seen = statements.filter((s) => !s.classList.contains("off"));
+    told.textContent = `${seen.length} of ${statements.length} statements`;
+    const names = new Set(seen.map((s) => "#" + s.id));
+    for (const node of all("a.n")) node.classList.toggle("faint", !names.has(node.getAttribute("href")));
+  };
+  form.addEventListener("change", apply);
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.hidden = false;
+  apply();
+
+  // who follows a link to a statement sees it
+  const reveal = () => {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const box = target && boxes.find((box) => box.value === target.dataset.v && !box.checked);
+    if (!box) return;
+    box.checked = true;
+    apply();
+    target.scrollIntoView();
+  };
+  addEventListener("hashchange", reveal);
+  reveal();
+
+  const button = form.querySelector("button");
+  const proofs = all("article details");
+  button.addEventListener("click", () => {
+    const open = proofs.some((proof) => !proof.open);
+    for (const proof of proofs) proof.open = open;
+    button.textContent = open ? "Close all proofs" : "Open all proofs";
+  });
+
+  // what a node of the graph rests on, and what rests on it
+  const picture = document.querySelector(".scroll svg");
+  picture.classList.add("live");
+  const nodes = all("a.n", picture);
+  const edges = all("path.e", picture).map((line) => {
+    const [from, to] = line.dataset.e.split(" ").map(Number);
+    return { line, from, to };
+  });
+  const reach = (start, here, there) => {
+    const found = new Set([start]);
+    for (const node of found) for (const edge of edges) if (edge[here] === node) found.add(edge[there]);
+    return found;
+  };
+  const pick = (node) => {
+    const start = Number(node.dataset.n);
+    const up = reach(start, "to", "from");
+    const down = reach(start, "from", "to");
+    picture.classList.add("picked");
+    nodes.forEach((other, i) => other.classList.toggle("on", up.has(i) || down.has(i)));
+    for (const { line, from, to } of edges) {
+      line.classList.toggle("up", up.has(from) && up.has(to));
+      line.classList.toggle("down", down.has(from) && down.has(to));
+    }
+  };
+  for (const node of nodes) {
+    node.addEventListener("pointerenter", () => pick(node));
+    node.addEventListener("focus", () => pick(node));
+    for (const end of ["pointerleave", "blur"])
+      node.addEventListener(end, () => picture.classList.remove("picked"));
+  }
+})();

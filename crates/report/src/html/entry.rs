@@ -1,0 +1,150 @@
+//! One statement: what it says, the note in the margin, and its proof or witness folded away.
+
+use kane_audit::{LinkJudgement, Step, Verdict};
+use maud::{Markup, html};
+use pulldown_latex::config::DisplayMode;
+
+use super::math::math;
+use super::words::sentence;
+use super::{Page, marked, verdict_class};
+use crate::report::Entry;
+use crate::wording::evidence;
+
+impl Page<'_> {
+    /// The statement, under a heading of this level.
+    pub(super) fn statement(&self, index: usize, entry: &Entry<'_>, level: u8) -> Markup {
+        let judgement = entry.judgement;
+        let anchor = self.anchors.name(index);
+        let class = verdict_class(judgement.verdict);
+        let surprise = if judgement.as_expected() { "" } else { " surprise" };
+        let kind = entry.kind();
+        html! {
+            article class={ "s " (kind) " " (class) (surprise) } id=(anchor) data-v=(class) {
+                div.say {
+                    div.label role="heading" aria-level=(level) {
+                        a href={ "#" (anchor) } { (entry.statement.label) }
+                        span.quiet { ", " (kind) ", " (judgement.verdict) }
+                    }
+                    div.formula { (self.formula(entry)) (self.cites(entry)) }
+                }
+                div.note { (self.note(index, entry)) }
+                @if entry.is_claim() { (self.evidence(entry)) }
+            }
+        }
+    }
+
+    /// What it says, as a formula or in words.
+    fn formula(&self, entry: &Entry<'_>) -> Markup {
+        if let Some((said, when)) = entry.said() {
+            return html! {
+                div.said {
+                    (math(&said, DisplayMode::Block))
+                    @if let Some(when) = when {
+                        span.when { "when " (math(&when, DisplayMode::Block)) }
+                    }
+                }
+            };
+        }
+        match entry.denied() {
+            Some(denied) => html! {
+                p { (self.anchors.link(denied)) " does not follow" }
+                @if let Some(latex) = self.entry(denied).and_then(|denied| denied.formula()) {
+                    (math(&latex, DisplayMode::Block))
+                }
+            },
+            None => html! { p { "The premises contradict each other" } },
+        }
+    }
+
+    /// What the author cites for it.
+    fn cites(&self, entry: &Entry<'_>) -> Markup {
+        let from = entry.claim().map_or(&[][..], |claim| &claim.from);
+        html! { @if !from.is_empty() { p.cites { "from " (self.anchors.links(from)) } } }
+    }
+
+    /// The note in the margin.
+    fn note(&self, index: usize, entry: &Entry<'_>) -> Markup {
+        let judgement = entry.judgement;
+        let dependents = self.dependents.get(index).map_or(&[][..], Vec::as_slice);
+        html! {
+            p {
+                (marked(judgement.verdict))
+                @if let Some(remark) = entry.expectation() { span.remark { " · " (remark) } }
+            }
+            @if let Some(support) = entry.support() { p { (support) } }
+            @if let Some(reason) = entry.decisive_reason() {
+                p.reason { (sentence(&reason, &self.names)) }
+            }
+            @if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
+                p { "No model of its hypotheses was found." }
+            }
+            @if !dependents.is_empty() { p.used { "used in " (self.anchors.links(dependents)) } }
+        }
+    }
+
+    /// The proof or witness of every link, and what it rests on.
+    fn evidence(&self, entry: &Entry<'_>) -> Markup {
+        let judgement = entry.judgement;
+        let several = judgement.links.len() > 1;
+        html! {
+            details {
+                summary {
+                    (evidence(judgement.verdict))
+                    span.quiet { " of " (entry.statement.label) }
+                }
+                @for link in &judgement.links { (self.link(entry, link, several)) }
+                @if !judgement.rests_on.is_empty() {
+                    p { "Rests on " (self.anchors.links(&judgement.rests_on)) "." }
+                }
+                @if let Some(model) = judgement.model.as_ref().filter(|model| !model.is_empty()) {
+                    @let pairs: Vec<String> =
+                        model.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                    p {
+                        "Its hypotheses hold, for example, at "
+                        (sentence(&pairs.join(", "), &self.names)) "."
+                    }
+                }
+                p.source { "Line " (entry.statement.line) ": " code { (entry.source()) } }
+            }
+        }
+    }
+
+    fn link(&self, entry: &Entry<'_>, link: &LinkJudgement, several: bool) -> Markup {
+        html! {
+            div.link {
+                @if several {
+                    @if !link.latex.is_empty() { (math(&link.latex, DisplayMode::Block)) }
+                    p { (marked(link.verdict)) ": " (sentence(&link.reason, &self.names)) }
+                }
+                @if !link.steps.is_empty() { (self.steps(&link.steps)) }
+                p.check {
+                    @if !link.used.is_empty() { "Uses " (self.anchors.links(&link.used)) ". " }
+                    @match &link.certificate {
+                        Some(digest) => { "The kernel accepted certificate " code { (digest) } },
+                        None => "No certificate",
+                    }
+                    "; search steps: " (link.cost) "."
+                    @if entry.judgement.verdict == Verdict::Unsupported {
+                        " What it cites is taken as proved here."
+                    }
+                }
+            }
+        }
+    }
+
+    /// The steps as a list, indented by their depth.
+    fn steps(&self, steps: &[Step]) -> Markup {
+        html! {
+            ol.steps {
+                @for step in steps {
+                    li class={ "d" (step.depth.min(9)) } {
+                        @for (number, line) in step.text.lines().enumerate() {
+                            @if number > 0 { br; }
+                            (sentence(line, &self.names))
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The graph of the derivation as a picture in the page.
+//!
+//! Two marks tell the two states apart: the border says what the author expects, the filling and the sign how the
+//! statement fares. A proved claim rests on proved claims alone: one that cites another is unsupported.
+
+use std::fmt::Write as _;
+
+use kane_audit::{Body, Verdict};
+use maud::{Markup, PreEscaped, html};
+use unicode_width::UnicodeWidthStr as _;
+
+use super::{Page, verdict_class};
+use crate::layers::{Layout, Measures, Node, Place, layout};
+use crate::outline::headings;
+use crate::report::Entry;
+use crate::wording::mark;
+
+const MEASURES: Measures = Measures { row: 28, gap: 44, head: 36, foot: 12, margin: 12, rows: 12 };
+/// Height of a node, width of a letter in the fixed font, and what a node needs beside letters.
+const HEIGHT: u32 = 20;
+const LETTER: u32 = 7;
+const PADDING: u32 = 14;
+
+/// The graph with its legend, in a section of its own.
+pub(super) fn graph(page: &Page<'_>) -> Markup {
+    let shown: Vec<(usize, Entry<'_>)> = page
+        .report
+        .shown
+        .iter()
+        .filter_map(|&index| Some((index, page.entry(index)?)))
+        .filter(|(_, entry)| !matches!(entry.statement.body, Body::Let(_)))
+        .collect();
+    let headings = headings(&page.report.audit.document.text);
+    let sections: Vec<_> = headings.iter().filter(|heading| heading.level == 2).collect();
+    let nodes: Vec<Node> = shown
+        .iter()
+        .map(|(index, entry)| {
+            let start = page.start(*index);
+            let cites = entry.premises();
+            let letters = 2 + entry.statement.label.width();
+            Node {
+                // statements above the first section have a band of their own
+                band: sections.iter().filter(|section| section.start < start).count(),
+                width: PADDING + LETTER * u32::try_from(letters).unwrap_or(u32::MAX / LETTER / 2),
+                cites: cites
+                    .iter()
+                    .filter_map(|cited| shown.binary_search_by_key(cited, |(i, _)| *i).ok())
+                    .collect(),
+            }
+        })
+        .collect();
+    let layout = layout(&nodes, sections.len() + 1, &MEASURES);
+    let height = layout.tops.last().copied().unwrap_or(0);
+    let titles = std::iter::once("").chain(sections.iter().map(|section| section.title.as_str()));
+    html! {
+        section.graph aria-labelledby="graph" {
+            h2 id="graph" { "Graph of the derivation" }
+            p {
+                "A line leads from a premise to a claim that cites it; within a section it leads to the right. "
+                "Lines between sections are faint; where scripts run, they show for the node that is pointed at. "
+                "A node leads to its statement."
+            }
+            (legend())
+            div.scroll tabindex="0" role="region" aria-label="Graph of the derivation" {
+                svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
+                    role="group" aria-label="Statements and what they cite" {
+                    (bands(titles, &layout))
+                    (PreEscaped(lines(&nodes, &layout)))
+                    @for ((index, entry), (number, place)) in
+                        shown.iter().zip(layout.places.iter().enumerate())
+                    {
+                        (node(page, *index, number, entry, *place))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What borders, fillings and signs mean.
+fn legend() -> Markup {
+    let swatch = |class: &str| {
+        html! {
+            svg.swatch width="26" height="16" aria-hidden="true" {
+                g class=(class) { rect x="2" y="2" width="22" height="12" rx="3" {} }
+            }
+        }
+    };
+    let fillings = [
+        Verdict::Proved,
+        Verdict::Refuted,
+        Verdict::IllDefined,
+        Verdict::Vacuous,
+        Verdict::Unsupported,
+        Verdict::Undecided,
+    ];
+    html! {
+        ul.legend {
+            li { (swatch("n given ground")) " " (mark(Verdict::Assumed)) " premise" }
+            @for verdict in fillings {
+                li {
+                    (swatch(&format!("n {}", verdict_class(verdict)))) " " (mark(verdict)) " " (verdict)
+                    @if verdict == Verdict::Proved { ", with all that it cites" }
+                    @if verdict == Verdict::Unsupported { ": cites what is not proved" }
+                }
+            }
+            li { (swatch("n")) " border: expected to be proved" }
+            li { (swatch("n other")) " expected to end otherwise" }
+            li { (swatch("n surprise")) " not as expected" }
+        }
+    }
+}
+
+/// A stripe and a title behind each section.
+fn bands<'t>(titles: impl Iterator<Item = &'t str>, layout: &Layout) -> Markup {
+    let tops = layout.tops.windows(2);
+    let bands = titles.zip(tops).filter_map(|(title, tops)| match tops {
+        [top, next] if next > top => Some((title, *top, next - top)),
+        _ => None,
+    });
+    html! {
+        @for (number, (title, top, height)) in bands.enumerate() {
+            rect class=(if number % 2 == 0 { "band" } else { "band odd" })
+                x="0" y=(top) width="100%" height=(height) {}
+            text.title x=(MEASURES.margin) y=(top + 20) { (title) }
+        }
+    }
+}
+
+/// One line a citation: curves to the right within a section, downwards between two.
+fn lines(nodes: &[Node], layout: &Layout) -> String {
+    let mut out = String::new();
+    for (to, node) in nodes.iter().enumerate() {
+        for &from in &node.cites {
+            let (Some(a), Some(b)) = (layout.places.get(from), layout.places.get(to)) else {
+                continue;
+            };
+            let inside = nodes.get(from).is_some_and(|cited| cited.band == node.band);
+            let _ = if inside {
+                let (x1, y1) = (a.x + a.width, a.y + HEIGHT / 2);
+                let (x2, y2) = (b.x, b.y + HEIGHT / 2);
+                let bend = MEASURES.gap / 2;
+                write!(
+                    out,
+                    "<path class=\"e\" data-e=\"{from} {to}\" d=\"M{x1} {y1}C{} {y1} {} {y2} {x2} {y2}\"/>",
+                    x1 + bend,
+                    x2.saturating_sub(bend)
+                )
+            } else {
+                let (x1, y1) = (a.x + a.width / 2, a.y + HEIGHT);
+                let (x2, y2) = (b.x + b.width / 2, b.y);
+                let bend = y2.saturating_sub(y1) / 2;
+                write!(
+                    out,
+                    "<path class=\"e far\" data-e=\"{from} {to}\" d=\"M{x1} {y1}C{x1} {} {x2} {} {x2} {y2}\"/>",
+                    y1 + bend,
+                    y2.saturating_sub(bend)
+                )
+            };
+        }
+    }
+    out
+}
+
+fn node(page: &Page<'_>, index: usize, number: usize, entry: &Entry<'_>, place: Place) -> Markup {
+    let judgement = entry.judgement;
+    let verdict = judgement.verdict;
+    let mut class = format!("n {} {}", entry.kind(), verdict_class(verdict));
+    if entry.is_claim() && judgement.expect.is_some_and(|expected| expected != Verdict::Proved) {
+        class.push_str(" other");
+    }
+    if !judgement.as_expected() {
+        class.push_str(" surprise");
+    }
+    let label = &entry.statement.label;
+    let mut told = format!("{label}, {}, {verdict}", entry.kind());
+    if let Some(remark) = entry.expectation() {
+        let _ = write!(told, ", {remark}");
+    }
+    let corner = if entry.is_claim() { 9 } else { 0 };
+    html! {
+        a class=(class) href={ "#" (page.anchors.name(index)) } data-n=(number) aria-label=(told) {
+            title { (told) ": " (entry.saying()) }
+            rect x=(place.x) y=(place.y) width=(place.width) height=(HEIGHT) rx=(corner) {}
+            text x=(place.x + 7) y=(place.y + 14) { (mark(verdict)) " " (label) }
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! The report as a page: the document with notes in its margin.
+
+mod anchors;
+mod entry;
+mod frame;
+mod graph;
+mod math;
+mod prose;
+mod words;
+
+use std::ops::Range;
+
+use kane_audit::Verdict;
+use maud::{Markup, html};
+
+use crate::report::Entry;
+use crate::typeset::Names;
+use crate::wording::mark;
+use crate::{Report, Summary};
+use anchors::Anchors;
+use frame::Frame;
+use prose::Part;
+
+/// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.
+///
+/// It can be read without scripts; with them, statements can be filtered by verdict, and the graph shows what a
+/// statement rests on. Equal reports give equal bytes.
+#[must_use]
+pub fn html(report: &Report<'_>) -> String {
+    let document = &report.audit.document;
+    let page = Page::of(report);
+    let parts = prose::parts(&document.text, &|label| page.anchors.find(label));
+    let mut contents: Vec<(String, Markup)> = Vec::new();
+    let body = page.body(&parts, &mut contents);
+    contents.push(("graph".to_owned(), html! { "Graph of the derivation" }));
+    let content = html! {
+        (page.filter())
+        (body)
+        (graph::graph(&page))
+    };
+    Frame {
+        title: document.title.as_deref().unwrap_or(&document.name),
+        kind: "Audit",
+        news: page.news(),
+        contents,
+        style: include_str!("audit.css"),
+        script: include_str!("audit.js"),
+        provenance: vec![
+            ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
+            ("Document", html! { (document.name) ", " (document.text.len()) " bytes" }),
+            ("SHA-256 of the document", html! { code { (document.sha256()) } }),
+            ("Command", html! { code { (report.command) } }),
+            ("Seed", html! { "none: nothing here is drawn at random" }),
+        ],
+    }
+    .page(&content)
+}
+
+/// What all parts of the page look up.
+struct Page<'a> {
+    report: &'a Report<'a>,
+    anchors: Anchors<'a>,
+    names: Names<'a>,
+    /// by statement, the statements shown that name it
+    dependents: Vec<Vec<usize>>,
+}
+
+impl<'a> Page<'a> {
+    fn of(report: &'a Report<'a>) -> Self {
+        let document = &report.audit.document;
+        let mut dependents = vec![Vec::new(); document.statements.len()];
+        for (&index, entry) in report.shown.iter().zip(report.entries()) {
+            for premise in entry.premises() {
+                if let Some(dependents) = dependents.get_mut(premise) {
+                    dependents.push(index);
+                }
+            }
+        }
+        Self {
+            report,
+            anchors: Anchors::of(&document.statements, &report.shown),
+            names: Names::of(&document.context),
+            dependents,
+        }
+    }
+
+    fn entry(&self, index: usize) -> Option<Entry<'a>> {
+        Entry::new(self.report.audit, index)
+    }
+
+    /// The counts, and what a reader should look at first.
+    fn news(&self) -> Markup {
+        let summary = Summary::of(self.report);
+        let labels = |labels: &[String]| {
+            html! {
+                @for (number, label) in labels.iter().enumerate() {
+                    @if number > 0 { ", " }
+                    @match self.anchors.find(label) {
+                        Some(anchor) => a href={ "#" (anchor) } { (label) },
+                        None => (label),
+                    }
+                }
+            }
+        };
+        html! {
+            p.counts { (summary.counts()) }
+            @if !summary.refuted_as_printed.is_empty() {
+                p { "Refuted as printed: " (labels(&summary.refuted_as_printed)) }
+            }
+            @if summary.surprises.is_empty() {
+                p { (crate::markdown::capitalised(&summary.expectation())) "." }
+            } @else {
+                p.surprise { "Not as expected: " (labels(&summary.surprises)) }
+            }
+        }
+    }
+
+    /// Which statements are shown; without scripts it stays hidden, and all of them are.
+    fn filter(&self) -> Markup {
+        let summary = Summary::of(self.report);
+        let ground = self.report.entries().filter(|entry| !entry.is_claim()).count();
+        html! {
+            form.filter hidden aria-label="Show" {
+                fieldset {
+                    legend { "Show" }
+                    @for (verdict, count) in &summary.verdicts {
+                        (choice(verdict_class(*verdict), html! {
+                            (marked(*verdict)) " " span.count { (count) }
+                        }))
+                    }
+                    (choice("ground", html! { "premises and definitions " span.count { (ground) } }))
+                    (choice("words", html! { "words" }))
+                }
+                output aria-live="polite" {}
+                button type="button" { "Open all proofs" }
+            }
+        }
+    }
+
+    /// The document: its words, and the statements where they stand in it.
+    fn body(&self, parts: &[Part], contents: &mut Vec<(String, Markup)>) -> Markup {
+        let mut level = 2;
+        let mut shown = self.report.shown.iter().copied().peekable();
+        let whole = self.report.shown.len() == self.report.audit.document.statements.len();
+        let mut pieces = Vec::new();
+        for part in parts {
+            match part {
+                // around some of the statements alone, the words would seem to belong to them
+                Part::Heading { .. } | Part::Prose(_) if !whole => {}
+                Part::Heading { level: found, start, words } => {
+                    level = *found;
+                    let anchor = format!("at-{start}");
+                    pieces.push(heading(level, &anchor, words));
+                    if level == 2 {
+                        contents.push((anchor, words.clone()));
+                    }
+                }
+                Part::Prose(words) => pieces.push(html! { div.words data-v="words" { (words) } }),
+                Part::Statements(range) => {
+                    let mut inside = Vec::new();
+                    while let Some(index) = shown.next_if(|&index| self.start(index) < range.end) {
+                        inside.push(index);
+                    }
+                    pieces.push(self.block(range, &inside, level, whole));
+                }
+            }
+        }
+        // a reading of the Markdown that differs from the auditor's must not lose a statement
+        let rest: Vec<usize> = shown.collect();
+        html! {
+            @for piece in &pieces { (piece) }
+            @if !rest.is_empty() { (self.block(&(0..0), &rest, level, false)) }
+        }
+    }
+
+    fn start(&self, index: usize) -> usize {
+        self.report.audit.document.statements.get(index).map_or(usize::MAX, |s| s.span.start)
+    }
+
+    /// A block of statements; between them, if all of them are shown, the declarations.
+    fn block(&self, range: &Range<usize>, inside: &[usize], level: u8, whole: bool) -> Markup {
+        let document = &self.report.audit.document;
+        // declarations stand on lines of their own, after the one that opens the block or has a statement
+        let mut from = document.text[range.clone()]
+            .find('\n')
+            .map_or(range.end, |first| range.start + first + 1);
+        let mut pieces = Vec::new();
+        for &index in inside {
+            let Some(entry) = self.entry(index) else { continue };
+            let span = &entry.statement.span;
+            if whole && !range.is_empty() {
+                pieces.extend(declarations(document.text.get(from..span.start)));
+                from = span.end + document.text[span.end..].find('\n').unwrap_or(0);
+            }
+            pieces.push(self.statement(index, &entry, level + 1));
+        }
+        if whole && !range.is_empty() {
+            pieces.extend(declarations(document.text.get(from..range.end)));
+        }
+        html! {
+            @if !pieces.is_empty() {
+                div.block { @for piece in &pieces { (piece) } }
+            }
+        }
+    }
+}
+
+/// The lines between statements that declare symbols or are the author's comments.
+fn declarations(between: Option<&str>) -> Option<Markup> {
+    let lines: Vec<&str> = between?
+        .lines()
+        .map(str::trim_end)
+        .filter(|line| line.trim_start().starts_with("var ") || line.trim_start().starts_with('#'))
+        .collect();
+    (!lines.is_empty()).then(|| html! { pre.vars data-v="ground" { code { (lines.join("\n")) } } })
+}
+
+fn heading(level: u8, anchor: &str, words: &Markup) -> Markup {
+    html! {
+        @match level {
+            2 => h2 id=(anchor) { (words) },
+            3 => h3 id=(anchor) { (words) },
+            4 => h4 id=(anchor) { (words) },
+            _ => h5 id=(anchor) { (words) },
+        }
+    }
+}
+
+fn choice(name: &str, words: Markup) -> Markup {
+    html! {
+        label { input type="checkbox" name="v" value=(name) checked; " " (words) }
+    }
+}
+
+/// The verdict with its mark.
+fn marked(verdict: Verdict) -> Markup {
+    html! {
+        span class={ "verdict " (verdict_class(verdict)) } {
+            span.mark aria-hidden="true" { (mark(verdict)) } " " (verdict)
+        }
+    }
+}
+
+/// The verdict as a class; premises and definitions share one.
+const fn verdict_class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Defined | Verdict::Assumed => "ground",
+        Verdict::Proved => "proved",
+        Verdict::Undecided => "undecided",
+        Verdict::Refuted => "refuted",
+        Verdict::IllDefined => "ill-defined",
+        Verdict::Vacuous => "vacuous",
+        Verdict::Unsupported => "unsupported",
+    }
+}

@@ -1,0 +1,50 @@
+//! How cost grows with size, as far as no clock is read.
+
+use kane::measure::chart::Effort;
+use kane::measure::growth::{Growth, counted};
+use kane::report::Page;
+use kane::report::growth::{GrowthReport, csv, json, markdown, picture, text};
+
+use crate::settings;
+
+fn report(growth: &Growth) -> GrowthReport<'_> {
+    let command = "kane chart --growth --quick".to_owned();
+    GrowthReport { growth, machine: "no machine".to_owned(), command }
+}
+
+#[test]
+fn the_curves_without_a_clock() {
+    let growth = counted(Effort::Quick);
+    let report = report(&growth);
+    let table = csv(&report);
+    let shown = text(&report, Page::default());
+    settings().bind(|| {
+        insta::assert_snapshot!("counted", table);
+        insta::assert_snapshot!("text", shown);
+    });
+    for line in shown.lines() {
+        assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
+    }
+
+    // the other forms tell the same
+    let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
+    let points = value["points"].as_array().expect("a list");
+    assert_eq!(points.len() + 1, table.lines().count());
+    assert_eq!(value["readings"].as_array().map(Vec::len), Some(8));
+    assert!(!table.contains(",ns,") && !json(&report).contains("\"ns\""), "no time is in it");
+    assert!(markdown(&report).contains("## Bounces in a chain: wang-su-li"));
+    let svg = picture(&report).expect("a picture can be drawn");
+    assert!(svg.starts_with("<svg") && svg.contains("digits of the slip that are right"));
+    assert_eq!(csv(&self::report(&counted(Effort::Quick))), table, "the same in every run");
+}
+
+/// What the curves are for: where exactness ends, and what the others keep until then.
+#[test]
+fn exactness_doubles_under_the_paper_s_law_and_stays_affordable_under_walton_s() {
+    let growth = counted(Effort::Quick);
+    let [paper, walton, smith] = growth.chains.as_slice() else { panic!("three laws") };
+    assert!(paper.doubles() && !walton.doubles());
+    assert_eq!(paper.last_exact().map(|(n, _)| n), Some(9));
+    assert_eq!(walton.last_exact().map(|(n, _)| n), Some(200));
+    assert_eq!(smith.last_exact(), None, "a root leaves the fractions");
+}
