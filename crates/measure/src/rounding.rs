@@ -66,8 +66,8 @@ impl RoundingBound {
         format!("{}-{}-{method}-{}", self.law, self.quantity, self.system)
     }
 
-    /// The greatest relative error that the bound admits, by Π(format): an ulp is at most 2^(1 − p)
-    /// of a number.
+    /// The greatest relative error that the bound admits, as an ulp is at most 2^(1 − p) of a
+    /// number.
     #[must_use]
     pub fn relative(&self) -> Rational {
         let precision = if self.system == System::F32 { f32::PRECISION } else { f64::PRECISION };
@@ -75,8 +75,8 @@ impl RoundingBound {
     }
 }
 
-/// Where α ends: 2⁶⁰. Beyond, 1 + α is α to within rounding in every format.
-const REACH: u32 = 60;
+/// Where α ends: 2³⁰, as in the chart.
+const REACH: u32 = 30;
 
 /// Ends of pieces are multiples of 2⁻⁶⁰.
 const GRID: u32 = 60;
@@ -87,27 +87,35 @@ fn power(exponent: u32) -> BigInt {
 
 /// The pieces between two multiples of 2^−[`GRID`], for a value whose magnitude is monotone there.
 ///
-/// Neighbours overlap in one step of the grid, within which the ulp changes, so that every float in
-/// it belongs to a piece with its own ulp.
-fn pieces<F: Binary>(value: fn(&Rational) -> Rational, from: &BigInt, to: &BigInt) -> Vec<Piece> {
+/// A piece ends at the last multiple with its ulp, and the next begins at the next multiple. Between
+/// the two lies no float: the ulps of all values here change at α > 2⁻⁷ only, where floats are
+/// multiples. With `binades`, a piece also ends where a binade of α does, from 1 on.
+fn pieces<F: Binary>(
+    value: fn(&Rational) -> Rational,
+    from: &BigInt,
+    to: &BigInt,
+    binades: bool,
+) -> Vec<Piece> {
     let at = |m: &BigInt| Rational::new(m.clone(), power(GRID));
     let unit = |m: &BigInt| ulp::<F>(&value(&at(m)));
     let mut found = Vec::new();
     let mut start = from.clone();
     while &start < to {
-        // no piece is wider than a binade of α, and below 1 all binades are one
         let binade: BigInt = start.clone().max(power(GRID - 1)) * 2;
-        let widest = binade.min(to.clone());
-        let (mut last, mut end) = (&start + 1, widest.clone());
+        let widest = if binades { binade.min(to.clone()) } else { to.clone() };
+        let (mut last, mut beyond) = (&start + 1, widest.clone());
         let inside = unit(&last);
-        if unit(&end) != inside {
-            while &last + 1 < end {
-                let middle: BigInt = (&last + &end) / 2;
-                if unit(&middle) == inside { last = middle } else { end = middle }
-            }
+        if unit(&widest) == inside {
+            found.push(Piece { from: at(&start), to: at(&widest), ulp: inside });
+            start = widest;
+            continue;
         }
-        found.push(Piece { from: at(&start), to: at(&end), ulp: inside });
-        start = if end == widest || last == start { end } else { last };
+        while &last + 1 < beyond {
+            let middle: BigInt = (&last + &beyond) / 2;
+            if unit(&middle) == inside { last = middle } else { beyond = middle }
+        }
+        found.push(Piece { from: at(&start), to: at(&last), ulp: inside });
+        start = beyond;
     }
     found
 }
@@ -206,7 +214,9 @@ s rnd= 1 + a;
 i rnd= 1 / s;
 e rnd= -(i * i);",
         result: "e",
-        exact: "exact = -(1 / ((1 + a) * (1 + a)));",
+        exact: "\
+I = 1 / (1 + a);
+exact = -(I * I);",
         error: "e - exact",
         hints: "",
         ulps: 4 * 128,
@@ -230,20 +240,21 @@ e rnd= -(1 / t);",
     },
 ];
 
-/// The domain in pieces: α from 0 to 2⁶⁰, for k without the gaps next to 1, in which no float lies,
-/// and for its plain quotient as far as 2^p, from where on 1 − α and 1 + α need not differ.
+/// The domain in pieces: α from 0 to 2³⁰; for k without the gaps next to 1, in which no float lies,
+/// and for its plain quotient no further than 2^p, from where on 1 − α and 1 + α need not differ.
 fn domain<F: Binary>(line: &Line) -> Vec<Piece> {
     let (none, one, reach) = (BigInt::zero(), power(GRID), power(REACH + GRID));
     if line.quantity != "k" {
-        return pieces::<F>(line.value, &none, &reach);
+        return pieces::<F>(line.value, &none, &reach, false);
     }
-    let reach = if line.before_last_rounding { reach } else { power(F::PRECISION + GRID) };
+    let corrected = line.before_last_rounding;
+    let reach = if corrected { reach } else { reach.min(power(F::PRECISION + GRID)) };
     let below = &one - power(GRID - F::PRECISION);
     let above = &one + power(GRID - F::PRECISION + 1);
     let at_one = Rational::from_integer(1.into());
-    let mut all = pieces::<F>(line.value, &none, &below);
+    let mut all = pieces::<F>(line.value, &none, &below, corrected);
     all.push(Piece { from: at_one.clone(), to: at_one, ulp: Rational::zero() });
-    all.extend(pieces::<F>(line.value, &above, &reach));
+    all.extend(pieces::<F>(line.value, &above, &reach, corrected));
     all
 }
 
