@@ -25,6 +25,18 @@ pub(crate) fn many(gate: usize) -> usize {
     if std::env::var_os("KANE_LONG").is_some() { 10 * gate } else { gate }
 }
 
+/// Whether a program that a test needs can be run. If not, the test says that it is skipped; the gate
+/// installs the programs and sets `KANE_REQUIRE_JUDGES`, so that nothing is skipped there.
+pub(crate) fn installed(program: &str) -> bool {
+    let found = std::process::Command::new(program).arg("--version").output().is_ok();
+    let required = std::env::var_os("KANE_REQUIRE_JUDGES").is_some();
+    assert!(found || !required, "{program} is not installed");
+    if !found {
+        println!("skipped: {program} is not installed");
+    }
+    found
+}
+
 /// The generator of Steele, Lea and Flood (2014), *SplitMix*: the same numbers on every machine.
 pub(crate) struct Chance(u64);
 

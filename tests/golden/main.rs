@@ -11,6 +11,7 @@ mod methods; // the errors and counted costs of all methods
 mod model_error; // laws and processes beside the elastic half-space
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
+mod rounding; // the scripts that bound rounding errors
 mod scene; // the shipped scenes, and where methods fail
 mod stability; // where the formulas of the paper fail
 

@@ -29,6 +29,7 @@ mod formula;
 pub mod growth;
 mod over_alpha;
 mod program;
+mod rounding;
 mod stability;
 
 pub use arithmetic::{Arithmetic, Plain, PlainNumber};
@@ -38,6 +39,7 @@ pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
 pub use over_alpha::{Curve, OverAlpha, over_alpha};
 pub use program::{Branch, Operation, Program, Unsupported};
+pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use stability::{
     Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,
 };

@@ -17,6 +17,7 @@ pub mod coq;
 mod envelope;
 mod explain;
 pub mod figures;
+mod gappa;
 pub mod growth;
 mod html;
 mod json;
@@ -38,6 +39,7 @@ mod wording;
 
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
+pub use gappa::gappa;
 pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json, json_with_judges};
 pub use latex::latex;
