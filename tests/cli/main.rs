@@ -8,6 +8,7 @@ mod exits; // exit codes
 mod figures; // the figures, and the page that shows them
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
+mod laws; // the matrix: exit codes, one cell in full, files
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
 mod scene; // scenes: models, files, exit codes

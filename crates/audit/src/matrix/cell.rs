@@ -113,6 +113,11 @@ impl Cell {
         Self { finding: Finding::Undecided, ..Self::not_applicable(reason) }
     }
 
+    /// The same cell with a remark behind its reason.
+    pub(crate) fn remarked(self, remark: &str) -> Self {
+        Self { reason: format!("{}; {remark}", self.reason), ..self }
+    }
+
     /// Proved if nothing is open.
     pub(crate) fn from_parts(parts: Vec<Part>, open: Vec<String>) -> Self {
         if !open.is_empty() {

@@ -194,5 +194,27 @@ pub(crate) fn continuous<L: ImpactLaw>(
             }
         }
     }
-    last.unwrap_or_else(|| Cell::undecided("no bound on friction at small slip was found"))
+    turned(law, families)
+        .or(last)
+        .unwrap_or_else(|| Cell::undecided("no bound on friction at small slip was found"))
+}
+
+/// Refutes continuity of a law whose normal leans also where the slip is small: of equal bodies with
+/// mu = 1 and e = 0, friction keeps its share of the normal impulse however small the slip is.
+fn turned<L: ImpactLaw>(law: &L, families: &[Family]) -> Option<Cell> {
+    let one = Rational::one;
+    let delassus = Delassus::unchecked(one(), Rational::zero(), one());
+    let contact = Contact::unchecked(one(), two_to(20), delassus, one(), Rational::zero());
+    let outcome = resolve(law, &contact).ok()?;
+    let answers = [(contact, outcome)];
+    for side in ["p_t >= 1/16*p_n", "p_t <= -1/16*p_n"] {
+        let text = format!("{side} when a >= 128*v, e = 0, mu = 1, W_tt = W_nn");
+        let Some(cell) = attempt(law, families, &text, &answers) else { continue };
+        if cell.finding == Finding::Proved {
+            let [(contact, outcome)] = &answers;
+            let witness = vec![super::Witness::new(contact, outcome)];
+            return Some(Cell { finding: Finding::Refuted, reason: text, witness, ..cell });
+        }
+    }
+    None
 }

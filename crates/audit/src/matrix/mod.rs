@@ -110,6 +110,19 @@ fn cell<L: ImpactLaw>(
     if let Some(reason) = silent_on(law, property, families) {
         return Cell::not_applicable(reason);
     }
+    let found = decided(law, property, families, answers);
+    match stands_turned(law) && property.depends_on_frame() {
+        true => found.remarked(IN_THE_FRAME_OF_THE_CONTACT),
+        false => found,
+    }
+}
+
+fn decided<L: ImpactLaw>(
+    law: &L,
+    property: &Property,
+    families: &[Family],
+    answers: &[(Contact<Rational>, Exact)],
+) -> Cell {
     match property.kind {
         Kind::Pointwise(settings) => {
             let template = Template::new(property.template);
@@ -128,12 +141,28 @@ fn cell<L: ImpactLaw>(
     }
 }
 
-/// Why a property of every contact has no meaning for a law that never speaks of coupled ones.
+/// Why alpha says nothing about a law with a frame of its own.
+const NO_FUNCTION_OF_ALPHA: &str = "the law's cone and restitution stand about a normal of its own, so \
+     that k and i_x depend on e, mu and the angle of incidence one by one, and are no functions of alpha";
+/// What is asked of such a law where the axes matter.
+const IN_THE_FRAME_OF_THE_CONTACT: &str = "asked in the contact's frame, while the law's cone and \
+     restitution stand about a normal of its own";
+
+/// Whether a law has a frame of its own where there is slip.
+fn stands_turned<L: ImpactLaw>(law: &L) -> bool {
+    law.frame(&Contact::of_alpha(Rational::from_integer(1.into()))).is_some()
+}
+
+/// Why a property has no meaning: one in alpha for a law that stands in a frame of its own, one of
+/// every contact for a law that never speaks of coupled ones.
 fn silent_on<L: ImpactLaw>(
     law: &L,
     property: &Property,
     families: &[Family],
 ) -> Option<&'static str> {
+    if property.speaks_of_alpha() && stands_turned(law) {
+        return Some(NO_FUNCTION_OF_ALPHA);
+    }
     let Kind::Pointwise(settings) = property.kind else { return None };
     let coupled = |s: &Setting| matches!(s, Setting::Driving | Setting::Braking);
     let speaks = |f: &Family| coupled(&f.setting) && !f.regimes.is_empty();

@@ -164,7 +164,10 @@ pub(crate) fn unique(family: &Family) -> Cell {
     }
     for (first, here) in family.regimes.iter().enumerate() {
         for (second, there) in family.regimes.iter().enumerate().skip(first + 1) {
-            border(family, (first, here), (second, there), &mut parts, &mut open);
+            // one open border is enough, and what cannot be proved takes longest
+            if open.is_empty() {
+                border(family, (first, here), (second, there), &mut parts, &mut open);
+            }
         }
     }
     Cell::from_parts(parts, open)

@@ -244,6 +244,24 @@ pub const PROPERTIES: [Property; 19] = [
     },
 ];
 
+impl Property {
+    /// Whether it takes k and i_x as functions of alpha.
+    pub(crate) fn speaks_of_alpha(&self) -> bool {
+        self.id == "momentum" || matches!(self.kind, Kind::Limit(_))
+    }
+
+    /// Whether it asks components of the impulse one by one where there is slip, so that turned axes matter.
+    pub(crate) fn depends_on_frame(&self) -> bool {
+        if self.kind == Kind::Pointwise(&[Setting::RestingSphere]) {
+            return false;
+        }
+        let whole = "E_t + E_n";
+        let parts = |name: &str| self.template.replace(whole, "").contains(name);
+        matches!(self.kind, Kind::Pointwise(_) | Kind::Continuous)
+            && ["p_t", "p_n", "E_t", "k"].into_iter().any(parts)
+    }
+}
+
 /// The property of this id.
 #[must_use]
 pub fn property(id: &str) -> Option<&'static Property> {

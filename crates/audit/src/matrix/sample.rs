@@ -69,7 +69,7 @@ pub(crate) fn violation(
 /// The contacts of some families, simple ones first: v and W_nn are 1, units being free.
 #[must_use]
 pub fn contacts(settings: &[Setting]) -> Vec<Contact<Rational>> {
-    const FEW: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (4, 1), (3, 1), (1, 4)];
+    const FEW: [(i64, i64); 7] = [(1, 1), (2, 1), (1, 2), (4, 1), (3, 1), (1, 4), (1, 8)];
     const SPEEDS: [(i64, i64); 6] = [(1, 1), (2, 1), (4, 1), (1, 2), (3, 1), (1, 4)];
     const MOBILITIES: [(i64, i64); 6] = [(1, 1), (2, 1), (1, 2), (1, 3), (4, 1), (3, 1)];
     const ENDS: [(i64, i64); 3] = [(1, 1), (0, 1), (1, 2)];
