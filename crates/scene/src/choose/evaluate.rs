@@ -121,7 +121,7 @@ fn bodies<N: Coordinate>(
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
     let budget = Budget { shown, impacts: most_impacts(N::SYSTEM, &until) };
-    let end = run(world, &resolver, &until, budget, &mut |bounce: &Bounce<N>| {
+    let end = run(world, resolver, &until, budget, &mut |bounce: &Bounce<N>| {
         let none = bounce.slip[0].sign().is_equal() == Some(true);
         no_slip &= none;
         slides &= none || bounce.regime.starts_with("slide");

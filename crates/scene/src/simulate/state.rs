@@ -99,9 +99,9 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     /// Brings the bodies to their impact and through it.
-    pub(super) fn meet<R: Resolver<N>>(
+    pub(super) fn meet(
         &mut self,
-        resolver: &R,
+        resolver: &dyn Resolver<N>,
         time: N,
         encounter: Encounter,
     ) -> Result<Bounce<N>, Stopped> {
