@@ -104,6 +104,7 @@ pub(super) struct Struck<N> {
 
 /// Resolves the impact of a body, as it arrives, with a wall or with another body. `held` is the
 /// slip that the contact is known to have, where forming it anew would cancel.
+#[inline]
 pub(super) fn strike<N: Coordinate>(
     resolver: &dyn Resolver<N>,
     (friction, restitution): (&N, &N),

@@ -99,6 +99,7 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     /// Brings the bodies to their impact and through it.
+    #[inline]
     pub(super) fn meet(
         &mut self,
         resolver: &dyn Resolver<N>,
@@ -114,7 +115,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             let drop = self.bodies[index].position[1].clone() - &body.position[1];
             body.mass.clone() * &world.gravity * drop
         };
-        let (struck, gravity) = match encounter {
+        let (first, second, normal, held) = match encounter {
             Encounter::Wall(index, side) => {
                 let mut body = self.here(index);
                 if let Some(wall) = world.walls.iter().find(|wall| wall.side == side) {
@@ -126,20 +127,21 @@ impl<'a, N: Coordinate> State<'a, N> {
                     body.motion.vy = -self.bodies[index].motion.vy.clone();
                 }
                 let held = if again { self.held[index].as_ref() } else { None };
-                let normal = normal_of(side);
-                let struck =
-                    strike(resolver, coefficients, &normal, &body, None, held).map_err(fault)?;
-                (struck, fallen(index, &body))
+                (body, None, normal_of(side), held)
             }
             Encounter::Pair(i, j) => {
                 let (first, second) = (self.here(i), self.here(j));
                 let reach = first.radius.clone() + &second.radius;
                 let normal =
                     [0, 1].map(|k| (first.position[k].clone() - &second.position[k]) / &reach);
-                let struck = strike(resolver, coefficients, &normal, &first, Some(&second), None)
-                    .map_err(fault)?;
-                (struck, fallen(i, &first) + fallen(j, &second))
+                (first, Some(second), normal, None)
             }
+        };
+        let struck = strike(resolver, coefficients, &normal, &first, second.as_ref(), held)
+            .map_err(fault)?;
+        let gravity = match (encounter, &second) {
+            (Encounter::Pair(i, j), Some(second)) => fallen(i, &first) + fallen(j, second),
+            (Encounter::Wall(i, _) | Encounter::Pair(i, _), _) => fallen(i, &first),
         };
         let bounce = Bounce {
             time: self.now.clone(),
