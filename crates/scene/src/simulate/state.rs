@@ -43,6 +43,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Stopped::Undecided { impact: self.impacts, time: self.now.to_f64() }
     }
 
+    #[inline]
     fn here(&self, index: usize) -> Round<N> {
         if self.settled[index] == self.impacts {
             // no time has passed, which an interval would not know
@@ -88,6 +89,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Ok(())
     }
 
+    #[inline]
     pub(super) fn earliest(&self) -> Result<Option<(N, Encounter)>, Stopped> {
         let mut best: Option<&(N, Encounter)> = None;
         for next in self.next.iter().flatten() {
@@ -173,6 +175,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Ok(bounce)
     }
 
+    #[inline]
     fn settle(&mut self, index: usize, encounter: Encounter, body: Round<N>) {
         self.bodies[index] = body;
         self.since[index] = self.now.clone();
