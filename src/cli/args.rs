@@ -117,7 +117,7 @@ Exit codes:
 const SCENE_EXAMPLES: &str = "\
 Examples:
   kane scene docs/scenes/backspin.toml           the answer by the least model, and why that one
-  kane scene docs/scenes/rest.toml --out out     also writes out/rest.json, .md, -motion.svg,
+  kane scene docs/scenes/rest.toml --out out     also writes out/rest.html, .json, .md, -motion.svg,
                                                  -ledger.svg, -states.csv and -models.csv
   kane scene docs/scenes/backspin.toml --model sliding
                                                  by another model, with its error
@@ -125,8 +125,8 @@ Examples:
                                                  every model that applies, by cost and error
 
 A scene says what collides, what is asked and how accurately; see docs/scene-format.md. Models, from
-the least: normal-only, sliding, wang-su-li, coulomb, grip, energetic, chain, compliant; each in f64,
-or as in coulomb/rational in f32, f64, double-double or rational.
+the least: normal-only, sliding, wang-su-li, coulomb, grip, energetic, chain, compliant, annuli; each
+in f64, or as in coulomb/rational in f32, f64, double-double or rational.
 
 Exit codes:
   0  the model shown is certified to be good enough

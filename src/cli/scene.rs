@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 
 use kane::report::scene::{
-    SceneReport, compare_picture, json, ledger_picture, markdown, models_csv, motion_picture,
+    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, motion_picture,
     states_csv, text,
 };
 use kane::scene::{Effort, Model, Verdict, answer, read};
@@ -76,6 +76,7 @@ fn write(dir: &Path, stem: &str, report: &SceneReport<'_>, compare: bool) -> io:
         |ending: &str, text: &str| output::to_file(&dir.join(format!("{stem}{ending}")), text);
     file(".md", &markdown(report))?;
     file(".json", &json(report))?;
+    file(".html", &html(report).map_err(io::Error::other)?)?;
     file("-models.csv", &models_csv(report))?;
     if report.answer.end.is_some() {
         file("-states.csv", &states_csv(report))?;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use kane::report::Page;
 use kane::report::scene::{
-    SceneReport, compare_picture, json, ledger_picture, markdown, models_csv, motion_picture,
+    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, motion_picture,
     states_csv, stress_csv, stress_picture, text,
 };
 use kane::scene::{Effort, answer, read, stress};
@@ -24,6 +24,7 @@ fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
 #[test]
 fn every_shipped_scene_is_answered_and_drawn() {
     let names = [
+        "alumina",
         "backspin",
         "cradle-apart",
         "cradle-touching",
@@ -76,6 +77,32 @@ fn all_forms_of_a_report_tell_the_same() {
         let picture = compare_picture(report).expect("it can be drawn");
         assert!(picture.contains("coulomb/f32, f64") || picture.contains("coulomb/f64"));
     });
+}
+
+#[test]
+fn the_page_holds_all_and_loads_nothing() {
+    for name in ["alumina", "backspin", "rod-jam"] {
+        shipped(name, Effort::Chosen, |report| {
+            let page = html(report).expect("it can be drawn");
+            assert_eq!(page, html(report).expect("again"), "the same in every run");
+            assert!(page.starts_with("<!DOCTYPE html>") && page.trim_end().ends_with("</html>"));
+            // pictures and nothing from elsewhere
+            let pictures = usize::from(report.answer.strobe.is_some()) * 2;
+            assert_eq!(page.matches("<svg").count(), pictures, "{name}");
+            for loads in ["<img", "<link", "<script", "src=", "url(", "@import"] {
+                assert!(!page.contains(loads), "{name}: {loads}");
+            }
+            for asked in &report.answer.lines {
+                assert!(page.contains(&format!("<code>{}</code>", asked.quantity)), "{name}");
+            }
+            for judged in &report.answer.judged {
+                assert!(page.contains(&format!("<code>{}</code>", judged.model)), "{name}");
+            }
+            for place in ["id=\"why\"", "id=\"models\"", "footer", &report.command] {
+                assert!(page.contains(place), "{name}: {place}");
+            }
+        });
+    }
 }
 
 #[test]

@@ -51,7 +51,7 @@ pub use choose::{
 };
 pub use coordinate::Coordinate;
 pub use quantity::{Kind, Quantity};
-pub use resolver::{ByLaw, Compliant, Elastic, NormalOnly, Process, Resolver};
+pub use resolver::{ByLaw, Elastic, NormalOnly, Process, Resolver};
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
 pub use strobe::{Frame, Strobe};
 pub use tip::{Tip, TipBody};

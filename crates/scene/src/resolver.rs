@@ -1,6 +1,7 @@
 //! What resolves an impact: a law, or a process.
 
-use kane_impact::{Contact, Delassus, ImpactLaw, Impulse, NoImpulse, Outcome, Work};
+use kane_impact::compliant::{self, Bilinear, Compliance, DimensionReduction, MawBarberFawcett};
+use kane_impact::{Alpha, Contact, Delassus, ImpactLaw, Impulse, NoImpulse, Outcome, Work};
 use kane_number::{Interval, Number as _, Ordered as _, Rational, Real};
 
 use crate::coordinate::{Coordinate, half};
@@ -55,74 +56,85 @@ fn with_impulse<N: Real>(
     Outcome { regime, impulse, slip, separation, work }
 }
 
-/// The answer of a compliant process at one α, with a bound on or an estimate of its error.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Compliant {
-    /// k = `v_t⁺`/`v_t`
-    pub k: f64,
-    /// `i_x` = −`p_t`/(μ·`p_n`)
-    pub impulse: f64,
-    /// Δe, the work of friction by μ·`p_n`·`v_t`
-    pub energy: f64,
-    /// how far k may be from the process's own exact answer, by refinement
-    pub error: f64,
+/// Which compliant process follows an elastic contact that does not slide all the time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Process {
+    /// An elastic half-space, as a row of springs.
+    DimensionReduction,
+    /// The same half-space, annulus by annulus: hundreds of times as costly.
+    MawBarberFawcett,
+    /// Stronge's pair of springs.
+    Bilinear,
 }
 
-/// A compliant contact process of a sphere, seen from a scene: dimensionless, as in
-/// [`Ratios`](kane_impact::Ratios).
-pub trait Process {
+impl Process {
     /// Its name in tables.
-    fn id(&self) -> &'static str;
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::DimensionReduction => "dimension-reduction",
+            Self::MawBarberFawcett => "maw-barber-fawcett",
+            Self::Bilinear => "stronge-bilinear",
+        }
+    }
 
-    /// k, `i_x` and Δe at α = `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`) > 0 for Poisson's ratio ν and
-    /// restitution e; `None` outside the domain.
-    fn answer(&self, alpha: f64, poisson_ratio: f64, restitution: f64) -> Option<Compliant>;
+    /// Its answer at α = `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`) > 0, with the process's own estimate of the
+    /// error of k.
+    ///
+    /// # Errors
+    /// [`NoOutcome`](compliant::NoOutcome).
+    pub fn outcome(
+        self,
+        compliance: Compliance,
+        alpha: f64,
+    ) -> Result<compliant::Outcome, compliant::NoOutcome> {
+        use compliant::Process as _;
+        let alpha = Alpha::Finite(alpha);
+        match self {
+            Self::DimensionReduction => DimensionReduction::new(compliance).outcome(&alpha),
+            Self::MawBarberFawcett => MawBarberFawcett::new(compliance).outcome(&alpha),
+            Self::Bilinear => Bilinear::new(compliance).outcome(&alpha),
+        }
+    }
 }
 
 /// An elastic contact: sliding all the time where that is documented, and a process elsewhere.
 ///
-/// Maw, Barber and Fawcett (1976), for e = 1: sliding all the time for ψ₁ > 4χ − 1, that is
-/// α < 2χ/(4χ − 1) with χ = (1 − ν)·`W_tt`/((2 − ν)·`W_nn`). Stronge's bilinear pair (1994), for any e:
-/// α < (1 + e)/2, and where e² ≥ η²/β₁ also α < 1/(2·(1 − η²/(e·(1 + e)·β₁))), η² = (2 − ν)/(2·(1 − ν))
-/// and β₁ = `W_tt`/`W_nn`; the two agree at e = 1. Bounds taken here: α at most 1/2 for e < 1, where
-/// every rigid and compliant model slides, and Maw's for e = 1.
+/// χ = κ·`W_tt`/(2·`W_nn`). Maw, Barber and Fawcett (1976), for e = 1 and 2χ ≥ 1: sliding all the time for
+/// ψ₁ > 4χ − 1, that is α < 2χ/(4χ − 1), which is at least 1/2. In all the processes a contact starts
+/// without slip for α > (1 + e)·χ. Bounds taken here: Maw's where it holds, else the lesser of 1/2, up
+/// to which what slides at first slides on, and (1 + e)·χ.
 #[derive(Clone, Debug)]
-pub struct Elastic<'a> {
-    /// ν
-    pub poisson_ratio: Rational,
-    /// What answers beyond sliding; `None` if nothing does.
-    pub process: Option<&'a dyn Process>,
+pub struct Elastic {
+    /// κ > 0, the tangential by the normal stiffness: 2·(1 − ν)/(2 − ν) of an elastic half-space.
+    pub stiffness_ratio: Rational,
+    /// What answers beyond sliding.
+    pub process: Process,
 }
 
-impl std::fmt::Debug for dyn Process + '_ {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.id())
-    }
-}
-
-impl Elastic<'_> {
+impl Elastic {
     /// The α below which the contact certainly slides all the time.
     #[must_use]
     pub fn slides_up_to<N: Real>(&self, contact: &Contact<N>) -> N {
-        let nu = N::from_rational(&self.poisson_ratio);
-        let two = N::one().double();
         let w: &Delassus<N> = contact.delassus();
-        let bound = half(N::one());
-        if (N::one() - contact.restitution()).sign().is_equal() != Some(true) {
-            return bound;
+        let one = N::one();
+        let twice = N::from_rational(&self.stiffness_ratio) * w.tt() / w.nn();
+        let lossless = (one.clone() - contact.restitution()).sign().is_equal() == Some(true);
+        if lossless && twice.compare(&one).is_at_least() == Some(true) {
+            return twice.clone() / (twice.double() - one);
         }
-        let chi = (N::one() - &nu) * w.tt() / ((two.clone() - nu) * w.nn());
-        let maw = two.clone() * &chi / (two.double() * chi - N::one());
-        if maw.compare(&bound).is_at_least() == Some(true) { maw } else { bound }
+        let sticks = half(twice * (one.clone() + contact.restitution()));
+        let bound = half(one);
+        if sticks.compare(&bound).is_at_least() == Some(true) { bound } else { sticks }
     }
 }
 
 const BEYOND: NoImpulse = NoImpulse::Outside {
     law: "elastic contact",
-    reason: "the contact does not slide all the time, and its tangential compliance decides",
+    reason: "the compliant process came to no end within its budget",
 };
 
-impl Elastic<'_> {
+impl Elastic {
     fn enclose(&self, contact: &Contact<Interval>) -> Result<Outcome<Interval>, NoImpulse> {
         let sign = contact.slip().sign();
         if sign.is_equal() == Some(true) {
@@ -141,15 +153,18 @@ impl Elastic<'_> {
             let tangential = if forward { -friction } else { friction };
             return Ok(with_impulse("slide", contact, Impulse { tangential, normal }));
         }
-        let process = self.process.ok_or(BEYOND)?;
+        let process = self.process;
         // k is not monotone in α: a box of states is answered at a point alone
         if alpha.width() > 1e-9 * alpha.midpoint() {
             return Err(NoImpulse::Undecided { law: process.id(), regime: "over the uncertainty" });
         }
-        let nu = Interval::from_rational(&self.poisson_ratio).midpoint();
+        let mobility = (contact.delassus().tt().clone() / contact.delassus().nn()).midpoint();
+        let kappa = Interval::from_rational(&self.stiffness_ratio).midpoint();
         let e = contact.restitution().midpoint();
-        let found = process.answer(alpha.midpoint(), nu, e).ok_or(BEYOND)?;
-        let k = Interval::between(found.k - found.error, found.k + found.error);
+        let compliance = Compliance::of_springs(mobility, kappa.recip(), e).map_err(|_| BEYOND)?;
+        let found = process.outcome(compliance, alpha.midpoint()).map_err(|_| BEYOND)?;
+        let k = found.ratios.k;
+        let k = Interval::between(k - found.error, k + found.error);
         let slip = k * contact.slip();
         let tangential = (slip - contact.slip()) / contact.delassus().tt();
         let mut outcome = with_impulse("compliant", contact, Impulse { tangential, normal });
@@ -158,7 +173,7 @@ impl Elastic<'_> {
     }
 }
 
-impl<N: Coordinate> Resolver<N> for Elastic<'_> {
+impl<N: Coordinate> Resolver<N> for Elastic {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
         let found = self.enclose(&contact.map(Coordinate::enclosed))?;
         let lost = || NoImpulse::Unrepresentable { law: "elastic contact", regime: found.regime };

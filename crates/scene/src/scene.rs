@@ -45,6 +45,8 @@ pub enum Tangential {
     Grip(Rational),
     /// Elastic spheres of this Poisson's ratio.
     Elastic(Rational),
+    /// A pair of springs: κ > 0, the tangential by the normal stiffness.
+    Springs(Rational),
 }
 
 /// A quantity and how far its answer may be off.

@@ -18,7 +18,7 @@ use crate::typeset::Names;
 use crate::wording::mark;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
-use frame::Frame;
+pub(crate) use frame::Frame;
 use prose::Part;
 
 /// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.

@@ -1,6 +1,7 @@
 //! A scene: what was asked, by which model, and how it moved. Presentation only.
 
 mod csv;
+mod html;
 mod json;
 mod ledger_picture;
 mod markdown;
@@ -9,6 +10,7 @@ mod stress_picture;
 mod text;
 
 pub use csv::{models_csv, states_csv, stress_csv};
+pub use html::html;
 pub use json::json;
 pub use ledger_picture::{compare_picture, ledger_picture};
 pub use markdown::markdown;

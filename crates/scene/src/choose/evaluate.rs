@@ -2,12 +2,12 @@
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
 use kane_measure::chart::System;
-use kane_number::{Interval, Number as _};
+use kane_number::{Interval, Number as _, Rational};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
-use crate::resolver::{ByLaw, Elastic, NormalOnly, Resolver};
+use crate::resolver::{ByLaw, Elastic, NormalOnly, Process, Resolver};
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
 use crate::tip::Tip;
@@ -90,11 +90,8 @@ pub(super) fn evaluate_with<N: Coordinate>(
             walton = ByLaw(Walton { restitution: share.clone() });
             &walton
         }
-        Mechanics::Compliant => {
-            let Tangential::Elastic(ratio) = &scene.tangential else {
-                return Err(missing("poisson_ratio"));
-            };
-            elastic = Elastic { poisson_ratio: ratio.clone(), process: None };
+        Mechanics::Compliant | Mechanics::Annuli => {
+            elastic = contact(&scene.tangential, mechanics)?;
             &elastic
         }
         Mechanics::Chain => return chain(scene, setup),
@@ -102,6 +99,26 @@ pub(super) fn evaluate_with<N: Coordinate>(
     match setup {
         Setup::Bodies(world) => bodies(scene, world, resolver, kept, shown),
         Setup::Tip(tip) => tips(scene, tip, resolver),
+    }
+}
+
+/// The elastic contact of the scene, followed by one process or by the finer one.
+fn contact(stated: &Tangential, mechanics: Mechanics) -> Result<Elastic, Failed> {
+    let of = |stiffness_ratio, process| Elastic { stiffness_ratio, process };
+    match (stated, mechanics) {
+        (Tangential::Elastic(nu), _) => {
+            let (one, two) = (Rational::one(), Rational::one().double());
+            // Mindlin's
+            let ratio = &two * (one - nu) / (&two - nu);
+            let finer = mechanics == Mechanics::Annuli;
+            let process =
+                if finer { Process::MawBarberFawcett } else { Process::DimensionReduction };
+            Ok(of(ratio, process))
+        }
+        (Tangential::Springs(ratio), Mechanics::Compliant) => {
+            Ok(of(ratio.clone(), Process::Bilinear))
+        }
+        _ => Err(missing("poisson_ratio")),
     }
 }
 
@@ -121,7 +138,7 @@ fn bodies<N: Coordinate>(
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
     let budget = Budget { shown, impacts: most_impacts(N::SYSTEM, &until) };
-    let end = run(world, &resolver, &until, budget, &mut |bounce: &Bounce<N>| {
+    let end = run(world, resolver, &until, budget, &mut |bounce: &Bounce<N>| {
         let none = bounce.slip[0].sign().is_equal() == Some(true);
         no_slip &= none;
         slides &= none || bounce.regime.starts_with("slide");

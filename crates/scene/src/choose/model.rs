@@ -23,13 +23,15 @@ pub enum Mechanics {
     Energetic,
     /// Spheres that touch at once, Hertz's springs.
     Chain,
-    /// A compliant process.
+    /// An elastic contact: a half-space as a row of springs, or a pair of springs if that is stated.
     Compliant,
+    /// The half-space annulus by annulus, after Maw, Barber and Fawcett.
+    Annuli,
 }
 
 impl Mechanics {
     /// From the least.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::NormalOnly,
         Self::Sliding,
         Self::WangSuLi,
@@ -38,6 +40,7 @@ impl Mechanics {
         Self::Energetic,
         Self::Chain,
         Self::Compliant,
+        Self::Annuli,
     ];
 
     /// Its name.
@@ -52,6 +55,7 @@ impl Mechanics {
             Self::Energetic => "energetic",
             Self::Chain => "chain",
             Self::Compliant => "compliant",
+            Self::Annuli => "annuli",
         }
     }
 
@@ -67,11 +71,12 @@ impl Mechanics {
             Self::Energetic => "Coulomb friction with energetic restitution",
             Self::Chain => "the chain of Hertz's springs",
             Self::Compliant => "an elastic contact",
+            Self::Annuli => "an elastic contact by annuli",
         }
     }
 
     /// Additions, multiplications, divisions and roots of one impact with the flight before it,
-    /// counted in the code; those of the two integrations to the nearest power of ten.
+    /// counted in the code; those of the integrations to the nearest power of ten.
     const fn operations(self) -> [u64; 4] {
         match self {
             Self::NormalOnly => [14, 16, 5, 1],
@@ -81,7 +86,8 @@ impl Mechanics {
             Self::Grip => [28, 34, 8, 1],
             Self::Energetic => [36, 48, 12, 2],
             Self::Chain => [100_000, 100_000, 10_000, 1_000],
-            Self::Compliant => [1_000_000, 1_000_000, 100_000, 10_000],
+            Self::Compliant => [100_000, 100_000, 1_000, 1_000],
+            Self::Annuli => [10_000_000, 10_000_000, 100_000, 1_000],
         }
     }
 }
@@ -144,17 +150,19 @@ impl FromStr for Model {
 /// What may stand in for a reference, the reference among them, from the cheapest; among equals the
 /// shorter floats first.
 pub(super) fn candidates(reference: Mechanics) -> Vec<Model> {
-    use Mechanics::{Chain, Coulomb, Energetic, Grip, NormalOnly, Sliding, WangSuLi};
+    use Mechanics::{
+        Annuli, Chain, Compliant, Coulomb, Energetic, Grip, NormalOnly, Sliding, WangSuLi,
+    };
     let mechanics: &[Mechanics] = match reference {
         NormalOnly => &[NormalOnly],
         Chain => &[NormalOnly, Chain],
         Grip => &[NormalOnly, Sliding, WangSuLi, Coulomb, Grip],
         Energetic => &[NormalOnly, Sliding, WangSuLi, Coulomb, Energetic],
-        Mechanics::Compliant => &[NormalOnly, Sliding, WangSuLi, Coulomb, Mechanics::Compliant],
+        Compliant => &[NormalOnly, Sliding, WangSuLi, Coulomb, Compliant, Annuli],
         _ => &[NormalOnly, Sliding, WangSuLi, Coulomb],
     };
     let systems = |mechanics: Mechanics| match mechanics {
-        Chain | Mechanics::Compliant => vec![System::F64],
+        Chain | Compliant | Annuli => vec![System::F64],
         _ => vec![System::F32, System::F64, System::DoubleDouble, System::Rational],
     };
     let mut all: Vec<Model> = mechanics

@@ -102,7 +102,7 @@ fn mechanics(scene: &Scene) -> Mechanics {
         _ if scene.stiffness.is_some() => Mechanics::Chain,
         _ if frictionless => Mechanics::NormalOnly,
         (Tangential::Grip(_), _) => Mechanics::Grip,
-        (Tangential::Elastic(_), _) => Mechanics::Compliant,
+        (Tangential::Elastic(_) | Tangential::Springs(_), _) => Mechanics::Compliant,
         (Tangential::Rigid, Setup::Tip(_)) => Mechanics::Energetic,
         (Tangential::Rigid, Setup::Bodies(_)) => Mechanics::Coulomb,
     }

@@ -29,6 +29,8 @@ struct File {
     grip: Option<Number>,
     #[serde(rename = "poisson_ratio")]
     poisson_ratio: Option<Number>,
+    #[serde(rename = "stiffness_ratio")]
+    stiffness_ratio: Option<Number>,
     #[serde(rename = "hertz_stiffness_n_m_3_2")]
     stiffness: Option<Number>,
     #[serde(rename = "gravity_m_s2")]
@@ -132,27 +134,30 @@ fn in_a_row(
 }
 
 fn tangential(source: Source<'_>, file: &File) -> Result<Tangential, Fault> {
-    match (&file.grip, &file.poisson_ratio) {
-        (None, None) => Ok(Tangential::Rigid),
-        (Some(_), _) | (_, Some(_)) if file.body.is_none() && file.discs.is_none() => {
-            let span =
-                file.grip.as_ref().or(file.poisson_ratio.as_ref()).map_or(0..0, Spanned::span);
-            Err(source.fault(span, "tangential compliance is described for round bodies alone"))
+    let stated = [
+        ("tangential_restitution", &file.grip, Domain::Fraction),
+        ("poisson_ratio", &file.poisson_ratio, Domain::NotNegative),
+        ("stiffness_ratio", &file.stiffness_ratio, Domain::Positive),
+    ];
+    let mut stated = stated
+        .into_iter()
+        .filter_map(|(key, number, domain)| number.as_ref().map(|number| (key, number, domain)));
+    let Some((key, number, domain)) = stated.next() else { return Ok(Tangential::Rigid) };
+    if file.body.is_none() && file.discs.is_none() {
+        let message = "tangential compliance is described for round bodies alone";
+        return Err(source.fault(number.span(), message));
+    }
+    if let Some((other, ..)) = stated.next() {
+        return Err(source.fault(number.span(), &format!("{key} and {other}; give one of them")));
+    }
+    let value = source.number(number, key, domain)?;
+    match key {
+        "tangential_restitution" => Ok(Tangential::Grip(value)),
+        "stiffness_ratio" => Ok(Tangential::Springs(value)),
+        _ if value > Rational::new(1.into(), 2.into()) => {
+            Err(source.fault(number.span(), "poisson_ratio must be at most 1/2"))
         }
-        (Some(grip), None) => {
-            Ok(Tangential::Grip(source.number(grip, "tangential_restitution", Domain::Fraction)?))
-        }
-        (None, Some(ratio)) => {
-            let value = source.number(ratio, "poisson_ratio", Domain::NotNegative)?;
-            if value > Rational::new(1.into(), 2.into()) {
-                return Err(source.fault(ratio.span(), "poisson_ratio must be at most 1/2"));
-            }
-            Ok(Tangential::Elastic(value))
-        }
-        (Some(both), Some(_)) => {
-            Err(source
-                .fault(both.span(), "tangential_restitution and poisson_ratio; give one of them"))
-        }
+        _ => Ok(Tangential::Elastic(value)),
     }
 }
 

@@ -104,8 +104,9 @@ pub(super) struct Struck<N> {
 
 /// Resolves the impact of a body, as it arrives, with a wall or with another body. `held` is the
 /// slip that the contact is known to have, where forming it anew would cancel.
-pub(super) fn strike<N: Coordinate, R: Resolver<N>>(
-    resolver: &R,
+#[inline]
+pub(super) fn strike<N: Coordinate>(
+    resolver: &dyn Resolver<N>,
     (friction, restitution): (&N, &N),
     normal: &[N; 2],
     first: &Round<N>,

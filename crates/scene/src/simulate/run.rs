@@ -146,12 +146,12 @@ pub enum Stopped {
 ///
 /// # Errors
 /// [`Stopped`].
-pub fn run<N: Coordinate, R: Resolver<N>>(
+pub fn run<N: Coordinate>(
     world: &World<N>,
-    resolver: &R,
+    resolver: &dyn Resolver<N>,
     until: &Until<N>,
     budget: Budget,
-    observer: &mut impl FnMut(&Bounce<N>),
+    observer: &mut dyn FnMut(&Bounce<N>),
 ) -> Result<End<N>, Stopped> {
     let mut state = State::new(world);
     if matches!(until, Until::Rest) {

@@ -43,6 +43,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Stopped::Undecided { impact: self.impacts, time: self.now.to_f64() }
     }
 
+    #[inline]
     fn here(&self, index: usize) -> Round<N> {
         if self.settled[index] == self.impacts {
             // no time has passed, which an interval would not know
@@ -88,6 +89,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Ok(())
     }
 
+    #[inline]
     pub(super) fn earliest(&self) -> Result<Option<(N, Encounter)>, Stopped> {
         let mut best: Option<&(N, Encounter)> = None;
         for next in self.next.iter().flatten() {
@@ -99,9 +101,10 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     /// Brings the bodies to their impact and through it.
-    pub(super) fn meet<R: Resolver<N>>(
+    #[inline]
+    pub(super) fn meet(
         &mut self,
-        resolver: &R,
+        resolver: &dyn Resolver<N>,
         time: N,
         encounter: Encounter,
     ) -> Result<Bounce<N>, Stopped> {
@@ -114,7 +117,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             let drop = self.bodies[index].position[1].clone() - &body.position[1];
             body.mass.clone() * &world.gravity * drop
         };
-        let (struck, gravity) = match encounter {
+        let (first, second, normal, held) = match encounter {
             Encounter::Wall(index, side) => {
                 let mut body = self.here(index);
                 if let Some(wall) = world.walls.iter().find(|wall| wall.side == side) {
@@ -126,20 +129,21 @@ impl<'a, N: Coordinate> State<'a, N> {
                     body.motion.vy = -self.bodies[index].motion.vy.clone();
                 }
                 let held = if again { self.held[index].as_ref() } else { None };
-                let normal = normal_of(side);
-                let struck =
-                    strike(resolver, coefficients, &normal, &body, None, held).map_err(fault)?;
-                (struck, fallen(index, &body))
+                (body, None, normal_of(side), held)
             }
             Encounter::Pair(i, j) => {
                 let (first, second) = (self.here(i), self.here(j));
                 let reach = first.radius.clone() + &second.radius;
                 let normal =
                     [0, 1].map(|k| (first.position[k].clone() - &second.position[k]) / &reach);
-                let struck = strike(resolver, coefficients, &normal, &first, Some(&second), None)
-                    .map_err(fault)?;
-                (struck, fallen(i, &first) + fallen(j, &second))
+                (first, Some(second), normal, None)
             }
+        };
+        let struck = strike(resolver, coefficients, &normal, &first, second.as_ref(), held)
+            .map_err(fault)?;
+        let gravity = match (encounter, &second) {
+            (Encounter::Pair(i, j), Some(second)) => fallen(i, &first) + fallen(j, second),
+            (Encounter::Wall(i, _) | Encounter::Pair(i, _), _) => fallen(i, &first),
         };
         let bounce = Bounce {
             time: self.now.clone(),
@@ -171,6 +175,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         Ok(bounce)
     }
 
+    #[inline]
     fn settle(&mut self, index: usize, encounter: Encounter, body: Round<N>) {
         self.bodies[index] = body;
         self.since[index] = self.now.clone();

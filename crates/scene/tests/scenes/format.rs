@@ -51,6 +51,13 @@ fn every_fault_points_at_its_place() {
         ("k = 0.01", "v_x_m_s_of_2 = 0.01", 17, "there are 1 bodies"),
         (
             "friction = 0.2",
+            "friction = 0.2\npoisson_ratio = 0.3\nstiffness_ratio = 1",
+            3,
+            "poisson_ratio and stiffness_ratio; give one of them",
+        ),
+        ("friction = 0.2", "friction = 0.2\nstiffness_ratio = 0", 3, "must be above 0"),
+        (
+            "friction = 0.2",
             "friction = { value = 0.2, within = 0.3 }",
             2,
             "an end of the range of friction",
