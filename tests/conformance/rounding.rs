@@ -166,7 +166,6 @@ fn inputs<F: Binary>(bound: &RoundingBound) -> Vec<Rational> {
         all.push(of(&piece.from, Rounding::Up));
         all.push(of(&piece.to, Rounding::Down));
         all.extend((1..11).map(|n| of(&between(&piece.from, &piece.to, n), Rounding::NearestEven)));
-        all.retain(|alpha| !(alpha < &bound.pieces[0].from));
     }
     all
 }

@@ -158,7 +158,7 @@ impl Elastic {
         if alpha.width() > 1e-9 * alpha.midpoint() {
             return Err(NoImpulse::Undecided { law: process.id(), regime: "over the uncertainty" });
         }
-        let mobility = (contact.delassus().tt().clone() / contact.delassus().nn()).midpoint();
+        let mobility = (*contact.delassus().tt() / contact.delassus().nn()).midpoint();
         let kappa = Interval::from_rational(&self.stiffness_ratio).midpoint();
         let e = contact.restitution().midpoint();
         let compliance = Compliance::of_springs(mobility, kappa.recip(), e).map_err(|_| BEYOND)?;

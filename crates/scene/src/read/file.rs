@@ -148,7 +148,7 @@ fn tangential(source: Source<'_>, file: &File) -> Result<Tangential, Fault> {
         return Err(source.fault(number.span(), message));
     }
     if let Some((other, ..)) = stated.next() {
-        return Err(source.fault(number.span(), &format!("{key} and {other}; give one of them")));
+        return Err(source.fault(number.span(), format!("{key} and {other}; give one of them")));
     }
     let value = source.number(number, key, domain)?;
     match key {
