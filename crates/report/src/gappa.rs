@@ -6,9 +6,20 @@ use kane_measure::chart::System;
 use kane_measure::{Piece, RoundingBound};
 use kane_number::Rational;
 
-/// A script that Gappa accepts only if it finds a proof of the bound on every piece.
+/// The bound on all pieces in one script. Gappa may give up on so many; it is asked
+/// [one at a time](gappa_questions).
 #[must_use]
 pub fn gappa(bound: &RoundingBound) -> String {
+    script(bound, &bound.pieces)
+}
+
+/// Scripts, one a piece, that Gappa accepts only if it finds a proof.
+#[must_use]
+pub fn gappa_questions(bound: &RoundingBound) -> Vec<String> {
+    bound.pieces.chunks(1).map(|piece| script(bound, piece)).collect()
+}
+
+fn script(bound: &RoundingBound, pieces: &[Piece]) -> String {
     let format = if bound.system == System::F32 { "ieee_32" } else { "ieee_64" };
     let last = match bound.before_last_rounding {
         true => ", before the last rounding, which adds half an ulp",
@@ -28,7 +39,7 @@ pub fn gappa(bound: &RoundingBound) -> String {
         operations = bound.operations,
         exact = bound.exact,
     );
-    for (index, piece) in bound.pieces.iter().enumerate() {
+    for (index, piece) in pieces.iter().enumerate() {
         let and = if index == 0 { "   " } else { "/\\ " };
         writeln!(script, "{and}({})", premise(bound, piece)).expect("a string takes all");
     }

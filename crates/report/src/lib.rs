@@ -39,7 +39,7 @@ mod wording;
 
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
-pub use gappa::gappa;
+pub use gappa::{gappa, gappa_questions};
 pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json, json_with_judges};
 pub use latex::latex;
