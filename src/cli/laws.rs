@@ -5,7 +5,8 @@ use std::io;
 use std::path::Path;
 
 use kane::algebra::syntax::nearest;
-use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, laws, matrix};
+use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
+use kane::impact::laws::law_ids;
 use kane::report::Page;
 use kane::report::matrix::{MatrixReport, explain, json, markdown, text};
 
@@ -47,7 +48,7 @@ fn selection(args: &LawsArgs) -> Result<Selection, String> {
         columns.push(property.to_owned());
     }
     let properties: Vec<&str> = PROPERTIES.iter().map(|p| p.id).collect();
-    known("law", &wanted, &laws())?;
+    known("law", &wanted, &law_ids())?;
     known("property", &columns, &properties)?;
     let chosen = |ids: Vec<String>| (!ids.is_empty()).then_some(ids);
     Ok(Selection { laws: chosen(wanted), properties: chosen(columns) })

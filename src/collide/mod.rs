@@ -38,8 +38,8 @@ pub use parameters::{LawParameter, Parameters, UnknownParameter};
 pub use system::{Happened, System};
 pub use written::written;
 
-use crate::impact::laws::{LawVisitor, visit_laws};
-use crate::impact::{ImpactLaw, InvalidInput};
+use crate::impact::InvalidInput;
+pub use crate::impact::laws::law_ids;
 use crate::number::Rational;
 use crate::report::collision::{Collision, Given};
 
@@ -73,20 +73,6 @@ impl Question {
             parameters,
         }
     }
-}
-
-/// The ids of all laws, in the order of tables.
-#[must_use]
-pub fn law_ids() -> Vec<&'static str> {
-    struct Ids(Vec<&'static str>);
-    impl LawVisitor for Ids {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push(law.id());
-        }
-    }
-    let mut ids = Ids(Vec::new());
-    visit_laws(&mut ids);
-    ids.0
 }
 
 /// Answers under the law of this id in depth, or under all laws.

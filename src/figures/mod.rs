@@ -8,9 +8,7 @@ mod model_error;
 mod over_alpha;
 mod puzzle_map;
 
-use kane_impact::ImpactLaw;
 use kane_impact::compliant::NoOutcome;
-use kane_impact::laws::{LawVisitor, visit_laws};
 use kane_report::figures::{Axis, Figure};
 
 /// Figures 3, 4 and 5 of Wang, Su and Li with all laws, the model error, and the map of Kane's puzzle;
@@ -37,19 +35,6 @@ fn alpha(from: f64, to: f64) -> Axis {
         ticks: ticks.into_iter().filter(|tick| from <= *tick && *tick <= to).collect(),
         is_logarithmic: true,
     }
-}
-
-/// The ids of all laws, in their order.
-fn law_ids() -> Vec<&'static str> {
-    struct Ids(Vec<&'static str>);
-    impl LawVisitor for Ids {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push(law.id());
-        }
-    }
-    let mut ids = Ids(Vec::new());
-    visit_laws(&mut ids);
-    ids.0
 }
 
 /// The rows of a table that the program carries with it: without comments, the line of names first.

@@ -10,7 +10,7 @@ pub(super) fn figure() -> Figure {
     let names = rows.next().unwrap_or_default();
     let rows: Vec<Vec<f64>> =
         rows.map(|row| row.into_iter().map(super::number).collect()).collect();
-    let laws = super::law_ids();
+    let laws = kane_impact::laws::law_ids();
     let series = |(column, name): (usize, &&str)| Series {
         names: vec![match *name {
             "error" => "the half-space's own error, estimated".to_owned(),

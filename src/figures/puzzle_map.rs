@@ -27,7 +27,8 @@ pub(super) fn figure() -> Figure {
     bodies.dedup();
     for body in bodies {
         let gains = |law: &str| panels.iter().any(|panel| panel.case == [body.as_str(), law]);
-        let without: Vec<&str> = super::law_ids().into_iter().filter(|law| !gains(law)).collect();
+        let without: Vec<&str> =
+            kane_impact::laws::law_ids().into_iter().filter(|law| !gains(law)).collect();
         notes.push(format!("No gain found, or no outcome, {body}: {}.", without.join(", ")));
     }
     Figure {

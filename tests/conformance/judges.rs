@@ -7,10 +7,12 @@ use std::rc::Rc;
 use std::time::Duration;
 
 use kane::audit::{Audit, Options, audit, read};
-use kane::judges::{Limits, coq, coq_file, is_installed, z3};
+use kane::judges::{Limits, coq, coq_file, z3};
 use kane::kernel::{Conclusion, Expr, Link};
 use kane::report::Report;
 use kane::report::judges::{Answer, Judge};
+
+use crate::support::installed;
 
 /// The document, and how many of its links are about limits, rest on them, or have a witness at an
 /// algebraic number: those are not emitted for Coq.
@@ -34,16 +36,6 @@ fn judged(name: &str) -> Audit {
     audit(document, &Options::default(), &mut |_, _| {})
 }
 
-/// Whether the judge is there; where it is needed and is not, the test fails.
-fn there(program: &str) -> bool {
-    if is_installed(program) {
-        return true;
-    }
-    assert!(std::env::var_os("KANE_REQUIRE_JUDGES").is_none(), "{program} is not installed");
-    println!("skipped: {program} is not installed");
-    false
-}
-
 fn not_asked(judge: &Judge) -> usize {
     judge.answers.values().filter(|a| matches!(a, Answer::NotAsked(_))).count()
 }
@@ -57,7 +49,7 @@ fn every_shipped_document_has_its_row() {
 
 #[test]
 fn coq_accepts_every_lemma_of_the_shipped_documents() {
-    if !there("coqc") {
+    if !installed("coqc") {
         return;
     }
     for (name, limits) in DOCUMENTS {
@@ -83,7 +75,7 @@ fn coq_accepts_every_lemma_of_the_shipped_documents() {
 
 #[test]
 fn z3_disagrees_on_no_claim_of_the_shipped_documents() {
-    if !there("z3") {
+    if !installed("z3") {
         return;
     }
     for (name, _) in DOCUMENTS {
@@ -101,7 +93,7 @@ fn a_transplanted_proof_is_rejected() {
     let mut audit = judged("sliding-to-rolling.md");
     let statement = audit.document.statements.iter().position(|s| s.label == "(9r)");
     let statement = statement.expect("the claim is there");
-    if there("coqc") {
+    if installed("coqc") {
         let mut file = kane::report::coq::coq(&Report::new(&audit, "kane audit"));
         let lemma = file.lemmas.iter_mut().find(|l| l.statement == statement);
         let lemma = lemma.expect("it is emitted");
@@ -114,7 +106,7 @@ fn a_transplanted_proof_is_rejected() {
             assert_eq!(rejected, *i == statement, "{answer:?}");
         }
     }
-    if there("z3") {
+    if installed("z3") {
         let link = &mut audit.judgements[statement].links[0];
         let mut accepted = (**link.accepted.as_ref().expect("it is proved")).clone();
         let Conclusion::Link(Link::Relation(relation)) = &mut accepted.goal.conclusion else {
@@ -130,7 +122,7 @@ fn a_transplanted_proof_is_rejected() {
 /// The statement of a lemma is compared with the data, so that neither can be changed alone.
 #[test]
 fn a_lemma_that_says_something_else_is_rejected() {
-    if !there("coqc") {
+    if !installed("coqc") {
         return;
     }
     let audit = judged("sliding-to-rolling.md");

@@ -28,7 +28,7 @@ pub(crate) fn many(gate: usize) -> usize {
 /// Whether a program that a test needs can be run. If not, the test says that it is skipped; the gate
 /// installs the programs and sets `KANE_REQUIRE_JUDGES`, so that nothing is skipped there.
 pub(crate) fn installed(program: &str) -> bool {
-    let found = std::process::Command::new(program).arg("--version").output().is_ok();
+    let found = kane::judges::is_installed(program);
     let required = std::env::var_os("KANE_REQUIRE_JUDGES").is_some();
     assert!(found || !required, "{program} is not installed");
     if !found {

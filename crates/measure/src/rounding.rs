@@ -52,26 +52,11 @@ pub struct Piece {
 }
 
 impl RoundingBound {
-    /// The bound on the result in ulps of the exact value, the last rounding included.
-    #[must_use]
-    pub fn total(&self) -> Rational {
-        let half = Rational::new(1.into(), 2.into());
-        if self.before_last_rounding { self.ulps.clone() + half } else { self.ulps.clone() }
-    }
-
     /// What it is called: law, quantity, method and format.
     #[must_use]
     pub fn name(&self) -> String {
         let method = self.methods.first().map_or("", |name| name.trim_matches(['(', ')']));
         format!("{}-{}-{method}-{}", self.law, self.quantity, self.system)
-    }
-
-    /// The greatest relative error that the bound admits, as an ulp is at most 2^(1 − p) of a
-    /// number.
-    #[must_use]
-    pub fn relative(&self) -> Rational {
-        let precision = if self.system == System::F32 { f32::PRECISION } else { f64::PRECISION };
-        self.total() / Rational::from_integer(BigInt::from(1) << (precision - 1))
     }
 }
 

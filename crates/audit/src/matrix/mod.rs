@@ -21,7 +21,7 @@ mod study;
 mod subdivision;
 mod visible;
 
-use kane_impact::laws::{LawVisitor, visit_laws};
+use kane_impact::laws::{LawVisitor, law_ids, visit_laws};
 use kane_impact::{Contact, ImpactLaw};
 use kane_number::Rational;
 
@@ -195,25 +195,11 @@ impl LawVisitor for Build<'_> {
     }
 }
 
-/// The ids of all laws, in order.
-#[must_use]
-pub fn laws() -> Vec<&'static str> {
-    struct Ids(Vec<&'static str>);
-    impl LawVisitor for Ids {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push(law.id());
-        }
-    }
-    let mut ids = Ids(Vec::new());
-    visit_laws(&mut ids);
-    ids.0
-}
-
 /// The matrix, or what is asked for of it. `progress` is told, after each cell, how many are done and
 /// how many there are.
 pub fn matrix(selection: &Selection, progress: &mut dyn FnMut(usize, usize)) -> Matrix {
     let properties = selection.properties();
-    let count = selection.laws.as_ref().map_or_else(|| laws().len(), Vec::len);
+    let count = selection.laws.as_ref().map_or_else(|| law_ids().len(), Vec::len);
     let all = count * properties.len();
     let mut build = Build { selection, properties, rows: Vec::new(), done: 0, all, progress };
     visit_laws(&mut build);

@@ -151,8 +151,6 @@ impl Process for HertzMindlin {
 
     fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
         let alpha = checked(alpha)?;
-        let run = |nodes| self.follow(nodes, alpha, &mut |_| ());
-        let [half, third] = &self.coarse;
-        Ok(Outcome::refined(run(&self.fine)?, [run(half)?, run(third)?]))
+        Outcome::refined(&self.fine, &self.coarse, |nodes| self.follow(nodes, alpha, &mut |_| ()))
     }
 }

@@ -103,12 +103,14 @@ pub struct Outcome {
 impl Outcome {
     /// What fine steps give, with the greatest difference to coarser ones as the error: one alone may
     /// vanish by chance, where errors change their sign from grid to grid.
-    fn refined(
-        (ratios, ledger): (Ratios<f64>, Ledger),
-        coarse: [(Ratios<f64>, Ledger); 2],
-    ) -> Self {
-        let error = coarse.map(|(other, _)| (ratios.k - other.k).abs());
-        Self { error: error[0].max(error[1]), ratios, ledger }
+    fn refined<G>(
+        fine: &G,
+        [half, third]: &[G; 2],
+        run: impl Fn(&G) -> Result<(Ratios<f64>, Ledger), NoOutcome>,
+    ) -> Result<Self, NoOutcome> {
+        let (ratios, ledger) = run(fine)?;
+        let error = [run(half)?, run(third)?].map(|(other, _)| (ratios.k - other.k).abs());
+        Ok(Self { error: error[0].max(error[1]), ratios, ledger })
     }
 }
 

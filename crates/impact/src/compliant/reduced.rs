@@ -181,8 +181,6 @@ impl Process for DimensionReduction {
 
     fn outcome(&self, alpha: &Alpha<f64>) -> Result<Outcome, NoOutcome> {
         let alpha = checked(alpha)?;
-        let run = |grid| self.follow(grid, alpha, &mut |_| ());
-        let [half, third] = &self.coarse;
-        Ok(Outcome::refined(run(&self.fine)?, [run(half)?, run(third)?]))
+        Outcome::refined(&self.fine, &self.coarse, |grid| self.follow(grid, alpha, &mut |_| ()))
     }
 }
