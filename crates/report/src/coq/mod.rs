@@ -10,10 +10,14 @@
 //! an algebraic number; each says so in the file.
 
 mod bounds;
+mod family;
+mod functions;
 mod lemma;
+mod limits;
 mod reify;
 mod script;
 mod table;
+mod witness;
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

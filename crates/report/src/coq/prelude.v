@@ -204,6 +204,7 @@ Definition atoms := list atom.
 Definition cases := list atoms.
 Notation all_hold e := (Forall (holds e)).
 Definition some_case (e : nat -> R) (c : cases) : Prop := exists a, In a c /\ all_hold e a.
+Definition some_cases (e : nat -> R) (fs : list cases) := Forall (some_case e) fs.
 
 Fixpoint joined (a b : atoms) : option atoms :=
   match b with
@@ -436,8 +437,6 @@ Lemma conj_branch p l : conj (branch p l) <-> (p -> conj l).
 Proof. destruct l; simpl; tauto. Qed.
 Lemma arrow_imp l p : arrow l p <-> (conj l -> p).
 Proof. destruct l; simpl; tauto. Qed.
-Lemma related_dec r x y : related r x y \/ ~ related r x y.
-Proof. destruct r; simpl; destruct (Rtotal_order x y) as [|[|]]; lra. Qed.
 Lemma choose_spec r x y a b :
   (related r x y -> choose r x y a b = a) /\ (~ related r x y -> choose r x y a b = b).
 Proof.
@@ -449,8 +448,6 @@ Proof. unfold num; destruct d; try (field; apply not_0_IZR; discriminate); ring.
 
 Definition stands (e : nat -> R) (v : R) (x : frac) : Prop :=
   peval e (snd x) <> 0 /\ v * peval e (snd x) = peval e (fst x).
-Lemma stands_quot e v x : stands e v x -> v = peval e (fst x) / peval e (snd x).
-Proof. intros [D N]. rewrite <- N. field; trivial. Qed.
 Lemma stands_add e u v x y : stands e u x -> stands e v y -> stands e (u + v) (fadd x y).
 Proof.
   intros [D N] [F G]. unfold fadd, stands. destruct (peqb (snd x) (snd y)) eqn:E; simpl.
@@ -1112,14 +1109,17 @@ Proof.
   rewrite Rabs_pos_eq in G; lra.
 Qed.
 
-(** A germ on which the premises hold: x = a ± t or ± 1/t for small t, and what its variables tend to. *)
+(** Values at a point of a germ: t, the declared ranges, x = a ± t or ± 1/t, and the constants. *)
+Definition on_side (pc : passing) (env : nat -> R) (s : side) (t : R) (e : nat -> R) : Prop :=
+  e 0%nat = t /\ all_hold e (ranges_along pc) /\ holds e (binding (var pc) s) /\
+  (forall k, In k (constants pc) -> e k = env k).
+(** A germ on which, where it does not leave the domain, the premises hold, and what its variables
+    tend to. *)
 Definition germ (pc : passing) (env : nat -> R) (s : side) (zs : list nat) (fs : list cases)
   (d : R) (e : R -> nat -> R) : Prop :=
   0 < d /\
-  (forall t, 0 < t < d ->
-    e t 0%nat = t /\ all_hold (e t) (ranges_along pc) /\ holds (e t) (binding (var pc) s) /\
-    (forall k, In k (constants pc) -> e t k = env k) /\
-    (Forall (some_case (e t)) (leaves pc) \/ Forall (some_case (e t)) fs)) /\
+  (forall t, 0 < t < d -> on_side pc env s t (e t) /\
+    ((exists e', on_side pc env s t e' /\ some_cases e' (leaves pc)) \/ some_cases (e t) fs)) /\
   (forall k, In k zs -> germ_limit (fun t => e t k) (env k)).
 Definition germs (pc : option passing) (env : nat -> R) : Prop :=
   match pc with
@@ -1127,7 +1127,6 @@ Definition germs (pc : option passing) (env : nat -> R) : Prop :=
   | Some pc => forall s zs fs, along_side pc s = Some (zs, fs) -> existsb (Nat.eqb 0) (constants pc ++ zs) = false
      /\ exists d e, germ pc env s zs fs d e
   end.
-Definition some_cases (e : nat -> R) (fs : list cases) := Forall (some_case e) fs.
 
 Lemma germ_known pc env s zs fs d e k : germ pc env s zs fs d e -> In k (constants pc ++ zs) ->
   germ_limit (fun t => e t k) (env k).
@@ -1138,6 +1137,22 @@ Proof.
 Qed.
 
 (** The germ inside a radius that depends on constants. *)
+Lemma germ_atoms_hold pc env s t e num den st : on_side pc env s t e -> all_hold env st ->
+  mentions_only (constants pc) num = true -> mentions_only (constants pc) den = true ->
+  0 < peval env den -> 0 < t < peval env num / peval env den -> all_hold e (germ_atoms pc s num den st).
+Proof.
+  intros [Et [Er [Eb Ec]]] H M N Q [T U]. unfold germ_atoms. apply Forall_app; split; trivial. apply Forall_app; split.
+  - apply Forall_forall. intros a J. apply filter_In in J as [J K].
+    pose proof (all_in env st a H J) as L. unfold holds in *.
+    rewrite (mentions_eval e env (constants pc) (apoly a) K Ec). trivial.
+  - repeat apply Forall_cons; trivial; unfold holds; cbn [asign apoly].
+    + rewrite peval_var, Et. lra.
+    + rewrite peval_sub, peval_mul, peval_var, Et.
+      rewrite (mentions_eval e env _ _ M Ec), (mentions_eval e env _ _ N Ec).
+      assert (t * peval env den < peval env num); [|lra].
+      replace (peval env num) with (peval env num / peval env den * peval env den) by (field; lra).
+      apply Rmult_lt_compat_r; lra.
+Qed.
 Lemma germ_inside pc env s zs fs d e num den st :
   (forall fs st p fuel env, refute None fuel fs st p = true -> all_hold env st -> some_cases env fs -> False) ->
   germ pc env s zs fs d e -> all_hold env st ->
@@ -1153,20 +1168,9 @@ Proof.
   split; [apply Rmin_l|]. intros t [T U].
   pose proof (Rmin_l d (peval env num / peval env den)).
   pose proof (Rmin_r d (peval env num / peval env den)).
-  destruct (E t ltac:(lra)) as [Et [Er [Eb [Ec El]]]].
-  assert (G : all_hold (e t) (germ_atoms pc s num den st)).
-  { unfold germ_atoms. apply Forall_app; split; trivial. apply Forall_app; split.
-    - apply Forall_forall. intros a J. apply filter_In in J as [J K].
-      pose proof (all_in env st a H J) as L. unfold holds in *.
-      rewrite (mentions_eval (e t) env (constants pc) (apoly a) K Ec). trivial.
-    - repeat apply Forall_cons; trivial; unfold holds; cbn [asign apoly].
-      + rewrite peval_var, Et. lra.
-      + rewrite peval_sub, peval_mul, peval_var, Et.
-        rewrite (mentions_eval (e t) env _ _ M Ec), (mentions_eval (e t) env _ _ N Ec).
-        assert (t * peval env den < peval env num); [|lra].
-        replace (peval env num) with (peval env num / peval env den * peval env den) by (field; lra).
-        apply Rmult_lt_compat_r; lra. }
-  split; trivial. destruct El as [El|El]; trivial. exfalso. eapply IH; eassumption.
+  assert (G : forall e', on_side pc env s t e' -> all_hold e' (germ_atoms pc s num den st)).
+  { intros e' S. apply germ_atoms_hold with env t; trivial. lra. }
+  destruct (E t ltac:(lra)) as [S [[e' [S' L]]|F]]; split; auto. exfalso. eapply IH; eauto.
 Qed.
 
 Theorem refute_sound pc : forall fuel fs st p env,
@@ -1286,7 +1290,7 @@ Proof.
     assert (L : germ_limit (fun t => peval (e t) (apoly a)) (peval env (at0 (apoly a)))).
     { rewrite at0_eval. apply germ_limit_poly with (1 := Ka). intros k [<-|Ik].
       - cbn [at_zero]. apply germ_limit_near with (fun t => t) d; [apply Ge| |].
-        + intros t Ht. symmetry. apply Ge; trivial.
+        + intros t Ht. symmetry. apply (proj1 (proj2 Ge) t Ht).
         + apply lim_x.
       - assert (at_zero env k = env k) as ->.
         { destruct k; trivial. assert (existsb (Nat.eqb 0) (constants pc ++ zs) = true); [|congruence].
@@ -1602,6 +1606,1318 @@ Theorem refuted_root g w : refutes_at_root g w = true -> exists t, ~ states g (p
 Proof.
   unfold refutes_at_root. intro C. split_bools. match goal with H : root_exists _ = true |- _ => destruct (root_found _ H) as [t T] end.
   exists t. apply refuted_there; trivial.
+Qed.
+
+(** * Limits *)
+
+(** What holds close to a point on one side of it, or far out. *)
+Definition near (s : side) (Q : R -> Prop) : Prop :=
+  match point s, above s with
+  | Some (n, d), true => exists delta, delta > 0 /\ forall x, num n d < x < num n d + delta -> Q x
+  | Some (n, d), false => exists delta, delta > 0 /\ forall x, num n d - delta < x < num n d -> Q x
+  | None, true => exists bound, forall x, x > bound -> Q x
+  | None, false => exists bound, forall x, x < bound -> Q x
+  end.
+Definition germ_point (s : side) (t : R) : R :=
+  match point s, above s with
+  | Some (n, d), true => num n d + t | Some (n, d), false => num n d - t
+  | None, true => / t | None, false => - / t
+  end.
+Definition small (Q : R -> Prop) : Prop := exists d, 0 < d /\ forall t, 0 < t < d -> Q t.
+Lemma small_and P Q : small P -> small Q -> small (fun t => P t /\ Q t).
+Proof.
+  intros [c [C F]] [d [D G]]. exists (Rmin c d). split; [apply Rmin_glb_lt; trivial|].
+  intros t T. pose proof (Rmin_l c d). pose proof (Rmin_r c d). split; [apply F|apply G]; lra.
+Qed.
+Lemma small_weaken (P Q : R -> Prop) : small P -> (forall t, 0 < t -> P t -> Q t) -> small Q.
+Proof. intros [c [C F]] W. exists c. split; trivial. intros t T. apply W; [lra|auto]. Qed.
+Lemma small_all {X} (l : list X) (P : X -> R -> Prop) : (forall x, In x l -> small (P x)) ->
+  small (fun t => forall x, In x l -> P x t).
+Proof.
+  induction l as [|x l IH]; intro H.
+  - exists 1. split; [lra|]. intros t _ x [].
+  - destruct (small_and _ _ (H x (or_introl eq_refl)) (IH (fun y I => H y (or_intror I)))) as [d [D F]].
+    exists d. split; trivial. intros t T y [<-|J]; destruct (F t T) as [G1 G2]; [exact G1|exact (G2 y J)].
+Qed.
+Lemma inv_big d t : 0 < t -> 0 < d -> t < / d -> d < / t.
+Proof.
+  intros T D L. rewrite <- (Rinv_inv d). apply Rinv_lt_contravar; trivial. apply Rmult_lt_0_compat; trivial.
+  apply Rinv_0_lt_compat; trivial.
+Qed.
+Lemma near_small s Q : near s Q <-> small (fun t => Q (germ_point s t)).
+Proof.
+  unfold near, small, germ_point. destruct (point s) as [[n d]|], (above s); split; intros [c H].
+  - destruct H as [C H]. exists c. split; [lra|]. intros t T. apply H; lra.
+  - destruct H as [C H]. exists c. split; [lra|]. intros x X.
+    replace x with (num n d + (x - num n d)) by ring. apply H; lra.
+  - destruct H as [C H]. exists c. split; [lra|]. intros t T. apply H; lra.
+  - destruct H as [C H]. exists c. split; [lra|]. intros x X.
+    replace x with (num n d - (num n d - x)) by ring. apply H; lra.
+  - assert (P : 0 < Rabs c + 1) by (pose proof (Rabs_pos c); lra).
+    exists (/ (Rabs c + 1)). split; [apply Rinv_0_lt_compat; trivial|]. intros t [T U]. apply H.
+    pose proof (inv_big _ t T P U). pose proof (Rle_abs c). lra.
+  - destruct H as [C H]. exists (/ c). intros x X. pose proof (Rinv_0_lt_compat c C).
+    rewrite <- (Rinv_inv x). apply H. split; [apply Rinv_0_lt_compat; lra|].
+    rewrite <- (Rinv_inv c). apply Rinv_lt_contravar; trivial. apply Rmult_lt_0_compat; lra.
+  - assert (P : 0 < Rabs c + 1) by (pose proof (Rabs_pos c); lra).
+    exists (/ (Rabs c + 1)). split; [apply Rinv_0_lt_compat; trivial|]. intros t [T U]. apply H.
+    pose proof (inv_big _ t T P U). pose proof (Rle_abs (- c)). rewrite Rabs_Ropp in *. lra.
+  - destruct H as [C H]. exists (- / c). intros x X. pose proof (Rinv_0_lt_compat c C).
+    replace x with (- / (/ - x)) by (rewrite Rinv_inv; ring). apply H. split; [apply Rinv_0_lt_compat; lra|].
+    rewrite <- (Rinv_inv c). apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra|]. lra.
+Qed.
+Lemma near_weaken s (P Q : R -> Prop) : near s P -> (forall x, P x -> Q x) -> near s Q.
+Proof. rewrite !near_small. intros H W. apply (small_weaken _ _ H). auto. Qed.
+
+Inductive target := Finite (v : expr) | PlusInf | MinusInf.
+(** f is defined close to the point, and as close to its limit as one likes; the limit is read at [v]. *)
+Definition reaches (l : R -> list R) (v : list R) (f : expr) (to : target) (s : side) : Prop :=
+  match to with
+  | Finite y => forall eps, eps > 0 ->
+      near s (fun x => conj (conds (l x) f ++ [Rabs (ev (l x) f - ev v y) < eps]))
+  | PlusInf => forall b, near s (fun x => conj (conds (l x) f ++ [ev (l x) f > b]))
+  | MinusInf => forall b, near s (fun x => conj (conds (l x) f ++ [ev (l x) f < b]))
+  end.
+Definition tends (l : R -> list R) (v : list R) (f : expr) (to : target) (ss : list side) : list Prop :=
+  match to with Finite y => conds v y | _ => [] end ++ map (reaches l v f to) ss.
+
+(** A premise is about constants, about the limit variable alone, or about functions of it. *)
+Inductive role := Everywhere | Narrows | Along.
+Definition is_role (a b : role) : bool :=
+  match a, b with Everywhere, Everywhere | Narrows, Narrows | Along, Along => true | _, _ => false end.
+Definition premise_limit := option (list side * expr * expr).
+Record family := Family {
+  body : goal;
+  more : list relation;
+  variable : nat;
+  fixed : list nat;
+  roles : list role;
+  always_when : bool;
+  premised : list premise_limit
+}.
+Definition mem (i : nat) (l : list nat) : bool := existsb (Nat.eqb i) l.
+Definition subject (r : relation) : nat := match lhs r with Var i => i | _ => 0%nat end.
+Definition all_ranges (g : family) := ranges (body g) ++ more g.
+Definition constant_ranges (g : family) := filter (fun r => mem (subject r) (fixed g)) (all_ranges g).
+Definition variable_ranges (g : family) :=
+  filter (fun r => negb (mem (subject r) (fixed g)) && Nat.eqb (subject r) (variable g)) (all_ranges g).
+Definition function_ranges (g : family) :=
+  filter (fun r => negb (mem (subject r) (fixed g)) && negb (Nat.eqb (subject r) (variable g))) (all_ranges g).
+Definition roled (g : family) := combine (roles g) (premises (body g)).
+Definition with_role (r : role) (g : family) : list sentence :=
+  map snd (filter (fun q => is_role r (fst q) && speaks (snd q)) (roled g)).
+Definition premise_tends (l : R -> list R) (v : list R) (q : premise_limit) : list Prop :=
+  match q with Some (ss, f, y) => [conj (tends l v f (Finite y) ss)] | None => [] end.
+
+(** What is supposed: of constants; in the domain; of functions there. *)
+Definition constantly (g : family) (l : R -> list R) (p : R) : list Prop :=
+  map (says (l p)) (constant_ranges g) ++ map (says_all (l p)) (with_role Everywhere g) ++
+  (if always_when g then match conditions (body g) with [] => [] | rs => [conj (flat (l p) rs)] end else []) ++
+  flat_map (premise_tends l (l p)) (premised g).
+Definition domain (g : family) (l : R -> list R) (p : R) : list Prop :=
+  map (says (l p)) (variable_ranges g) ++ map (says_all (l p)) (with_role Narrows g).
+Definition functionally (g : family) (l : R -> list R) : list Prop :=
+  match function_ranges g with
+  | [] => []
+  | rs => [forall x, imply (map (says (l x)) (variable_ranges g)) (conj (map (says (l x)) rs))]
+  end ++
+  map (fun h => forall x, imply (domain g l x) (says_all (l x) h)) (with_role Along g).
+Definition states_limit (g : family) (l : R -> list R) (f : expr) (to : target) (ss : list side) : Prop :=
+  imply (constantly g l 0 ++ functionally g l) (conj (tends l (l 0) f to ss)).
+Definition states_point (g : family) (l : R -> list R) : Prop :=
+  imply (constantly g l 0 ++ functionally g l)
+    (forall x, imply (domain g l x)
+      (arrow (if always_when g then [] else flat (l x) (conditions (body g))) (concludes (l x) (claim (body g))))).
+
+(** ** What is known at a point, of constants, and along a germ *)
+
+Definition offset (g : family) : nat := S (length (premised g)).
+Definition stands_for (off : nat) (f : expr) (num den : poly) : pieces bool :=
+  each (regions off f) (fun v =>
+    either (A (psub (pmul den (fst v)) (pmul num (snd v))) SZ) (Some true) (Some false)).
+Definition equals (off : nat) (f : expr) (num den : poly) : cases := select is_true (stands_for off f num den).
+Definition differs (off : nat) (f : expr) (num den : poly) : cases :=
+  select (fun v => negb (is_true v)) (stands_for off f num den).
+Definition nothing : cases := [[]].
+Definition has_side (s : side) (ss : list side) : bool := existsb (seqb_side s) ss.
+Definition value_cases (off : nat) (i : nat) (q : premise_limit) : cases :=
+  match q with Some (_, _, v) => equals off v (pvar (S i)) pone | None => nothing end.
+Definition function_cases (off : nat) (s : side) (i : nat) (q : premise_limit) : cases :=
+  match q with Some (ss, f, _) => if has_side s ss then equals off f (pvar (S i)) pone else nothing | None => nothing end.
+Definition free_formulas (g : family) (limits : list cases) : list cases :=
+  map (fun q => if is_role Everywhere (fst q) then where_holds (offset g) (snd q) true else nothing) (roled g) ++
+  limits ++
+  [if always_when g then where_all (offset g) (conditions (body g)) else nothing].
+Definition constant_formulas (g : family) : list cases :=
+  free_formulas g (mapi (value_cases (offset g)) 0 (premised g)).
+Definition leaving (g : family) : list cases :=
+  constant_formulas g ++ [flat_map (fun h => where_holds (offset g) h false) (with_role Narrows g)].
+Definition germ_formulas (g : family) (s : side) : list cases :=
+  formulas (offset g) (premises (body g)) ++
+  mapi (function_cases (offset g) s) 0 (premised g) ++
+  [if always_when g then where_all (offset g) (conditions (body g)) else nothing].
+Definition point_formulas (g : family) : list cases :=
+  formulas (offset g) (premises (body g)) ++ mapi (value_cases (offset g)) 0 (premised g) ++
+  [where_all (offset g) (conditions (body g))] ++ failure (offset g) (claim (body g)).
+Definition known_limits (g : family) (s : side) : list nat :=
+  flat_map (fun l : list nat => l) (mapi (fun i q => match q with
+    | Some (ss, _, _) => if has_side s ss then [S i] else [] | None => [] end) 0 (premised g)).
+Definition passing_of (g : family) (used : list side) : passing :=
+  Passing (map (Nat.add (offset g)) (fixed g)) (offset g + variable g)
+    (range_atoms (offset g) (all_ranges g)) (leaving g)
+    (map (fun s => (s, (known_limits g s, germ_formulas g s))) used).
+
+(** A declared range that reaches up to the limit on this side. *)
+Definition side_within (s : side) (r : relation) : bool :=
+  match rhs r, point s with
+  | Num m c, None => match comparison r, above s with
+      | Gt, true | Ge, true | Lt, false | Le, false => true | _, _ => false end
+  | Num m c, Some (n, d) => match comparison r, above s with
+      | Gt, true | Ge, true => Z.leb (m * Zpos d) (n * Zpos c)
+      | Gt, false | Ge, false => Z.ltb (m * Zpos d) (n * Zpos c)
+      | Lt, true | Le, true => Z.ltb (n * Zpos c) (m * Zpos d)
+      | Lt, false | Le, false => Z.leb (n * Zpos c) (m * Zpos d)
+      | _, _ => false end
+  | _, _ => false
+  end.
+Definition well_formed (g : family) (used : list side) : bool :=
+  forallb simple (all_ranges g) && forallb (fun s => forallb (side_within s) (variable_ranges g)) used &&
+  Nat.eqb (length (roles g)) (length (premises (body g))) &&
+  rootless_goal (body g) && forallb rootless_rel (more g) &&
+  forallb (fun q : premise_limit => match q with Some (_, f, v) => rootless f && rootless v | None => true end) (premised g).
+
+Record side_proof := SideProof {
+  radius_num : poly; radius_den : poly; radius_positive : proof; germ_within : proof;
+  limit_num : poly; limit_den : poly; order : nat; identity : proof; ends : proof }.
+Definition lower (n : nat) (p : poly) : poly :=
+  map (fun t => (trim (match fst t with [] => [] | k :: m => (k - n)%nat :: m end), snd t)) p.
+Definition divisible (n : nat) (p : poly) : bool :=
+  forallb (fun t => match fst t with [] => Nat.eqb n 0 | k :: _ => Nat.leb n k end) p.
+Definition misses (off : nat) (num den : poly) (order : nat) (to : target) : cases :=
+  match to with
+  | Finite v => differs off v num den ++ [[A den SZ]]
+  | PlusInf => [[anot (A (pmul num den) SP)]]
+  | MinusInf => [[anot (A (pneg (pmul num den)) SP)]]
+  end.
+Definition shows (g : family) (used : list side) (f : expr) (to : target) (s : side) (c : side_proof) : bool :=
+  let pc := passing_of g used in
+  let off := offset g in
+  let st := range_atoms off (constant_ranges g) in
+  let fs := constant_formulas g in
+  let num := limit_num c in let den := limit_den c in
+  let st' := germ_atoms pc s (radius_num c) (radius_den c) st in
+  let zs := 0%nat :: constants pc ++ known_limits g s in
+  has_side s used &&
+  mentions_only (constants pc) (radius_num c) && mentions_only (constants pc) (radius_den c) &&
+  refute (Some pc) depth (fs ++ [[[anot (A (radius_num c) SP)]; [anot (A (radius_den c) SP)]]]) st (radius_positive c) &&
+  refute None depth (leaving g) st' (germ_within c) &&
+  refute None depth (germ_formulas g s ++ [differs off f num den]) st' (identity c) &&
+  mentions_only zs num && divisible (order c) den && mentions_only zs (lower (order c) den) &&
+  match to with Finite v => Nat.eqb (order c) 0 && rootless v | _ => Nat.ltb 0 (order c) end && rootless f &&
+  refute (Some pc) depth (fs ++ [misses off (at0 num) (at0 (lower (order c) den)) (order c) to]) st (ends c).
+Definition proves_limit (g : family) (used : list side) (f : expr) (to : target) (cs : list (side * side_proof)) : bool :=
+  well_formed g used && forallb (fun c => shows g used f to (fst c) (snd c)) cs.
+Definition proves_point (g : family) (used : list side) (p : proof) : bool :=
+  well_formed g used &&
+  refute (Some (passing_of g used)) depth (point_formulas g) (range_atoms (offset g) (ranges (body g))) p.
+
+(** ** They are sound *)
+
+Lemma seqb_side_eq s t : seqb_side s t = true -> s = t.
+Proof.
+  unfold seqb_side. destruct s as [[[n d]|] a], t as [[[m c]|] b]; cbn [point above]; intro H; split_bools;
+    try discriminate.
+  - f_equal; [|apply eqb_prop; trivial]. f_equal; f_equal; [apply Z.eqb_eq|apply Pos.eqb_eq]; trivial.
+  - f_equal. apply eqb_prop; trivial.
+Qed.
+Lemma has_side_in s ss : has_side s ss = true -> In s ss.
+Proof.
+  unfold has_side. intro H. apply existsb_exists in H as [t [I H]]. apply seqb_side_eq in H; subst; trivial.
+Qed.
+Lemma stands_for_spec off e l f num den : agrees off e l -> rootless f = true ->
+  spec e (stands_for off f num den) (fun b => match b with
+    | Some true => total l f /\ peval e den * ev l f = peval e num
+    | Some false => total l f /\ peval e den * ev l f <> peval e num
+    | None => ~ total l f end).
+Proof.
+  intros AG RT. unfold stands_for. apply spec_each with (is_value e l f).
+  - apply regions_spec; trivial. apply rootless_rooted; trivial.
+  - trivial.
+  - intros v [C [D N]]. assert (Z : peval e (psub (pmul den (fst v)) (pmul num (snd v))) =
+      peval e (snd v) * (peval e den * ev l f - peval e num)).
+    { rewrite peval_sub, !peval_mul, <- N. ring. }
+    apply spec_either; unfold holds; cbn [asign apoly]; rewrite Z; intro H; split; trivial.
+    + apply Rmult_integral in H as [H|H]; [tauto|lra].
+    + intro Q. apply H. rewrite Q. ring.
+Qed.
+Lemma equals_holds off e l f num den : agrees off e l -> rootless f = true ->
+  total l f -> peval e den * ev l f = peval e num -> some_case e (equals off f num den).
+Proof.
+  intros AG RT T Q. apply (select_spec e _ _ is_true True (stands_for_spec off e l f num den AG RT)); trivial.
+  intros [[|]|]; simpl; tauto.
+Qed.
+Lemma differs_not off e l f num den : agrees off e l -> rootless f = true ->
+  ~ some_case e (differs off f num den) -> total l f /\ peval e den * ev l f = peval e num.
+Proof.
+  intros AG RT N. pose proof (stands_for_spec off e l f num den AG RT) as S.
+  destruct S as [A0 [p [I0 H]]]. pose proof (A0 p I0 H) as G.
+  assert (K : is_true (snd p) = true).
+  { destruct (is_true (snd p)) eqn:E; trivial. exfalso. apply N. exists (fst p). split; trivial.
+    unfold differs, select. apply in_map, filter_In. rewrite E. split; trivial. }
+  destruct (snd p) as [[|]|]; simpl in K; try discriminate; trivial.
+Qed.
+
+Definition limit_values (g : family) (l : list R) : list R :=
+  map (fun q : premise_limit => match q with Some (_, _, v) => ev l v | None => 0 end) (premised g).
+Definition function_values (g : family) (s : side) (l : list R) : list R :=
+  map (fun q : premise_limit => match q with Some (ss, f, _) => if has_side s ss then ev l f else 0 | None => 0 end)
+    (premised g).
+Definition at_point (g : family) (l : list R) : nat -> R := values (0 :: limit_values g l ++ l).
+Definition on_germ (g : family) (l : R -> list R) (s : side) (t : R) : nat -> R :=
+  values (t :: function_values g s (l (germ_point s t)) ++ l (germ_point s t)).
+
+Lemma agrees_after t zs l n : length zs = n -> agrees (S n) (values (t :: zs ++ l)) l.
+Proof.
+  intros <- i. unfold values. cbn [nth Nat.add]. rewrite app_nth2_plus. trivial.
+Qed.
+Lemma agrees_point g l : agrees (offset g) (at_point g l) l.
+Proof. apply agrees_after. unfold limit_values. apply map_length. Qed.
+Lemma agrees_germ g l s t : agrees (offset g) (on_germ g l s t) (l (germ_point s t)).
+Proof. apply agrees_after. unfold function_values. apply map_length. Qed.
+
+Lemma mapi_nth {X Y} (f : nat -> X -> Y) (P : Y -> Prop) l : forall i,
+  (forall j x, nth_error l j = Some x -> P (f (i + j)%nat x)) -> Forall P (mapi f i l).
+Proof.
+  induction l as [|x l IH]; simpl; intros i H; constructor.
+  - specialize (H 0%nat x eq_refl). rewrite Nat.add_0_r in H. trivial.
+  - apply IH. intros j y E. specialize (H (S j) y E). rewrite <- plus_n_Sm in H. trivial.
+Qed.
+Lemma value_read {X} (h : X -> R) ps l (t : R) j q : nth_error ps j = Some q ->
+  values (t :: map h ps ++ l) (S j) = h q.
+Proof.
+  intro E. unfold values. cbn [nth]. rewrite app_nth1.
+  - rewrite nth_indep with (d' := h q).
+    + rewrite map_nth. f_equal. apply nth_error_nth. trivial.
+    + rewrite map_length. apply nth_error_Some. congruence.
+  - rewrite map_length. apply nth_error_Some. congruence.
+Qed.
+Lemma nothing_holds e : some_case e nothing.
+Proof. exists []. split; [left; trivial|constructor]. Qed.
+
+Record supposed (g : family) (l : R -> list R) : Prop := Supposed {
+  constants_hold : forall p, Forall (fun P : Prop => P) (constantly g l p);
+  functions_hold : Forall (fun P : Prop => P) (functionally g l);
+  variable_read : forall p, nth (variable g) (l p) 0 = p;
+  constants_fixed : forall p q i, In i (fixed g) -> nth i (l p) 0 = nth i (l q) 0
+}.
+Definition in_domain (g : family) (l : R -> list R) (p : R) : Prop := Forall (fun P : Prop => P) (domain g l p).
+
+Section Sound.
+Variables (g : family) (used : list side) (l : R -> list R).
+Hypothesis W : well_formed g used = true.
+Hypothesis H : supposed g l.
+Let off := offset g.
+
+Lemma wf : forallb simple (all_ranges g) = true /\
+  (forall s, In s used -> forallb (side_within s) (variable_ranges g) = true) /\
+  length (roles g) = length (premises (body g)) /\
+  (forall p, Forall (rooted_rel (l p)) (all_ranges g)) /\
+  (forall p, Forall (rooted_sentence (l p)) (premises (body g))) /\
+  (forall p, rooted_all (l p) (conditions (body g))) /\
+  (forall p, rooted_conclusion (l p) (claim (body g))) /\
+  (forall ss f v, In (Some (ss, f, v)) (premised g) -> rootless f = true /\ rootless v = true).
+Proof.
+  unfold well_formed in W. split_bools.
+  match goal with G : rootless_goal _ = true |- _ => pose proof (fun p => rootless_rooted_goal (l p) _ G) as RG end.
+  repeat split; trivial; try (intro p; apply RG).
+  - intros s I0. match goal with G : forallb _ used = true |- _ => rewrite forallb_forall in G; auto end.
+  - apply Nat.eqb_eq; trivial.
+  - intro p. apply Forall_app; split; [apply RG|]. apply rootless_rooted_all; trivial.
+  - match goal with G : forallb _ (premised g) = true, I0 : In _ (premised g) |- _ => rewrite forallb_forall in G; apply G in I0 end.
+    split_bools; trivial.
+  - match goal with G : forallb _ (premised g) = true, I0 : In _ (premised g) |- _ => rewrite forallb_forall in G; apply G in I0 end.
+    split_bools; trivial.
+Qed.
+
+Lemma roled_premise q : In q (roled g) -> In (snd q) (premises (body g)).
+Proof. destruct q as [r h]. unfold roled. intro I0. apply in_combine_r in I0. trivial. Qed.
+Lemma premise_roled h : In h (premises (body g)) -> exists r, In (r, h) (roled g).
+Proof.
+  destruct wf as [_ [_ [L _]]]. intro I0. apply In_nth_error in I0 as [n E].
+  assert (K : exists r, nth_error (roles g) n = Some r).
+  { destruct (nth_error (roles g) n) eqn:F; [eauto|]. apply nth_error_None in F.
+    assert (n < length (premises (body g)))%nat by (apply nth_error_Some; congruence).
+    rewrite L in F. apply Nat.lt_nge in H0. tauto. }
+  destruct K as [r F]. exists r. unfold roled. clear L.
+  revert n E F. generalize (premises (body g)). generalize (roles g).
+  induction l0 as [|a l0 IH]; intros [|b m] [|n]; simpl; try discriminate.
+  - intros E F. inversion E; inversion F; subst. left; trivial.
+  - intros E F. right. apply IH with n; trivial.
+Qed.
+Lemma role_holds r h (P : sentence -> Prop) : In (r, h) (roled g) ->
+  (forall h, In h (with_role r g) -> P h) -> (speaks h = false -> P h) -> P h.
+Proof.
+  intros I0 F N. destruct (speaks h) eqn:E; [|auto]. apply F. unfold with_role. apply in_map_iff.
+  exists (r, h). split; trivial. apply filter_In. split; trivial. simpl. rewrite E. destruct r; trivial.
+Qed.
+Lemma silent p h : speaks h = false -> says_all (l p) h.
+Proof.
+  unfold speaks, says_all. destruct (links h); [|discriminate]. intros _. rewrite arrow_imp.
+  destruct (given h); simpl; trivial.
+Qed.
+Lemma constantly_parts p :
+  Forall (says (l p)) (constant_ranges g) /\ Forall (says_all (l p)) (with_role Everywhere g) /\
+  (always_when g = true -> conj (flat (l p) (conditions (body g)))) /\
+  (forall ss f v, In (Some (ss, f, v)) (premised g) -> conj (tends l (l p) f (Finite v) ss)).
+Proof.
+  pose proof (constants_hold g l H p) as C. unfold constantly in C.
+  apply Forall_app in C as [C1 C]. apply Forall_app in C as [C2 C]. apply Forall_app in C as [C3 C4].
+  apply (proj1 (Forall_props _ _)) in C1. apply (proj1 (Forall_props _ _)) in C2.
+  split; [trivial|split; [trivial|split]].
+  - intro A0. rewrite A0 in C3. destruct (conditions (body g)); [simpl; trivial|]. inversion C3; trivial.
+  - intros ss f v I0. apply (proj1 (Forall_flat_map _ _ _)) in C4. rewrite Forall_forall in C4.
+    specialize (C4 _ I0). simpl in C4. inversion C4; trivial.
+Qed.
+Lemma everywhere_holds p h : In (Everywhere, h) (roled g) -> says_all (l p) h.
+Proof.
+  intro I0. apply (role_holds Everywhere); trivial; [|apply silent].
+  intros k K. destruct (constantly_parts p) as [_ [E _]]. rewrite Forall_forall in E. auto.
+Qed.
+Lemma along_holds p h : in_domain g l p -> In h (premises (body g)) -> says_all (l p) h.
+Proof.
+  intros D I0. destruct (premise_roled h I0) as [[| |] J].
+  - apply everywhere_holds; trivial.
+  - apply (role_holds Narrows); trivial; [|apply silent]. intros k K. unfold in_domain, domain in D.
+    apply Forall_app in D as [_ D]. apply (proj1 (Forall_props _ _)) in D. rewrite Forall_forall in D. auto.
+  - apply (role_holds Along); trivial; [|apply silent]. intros k K.
+    pose proof (functions_hold g l H) as F. unfold functionally in F. apply Forall_app in F as [_ F].
+    rewrite Forall_map, Forall_forall in F. specialize (F k K p). rewrite imply_all in F. auto.
+Qed.
+Lemma ranges_there p : Forall (says (l p)) (variable_ranges g) -> Forall (says (l p)) (all_ranges g).
+Proof.
+  intro V. destruct (constantly_parts p) as [C _]. apply Forall_forall. intros r I0.
+  rewrite Forall_forall in C, V.
+  destruct (mem (subject r) (fixed g)) eqn:E1.
+  { apply C. apply filter_In. auto. }
+  destruct (Nat.eqb (subject r) (variable g)) eqn:E2.
+  { apply V. apply filter_In. rewrite E1, E2. auto. }
+  pose proof (functions_hold g l H) as F. unfold functionally in F. apply Forall_app in F as [F _].
+  assert (J : In r (function_ranges g)) by (apply filter_In; rewrite E1, E2; auto).
+  destruct (function_ranges g) as [|r0 rs]; [destruct J|]. apply Forall_inv in F. specialize (F p).
+  rewrite imply_all in F. rewrite conj_all in F.
+  assert (G : Forall (says (l p)) (r0 :: rs)).
+  { apply (proj1 (Forall_props _ _)). apply F. apply (proj2 (Forall_props _ _)).
+    apply Forall_forall. trivial. }
+  rewrite Forall_forall in G. auto.
+Qed.
+
+Lemma within_small s r : simple r = true -> side_within s r = true -> subject r = variable g ->
+  small (fun t => says (l (germ_point s t)) r).
+Proof.
+  unfold simple, side_within, says, subject. destruct r as [a c b]; cbn [lhs rhs comparison].
+  destruct a; try discriminate. destruct b as [m k| | | | | | | | | | | | | |]; try discriminate.
+  intros _ C V. subst i. cbn [ev].
+  assert (G : small (fun t => related c (germ_point s t) (num m k))).
+  2: { apply (small_weaken _ _ G). intros t _. rewrite (variable_read g l H). trivial. }
+  unfold germ_point. destruct s as [[[n d]|] [|]]; cbn [point above] in *.
+  - assert (Le_ : (m * Zpos d <= n * Zpos k)%Z -> num m k <= num n d).
+    { intro L. apply IZR_le in L. rewrite !mult_IZR in L. pose proof (num_eq m k). pose proof (num_eq n d).
+      pose proof (pos_pos k). pose proof (pos_pos d).
+      apply Rmult_le_reg_r with (IZR (Zpos d) * IZR (Zpos k)); [apply Rmult_lt_0_compat; trivial|]. nra. }
+    assert (Lt_ : (n * Zpos k < m * Zpos d)%Z -> num n d < num m k).
+    { intro L. apply IZR_lt in L. rewrite !mult_IZR in L. pose proof (num_eq m k). pose proof (num_eq n d).
+      pose proof (pos_pos k). pose proof (pos_pos d).
+      apply Rmult_lt_reg_r with (IZR (Zpos d) * IZR (Zpos k)); [apply Rmult_lt_0_compat; trivial|]. nra. }
+    destruct c; try discriminate; try (apply Z.leb_le, Le_ in C); try (apply Z.ltb_lt, Lt_ in C); cbn [related];
+      try (exists 1; split; [lra|]; intros; lra); exists (num m k - num n d); (split; [lra|]; intros; lra).
+  - assert (Le_ : (n * Zpos k <= m * Zpos d)%Z -> num n d <= num m k).
+    { intro L. apply IZR_le in L. rewrite !mult_IZR in L. pose proof (num_eq m k). pose proof (num_eq n d).
+      pose proof (pos_pos k). pose proof (pos_pos d).
+      apply Rmult_le_reg_r with (IZR (Zpos d) * IZR (Zpos k)); [apply Rmult_lt_0_compat; trivial|]. nra. }
+    assert (Lt_ : (m * Zpos d < n * Zpos k)%Z -> num m k < num n d).
+    { intro L. apply IZR_lt in L. rewrite !mult_IZR in L. pose proof (num_eq m k). pose proof (num_eq n d).
+      pose proof (pos_pos k). pose proof (pos_pos d).
+      apply Rmult_lt_reg_r with (IZR (Zpos d) * IZR (Zpos k)); [apply Rmult_lt_0_compat; trivial|]. nra. }
+    destruct c; try discriminate; try (apply Z.leb_le, Le_ in C); try (apply Z.ltb_lt, Lt_ in C); cbn [related];
+      try (exists 1; split; [lra|]; intros; lra); exists (num n d - num m k); (split; [lra|]; intros; lra).
+  - assert (P : 0 < Rabs (num m k) + 1) by (pose proof (Rabs_pos (num m k)); lra).
+    exists (/ (Rabs (num m k) + 1)). split; [apply Rinv_0_lt_compat; trivial|]. intros t [T U].
+    pose proof (inv_big _ t T P U). pose proof (Rle_abs (num m k)).
+    destruct c; try discriminate; cbn [related]; lra.
+  - assert (P : 0 < Rabs (num m k) + 1) by (pose proof (Rabs_pos (num m k)); lra).
+    exists (/ (Rabs (num m k) + 1)). split; [apply Rinv_0_lt_compat; trivial|]. intros t [T U].
+    pose proof (inv_big _ t T P U). pose proof (Rle_abs (- num m k)). rewrite Rabs_Ropp in *.
+    destruct c; try discriminate; cbn [related]; lra.
+Qed.
+Lemma side_within_small s : In s used -> small (fun t => Forall (says (l (germ_point s t))) (variable_ranges g)).
+Proof.
+  intro I0. destruct wf as [Si [Sd _]]. specialize (Sd s I0). rewrite forallb_forall in Si, Sd.
+  assert (S : small (fun t => forall r, In r (variable_ranges g) -> says (l (germ_point s t)) r)).
+  { apply small_all. intros r J. pose proof J as K. apply filter_In in K as [K K2]. apply andb_true_iff in K2 as [_ K2].
+    apply Nat.eqb_eq in K2. apply within_small; auto. }
+  apply (small_weaken _ _ S). intros t _ F. apply Forall_forall. trivial.
+Qed.
+Lemma free_formulas_hold e p ls : agrees off e (l p) -> some_cases e ls -> some_cases e (free_formulas g ls).
+Proof.
+  intros AG Z. destruct wf as [_ [_ [_ [_ [RP [RC _]]]]]]. destruct (constantly_parts p) as [_ [_ [CW _]]].
+  unfold some_cases, free_formulas. apply Forall_app; split; [|apply Forall_app; split; trivial].
+  - apply Forall_map, Forall_forall. intros [r h] I0. cbn [fst snd].
+    destruct (is_role Everywhere r) eqn:E; [|apply nothing_holds]. destruct r; try discriminate.
+    apply (holds_spec (offset g) e (l p) h AG); [|apply everywhere_holds; trivial].
+    specialize (RP p). rewrite Forall_forall in RP. apply RP. apply (roled_premise (Everywhere, h)); trivial.
+  - apply Forall_cons; [|apply Forall_nil]. destruct (always_when g); [|apply nothing_holds].
+    apply (where_all_spec (offset g) e (l p)); auto.
+Qed.
+Lemma values_hold e p : agrees off e (l p) ->
+  (forall j ss f v, nth_error (premised g) j = Some (Some (ss, f, v)) -> e (S j) = ev (l p) v) ->
+  some_cases e (mapi (value_cases (offset g)) 0 (premised g)).
+Proof.
+  intros AG Z. destruct wf as [_ [_ [_ [_ [_ [_ [_ RL]]]]]]]. destruct (constantly_parts p) as [_ [_ [_ CT]]].
+  apply mapi_nth. intros j [[[ss f] v]|] E; [|apply nothing_holds]. cbn [value_cases Nat.add].
+  pose proof (nth_error_In _ _ E) as I0. destruct (RL _ _ _ I0) as [_ Rv].
+  apply equals_holds with (l p); trivial.
+  - specialize (CT _ _ _ I0). unfold tends in CT. apply conj_app in CT. apply CT.
+  - unfold pone. rewrite peval_const, peval_var, (Z _ _ _ _ E). ring.
+Qed.
+Lemma known_limit_in s k : In k (known_limits g s) ->
+  exists j ss f v, k = S j /\ nth_error (premised g) j = Some (Some (ss, f, v)) /\ has_side s ss = true.
+Proof.
+  unfold known_limits. intro I0. apply in_flat_map in I0 as [zs [J K]].
+  assert (G : forall ps i, In zs (mapi (fun i (q : premise_limit) => match q with
+    | Some (ss, _, _) => if has_side s ss then [S i] else [] | None => [] end) i ps) ->
+    exists j ss f v, k = S (i + j) /\ nth_error ps j = Some (Some (ss, f, v)) /\ has_side s ss = true).
+  { induction ps as [|q ps IH]; intros i; simpl; [intros []|]. intros [E|I1].
+    - destruct q as [[[ss f] v]|]; [|subst; destruct K]. destruct (has_side s ss) eqn:Hs; [|subst; destruct K].
+      subst. destruct K as [<-|[]]. exists 0%nat, ss, f, v. rewrite Nat.add_0_r. auto.
+    - destruct (IH _ I1) as [j [ss [f [v [E1 [E2 E3]]]]]]. exists (S j), ss, f, v.
+      rewrite <- plus_n_Sm. auto. }
+  destruct (G _ _ J) as [j [ss [f [v G']]]]. exists j, ss, f, v. trivial.
+Qed.
+Lemma premised_near s ss f v p : In (Some (ss, f, v)) (premised g) -> has_side s ss = true ->
+  reaches l (l p) f (Finite v) s.
+Proof.
+  intros I0 S. destruct (constantly_parts p) as [_ [_ [_ CT]]]. specialize (CT _ _ _ I0). unfold tends in CT.
+  apply conj_app in CT as [_ CT]. rewrite conj_all, Forall_map, Forall_forall in CT. apply CT.
+  apply has_side_in; trivial.
+Qed.
+Lemma premised_germ s ss f v p : In (Some (ss, f, v)) (premised g) -> has_side s ss = true ->
+  small (fun t => total (l (germ_point s t)) f) /\
+  germ_limit (fun t => ev (l (germ_point s t)) f) (ev (l p) v).
+Proof.
+  intros I0 S. pose proof (premised_near s ss f v p I0 S) as N. cbn [reaches] in N. split.
+  - specialize (N 1 ltac:(lra)). apply near_small in N. apply (small_weaken _ _ N).
+    intros t _ C. apply conj_app in C. apply C.
+  - apply germ_limit_alt. intros eps E. specialize (N eps E). apply near_small in N as [d [D F]].
+    exists d. split; trivial. intros t T. specialize (F t T). apply conj_app in F as [_ F].
+    rewrite conj_one in F. trivial.
+Qed.
+Lemma binding_holds s t e : 0 < t -> e 0%nat = t -> e (offset g + variable g)%nat = germ_point s t ->
+  holds e (binding (offset g + variable g) s).
+Proof.
+  intros T E0 Ex. unfold holds, binding; cbn [asign apoly]. unfold germ_point in Ex.
+  assert (Pn : peval e (pneg (pvar 0)) = - t) by (rewrite peval_neg, peval_var, E0; trivial).
+  destruct s as [[[n d]|] [|]]; cbn [point above] in *; unfold pone;
+    rewrite ?peval_sub, ?peval_add, ?peval_scale, ?peval_mul, ?peval_const, ?Pn, ?peval_var, ?E0, Ex;
+    rewrite ?opp_IZR; try (pose proof (num_eq n d)); try nra; field; lra.
+Qed.
+
+Lemma narrows_rooted h p : In h (with_role Narrows g) -> rooted_sentence (l p) h.
+Proof.
+  intro I0. unfold with_role in I0. apply in_map_iff in I0 as [q [<- I0]]. apply filter_In in I0 as [I0 _].
+  destruct wf as [_ [_ [_ [_ [RP _]]]]]. specialize (RP p). rewrite Forall_forall in RP. apply RP, roled_premise; trivial.
+Qed.
+Lemma narrowed e x : agrees (offset g) e (l x) ->
+  Forall (says_all (l x)) (with_role Narrows g) \/ exists h, In h (with_role Narrows g) /\ ~ says_all (l x) h.
+Proof.
+  intro AG. assert (R0 : forall h, In h (with_role Narrows g) -> rooted_sentence (l x) h)
+    by (intros; apply narrows_rooted; trivial).
+  revert R0. induction (with_role Narrows g) as [|h hs IH]; intro R0; [left; constructor|].
+  destruct (says_all_dec (l x) h e (offset g) AG (R0 h (or_introl eq_refl))) as [Y|N].
+  - destruct IH as [F|[k [I0 N]]]; [intros k I0; apply R0; right; trivial|left; constructor; trivial|].
+    right. exists k. split; [right; trivial|trivial].
+  - right. exists h. split; [left; trivial|trivial].
+Qed.
+
+Lemma no_zero s : existsb (Nat.eqb 0) (constants (passing_of g used) ++ known_limits g s) = false.
+Proof.
+  cbn [constants passing_of]. destruct (existsb (Nat.eqb 0) _) eqn:E; trivial. exfalso.
+  apply existsb_exists in E as [k [K E]]. apply Nat.eqb_eq in E; subst k.
+  apply in_app_iff in K as [K|K].
+  - apply in_map_iff in K as [i [K _]]. unfold offset in K. discriminate.
+  - apply known_limit_in in K as [j [_ [_ [_ [K _]]]]]. discriminate.
+Qed.
+Lemma germ_there p s : In s used -> exists d,
+  germ (passing_of g used) (at_point g (l p)) s (known_limits g s) (germ_formulas g s) d (on_germ g l s).
+Proof.
+  intro Is. destruct wf as [Si [Sd [_ [RR [RP [RC [_ RL]]]]]]].
+  pose proof (side_within_small s Is) as S1.
+  assert (S2 : small (fun t => forall q, In q (premised g) -> match q with
+    | Some (ss, f, v) => has_side s ss = true -> total (l (germ_point s t)) f | None => True end)).
+  { apply small_all. intros [[[ss f] v]|] I1; [|exists 1; split; [lra|trivial]].
+    destruct (has_side s ss) eqn:Hs.
+    - destruct (premised_germ s ss f v p I1 Hs) as [S _]. apply (small_weaken _ _ S). auto.
+    - exists 1. split; [lra|]. discriminate. }
+  destruct (small_and _ _ S1 S2) as [d [D F]].
+  exists d. split; [trivial|split].
+  - intros t T. destruct (F t T) as [F1 F2]. pose proof (agrees_germ g l s t) as AG.
+    set (e := on_germ g l s t) in *. set (x := germ_point s t) in *.
+    assert (CF : some_cases e (mapi (function_cases (offset g) s) 0 (premised g))).
+    { apply mapi_nth. intros j [[[ss f] v]|] E; [|apply nothing_holds]. cbn [function_cases Nat.add].
+      destruct (has_side s ss) eqn:Hs; [|apply nothing_holds].
+      pose proof (nth_error_In _ _ E) as I1. destruct (RL _ _ _ I1) as [Rf _].
+      apply equals_holds with (l x); trivial.
+      - apply (F2 _ I1 Hs).
+      - unfold pone. rewrite peval_const, peval_var. unfold e, on_germ, function_values.
+        rewrite (value_read _ _ _ _ _ _ E), Hs. fold x. ring. }
+    assert (CW : some_cases e [if always_when g then where_all (offset g) (conditions (body g)) else nothing]).
+    { apply Forall_cons; [|apply Forall_nil]. destruct (always_when g) eqn:AW; [|apply nothing_holds].
+      apply (where_all_spec (offset g) e (l x)); [exact AG|apply RC|]. apply (constantly_parts x); trivial. }
+    assert (OS : forall e, e 0%nat = t -> agrees (offset g) e (l x) ->
+      on_side (passing_of g used) (at_point g (l p)) s t e).
+    { intros e1 E0 A1. split; [trivial|split; [|split]].
+      - apply ranges_hold with (l x); [exact A1|apply RR|exact Si|apply ranges_there; trivial].
+      - apply binding_holds with t; [lra|trivial|]. rewrite A1. apply (variable_read g l H).
+      - intros k K. apply in_map_iff in K as [i [<- Ii]]. rewrite A1, (agrees_point g (l p) i).
+        apply (constants_fixed g l H); trivial. }
+    split; [apply OS; trivial|].
+    + destruct (narrowed e x AG) as [N|[h [I1 N]]].
+      * right. assert (ID : in_domain g l x).
+        { unfold in_domain, domain. apply Forall_app; split; apply (proj2 (Forall_props _ _)); trivial. }
+        unfold germ_formulas. apply Forall_app; split; [|apply Forall_app; split; trivial].
+        apply formulas_hold with (l x); [exact AG|apply RP|]. apply Forall_forall. intros h I1.
+        apply filter_In in I1 as [I1 _]. apply along_holds; trivial.
+      * left. set (e' := values (t :: limit_values g (l x) ++ l x)).
+        assert (A1 : agrees (offset g) e' (l x)) by (apply agrees_after; unfold limit_values; apply map_length).
+        exists e'. split; [apply OS; trivial|]. apply Forall_app; split.
+        -- apply free_formulas_hold with x; trivial. apply values_hold with x; trivial.
+           intros j ss f v E. unfold e', limit_values. rewrite (value_read _ _ _ _ _ _ E). trivial.
+        -- apply Forall_cons; [|apply Forall_nil].
+           assert (C : some_case e' (where_holds (offset g) h false)).
+           { apply (fails_spec (offset g) e' (l x)); trivial. apply narrows_rooted; trivial. }
+           destruct C as [a [Ia Ha]]. exists a; split; trivial. apply in_flat_map. exists h; auto.
+  - intros k K. apply known_limit_in in K as [j [ss [f [v [-> [E Hs]]]]]].
+    pose proof (nth_error_In _ _ E) as I1. destruct (premised_germ s ss f v p I1 Hs) as [_ G].
+    assert (E1 : at_point g (l p) (S j) = ev (l p) v).
+    { unfold at_point, limit_values. rewrite (value_read _ _ _ _ _ _ E). trivial. }
+    rewrite E1. apply germ_limit_near with (fun t => ev (l (germ_point s t)) f) d; trivial.
+    intros t T. unfold on_germ, function_values. rewrite (value_read _ _ _ _ _ _ E), Hs. trivial.
+Qed.
+
+Lemma germs_there p : germs (Some (passing_of g used)) (at_point g (l p)).
+Proof.
+  intros s zs fs AS. unfold along_side, passing_of in AS. cbn [along_sides] in AS.
+  destruct (find _ _) as [[s' q]|] eqn:Fi; [|discriminate]. apply find_some in Fi as [I0 Q].
+  cbn [option_map snd fst] in AS, Q. apply seqb_side_eq in Q; subst s'.
+  apply in_map_iff in I0 as [s' [Eq_ Is]]. inversion Eq_; subst s' q. inversion AS; subst zs fs. clear Eq_ AS.
+  split; [apply no_zero|]. destruct (germ_there p s Is) as [d G]. exists d, (on_germ g l s). exact G.
+Qed.
+
+Lemma at_values p j ss f v : nth_error (premised g) j = Some (Some (ss, f, v)) ->
+  at_point g (l p) (S j) = ev (l p) v.
+Proof. intro E. unfold at_point, limit_values. rewrite (value_read _ _ _ _ _ _ E). trivial. Qed.
+Lemma known_here p : some_cases (at_point g (l p)) (constant_formulas g).
+Proof.
+  apply free_formulas_hold with p; [apply agrees_point|].
+  apply values_hold with p; [apply agrees_point|]. intros; eapply at_values; eassumption.
+Qed.
+Lemma ranges_here p : all_hold (at_point g (l p)) (range_atoms (offset g) (constant_ranges g)).
+Proof.
+  destruct wf as [Si [_ [_ [RR _]]]]. apply ranges_hold with (l p).
+  - apply agrees_point.
+  - specialize (RR p). unfold rooted_all. rewrite Forall_forall in *. intros r I0. apply filter_In in I0 as [I0 _]. auto.
+  - rewrite forallb_forall in *. intros r I0. apply filter_In in I0 as [I0 _]. auto.
+  - apply constantly_parts.
+Qed.
+
+(** A claim at a point of the domain. *)
+Lemma point_sound p pf :
+  refute (Some (passing_of g used)) depth (point_formulas g) (range_atoms (offset g) (ranges (body g))) pf = true ->
+  in_domain g l p ->
+  arrow (if always_when g then [] else flat (l p) (conditions (body g))) (concludes (l p) (claim (body g))).
+Proof.
+  intros C D. destruct wf as [Si [_ [_ [RR [RP [RC [RL _]]]]]]]. rewrite arrow_imp. intro CW.
+  pose proof (agrees_point g (l p)) as AG. set (e := at_point g (l p)) in *.
+  destruct (failure_spec (offset g) e (l p) (claim (body g)) AG (RL p)) as [Fa [|N]]; trivial.
+  exfalso. apply (refute_sound (Some (passing_of g used)) depth _ _ pf e (germs_there p) C).
+  - apply ranges_hold with (l p); trivial.
+    + specialize (RR p). apply Forall_app in RR. apply RR.
+    + unfold all_ranges in Si. rewrite forallb_app in Si. split_bools. trivial.
+    + unfold in_domain, domain in D. apply Forall_app in D as [D _]. apply (proj1 (Forall_props _ _)) in D.
+      pose proof (ranges_there p D) as Q. apply Forall_app in Q. apply Q.
+  - unfold point_formulas. apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split; [|apply Fa; trivial]]].
+    + apply formulas_hold with (l p); [exact AG|apply RP|]. apply Forall_forall. intros h I1.
+      apply filter_In in I1 as [I1 _]. apply along_holds; trivial.
+    + apply values_hold with p; trivial. intros; eapply at_values; eassumption.
+    + apply Forall_cons; [|apply Forall_nil]. apply (where_all_spec (offset g) e (l p)); [exact AG|apply RC|].
+      destruct (always_when g) eqn:AW; [apply constantly_parts; trivial|trivial].
+Qed.
+
+(** A limit from one side. *)
+Lemma lower_eval e n q : divisible n q = true -> peval e q = e 0%nat ^ n * peval e (lower n q).
+Proof.
+  assert (Tr : forall m i, meval e i (trim m) = meval e i m).
+  { induction m as [|k m IH]; intro i; simpl; trivial. specialize (IH (S i)).
+    destruct k, (trim m); simpl in *; rewrite <- ?IH; trivial; ring. }
+  induction q as [|[m c] q IH]; cbn [divisible forallb lower map peval fst snd]; intro D; [ring|].
+  apply andb_true_iff in D as [D Dq]. rewrite (IH Dq), Tr. unfold lower. destruct m as [|k m].
+  - apply Nat.eqb_eq in D; subst. simpl. ring.
+  - apply Nat.leb_le in D. simpl meval. replace (e 0%nat ^ k) with (e 0%nat ^ n * e 0%nat ^ (k - n)).
+    + ring.
+    + rewrite <- pow_add. replace (n + (k - n))%nat with k; [trivial|].
+      rewrite Nat.add_comm. symmetry. apply Nat.sub_add. trivial.
+Qed.
+Lemma small_near f c eps : germ_limit f c -> 0 < eps -> small (fun t => Rabs (f t - c) < eps).
+Proof. rewrite germ_limit_alt. intros G E. apply G; trivial. Qed.
+Lemma polynomial_tends p s d q :
+  germ (passing_of g used) (at_point g (l p)) s (known_limits g s) (germ_formulas g s) d (on_germ g l s) ->
+  mentions_only (0%nat :: constants (passing_of g used) ++ known_limits g s) q = true ->
+  germ_limit (fun t => peval (on_germ g l s t) q) (peval (at_point g (l p)) (at0 q)).
+Proof.
+  intros Ge M. rewrite at0_eval. apply germ_limit_poly with (1 := M). intros k [<-|Ik].
+  - cbn [at_zero]. apply germ_limit_near with (fun t => t) d; [apply Ge| |apply lim_x]. trivial.
+  - replace (at_zero (at_point g (l p)) k) with (at_point g (l p) k).
+    + eapply germ_known; eassumption.
+    + destruct k; trivial.
+Qed.
+Lemma quotient_tends (f den num : R -> R) d0 n0 : germ_limit den d0 -> germ_limit num n0 -> d0 <> 0 ->
+  small (fun t => den t * f t = num t) -> germ_limit f (n0 / d0).
+Proof.
+  intros D N Z S.
+  destruct (small_and _ _ S (small_near den d0 (Rabs d0) D (Rabs_pos_lt _ Z))) as [c [C F]].
+  apply germ_limit_near with (fun t => num t * / den t) c; trivial.
+  - intros t T. destruct (F t T) as [E A0].
+    assert (den t <> 0) by (intro Q; rewrite Q, Rminus_0_l, Rabs_Ropp in A0; lra).
+    rewrite <- E. field; trivial.
+  - unfold Rdiv. apply limit_mul; trivial. apply limit_inv; trivial.
+Qed.
+Lemma pow_below t n : 0 < t < 1 -> 0 < t ^ S n <= t.
+Proof.
+  intro T. induction n as [|n IH]; [simpl; lra|]. change (t ^ S (S n)) with (t * t ^ S n). nra.
+Qed.
+Lemma quotient_diverges (f q num : R -> R) q0 n0 n : germ_limit q q0 -> germ_limit num n0 -> 0 < n0 * q0 ->
+  small (fun t => t ^ S n * q t * f t = num t) -> forall b, small (fun t => f t > b).
+Proof.
+  intros Q N P Sm b.
+  assert (Z : q0 <> 0) by (intro E; rewrite E in P; lra).
+  assert (R0 : 0 < n0 / q0).
+  { replace (n0 / q0) with (n0 * q0 * / (q0 * q0)) by (field; trivial).
+    apply Rmult_lt_0_compat; trivial. apply Rinv_0_lt_compat. destruct (Rdichotomy _ _ Z); nra. }
+  assert (L : germ_limit (fun t => t ^ S n * f t) (n0 / q0)).
+  { apply (quotient_tends _ q num q0 n0); trivial. apply (small_weaken _ _ Sm). intros t _ E. rewrite <- E. ring. }
+  destruct (small_near _ _ (n0 / q0 / 2) L ltac:(lra)) as [c [C F]].
+  set (r := n0 / q0) in *. assert (B : 0 < Rabs b + 1) by (pose proof (Rabs_pos b); lra).
+  exists (Rmin c (Rmin 1 (r / 2 / (Rabs b + 1)))).
+  assert (0 < r / 2 / (Rabs b + 1)) by (apply Rdiv_lt_0_compat; lra).
+  split; [repeat apply Rmin_glb_lt; lra|]. intros t [T U].
+  pose proof (Rmin_l c (Rmin 1 (r / 2 / (Rabs b + 1)))). pose proof (Rmin_r c (Rmin 1 (r / 2 / (Rabs b + 1)))).
+  pose proof (Rmin_l 1 (r / 2 / (Rabs b + 1))). pose proof (Rmin_r 1 (r / 2 / (Rabs b + 1))).
+  specialize (F t ltac:(lra)). apply Rabs_def2 in F as [_ F].
+  pose proof (pow_below t n ltac:(lra)) as [P1 P2]. set (w := t ^ S n) in *.
+  assert (V : t * (Rabs b + 1) < r / 2).
+  { replace (r / 2) with (r / 2 / (Rabs b + 1) * (Rabs b + 1)) by (field; lra). apply Rmult_lt_compat_r; lra. }
+  pose proof (Rle_abs b).
+  assert (w * (Rabs b + 1) <= t * (Rabs b + 1)) by (apply Rmult_le_compat_r; lra).
+  assert (w * (Rabs b + 1) < w * f t) by lra.
+  assert (Rabs b + 1 < f t) by (apply Rmult_lt_reg_l with w; trivial). lra.
+Qed.
+Lemma side_sound f to s c : shows g used f to s c = true ->
+  match to with Finite v => total (l 0) v | _ => True end /\ reaches l (l 0) f to s.
+Proof.
+  unfold shows. intro C. cbv zeta in C. split_bools.
+  match goal with G : has_side s used = true |- _ => rename G into Hs; apply has_side_in in Hs end.
+  match goal with G : match to with Finite _ => _ | _ => _ end = true |- _ => rename G into Ho end.
+  match goal with G : rootless f = true |- _ => rename G into Rf end.
+  match goal with G : divisible _ _ = true |- _ => rename G into Di end.
+  match goal with G : refute _ _ (_ ++ [misses _ _ _ _ _]) _ _ = true |- _ => rename G into Ce end.
+  match goal with G : refute _ _ (_ ++ [differs _ _ _ _]) _ _ = true |- _ => rename G into Ci end.
+  match goal with G : refute _ _ (leaving g) _ _ = true |- _ => rename G into Cw end.
+  match goal with G : refute _ _ _ _ (radius_positive c) = true |- _ => rename G into Cp end.
+  match goal with G : mentions_only _ (limit_num c) = true |- _ => rename G into Mn end.
+  match goal with G : mentions_only _ (lower _ _) = true |- _ => rename G into Md end.
+  match goal with G : mentions_only _ (radius_num c) = true |- _ => rename G into Mrn end.
+  match goal with G : mentions_only _ (radius_den c) = true |- _ => rename G into Mrd end.
+  pose proof (germs_there 0) as GS. pose proof (known_here 0) as K0. pose proof (ranges_here 0) as R0.
+  destruct (germ_there 0 s Hs) as [d Ge].
+  pose proof (agrees_point g (l 0)) as AG.
+  pose proof (polynomial_tends 0 s d _ Ge Mn) as Ln. pose proof (polynomial_tends 0 s d _ Ge Md) as Ld.
+  set (env := at_point g (l 0)) in *. set (pc := passing_of g used) in *.
+  set (st := range_atoms (offset g) (constant_ranges g)) in *.
+  assert (PP : 0 < peval env (radius_num c) /\ 0 < peval env (radius_den c)).
+  { destruct (Rlt_dec 0 (peval env (radius_num c))) as [N0|N0];
+      [destruct (Rlt_dec 0 (peval env (radius_den c))) as [D0|D0]; [tauto|]|];
+      exfalso; apply (refute_sound (Some pc) depth _ _ _ env GS Cp R0); apply Forall_app; split; trivial;
+      (apply Forall_cons; [|apply Forall_nil]).
+    - exists [anot (A (radius_den c) SP)]. split; [right; left; trivial|]. apply Forall_cons; [|apply Forall_nil]. apply anot_holds. exact D0.
+    - exists [anot (A (radius_num c) SP)]. split; [left; trivial|]. apply Forall_cons; [|apply Forall_nil]. apply anot_holds. exact N0. }
+  destruct PP as [Pn Pd].
+  assert (HN : forall fs st p fuel env, refute None fuel fs st p = true -> all_hold env st -> some_cases env fs -> False).
+  { intros. eapply (refute_sound None); [exact I|eassumption..]. }
+  destruct (germ_inside pc env s _ _ d (on_germ g l s) _ _ st HN Ge R0 Mrn Mrd Pn Pd depth _ Cw) as [d' [D' [_ Gi]]].
+  assert (Id : small (fun t => total (l (germ_point s t)) f /\
+    peval (on_germ g l s t) (limit_den c) * ev (l (germ_point s t)) f = peval (on_germ g l s t) (limit_num c))).
+  { exists d'. split; trivial. intros t T. destruct (Gi t T) as [G1 G2].
+    apply (differs_not (offset g) (on_germ g l s t) (l (germ_point s t))); [apply agrees_germ|trivial|].
+    intro Wr. apply (HN _ _ _ _ _ Ci G1). apply Forall_app; split; trivial. apply Forall_cons; [trivial|apply Forall_nil]. }
+  assert (Ms : ~ some_case env (misses (offset g) (at0 (limit_num c)) (at0 (lower (order c) (limit_den c))) (order c) to)).
+  { intro Wr. apply (refute_sound (Some pc) depth _ _ _ env GS Ce R0). apply Forall_app; split; trivial.
+    apply Forall_cons; [trivial|apply Forall_nil]. }
+  assert (Il : small (fun t => t ^ order c * peval (on_germ g l s t) (lower (order c) (limit_den c)) *
+    ev (l (germ_point s t)) f = peval (on_germ g l s t) (limit_num c))).
+  { apply (small_weaken _ _ Id). intros t _ [_ E]. rewrite <- E, (lower_eval _ _ _ Di). trivial. }
+  assert (Db : forall P : R -> Prop, small P -> small (fun t => total (l (germ_point s t)) f /\ P t)).
+  { intros P S. apply small_and; trivial. apply (small_weaken _ _ Id). tauto. }
+  set (q := lower (order c) (limit_den c)) in *.
+  assert (Sg : forall p : poly, ~ some_case env [[anot (A p SP)]] -> 0 < peval env p).
+  { intros p N. destruct (holds_dec env (A p SP)) as [Y|Y]; [exact Y|]. exfalso. apply N.
+    exists [anot (A p SP)]. split; [left; trivial|]. apply Forall_cons; [apply anot_holds; trivial|apply Forall_nil]. }
+  destruct to as [v| |]; cbn [misses] in Ms.
+  - apply andb_true_iff in Ho as [Ho Rv]. apply Nat.eqb_eq in Ho.
+    assert (M1 : ~ some_case env (differs (offset g) v (at0 (limit_num c)) (at0 q))).
+    { intros [a [Ia Ha]]. apply Ms. exists a. split; trivial. apply in_app_iff; auto. }
+    assert (M2 : peval env (at0 q) <> 0).
+    { intro Q. apply Ms. exists [A (at0 q) SZ]. split; [apply in_app_iff; right; left; trivial|].
+      apply Forall_cons; [exact Q|apply Forall_nil]. }
+    destruct (differs_not _ _ _ _ _ _ AG Rv M1) as [Tv Ev_]. split; trivial.
+    assert (L : germ_limit (fun t => ev (l (germ_point s t)) f) (ev (l 0) v)).
+    { replace (ev (l 0) v) with (peval env (at0 (limit_num c)) / peval env (at0 q)) by (rewrite <- Ev_; field; trivial).
+      apply quotient_tends with (1 := Ld) (2 := Ln) (3 := M2). apply (small_weaken _ _ Il).
+      intros t _ E. rewrite <- E, Ho. simpl. ring. }
+    intros eps E. apply near_small. apply (small_weaken _ _ (Db _ (small_near _ _ eps L E))).
+    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. exact T2.
+  - split; trivial. apply Nat.ltb_lt in Ho. destruct (order c) as [|n] eqn:On; [inversion Ho|].
+    apply Sg in Ms. rewrite peval_mul in Ms. intro b. apply near_small.
+    apply (small_weaken _ _ (Db _ (quotient_diverges _ _ _ _ _ n Ld Ln Ms Il b))).
+    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. exact T2.
+  - split; trivial. apply Nat.ltb_lt in Ho. destruct (order c) as [|n] eqn:On; [inversion Ho|].
+    apply Sg in Ms. rewrite peval_neg, peval_mul in Ms. intro b. apply near_small.
+    assert (Ln' : germ_limit (fun t => - peval (on_germ g l s t) (limit_num c)) (- peval env (at0 (limit_num c))))
+      by (apply limit_Ropp; trivial).
+    assert (Ms' : 0 < - peval env (at0 (limit_num c)) * peval env (at0 q)) by lra.
+    assert (Il' : small (fun t => t ^ S n * peval (on_germ g l s t) q * - ev (l (germ_point s t)) f =
+      - peval (on_germ g l s t) (limit_num c))).
+    { apply (small_weaken _ _ Il). intros t _ E. rewrite <- E. ring. }
+    apply (small_weaken _ _ (Db _ (quotient_diverges _ _ _ _ _ n Ld Ln' Ms' Il' (- b)))).
+    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. lra.
+Qed.
+End Sound.
+
+(** The list of values has the limit variable where it should be, and constants do not vary. *)
+Inductive steady (g : family) (l : R -> list R) : Prop := Steady :
+  (forall p, nth (variable g) (l p) 0 = p) ->
+  (forall p q, map (fun i => nth i (l p) 0) (fixed g) = map (fun i => nth i (l q) 0) (fixed g)) ->
+  (forall p, constantly g l p = constantly g l 0) -> steady g l.
+Lemma steady_supposed g l : steady g l -> Forall (fun P : Prop => P) (constantly g l 0 ++ functionally g l) -> supposed g l.
+Proof.
+  intros [V F C] H. apply Forall_app in H as [H1 H2]. split; trivial.
+  - intro p. rewrite C. trivial.
+  - intros p q i I0. specialize (F p q). revert F I0. induction (fixed g) as [|j js IH]; simpl; [intros _ []|].
+    intros E [->|I0]; inversion E; auto.
+Qed.
+(** A limit that is proved from its sides is the limit. *)
+Theorem limit_proved g used f to cs l : proves_limit g used f to cs = true -> negb (Nat.eqb (length cs) 0) = true ->
+  steady g l -> states_limit g l f to (map fst cs).
+Proof.
+  unfold proves_limit, states_limit. intros C N S. apply andb_true_iff in C as [W C]. rewrite imply_all. intro H.
+  pose proof (steady_supposed g l S H) as Su. rewrite forallb_forall in C. unfold tends.
+  assert (A0 : forall c, In c cs -> match to with Finite v => total (l 0) v | _ => True end /\ reaches l (l 0) f to (fst c)).
+  { intros c I0. apply (side_sound g used l W Su f to (fst c) (snd c)). auto. }
+  apply conj_app. split.
+  - destruct cs as [|c cs]; [discriminate|]. destruct (A0 c (or_introl eq_refl)) as [T _]. destruct to; simpl; trivial.
+  - apply conj_all. rewrite Forall_map, Forall_map, Forall_forall. intros c I0. apply A0. trivial.
+Qed.
+Theorem point_proved g used p l : proves_point g used p = true -> steady g l -> states_point g l.
+Proof.
+  unfold proves_point, states_point. intros C S. apply andb_true_iff in C as [W C]. rewrite imply_all. intro H.
+  pose proof (steady_supposed g l S H) as Su. intro x. rewrite imply_all. intro D.
+  apply (point_sound g used l W Su x p C D).
+Qed.
+
+(** * Functions that meet the premises *)
+
+(** Expressions in place of the symbols. *)
+Fixpoint subst (es : list expr) (e : expr) : expr :=
+  match e with
+  | Num n d => Num n d
+  | Var i => nth i es (Num 0 1)
+  | Neg a => Neg (subst es a)
+  | Add a b => Add (subst es a) (subst es b) | Sub a b => Sub (subst es a) (subst es b)
+  | Mul a b => Mul (subst es a) (subst es b) | Div a b => Div (subst es a) (subst es b)
+  | Pow a n => Pow (subst es a) n
+  | Abs a => Abs (subst es a)
+  | Min a b => Min (subst es a) (subst es b) | Max a b => Max (subst es a) (subst es b)
+  | Root i a => Root i (subst es a)
+  | If x r y a b => If (subst es x) r (subst es y) (subst es a) (subst es b)
+  | Slope a d => Slope (subst es a) (subst es d)
+  | Undefined => Undefined
+  end.
+Definition subst_rel es r := Rel (subst es (lhs r)) (comparison r) (subst es (rhs r)).
+Definition subst_says es h := Says (given h) (map (subst_rel es) (when h)) (map (subst_rel es) (links h)).
+Definition subst_conclusion es c :=
+  match c with
+  | Holds r => Holds (subst_rel es r) | IfDefined r => IfDefined (subst_rel es r)
+  | Defined r => Defined (subst_rel es r) | Sentence h => Sentence (subst_says es h) | Falsehood => Falsehood
+  end.
+(** An expression without roots that mentions certain symbols only. *)
+Fixpoint only (ok : nat -> bool) (e : expr) : bool :=
+  match e with
+  | Num _ _ | Undefined => true
+  | Var i => ok i
+  | Neg a | Pow a _ | Abs a => only ok a
+  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b | Slope a b => only ok a && only ok b
+  | Root _ _ => false
+  | If x _ y a b => only ok x && only ok y && only ok a && only ok b
+  end.
+Definition only_rel ok r := only ok (lhs r) && only ok (rhs r).
+Definition only_says ok h := forallb (only_rel ok) (when h) && forallb (only_rel ok) (links h).
+
+Definition along (es : list expr) (p : R) : list R := map (ev [p]) es.
+Lemma subst_ev es p e : only (fun _ => true) e = true -> ev [p] (subst es e) = ev (along es p) e.
+Proof.
+  induction e; cbn [subst ev only]; intro O; split_bools; rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4; trivial; try discriminate.
+  unfold along. rewrite <- (map_nth (ev [p])). trivial.
+Qed.
+Lemma only_any ok e : only ok e = true -> only (fun _ => true) e = true.
+Proof. induction e; cbn [only]; intro O; split_bools; rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4; trivial. Qed.
+
+Lemma subst_forward es p e : only (fun _ => true) e = true -> total [p] (subst es e) -> total (along es p) e.
+Proof.
+  unfold total. induction e; cbn [subst conds only]; intro O; split_bools; try discriminate; try tauto;
+    rewrite ?conj_app, ?conj_branch, ?divides_spec; rewrite ?subst_ev by trivial; try tauto.
+  intros; exact I.
+Qed.
+
+Section Substitution.
+Variables (es : list expr) (p : R) (ok : nat -> bool).
+Let l := along es p.
+Hypothesis T : forall i, ok i = true -> total [p] (nth i es (Num 0 1)).
+
+Lemma subst_total e : only ok e = true -> (total [p] (subst es e) <-> total l e).
+Proof.
+  unfold total. induction e; cbn [subst conds only]; intro O; split_bools; try discriminate; try tauto;
+    rewrite ?conj_app, ?conj_branch, ?divides_spec; rewrite ?subst_ev by (eapply only_any; eassumption);
+    rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4 by trivial; fold l; try tauto.
+  - split; [intros _; exact I|intros _; exact (T _ O)].
+Qed.
+Lemma subst_related r : only_rel ok r = true -> (says [p] (subst_rel es r) <-> says l r).
+Proof.
+  unfold only_rel, says, subst_rel. intro O. split_bools. cbn [comparison lhs rhs].
+  rewrite !subst_ev by (eapply only_any; eassumption). tauto.
+Qed.
+Lemma subst_defined r : only_rel ok r = true -> (defined_rel [p] (subst_rel es r) <-> defined_rel l r).
+Proof.
+  unfold only_rel, defined_rel, subst_rel. intro O. split_bools. cbn [lhs rhs]. rewrite !subst_total by trivial. tauto.
+Qed.
+Lemma subst_flat rs : forallb (only_rel ok) rs = true -> (conj (flat [p] (map (subst_rel es) rs)) <-> conj (flat l rs)).
+Proof.
+  induction rs as [|r rs IH]; cbn [map forallb]; intro O; [tauto|]. split_bools.
+  rewrite !flat_cons, subst_defined, subst_related, IH by trivial. tauto.
+Qed.
+Lemma subst_spoken rs : forallb (only_rel ok) rs = true -> (spoken [p] (map (subst_rel es) rs) <-> spoken l rs).
+Proof.
+  induction rs as [|r rs IH]; cbn [map forallb]; intro O; [simpl; tauto|]. split_bools.
+  rewrite !spoken_cons, subst_defined, subst_related, IH by trivial. tauto.
+Qed.
+Lemma subst_sentence h : only_says ok h = true -> (says_all [p] (subst_says es h) <-> says_all l h).
+Proof.
+  unfold only_says, says_all, subst_says. intro O. split_bools. cbn [when links given]. rewrite !arrow_imp, subst_flat by trivial.
+  destruct (given h); rewrite ?subst_flat, ?subst_spoken by trivial; tauto.
+Qed.
+Definition only_conclusion c :=
+  match c with Holds r | IfDefined r | Defined r => only_rel ok r | Sentence h => only_says ok h | Falsehood => true end.
+Lemma subst_concludes c : only_conclusion c = true -> (concludes [p] (subst_conclusion es c) <-> concludes l c).
+Proof.
+  assert (C : forall l r, conj (conds_rel l r) <-> defined_rel l r) by (intros; apply conj_app).
+  destruct c; cbn [only_conclusion subst_conclusion concludes]; intro O;
+    rewrite ?arrow_imp, ?conj_app, ?conj_one, ?C, ?subst_defined, ?subst_related, ?subst_sentence by trivial; tauto.
+Qed.
+End Substitution.
+
+(** What holds of closed expressions by arithmetic alone. *)
+Definition plainly (h : sentence) : bool :=
+  rootless_sentence h && match where_holds 0 h false with [] => true | _ => false end.
+Lemma agrees_values l : agrees 0 (values l) l.
+Proof. intro. trivial. Qed.
+Lemma plainly_says h l : plainly h = true -> says_all l h.
+Proof.
+  unfold plainly. intro C. split_bools.
+  match goal with G : rootless_sentence h = true |- _ => pose proof (rootless_rooted_sentence l h G) as RT end.
+  destruct (says_all_dec l h (values l) 0 (agrees_values l) RT) as [|N]; trivial. exfalso.
+  apply (fails_spec 0 _ l h (agrees_values l) RT) in N. destruct N as [a [I0 _]].
+  destruct (where_holds 0 h false); [destruct I0|discriminate].
+Qed.
+
+(** Expressions for all symbols, the limit variable being variable 0, and the proofs that they meet
+    the premises: for each symbol, that it is defined and in its range; for each premise; for each
+    premised limit. The flag says whether the declared range of the limit variable is used. *)
+Record functions := Functions {
+  exprs : list expr;
+  range_proofs : list (bool * proof);
+  premise_proofs : list (bool * proof);
+  limit_proofs : list (list (side * side_proof))
+}.
+Definition range_of (g : family) (i : nat) : sentence :=
+  Says true [] (Rel (Var i) Eq (Var i) :: filter (fun r => Nat.eqb (subject r) i) (all_ranges g)).
+Definition domain_ranges (g : family) (F : functions) := map (subst_rel (exprs F)) (variable_ranges g).
+Definition domain_premises (g : family) (F : functions) := map (subst_says (exprs F)) (with_role Narrows g).
+Definition at_point_of (g : family) (F : functions) (ranged : bool) (cs : list relation) (c : conclusion) : goal :=
+  Goal (if ranged then domain_ranges g F else []) (domain_premises g F) cs c.
+Definition on_domain (g : family) (F : functions) (h : sentence) (q : bool * proof) : bool :=
+  proves (at_point_of g F (fst q) [] (Sentence (subst_says (exprs F) h))) (snd q).
+Definition family_of (g : family) (F : functions) : family :=
+  Family (Goal [] (domain_premises g F) [] Falsehood) (domain_ranges g F) 0 []
+    (map (fun _ => Narrows) (domain_premises g F)) true [].
+Definition is_nil {X} (l : list X) : bool := match l with [] => true | _ => false end.
+Fixpoint all2 {X Y} (f : X -> Y -> bool) (l : list X) (m : list Y) : bool :=
+  match l, m with [], [] => true | x :: l, y :: m => f x y && all2 f l m | _, _ => false end.
+Definition premised_shown (g : family) (F : functions) (used : list side) (q : premise_limit) (cs : list (side * side_proof)) : bool :=
+  match q with
+  | Some (ss, f, v) =>
+    all2 (fun s c => seqb_side s (fst c)) ss cs && negb (is_nil cs) &&
+    proves_limit (family_of g F) used (subst (exprs F) f) (Finite (subst (exprs F) v)) cs &&
+    only (fun _ => true) f && only (fun i => mem i (fixed g)) v
+  | None => false
+  end.
+Definition premise_shown (g : family) (F : functions) (q : role * sentence) (c : bool * proof) : bool :=
+  only_says (fun _ => true) (snd q) && 
+  match fst q with
+  | Narrows => only_says (fun i => mem i (fixed g) || Nat.eqb i (variable g)) (snd q)
+  | Everywhere => only_says (fun i => mem i (fixed g)) (snd q) && (negb (speaks (snd q)) || plainly (subst_says (exprs F) (snd q)))
+  | Along => negb (speaks (snd q)) || on_domain g F (snd q) c
+  end.
+Definition meets (g : family) (F : functions) (used : list side) : bool :=
+  let es := exprs F in
+  match nth (variable g) es Undefined with Var 0 => true | _ => false end && negb (mem (variable g) (fixed g)) &&
+  all2 (fun i c => Nat.eqb i (variable g) || (only_says (fun _ => true) (range_of g i) && on_domain g F (range_of g i) c))
+    (seq 0 (length es)) (range_proofs F) &&
+  forallb (fun i => plainly (subst_says es (range_of g i))) (fixed g) &&
+  forallb simple (all_ranges g) &&
+  forallb (fun r => Nat.ltb (subject r) (length es)) (all_ranges g) &&
+  (is_nil (function_ranges g) || is_nil (with_role Narrows g)) &&
+  all2 (premise_shown g F) (roled g) (premise_proofs F) &&
+  (negb (always_when g) || is_nil (conditions (body g)) ||
+    (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) && plainly (subst_says es (Says true [] (conditions (body g)))))) &&
+  is_nil (with_role Everywhere (family_of g F)) && is_nil (with_role Along (family_of g F)) &&
+  is_nil (function_ranges (family_of g F)) &&
+  all2 (premised_shown g F used) (premised g) (limit_proofs F).
+
+(** ** They do meet them *)
+
+Lemma all2_in {X Y} (f : X -> Y -> bool) l m x : all2 f l m = true -> In x l -> exists y, In y m /\ f x y = true.
+Proof.
+  revert m. induction l as [|a l IH]; intros [|b m]; simpl; try discriminate; [intros _ []|].
+  intros C [->|I0]; split_bools; [eauto|]. destruct (IH m) as [y [J K]]; eauto.
+Qed.
+Lemma is_nil_eq {X} (l : list X) : is_nil l = true -> l = [].
+Proof. destruct l; [trivial|discriminate]. Qed.
+Lemma flat_in l rs r : conj (flat l rs) -> In r rs -> defined_rel l r /\ says l r.
+Proof.
+  induction rs as [|q rs IH]; [intros _ []|]. rewrite flat_cons. intros [D [S F]] [->|I0]; auto.
+Qed.
+Lemma mem_in i l : mem i l = true -> In i l.
+Proof. unfold mem. intro C. apply existsb_exists in C as [j [J E]]. apply Nat.eqb_eq in E; subst; trivial. Qed.
+
+Section Met.
+Variables (g : family) (F : functions) (used : list side).
+Hypothesis M : meets g F used = true.
+Let es := exprs F.
+Let l : R -> list R := along es.
+
+Lemma met : nth (variable g) es Undefined = Var 0 /\
+  all2 (fun i c => Nat.eqb i (variable g) || (only_says (fun _ => true) (range_of g i) && on_domain g F (range_of g i) c))
+    (seq 0 (length es)) (range_proofs F) = true /\
+  (forall i, In i (fixed g) -> plainly (subst_says es (range_of g i)) = true) /\
+  forallb simple (all_ranges g) = true /\
+  (forall r, In r (all_ranges g) -> (subject r < length es)%nat) /\
+  (function_ranges g = [] \/ with_role Narrows g = []) /\
+  all2 (premise_shown g F) (roled g) (premise_proofs F) = true /\
+  (always_when g = true -> conditions (body g) = [] \/
+    (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) = true /\
+     plainly (subst_says es (Says true [] (conditions (body g)))) = true)) /\
+  with_role Everywhere (family_of g F) = [] /\ with_role Along (family_of g F) = [] /\
+  function_ranges (family_of g F) = [] /\
+  all2 (premised_shown g F used) (premised g) (limit_proofs F) = true.
+Proof.
+  unfold meets in M. fold es in M. cbv zeta in M. split_bools.
+  repeat match goal with |- _ /\ _ => split end; trivial; try (apply is_nil_eq; trivial).
+  - destruct (nth (variable g) es Undefined); try discriminate. destruct i; [trivial|discriminate].
+  - match goal with G : forallb _ (fixed g) = true |- _ => rewrite forallb_forall in G; exact G end.
+  - intros r I0. apply Nat.ltb_lt. match goal with G : forallb (fun r => Nat.ltb _ _) _ = true |- _ => rewrite forallb_forall in G; auto end.
+  - match goal with G : is_nil (function_ranges g) || _ = true |- _ => apply orb_true_iff in G as [G|G]; apply is_nil_eq in G; auto end.
+  - intro A0. match goal with G : negb (always_when g) || _ || _ = true |- _ => rewrite A0 in G; simpl in G; apply orb_true_iff in G as [G|G] end.
+    + left. apply is_nil_eq; trivial.
+    + right. split_bools; auto.
+Qed.
+
+Lemma variable_place : nth (variable g) es (Num 0 1) = Var 0.
+Proof.
+  destruct met as [V _]. rewrite <- V. apply nth_indep.
+  destruct (Nat.lt_ge_cases (variable g) (length es)) as [|G]; trivial.
+  rewrite nth_overflow in V by trivial. discriminate.
+Qed.
+Lemma range_flat i p : conj (flat [p] (links (subst_says es (range_of g i)))) ->
+  total [p] (nth i es (Num 0 1)) /\ forall r, only_rel (fun _ => true) r = true -> In r (all_ranges g) -> subject r = i -> says (l p) r.
+Proof.
+  intro C. split.
+  - apply (flat_in _ _ (subst_rel es (Rel (Var i) Eq (Var i))) C). left; trivial.
+  - intros r O I0 Sr. apply (subst_related es p (fun _ => true) r O).
+    apply (flat_in _ _ (subst_rel es r) C). right. apply in_map, filter_In. split; trivial. apply Nat.eqb_eq; trivial.
+Qed.
+Lemma simple_only r : simple r = true -> only_rel (fun _ => true) r = true.
+Proof. unfold simple, only_rel. destruct (lhs r); try discriminate. destruct (rhs r); try discriminate. trivial. Qed.
+Lemma range_only r : In r (all_ranges g) -> only_rel (fun _ => true) r = true.
+Proof.
+  destruct met as [_ [_ [_ [Si _]]]]. rewrite forallb_forall in Si. intro I0. apply simple_only. auto.
+Qed.
+Lemma fixed_there i p : In i (fixed g) -> conj (flat [p] (links (subst_says es (range_of g i)))).
+Proof.
+  intro I0. destruct met as [_ [_ [Pl _]]]. pose proof (plainly_says _ [p] (Pl i I0)) as S.
+  unfold says_all in S. rewrite arrow_imp in S. apply S. exact I.
+Qed.
+Lemma fixed_total p i : mem i (fixed g) = true -> total [p] (nth i es (Num 0 1)).
+Proof. intro C. apply mem_in in C. apply (range_flat i p). apply fixed_there; trivial. Qed.
+Lemma narrow_total p i : (mem i (fixed g) || Nat.eqb i (variable g)) = true -> total [p] (nth i es (Num 0 1)).
+Proof.
+  intro C. apply orb_true_iff in C as [C|C]; [apply fixed_total; trivial|].
+  apply Nat.eqb_eq in C; subst. rewrite variable_place. exact I.
+Qed.
+Lemma roled_shown r h : In (r, h) (roled g) -> exists c, premise_shown g F (r, h) c = true.
+Proof.
+  destruct met as [_ [_ [_ [_ [_ [_ [P _]]]]]]]. intro I0. destruct (all2_in _ _ _ _ P I0) as [c [_ C]]. eauto.
+Qed.
+Lemma with_role_shown r h : In h (with_role r g) -> speaks h = true /\ exists c, premise_shown g F (r, h) c = true.
+Proof.
+  unfold with_role. intro I0. apply in_map_iff in I0 as [[q k] [<- I0]]. apply filter_In in I0 as [I0 C].
+  cbn [fst snd] in *. apply andb_true_iff in C as [C S]. split; trivial.
+  apply roled_shown. destruct q, r; try discriminate; trivial.
+Qed.
+Lemma narrow_says h p : In h (with_role Narrows g) -> (says_all [p] (subst_says es h) <-> says_all (l p) h).
+Proof.
+  intro I0. destruct (with_role_shown _ _ I0) as [_ [c C]]. unfold premise_shown in C. cbn [fst snd] in C. split_bools.
+  match goal with G : only_says (fun i => _ || _) h = true |- _ => apply (subst_sentence es p _ (narrow_total p) h G) end.
+Qed.
+Lemma domain_there p : in_domain g l p <->
+  Forall (says [p]) (domain_ranges g F) /\ Forall (says_all [p]) (domain_premises g F).
+Proof.
+  unfold in_domain, domain, domain_ranges, domain_premises. fold es. rewrite Forall_app, !Forall_props, !Forall_map.
+  assert (A0 : Forall (says (l p)) (variable_ranges g) <-> Forall (fun r => says [p] (subst_rel es r)) (variable_ranges g)).
+  { rewrite !Forall_forall. split; intros H r I0; pose proof I0 as J; apply filter_In in J as [J _];
+      apply (subst_related es p (fun _ => true) r (range_only r J)); auto. }
+  assert (A1 : Forall (says_all (l p)) (with_role Narrows g) <-> Forall (fun h => says_all [p] (subst_says es h)) (with_role Narrows g)).
+  { rewrite !Forall_forall. split; intros H h I0; apply narrow_says; auto. }
+  tauto.
+Qed.
+Lemma shown_on_domain h c p : on_domain g F h c = true -> in_domain g l p -> says_all [p] (subst_says es h).
+Proof.
+  unfold on_domain. intros C D. apply domain_there in D as [D1 D2].
+  apply proved with (l := [p]) in C. unfold states, at_point_of in C. rewrite imply_all, arrow_imp in C.
+  cbn [ranges premises conditions claim concludes] in C. apply C; [|exact I].
+  apply Forall_app; split; apply (proj2 (Forall_props _ _)).
+  - destruct (fst c); [trivial|constructor].
+  - rewrite Forall_forall in *. intros k K. apply filter_In in K as [K _]. auto.
+Qed.
+Lemma range_there i p : in_domain g l p -> (i < length es)%nat -> i <> variable g ->
+  conj (flat [p] (links (subst_says es (range_of g i)))).
+Proof.
+  intros D L N. destruct met as [_ [Rp _]].
+  destruct (all2_in _ _ _ i Rp) as [c [_ C]]; [apply in_seq; simpl; auto with arith|].
+  apply orb_true_iff in C as [C|C]; [apply Nat.eqb_eq in C; contradiction|]. split_bools.
+  match goal with G : on_domain _ _ _ _ = true |- _ => pose proof (shown_on_domain _ _ _ G D) as S end.
+  unfold says_all in S. rewrite arrow_imp in S. apply S. exact I.
+Qed.
+Lemma domain_total p : in_domain g l p -> forall i : nat, true = true -> total [p] (nth i es (Num 0 1)).
+Proof.
+  intros D i _. destruct (Nat.lt_ge_cases i (length es)) as [L|G].
+  - destruct (Nat.eq_dec i (variable g)) as [->|N]; [rewrite variable_place; exact I|].
+    apply (range_flat i p). apply range_there; trivial.
+  - rewrite nth_overflow by trivial. exact I.
+Qed.
+Lemma along_there h p : In h (with_role Along g) -> in_domain g l p -> says_all (l p) h.
+Proof.
+  intros I0 D. destruct (with_role_shown _ _ I0) as [S [c C]]. unfold premise_shown in C. cbn [fst snd] in C. split_bools.
+  match goal with G : negb (speaks h) || _ = true |- _ => rewrite S in G; simpl in G; rename G into P end.
+  apply (subst_sentence es p (fun _ => true) (domain_total p D)); trivial. apply shown_on_domain with c; trivial.
+Qed.
+Lemma supposed_family : supposed (family_of g F) (fun x => [x]).
+Proof.
+  destruct met as [_ [_ [_ [_ [_ [_ [_ [_ [E0 [A0 [R0 _]]]]]]]]]]]. split.
+  - intro p. unfold constantly. rewrite E0. cbn [always_when family_of conditions body premised flat_map map].
+    assert (K : constant_ranges (family_of g F) = []).
+    { unfold constant_ranges. cbn [fixed family_of]. induction (all_ranges _); simpl; trivial. }
+    rewrite K. constructor.
+  - unfold functionally. rewrite A0, R0. constructor.
+  - trivial.
+  - intros p q i [].
+Qed.
+Lemma limit_there f to cs : proves_limit (family_of g F) used f to cs = true -> forall s c, In (s, c) cs ->
+  match to with Finite v => total [0] v | _ => True end /\ reaches (fun x => [x]) [0] f to s.
+Proof.
+  unfold proves_limit. intros C s c I0. split_bools. 
+  match goal with G : forallb _ cs = true |- _ => rewrite forallb_forall in G; specialize (G _ I0); cbn [fst snd] in G end.
+  eapply (side_sound (family_of g F) used (fun x => [x])); [eassumption|apply supposed_family|eassumption].
+Qed.
+Lemma reaches_along f v s : only (fun _ => true) f = true -> only (fun _ => true) v = true ->
+  reaches (fun x => [x]) [0] (subst es f) (Finite (subst es v)) s -> reaches l (l 0) f (Finite v) s.
+Proof.
+  intros Of Ov C eps E. specialize (C eps E). apply (near_weaken _ _ _ C). intros x K. apply conj_app in K as [K1 K2].
+  apply conj_app. split; [apply subst_forward; trivial|]. rewrite conj_one in *. rewrite !subst_ev in K2 by trivial. trivial.
+Qed.
+Lemma premised_there q cs : premised_shown g F used q cs = true ->
+  Forall (fun P : Prop => P) (premise_tends l (l 0) q).
+Proof.
+  destruct q as [[[ss f] v]|]; [|discriminate]. cbn [premised_shown premise_tends]. fold es. intro C. split_bools.
+  match goal with G : only _ f = true |- _ => rename G into Of end. match goal with G : only _ v = true |- _ => rename G into Ov; apply only_any in Ov end.
+  match goal with G : proves_limit _ _ _ _ _ = true |- _ => pose proof (limit_there _ _ _ G) as L end.
+  match goal with G : all2 _ ss cs = true |- _ => rename G into S end.
+  apply Forall_cons; [|constructor]. unfold tends. apply conj_app. split.
+  - destruct cs as [|[s c] cs]; [discriminate|]. destruct (L s c (or_introl eq_refl)) as [T _]. apply subst_forward; trivial.
+  - apply conj_all. apply (proj2 (Forall_props _ _)). apply Forall_forall. intros s I0.
+    destruct (all2_in _ _ _ s S I0) as [[s' c] [J Q]]. cbn [fst] in Q. apply seqb_side_eq in Q; subst s'.
+    apply reaches_along; trivial. apply (L s c J).
+Qed.
+Lemma all_met : Forall (fun P : Prop => P) (constantly g l 0 ++ functionally g l).
+Proof.
+  destruct met as [_ [_ [_ [_ [Ln [Fr [_ [Aw [_ [_ [_ Pr]]]]]]]]]]]. apply Forall_app; split.
+  - unfold constantly. apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split]].
+    + apply (proj2 (Forall_props _ _)). apply Forall_forall. intros r I0. apply filter_In in I0 as [I0 C].
+      apply (proj2 (range_flat (subject r) 0 (fixed_there _ 0 (mem_in _ _ C)))); trivial. apply range_only; trivial.
+    + apply (proj2 (Forall_props _ _)). apply Forall_forall. intros h I0.
+      destruct (with_role_shown _ _ I0) as [S [c C]]. unfold premise_shown in C. cbn [fst snd] in C. split_bools.
+      match goal with G : negb (speaks h) || _ = true |- _ => rewrite S in G; simpl in G; rename G into P end.
+      match goal with G : only_says (fun i => mem i _) h = true |- _ => apply (subst_sentence es 0 _ (fixed_total 0) h G) end.
+      apply plainly_says; trivial.
+    + destruct (always_when g) eqn:AW; [|constructor]. destruct (Aw eq_refl) as [->|[O P]]; [constructor|].
+      destruct (conditions (body g)) as [|r rs]; [constructor|]. apply Forall_cons; [|constructor].
+      apply (subst_flat es 0 _ (fixed_total 0) _ O). apply (plainly_says _ [0] P). 
+    + apply Forall_flat_map, Forall_forall. intros q I0. destruct (all2_in _ _ _ q Pr I0) as [cs [_ C]].
+      apply premised_there with cs; trivial.
+  - unfold functionally. apply Forall_app; split.
+    + destruct (function_ranges g) as [|r0 rs] eqn:E; [constructor|]. apply Forall_cons; [|constructor].
+      destruct Fr as [Fr|Fr]; [discriminate|]. intro x. rewrite imply_all. intro V. rewrite <- E.
+      assert (D : in_domain g l x).
+      { unfold in_domain, domain. rewrite Fr, app_nil_r. trivial. }
+      apply conj_all. apply (proj2 (Forall_props _ _)). apply Forall_forall. intros r I0. apply filter_In in I0 as [I0 C].
+      split_bools. apply (proj2 (range_flat (subject r) x (range_there _ x D (Ln r I0)
+        ltac:(intro Q; rewrite Q, Nat.eqb_refl in *; discriminate)))); trivial. apply range_only; trivial.
+    + apply Forall_map, Forall_forall. intros h I0 x. rewrite imply_all. intro D. apply along_there; trivial.
+Qed.
+End Met.
+
+(** ** They refute *)
+
+(** The conclusion fails at a point of the domain. *)
+Definition refutes_point (g : family) (F : functions) (used : list side) (w : witness) : bool :=
+  let es := exprs F in
+  meets g F used && Nat.eqb (length (coordinates w)) 1 &&
+  match theta w with None => true | _ => false end &&
+  forallb (only_rel (fun _ => true)) (conditions (body g)) && only_conclusion (fun _ => true) (claim (body g)) &&
+  refuted_by (at_point_of g F true (if always_when g then [] else map (subst_rel es) (conditions (body g)))
+    (subst_conclusion es (claim (body g)))) w.
+Theorem point_refuted g F used w : refutes_point g F used w = true -> ~ states_point g (along (exprs F)).
+Proof.
+  unfold refutes_point. cbv zeta. intros C S. split_bools.
+  match goal with G : meets _ _ _ = true |- _ => rename G into M end.
+  match goal with G : match theta w with None => _ | _ => _ end = true |- _ => rename G into Th end.
+  match goal with G : refuted_by _ _ = true |- _ => apply (refuted_there _ w 0 G) end.
+  { destruct (theta w); [discriminate|]. constructor. }
+  match goal with G : Nat.eqb (length _) 1 = true |- _ => apply Nat.eqb_eq in G; rename G into L end.
+  assert (P : exists x, place w 0 = [x]).
+  { unfold place. destruct (coordinates w) as [|c [|d cs]]; try discriminate. eexists; reflexivity. }
+  destruct P as [x ->]. unfold states_point in S. rewrite imply_all in S. specialize (S (all_met g F used M) x).
+  unfold states, at_point_of. cbn [ranges premises conditions claim]. rewrite imply_all. intro HA. apply Forall_app in HA as [HR HP].
+  apply (proj1 (Forall_props _ _)) in HR. apply (proj1 (Forall_props _ _)) in HP.
+  assert (D : in_domain g (along (exprs F)) x).
+  { apply (domain_there g F used M). split; trivial. rewrite Forall_forall in *. intros h I0. apply HP.
+    apply filter_In. split; trivial. unfold domain_premises in I0. apply in_map_iff in I0 as [k [<- I0]].
+    destruct (with_role_shown g F used M _ _ I0) as [Sp _]. unfold speaks, subst_says in *. cbn [links].
+    destruct (links k); trivial. }
+  rewrite imply_all in S. specialize (S D). rewrite arrow_imp in *.
+  pose proof (domain_total g F used M x D) as T0. intro W.
+  match goal with G : only_conclusion _ _ = true |- _ => apply (subst_concludes (exprs F) x (fun _ => true) T0 _ G) end.
+  apply S. destruct (always_when g); trivial.
+  match goal with G : forallb _ (conditions _) = true |- _ => apply (subst_flat (exprs F) x (fun _ => true) T0 _ G) end.
+  trivial.
+Qed.
+
+(** A function has one limit on a side. *)
+Lemma near_some s Q : near s Q -> exists x, Q x.
+Proof. rewrite near_small. intros [d [D F]]. exists (germ_point s (d / 2)). apply F. lra. Qed.
+Lemma near_and s (P Q : R -> Prop) : near s P -> near s Q -> near s (fun x => P x /\ Q x).
+Proof. rewrite !near_small. apply small_and. Qed.
+Definition same_end (v v' : list R) (to to' : target) : Prop :=
+  match to, to' with
+  | Finite a, Finite b => ev v a = ev v' b
+  | PlusInf, PlusInf | MinusInf, MinusInf => True
+  | _, _ => False
+  end.
+Lemma one_limit l v f to l' v' f' to' s : (forall x, ev (l x) f = ev (l' x) f') ->
+  reaches l v f to s -> reaches l' v' f' to' s -> same_end v v' to to'.
+Proof.
+  intros E H H'.
+  assert (K : forall P Q : R -> Prop, near s (fun x => conj (conds (l x) f ++ [P (ev (l x) f)])) ->
+    near s (fun x => conj (conds (l' x) f' ++ [Q (ev (l' x) f')])) -> exists y, P y /\ Q y).
+  { intros P Q A0 B0. destruct (near_some _ _ (near_and _ _ _ A0 B0)) as [x [X Y]].
+    apply conj_app in X as [_ X]. apply conj_app in Y as [_ Y]. rewrite conj_one in *. exists (ev (l x) f).
+    split; trivial. rewrite E. trivial. }
+  destruct to as [a| |], to' as [b| |]; cbn [same_end reaches] in *; trivial.
+  - destruct (Req_dec (ev v a) (ev v' b)) as [|N]; trivial. exfalso.
+    assert (P : Rabs (ev v a - ev v' b) > 0) by (apply Rabs_pos_lt; lra).
+    set (e := Rabs (ev v a - ev v' b) / 2). assert (P2 : e > 0) by (unfold e; lra).
+    destruct (K (fun y => Rabs (y - ev v a) < e) (fun y => Rabs (y - ev v' b) < e) (H e P2) (H' e P2)) as [y [Y Y']].
+    unfold e in *; clear e P2.
+    revert P Y Y'. unfold Rabs. repeat destruct Rcase_abs; lra.
+  - destruct (K (fun y => Rabs (y - ev v a) < 1) (fun y => y > ev v a + 1) (H 1 ltac:(lra)) (H' _)) as [y [Y Y']].
+    apply Rabs_def2 in Y. lra.
+  - destruct (K (fun y => Rabs (y - ev v a) < 1) (fun y => y < ev v a - 1) (H 1 ltac:(lra)) (H' _)) as [y [Y Y']].
+    apply Rabs_def2 in Y. lra.
+  - destruct (K (fun y => y > ev v' b + 1) (fun y => Rabs (y - ev v' b) < 1) (H _) (H' 1 ltac:(lra))) as [y [Y Y']].
+    apply Rabs_def2 in Y'. lra.
+  - destruct (K (fun y => y > 0) (fun y => y < 0) (H _) (H' _)) as [y [Y Y']]. lra.
+  - destruct (K (fun y => y < ev v' b - 1) (fun y => Rabs (y - ev v' b) < 1) (H _) (H' 1 ltac:(lra))) as [y [Y Y']].
+    apply Rabs_def2 in Y'. lra.
+  - destruct (K (fun y => y < 0) (fun y => y > 0) (H _) (H' _)) as [y [Y Y']]. lra.
+Qed.
+
+(** Two ends that visibly differ. *)
+Definition apart (es : list expr) (to to' : target) : bool :=
+  match to, to' with
+  | Finite a, Finite b =>
+      let r := Rel (subst es a) Eq b in rootless_rel r && is_nil (select is_true (truth 0 r))
+  | PlusInf, PlusInf | MinusInf, MinusInf => false
+  | _, _ => true
+  end.
+(** The limit is another one: [found], from the side [s]. *)
+Definition refutes_limit (g : family) (F : functions) (used : list side) (f : expr) (to : target) (ss : list side)
+  (s : side) (found : target) (c : side_proof) : bool :=
+  meets g F used && has_side s ss && only (fun _ => true) f &&
+  match to with Finite v => only (fun i => mem i (fixed g)) v | _ => true end &&
+  proves_limit (family_of g F) used (subst (exprs F) f) found [(s, c)] && apart (exprs F) to found.
+Theorem limit_refuted g F used f to ss s found c : refutes_limit g F used f to ss s found c = true ->
+  ~ states_limit g (along (exprs F)) f to ss.
+Proof.
+  unfold refutes_limit, states_limit. intros C S. split_bools.
+  match goal with G : meets _ _ _ = true |- _ => rename G into M end.
+  match goal with G : has_side s ss = true |- _ => apply has_side_in in G; rename G into Is end.
+  match goal with G : only _ f = true |- _ => rename G into Of end.
+  match goal with G : match to with Finite _ => _ | _ => _ end = true |- _ => rename G into Ov end.
+  match goal with G : proves_limit _ _ _ _ _ = true |- _ =>
+    destruct (limit_there g F used M _ _ _ G s c (or_introl eq_refl)) as [Tf Rf] end.
+  match goal with G : apart _ _ _ = true |- _ => rename G into Ap end.
+  rewrite imply_all in S. specialize (S (all_met g F used M)). unfold tends in S. apply conj_app in S as [S1 S2].
+  rewrite conj_all, Forall_map, Forall_forall in S2. specialize (S2 s Is).
+  pose proof (one_limit _ _ _ _ _ _ _ _ _ (fun x => eq_sym (subst_ev (exprs F) x f Of)) S2 Rf) as E.
+  destruct to as [a| |], found as [b| |]; cbn [same_end apart] in *; try contradiction; try discriminate.
+  cbv zeta in Ap. split_bools. set (r := Rel (subst (exprs F) a) Eq b) in *.
+  match goal with G : is_nil _ = true |- _ => apply is_nil_eq in G; rename G into N end.
+  match goal with G : rootless_rel r = true |- _ => pose proof (rootless_rooted_rel [0] r G) as RT end.
+  pose proof (truth_spec 0 (values [0]) [0] r (agrees_values [0]) RT) as Sp.
+  assert (Y : some_case (values [0]) (select is_true (truth 0 r))).
+  { apply (select_spec _ _ _ is_true True Sp); trivial. intros v V.
+    assert (D : defined_rel [0] r).
+    { split; [|exact Tf]. apply (subst_total (exprs F) 0 _ (fixed_total g F used M 0) a Ov). exact S1. }
+    assert (Q : says [0] r).
+    { unfold says, r. cbn [comparison lhs rhs related]. rewrite subst_ev by (eapply only_any; exact Ov). exact E. }
+    unfold is_truth in V. destruct v as [[|]|]; simpl; tauto. }
+  rewrite N in Y. destruct Y as [x [[] _]].
 Qed.
 
 (** * Ways to write the data below *)

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use kane_algebra::syntax::{coq, coq_relation};
 use kane_kernel::{
-    Context, Expr, Fuel, Hypothesis, Monomial, Poly, Rel, Relation, Scope, Sentence, derivative,
+    Context, Expr, Fuel, Hypothesis, Monomial, Poly, Rel, Relation, Scope, Sentence, Target,
+    derivative,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -34,8 +35,18 @@ pub(super) struct Symbols<'a> {
 impl<'a> Symbols<'a> {
     /// The symbols that a goal mentions.
     pub(super) fn new(scope: &Scope<'a>, offset: usize) -> Result<Self, NotEmitted> {
+        Self::with(scope, offset, None)
+    }
+
+    /// The symbols that a goal mentions, and one more behind them.
+    pub(super) fn with(
+        scope: &Scope<'a>,
+        offset: usize,
+        also: Option<usize>,
+    ) -> Result<Self, NotEmitted> {
         let context = scope.context;
-        let order: Vec<usize> = scope.mentioned.iter().copied().collect();
+        let also = also.filter(|v| !scope.mentioned.contains(v));
+        let order: Vec<usize> = scope.mentioned.iter().copied().chain(also).collect();
         let mut names = BTreeMap::new();
         for &v in &order {
             let mut name = identifier(&context.vars[v].name);
@@ -156,6 +167,15 @@ impl<'a> Symbols<'a> {
         }
     }
 
+    /// Where a limit leads, as data.
+    pub(super) fn target(&self, to: &Target) -> Result<String, NotEmitted> {
+        Ok(match to {
+            Target::Finite(v) => format!("(Finite {})", self.expr(v)?),
+            Target::PlusInf => "PlusInf".to_owned(),
+            Target::MinusInf => "MinusInf".to_owned(),
+        })
+    }
+
     /// A relation, of which the sides are expanded, as data.
     pub(super) fn relation(&self, r: &Relation) -> Result<String, NotEmitted> {
         let (a, b) = (self.expr(&r.lhs)?, self.expr(&r.rhs)?);
@@ -227,7 +247,7 @@ pub(super) struct Prose<'a> {
 }
 
 impl Prose<'_> {
-    fn term(&self, e: &Expr) -> Result<String, NotEmitted> {
+    pub(super) fn term(&self, e: &Expr) -> Result<String, NotEmitted> {
         Ok(coq(&self.slopes(e)?, self.name))
     }
 
