@@ -10,6 +10,7 @@ use kane::audit::{Audit, Options, audit, read};
 use kane::judges::{ALLOWED_AXIOMS, Limits, coq, coq_file, z3};
 use kane::kernel::{Conclusion, Expr, Link};
 use kane::report::Report;
+use kane::report::coq::{File, NotEmitted};
 use kane::report::judges::Answer;
 
 use crate::support::installed;
@@ -125,4 +126,82 @@ fn a_lemma_that_says_something_else_is_rejected() {
     let statement = changed.statement;
     let judge = coq_file(&file, &LIMITS).expect("coqc runs");
     assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
+}
+
+/// The lemmas of some claims of the paper.
+fn lemmas(labels: &[&str]) -> kane::report::coq::File {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/derivations/oblique-collision.md");
+    let bytes = fs::read(path).expect("the document is there");
+    let document = read("oblique-collision.md", &bytes).expect("the document is well formed");
+    let index = |label: &&str| document.statements.iter().position(|s| s.label == **label);
+    let only: Vec<usize> = labels.iter().map(|l| index(l).expect("the claim is there")).collect();
+    let options = Options { only: Some(only.clone()), ..Options::default() };
+    let audit = audit(document, &options, &mut |_, _| {});
+    kane::report::coq::coq(&Report::new(&audit, "kane audit").only(&only))
+}
+
+/// Near a true limit lie false ones, and near functions that meet the premises some that do not:
+/// one change or two to a lemma and its data. `Fail` passes only where Coq rejects what follows.
+#[test]
+fn a_limit_that_is_not_and_functions_that_do_not_fit_are_rejected() {
+    if !installed("coqc") {
+        return;
+    }
+    let changes: [(&str, &[(&str, &str)]); 5] = [
+        // Another limit in words, with the data of the true one.
+        ("(29-inf)", &[("- 0) < epsilon", "- 1) < epsilon")]),
+        // Another limit in words and as data.
+        (
+            "(29-zero)",
+            &[("- mu) < epsilon", "- 2) < epsilon"), ("(Finite (Var 0))", "(Finite (Num 2 1))")],
+        ),
+        // Along the germ 12·f is 16·t.
+        ("(26-left)", &[("[m_ [1]%nat 16] [m_ [] 12]", "[m_ [1]%nat 15] [m_ [] 12]")]),
+        // Functions that miss (9).
+        (
+            "(11n)",
+            &[
+                (
+                    "(Sub (Num 1 1) (Mul (Num 2 1) (Var 0)))",
+                    "(Sub (Num 1 1) (Mul (Num 3 1) (Var 0)))",
+                ),
+                ("1 - 2 * alpha)", "1 - 3 * alpha)"),
+            ],
+        ),
+        // What is denied is the limit that was found, 1/3.
+        (
+            "(27-right)",
+            &[
+                ("- 2 / 3) < epsilon", "- 1 / 3) < epsilon"),
+                ("(Finite (Div (Num 2 1) (Num 3 1)))", "(Finite (Div (Num 1 1) (Num 3 1)))"),
+            ],
+        ),
+    ];
+    let labels: Vec<&str> = changes.iter().map(|c| c.0).chain(["ab-inf"]).collect();
+    let (statements, mut file) = lemmas(&labels);
+    for ((label, replace), statement) in changes.iter().zip(&statements) {
+        let lemma = file.lemmas.iter_mut().find(|l| l.statement == *statement);
+        let lemma = lemma.expect("it is emitted");
+        for (from, to) in *replace {
+            assert!(lemma.text.contains(from), "{label}: {from} in {}", lemma.text);
+            lemma.text = lemma.text.replace(from, to);
+        }
+        lemma.text = lemma.text.replace(" exact (", " Fail exact (").replace(" Qed.", " Abort.");
+        lemma.name = Err(NotEmitted::Step("a planted error"));
+    }
+    let judge = coq_file(&file, &LIMITS).expect("coqc runs");
+    assert_eq!(judge.answers[&(statements[changes.len()], 0)], Answer::Agrees);
+}
+
+/// Some claims of the paper, and their lemmas.
+fn lemmas(labels: &[&str]) -> (Vec<usize>, File) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/derivations/oblique-collision.md");
+    let bytes = fs::read(path).expect("the document is there");
+    let document = read("oblique-collision.md", &bytes).expect("the document is well formed");
+    let index = |label: &&str| document.statements.iter().position(|s| s.label == **label);
+    let only: Vec<usize> = labels.iter().map(|l| index(l).expect("the claim is there")).collect();
+    let options = Options { only: Some(only.clone()), ..Options::default() };
+    let audit = audit(document, &options, &mut |_, _| {});
+    let file = kane::report::coq::coq(&Report::new(&audit, "kane audit").only(&only));
+    (only, file)
 }

@@ -10,7 +10,8 @@ use kane_kernel::{
 
 use super::NotEmitted;
 use super::lemma::conclusion;
-use super::reify::{Prose, Symbols, arrow, conj, grouped, integer, join};
+use super::prose::{Prose, arrow, conj, grouped};
+use super::reify::{Symbols, integer, join};
 
 /// Where a premise is said: of constants, to bound the domain, or of functions on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

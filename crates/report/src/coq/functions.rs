@@ -13,7 +13,8 @@ use num_traits::One;
 
 use super::NotEmitted;
 use super::family::{Claimed, Family, Role, side};
-use super::reify::{Prose, Symbols};
+use super::prose::Prose;
+use super::reify::Symbols;
 use super::script::Writer;
 use super::witness::{Witness, witness};
 
@@ -65,7 +66,7 @@ pub(super) fn lemma(
     Ok(format!(
         "{}Definition functions_{name} : functions := {data}.\n{witness}\
          Lemma claim_{name} : ~ (\n  {}).\n\
-         Proof. intro H. exact ({theorem} {arguments}\n    \
+         Proof. intro H. exact ({theorem}\n    \
          (eq_refl true <: {check} {arguments} = true) (H{values})). Qed.\n",
         family.data(name, &claim)?,
         family.statement(&prose, &says)?,
@@ -91,7 +92,7 @@ fn claimed(conclusion: &Conclusion) -> Option<&Limit> {
 impl Model<'_, '_> {
     /// Functions and proofs, as data.
     fn data(&self) -> Result<String, NotEmitted> {
-        let (f, x) = (self.functions, self.family.x);
+        let f = self.functions;
         let (mut exprs, mut ranges, mut premises, mut limits) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for &v in &self.family.symbols.order {
@@ -113,7 +114,6 @@ impl Model<'_, '_> {
                 limits.push(self.side_proofs(l, proofs)?);
             }
         }
-        debug_assert!(f.values.iter().all(|(v, _)| *v != x), "x is no function of itself");
         let lists = [exprs, ranges, premises, limits].map(|l| format!("[{}]", l.join(";\n   ")));
         Ok(format!("Functions\n  {}", lists.join("\n  ")))
     }
@@ -186,7 +186,7 @@ impl Model<'_, '_> {
         let Witness { data, .. } = witness(&symbols, &state, &point)?;
         Ok(Failing {
             data: format!("Definition witness_{name} : witness := {data}.\n"),
-            theorem: "point_refuted",
+            theorem: "point_refuted _ _ _ _",
             check: "refutes_point",
             arguments: format!("witness_{name}"),
         })
@@ -210,7 +210,7 @@ impl Model<'_, '_> {
         let sides: Vec<String> = claimed.sides.iter().map(side).collect();
         Ok(Failing {
             data: format!("Definition limit_{name} : side_proof :=\n  {data}.\n"),
-            theorem: "limit_refuted",
+            theorem: "limit_refuted _ _ _ _ _ _ _ _ _",
             check: "refutes_limit",
             arguments: format!(
                 "{} {} [{}] {} {to} limit_{name}",

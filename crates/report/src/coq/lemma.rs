@@ -11,33 +11,40 @@ use kane_kernel::{
 use super::NotEmitted;
 use super::family::{Family, limits};
 use super::functions;
-use super::reify::{Prose, Symbols, arrow, conj, grouped};
+use super::prose::{Prose, arrow, conj, grouped};
+use super::reify::Symbols;
 use super::script::Writer;
+use super::theory::Part;
 use super::witness::{Witness, witness};
 
-/// The lemma `claim_NAME` and what it needs.
-pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<String, NotEmitted> {
+/// The lemma `claim_NAME` with its data, and the part of the theory that it needs.
+pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<(String, Part), NotEmitted> {
     let (goal, certificate) = (&accepted.goal, &accepted.certificate);
     let scope = scope(goal, Fuel::new(u64::MAX))?;
     let finding = certificate.finding;
     let x = limits(goal).next().map(|l| l.var);
-    match (&certificate.evidence, &goal.conclusion, x) {
+    let family = |x| Family::new(&scope, goal, x);
+    Ok(match (&certificate.evidence, &goal.conclusion, x) {
         (Evidence::Model(Model::Functions(f)), ..) => {
-            functions::lemma(name, &Family::new(&scope, goal, f.var)?, finding, f)
+            (functions::lemma(name, &family(f.var)?, finding, f)?, Part::Functions)
         }
-        (Evidence::Model(Model::Point(point)), ..) => refuted(name, &scope, goal, finding, point),
+        (Evidence::Model(Model::Point(point)), ..) => {
+            (refuted(name, &scope, goal, finding, point)?, Part::Witnesses)
+        }
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(l)), _) => {
-            Family::new(&scope, goal, l.var)?.limit(name, l, proofs)
+            (family(l.var)?.limit(name, l, proofs)?, Part::Limits)
         }
         (Evidence::Contradiction(_), Conclusion::Link(Link::Limit(_)), _) => {
-            Err(NotEmitted::Step("premises of a limit that contradict each other"))
+            return Err(NotEmitted::Step("premises of a limit that contradict each other"));
         }
         (Evidence::Contradiction(proof), _, Some(x)) => {
-            Family::new(&scope, goal, x)?.point(name, finding, proof)
+            (family(x)?.point(name, finding, proof)?, Part::Limits)
         }
-        (Evidence::Contradiction(proof), _, None) => proved(name, &scope, goal, finding, proof),
-        (Evidence::Limit(_), ..) => Err(NotEmitted::Step("limits for another claim")),
-    }
+        (Evidence::Contradiction(proof), _, None) => {
+            (proved(name, &scope, goal, finding, proof)?, Part::Points)
+        }
+        (Evidence::Limit(_), ..) => return Err(NotEmitted::Step("limits for another claim")),
+    })
 }
 
 /// What is concluded: as data, and as people read it.

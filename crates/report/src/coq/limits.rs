@@ -10,7 +10,7 @@ use kane_kernel::{
 
 use super::NotEmitted;
 use super::family::{Claimed, Family, side};
-use super::reify::Prose;
+use super::prose::Prose;
 use super::script::Writer;
 
 impl Family<'_, '_> {
@@ -34,7 +34,7 @@ impl Family<'_, '_> {
             self.symbols.expr(&f)?
         );
         let by = format!(
-            "limit_proved {arguments} _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl"
+            "limit_proved _ _ _ _ _ _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl"
         );
         Ok(format!(
             "{}Definition proof_{name} : list (side * side_proof) :=\n  {parts}.\n{}",
@@ -57,9 +57,8 @@ impl Family<'_, '_> {
         let prose = Prose { name: &written, symbols: &self.symbols };
         let (claim, says) = self.pointwise(&prose, finding)?;
         let arguments = format!("goal_{name} {} proof_{name}", writer.used());
-        let by = format!(
-            "point_proved {arguments} _\n    (eq_refl true <: proves_point {arguments} = true)"
-        );
+        let by =
+            format!("point_proved _ _ _ _\n    (eq_refl true <: proves_point {arguments} = true)");
         Ok(format!(
             "{}Definition proof_{name} : proof :=\n  {script}.\n{}",
             self.data(name, &claim)?,
