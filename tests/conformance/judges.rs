@@ -128,16 +128,24 @@ fn a_lemma_that_says_something_else_is_rejected() {
     assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
 }
 
-/// The lemmas of some claims of the paper.
-fn lemmas(labels: &[&str]) -> kane::report::coq::File {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/derivations/oblique-collision.md");
-    let bytes = fs::read(path).expect("the document is there");
-    let document = read("oblique-collision.md", &bytes).expect("the document is well formed");
-    let index = |label: &&str| document.statements.iter().position(|s| s.label == **label);
-    let only: Vec<usize> = labels.iter().map(|l| index(l).expect("the claim is there")).collect();
-    let options = Options { only: Some(only.clone()), ..Options::default() };
-    let audit = audit(document, &options, &mut |_, _| {});
-    kane::report::coq::coq(&Report::new(&audit, "kane audit").only(&only))
+/// Every rule of the language has a document of its own there; what is not emitted says why.
+///
+/// `cargo test --release --test conformance coq_on_the_semantics -- --ignored` takes four minutes.
+#[test]
+#[ignore = "one run of coqc for each of thirty documents"]
+fn coq_on_the_semantics_suite() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/conformance/semantics");
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("readable").path();
+        let name = path.file_name().and_then(|n| n.to_str()).expect("UTF-8");
+        // Some are there because they cannot be read.
+        let Ok(document) = read(name, &fs::read(&path).expect("readable")) else {
+            continue;
+        };
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let judge = coq(&Report::new(&audit, "kane audit"), &LIMITS).expect("coqc runs");
+        assert!(judge.agrees(), "{name}: {:?}", judge.answers);
+    }
 }
 
 /// Near a true limit lie false ones, and near functions that meet the premises some that do not:

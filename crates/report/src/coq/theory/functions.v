@@ -121,21 +121,26 @@ Record functions := Functions {
   premise_proofs : list (bool * proof);
   limit_proofs : list (list (side * side_proof))
 }.
+(** That a symbol is defined and in its declared range. *)
 Definition range_of (g : family) (i : nat) : sentence :=
   Says true [] (Rel (Var i) Eq (Var i) :: filter (fun r => Nat.eqb (subject r) i) (all_ranges g)).
+(** What bounds the domain, in the limit variable alone; and a claim at a point of it. *)
 Definition domain_ranges (g : family) (F : functions) := map (subst_rel (exprs F)) (variable_ranges g).
 Definition domain_premises (g : family) (F : functions) := map (subst_says (exprs F)) (with_role Narrows g).
 Definition at_point_of (g : family) (F : functions) (ranged : bool) (cs : list relation) (c : conclusion) : goal :=
   Goal (if ranged then domain_ranges g F else []) (domain_premises g F) cs c.
 Definition on_domain (g : family) (F : functions) (h : sentence) (q : bool * proof) : bool :=
   proves (at_point_of g F (fst q) [] (Sentence (subst_says (exprs F) h))) (snd q).
+(** A goal along the limit variable in which no other symbol is left. *)
 Definition family_of (g : family) (F : functions) : family :=
   Family (Goal [] (domain_premises g F) [] Falsehood) (domain_ranges g F) 0 []
     (map (fun _ => Narrows) (domain_premises g F)) true [].
+
 Definition is_nil {X} (l : list X) : bool := match l with [] => true | _ => false end.
 Fixpoint all2 {X Y} (f : X -> Y -> bool) (l : list X) (m : list Y) : bool :=
   match l, m with [], [] => true | x :: l, y :: m => f x y && all2 f l m | _, _ => false end.
-Definition premised_shown (g : family) (F : functions) (used : list side) (q : premise_limit) (cs : list (side * side_proof)) : bool :=
+Definition premised_shown (g : family) (F : functions) (used : list side) (q : premise_limit)
+  (cs : list (side * side_proof)) : bool :=
   match q with
   | Some (ss, f, v) =>
     all2 (fun s c => seqb_side s (fst c)) ss cs && negb (is_nil cs) &&
@@ -144,16 +149,22 @@ Definition premised_shown (g : family) (F : functions) (used : list side) (q : p
   | None => false
   end.
 Definition premise_shown (g : family) (F : functions) (q : role * sentence) (c : bool * proof) : bool :=
-  only_says (fun _ => true) (snd q) && 
+  only_says (fun _ => true) (snd q) &&
   match fst q with
   | Narrows => only_says (fun i => mem i (fixed g) || Nat.eqb i (variable g)) (snd q)
-  | Everywhere => only_says (fun i => mem i (fixed g)) (snd q) && (negb (speaks (snd q)) || plainly (subst_says (exprs F) (snd q)))
+  | Everywhere =>
+      only_says (fun i => mem i (fixed g)) (snd q) &&
+      (negb (speaks (snd q)) || plainly (subst_says (exprs F) (snd q)))
   | Along => negb (speaks (snd q)) || on_domain g F (snd q) c
   end.
+(** The functions meet the premises: those about constants by arithmetic, those about functions on the
+    whole domain. Declared ranges of functions hold beyond a domain that premises narrow, so there may
+    not be both. *)
 Definition meets (g : family) (F : functions) (used : list side) : bool :=
   let es := exprs F in
   match nth (variable g) es Undefined with Var 0 => true | _ => false end && negb (mem (variable g) (fixed g)) &&
-  all2 (fun i c => Nat.eqb i (variable g) || (only_says (fun _ => true) (range_of g i) && on_domain g F (range_of g i) c))
+  all2 (fun i c => Nat.eqb i (variable g) ||
+      (only_says (fun _ => true) (range_of g i) && on_domain g F (range_of g i) c))
     (seq 0 (length es)) (range_proofs F) &&
   forallb (fun i => plainly (subst_says es (range_of g i))) (fixed g) &&
   forallb simple (all_ranges g) &&
@@ -161,7 +172,8 @@ Definition meets (g : family) (F : functions) (used : list side) : bool :=
   (is_nil (function_ranges g) || is_nil (with_role Narrows g)) &&
   all2 (premise_shown g F) (roled g) (premise_proofs F) &&
   (negb (always_when g) || is_nil (conditions (body g)) ||
-    (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) && plainly (subst_says es (Says true [] (conditions (body g)))))) &&
+    (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) &&
+     plainly (subst_says es (Says true [] (conditions (body g)))))) &&
   is_nil (with_role Everywhere (family_of g F)) && is_nil (with_role Along (family_of g F)) &&
   is_nil (function_ranges (family_of g F)) &&
   all2 (premised_shown g F used) (premised g) (limit_proofs F).

@@ -149,7 +149,7 @@ Qed.
 Lemma limit_there f to cs : proves_limit (family_of g F) used f to cs = true -> forall s c, In (s, c) cs ->
   match to with Finite v => total [0] v | _ => True end /\ reaches (fun x => [x]) [0] f to s.
 Proof.
-  unfold proves_limit. intros C s c I0. split_bools. 
+  unfold proves_limit. intros C s c I0. split_bools.
   match goal with G : forallb _ cs = true |- _ => rewrite forallb_forall in G; specialize (G _ I0); cbn [fst snd] in G end.
   eapply (side_sound (family_of g F) used (fun x => [x])); [eassumption|apply supposed_family|eassumption].
 Qed.
@@ -185,7 +185,7 @@ Proof.
       apply plainly_says; trivial.
     + destruct (always_when g) eqn:AW; [|constructor]. destruct (Aw eq_refl) as [->|[O P]]; [constructor|].
       destruct (conditions (body g)) as [|r rs]; [constructor|]. apply Forall_cons; [|constructor].
-      apply (subst_flat es 0 _ (fixed_total 0) _ O). apply (plainly_says _ [0] P). 
+      apply (subst_flat es 0 _ (fixed_total 0) _ O). apply (plainly_says _ [0] P).
     + apply Forall_flat_map, Forall_forall. intros q I0. destruct (all2_in _ _ _ q Pr I0) as [cs [_ C]].
       apply premised_there with cs; trivial.
   - unfold functionally. apply Forall_app; split.
