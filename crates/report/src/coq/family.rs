@@ -184,14 +184,15 @@ impl<'a, 'g> Family<'a, 'g> {
         for r in self.ranges(|v| v == self.x) {
             out.push(prose.relation(&r)?);
         }
-        for (h, _) in self.hypotheses(Role::Narrows) {
+        for h in self.hypotheses(Role::Narrows) {
             out.extend(prose.hypothesis(h)?);
         }
         Ok(out)
     }
 
-    fn hypotheses(&self, role: Role) -> impl Iterator<Item = (&Hypothesis, &Role)> {
-        self.goal.hypotheses.iter().zip(&self.roles).filter(move |(_, r)| **r == role)
+    fn hypotheses(&self, role: Role) -> impl Iterator<Item = &Hypothesis> {
+        let roled = self.goal.hypotheses.iter().zip(&self.roles);
+        roled.filter(move |(_, r)| **r == role).map(|(h, _)| h)
     }
 
     /// For every value of x.
@@ -205,7 +206,7 @@ impl<'a, 'g> Family<'a, 'g> {
         for r in self.ranges(|v| self.is_constant(v)) {
             out.push(prose.relation(&r)?);
         }
-        for (h, _) in self.hypotheses(Role::Everywhere) {
+        for h in self.hypotheses(Role::Everywhere) {
             out.extend(prose.hypothesis(h)?);
         }
         if self.always_when && !self.goal.when.is_empty() {
@@ -225,7 +226,7 @@ impl<'a, 'g> Family<'a, 'g> {
             out.push(format!("{}{}", self.forall(), implied(&within, &conj(&says))));
         }
         let domain = self.domain(prose)?;
-        for (h, _) in self.hypotheses(Role::Along) {
+        for h in self.hypotheses(Role::Along) {
             if let Some(says) = prose.hypothesis(h)? {
                 out.push(format!("{}{}", self.forall(), implied(&domain, &grouped(&says))));
             }

@@ -5,8 +5,8 @@ use std::cell::RefCell;
 
 use kane_kernel::{
     Bound, Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
-    Point, Proof, SideProof, Target, claim_state, constants, on_functions, point_state,
-    range_premise, scope,
+    Point, Proof, Side, SideProof, State, Target, claim_state, constants, on_functions,
+    point_state, range_premise, scope,
 };
 use num_rational::BigRational;
 use num_traits::One;
@@ -27,7 +27,7 @@ struct Model<'a, 'g> {
     functions: &'a Functions,
     domain: Goal,
     /// the sides from which limits are taken
-    sides: RefCell<Vec<kane_kernel::Side>>,
+    sides: RefCell<Vec<Side>>,
 }
 
 /// The lemma `claim_NAME` and what it needs.
@@ -149,7 +149,7 @@ impl Model<'_, '_> {
     fn along(
         &self,
         limit: &Limit,
-        write: impl FnOnce(&Writer<'_>, &kane_kernel::State<'_, '_>) -> Result<String, NotEmitted>,
+        write: impl FnOnce(&Writer<'_>, &State<'_, '_>) -> Result<String, NotEmitted>,
     ) -> Result<String, NotEmitted> {
         let goal = self.with(Conclusion::Link(Link::Limit(limit.clone())));
         let scope = scope(&goal, Fuel::new(u64::MAX))?;
