@@ -40,6 +40,11 @@ pub(super) fn lemma(
     if family.limits.iter().any(Option::is_none) {
         return Err(NotEmitted::Step("an infinite limit among premises that functions meet"));
     }
+    // A declared range holds everywhere, but functions are known on the narrowed domain alone.
+    let ranged = family.bound().1.iter().any(|v| !family.symbols.range(*v).is_empty());
+    if ranged && family.roles.contains(&Role::Narrows) {
+        return Err(NotEmitted::Step("functions in a declared range, known on a narrowed domain"));
+    }
     let domain = on_functions(family.scope, family.goal, family.x, &functions.values);
     let model = Model { family, functions, domain, sides: RefCell::default() };
     let data = model.data()?;
