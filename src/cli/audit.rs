@@ -212,11 +212,12 @@ fn write(
             ("md", markdown(report, judges)),
             ("tex", report::latex(report)),
             ("json", report::json_with_judges(both.0, both.1)),
-            ("v", report::coq::coq(report).text()),
         ];
         for (ending, text) in forms {
             output::to_file(&dir.join(format!("{}.{ending}", input.stem)), &text)?;
         }
+        let claims = report::coq::coq(report).text();
+        output::to_file(&dir.join(format!("{}.v", library(&input.stem))), &claims)?;
         let questions = dir.join(&input.stem);
         fs::create_dir_all(&questions)?;
         for (name, question) in report::smt::questions(report) {
@@ -226,10 +227,17 @@ fn write(
     Ok(())
 }
 
-/// A name that two documents share.
+/// A stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.
+fn library(stem: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let name: String = stem.chars().map(plain).collect();
+    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("_{name}") } else { name }
+}
+
+/// A name that two documents share, at least as libraries.
 fn twin(inputs: &[Input]) -> Option<&str> {
     let mut seen = BTreeSet::new();
-    inputs.iter().map(|input| input.stem.as_str()).find(|stem| !seen.insert(*stem))
+    inputs.iter().map(|input| input.stem.as_str()).find(|stem| !seen.insert(library(stem)))
 }
 
 /// How the run ends.

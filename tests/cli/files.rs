@@ -47,6 +47,8 @@ fn the_paper_s_report_has_the_paper_s_name() {
     for ending in ["html", "json", "md", "tex"] {
         assert!(dir.join(format!("oblique-collision.{ending}")).is_file(), "{ending}");
     }
+    // Coq compiles no file with a hyphen in its name.
+    assert!(dir.join("oblique_collision.v").is_file());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use kane::audit::{Options, audit, read};
 use kane::report::Report;
-use kane::report::coq::{PRELUDE, coq};
+use kane::report::coq::coq;
 use kane::report::smt::questions;
 
 use crate::settings;
@@ -25,8 +25,9 @@ fn handed(name: &str, labels: &[&str]) -> (String, String) {
         Some(indices) => report.only(&indices),
         None => report,
     };
-    let lemmas = coq(&report).text();
-    let lemmas = lemmas.strip_prefix(PRELUDE).expect("every file begins with the rules");
+    let file = coq(&report);
+    let text = file.text();
+    let lemmas = text.strip_prefix(&file.theory()).expect("every file begins with the theory");
     let asked = questions(&report).into_iter().map(|(name, q)| format!("; {name}\n{}", q.text));
     (lemmas.to_owned(), asked.collect::<Vec<_>>().join("\n"))
 }
@@ -48,4 +49,16 @@ fn claims_of_the_paper_for_coq_and_z3() {
     let (lemmas, questions) = handed("oblique-collision.md", &labels);
     assert_handed("paper.v", &lemmas);
     assert_handed("paper.smt2", &questions);
+}
+
+/// A limit, one from limits, what does not follow from limits, and one that is another.
+#[test]
+fn limits_of_the_paper_for_coq() {
+    let labels = ["(11d)", "(10n)", "ab-inf", "(12v)", "(16n)", "(27-right)", "back-left"];
+    assert_handed("limits.v", &handed("oblique-collision.md", &labels).0);
+}
+
+#[test]
+fn an_algebraic_witness_for_coq() {
+    assert_handed("algebraic.v", &handed("coupled-collision.md", &["kane-solution"]).0);
 }

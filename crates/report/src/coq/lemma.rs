@@ -5,29 +5,46 @@ use std::fmt::Write as _;
 use kane_audit::Accepted;
 use kane_kernel::{
     Conclusion, Evidence, Finding, Fuel, Goal, Link, Model, Point, Proof, Relation, Scope,
-    claim_state, premised, scope,
+    claim_state, scope,
 };
-use num_integer::Integer;
-use num_traits::One;
 
 use super::NotEmitted;
-use super::reify::{Prose, Symbols, arrow, conj, grouped, integer, join};
+use super::family::{Family, limits};
+use super::functions;
+use super::prose::{Prose, arrow, conj, grouped};
+use super::reify::Symbols;
 use super::script::Writer;
+use super::theory::Part;
+use super::witness::{Witness, witness};
 
-/// The lemma `claim_NAME` and what it needs.
-pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<String, NotEmitted> {
+/// The lemma `claim_NAME` with its data, and the part of the theory that it needs.
+pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<(String, Part), NotEmitted> {
     let (goal, certificate) = (&accepted.goal, &accepted.certificate);
     let scope = scope(goal, Fuel::new(u64::MAX))?;
-    if premised(goal).next().is_some() {
-        return Err(NotEmitted::Step("limits among the premises"));
-    }
-    match &certificate.evidence {
-        Evidence::Contradiction(proof) => proved(name, &scope, goal, certificate.finding, proof),
-        Evidence::Model(Model::Point(point)) => {
-            refuted(name, &scope, goal, certificate.finding, point)
+    let finding = certificate.finding;
+    let x = limits(goal).next().map(|l| l.var);
+    let family = |x| Family::new(&scope, goal, x);
+    Ok(match (&certificate.evidence, &goal.conclusion, x) {
+        (Evidence::Model(Model::Functions(f)), ..) => {
+            (functions::lemma(name, &family(f.var)?, finding, f)?, Part::Functions)
         }
-        _ => Err(NotEmitted::Step("limits")),
-    }
+        (Evidence::Model(Model::Point(point)), ..) => {
+            (refuted(name, &scope, goal, finding, point)?, Part::Witnesses)
+        }
+        (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(l)), _) => {
+            (family(l.var)?.limit(name, l, proofs)?, Part::Limits)
+        }
+        (Evidence::Contradiction(_), Conclusion::Link(Link::Limit(_)), _) => {
+            return Err(NotEmitted::Step("premises of a limit that contradict each other"));
+        }
+        (Evidence::Contradiction(proof), _, Some(x)) => {
+            (family(x)?.point(name, finding, proof)?, Part::Limits)
+        }
+        (Evidence::Contradiction(proof), _, None) => {
+            (proved(name, &scope, goal, finding, proof)?, Part::Points)
+        }
+        (Evidence::Limit(_), ..) => return Err(NotEmitted::Step("limits for another claim")),
+    })
 }
 
 /// What is concluded: as data, and as people read it.
@@ -55,11 +72,11 @@ pub(super) fn conclusion(
             let r = one(r)?;
             (format!("Defined ({})", symbols.relation(&r)?), conj(&prose.defined(&r)?))
         }
-        (Conclusion::NotImplied(s), _) => {
-            (format!("Sentence ({})", symbols.sentence(s, true)?), prose.sentence(s, true)?)
-        }
         (Conclusion::Contradiction, _) | (_, Finding::Vacuous | Finding::Consistent) => {
             ("Falsehood".to_owned(), "False".to_owned())
+        }
+        (Conclusion::NotImplied(s), _) if s.limits().next().is_none() => {
+            (format!("Sentence ({})", symbols.sentence(s, true)?), prose.sentence(s, true)?)
         }
         _ => return Err(NotEmitted::Step("a limit as conclusion")),
     })
@@ -121,7 +138,7 @@ fn proved(
 ) -> Result<String, NotEmitted> {
     let symbols = Symbols::new(scope, 0)?;
     let state = claim_state(scope, goal, finding)?;
-    let script = Writer { symbols: &symbols }.proof(&state, proof)?;
+    let script = Writer { symbols: &symbols, sides: None }.proof(&state, proof)?;
     let (data, text) = statement(name, &symbols, goal, finding)?;
     let (forall, names) = binders(&symbols);
     let (roots, given) = symbols.roots(&Prose { name: &|v| symbols.name(v), symbols: &symbols })?;
@@ -163,29 +180,26 @@ fn refuted(
     if !symbols.roots.is_empty() {
         return Err(NotEmitted::Step("a point at a square root"));
     }
-    if point.generator.is_some() {
-        return Err(NotEmitted::Step("a point at an algebraic number"));
-    }
     let (data, text) = statement(name, &symbols, goal, finding)?;
     let (forall, _) = binders(&symbols);
-    let (mut coordinates, mut values) = (Vec::new(), Vec::new());
-    for v in &symbols.order {
-        let (_, cs) =
-            point.values.iter().find(|(w, _)| w == v).ok_or(NotEmitted::Step("no value"))?;
-        let common = cs.iter().fold(num_bigint::BigInt::one(), |l, q| l.lcm(q.denom()));
-        let cs: Vec<String> =
-            cs.iter().map(|q| integer(&(q.numer() * (&common / q.denom())))).collect();
-        let cs = join(&cs, "; ");
-        coordinates.push(format!("c_ [{cs}]%Z {common}"));
-        values.push(format!("[{cs}]%Z {common}"));
-    }
-    let values: Vec<String> = values.iter().map(|c| format!("(at_ 0 {c})")).collect();
+    let Witness { data: witness, values } =
+        witness(&symbols, &claim_state(scope, goal, finding)?, point)?;
+    let at = |t: &str| values.iter().map(|v| format!(" (at_ {t} {v})")).collect::<String>();
+    let proof = match &point.generator {
+        None => format!(
+            "exact (refuted goal_{name} witness_{name}\n    \
+             (eq_refl true <: refutes goal_{name} witness_{name} = true) (H{})).",
+            at("0")
+        ),
+        Some(_) => format!(
+            "destruct (refuted_root goal_{name} witness_{name}\n    \
+             (eq_refl true <: refutes_at_root goal_{name} witness_{name} = true)) as [t N].\n  \
+             exact (N (H{})).",
+            at("t")
+        ),
+    };
     Ok(format!(
-        "{data}Definition witness_{name} : witness := Witness\n  [{}]\n  None\n  [Absurd].\n\
-         Lemma claim_{name} : ~ (\n  {forall}{text}).\n\
-         Proof. intro H. exact (refuted goal_{name} witness_{name}\n    \
-         (eq_refl true <: refutes goal_{name} witness_{name} = true) (H {})). Qed.\n",
-        coordinates.join("; "),
-        values.join(" "),
+        "{data}Definition witness_{name} : witness := {witness}.\n\
+         Lemma claim_{name} : ~ (\n  {forall}{text}).\nProof. intro H. {proof} Qed.\n"
     ))
 }

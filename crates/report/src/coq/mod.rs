@@ -1,19 +1,25 @@
 //! Coq: every judged claim as a lemma over the real numbers, its proof built from the certificate
 //! that the kernel accepted.
 //!
-//! The file begins with the rules of proof and their soundness, [`PRELUDE`], proved in Coq itself.
-//! Then follows, for each link of each claim, the goal as data, the certificate as data, and a
-//! lemma that says the claim in full; Coq compares the lemma with the data by computation, and runs
-//! the rules on the certificate.
+//! The file begins with a theory: the rules of proof and their soundness, proved in Coq itself. Then
+//! follows, for each link of each claim, the goal as data, the certificate as data, and a lemma that
+//! says the claim in full; Coq compares the lemma with the data by computation, and runs the rules
+//! on the certificate. Claims about limits are lemmas about functions, with epsilon and delta written
+//! out.
 //!
-//! Claims about limits are not emitted, nor are those that rest on premised limits, nor witnesses at
-//! an algebraic number; each says so in the file.
+//! What a lemma cannot say is not emitted, with the reason in the file.
 
 mod bounds;
+mod family;
+mod functions;
 mod lemma;
+mod limits;
+mod prose;
 mod reify;
 mod script;
 mod table;
+mod theory;
+mod witness;
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -21,9 +27,7 @@ use std::fmt::Write as _;
 use kane_kernel::Rejection;
 
 use crate::Report;
-
-/// The rules of proof, and the proof that they are sound.
-pub const PRELUDE: &str = include_str!("prelude.v");
+use theory::{Part, theory};
 
 /// Why a certificate is not turned into a lemma.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -51,6 +55,8 @@ pub struct Lemma {
     pub name: Result<String, NotEmitted>,
     /// its part of the file
     pub text: String,
+    /// what it needs of the theory
+    part: Part,
 }
 
 /// A document in Coq.
@@ -68,10 +74,16 @@ impl File {
         self.without(&[])
     }
 
+    /// What the file begins with: the rules of proof that it needs, and that they are sound.
+    #[must_use]
+    pub fn theory(&self) -> String {
+        theory(&self.lemmas.iter().map(|l| l.part).collect::<Vec<_>>())
+    }
+
     /// The file without the lemmas of these names.
     #[must_use]
     pub fn without(&self, names: &[&str]) -> String {
-        let mut text = format!("{PRELUDE}\n(** * {} *)\n", self.title);
+        let mut text = format!("{}\n(** * {} *)\n", self.theory(), self.title);
         let mut kept = Vec::new();
         for lemma in &self.lemmas {
             match &lemma.name {
@@ -121,14 +133,18 @@ pub fn coq(report: &Report<'_>) -> File {
             let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);
             let mut text = format!("\n(** {} *)\n", comment(&heading));
             let emitted = lemma::lemma(&name, accepted);
+            let mut part = Part::Points;
             match &emitted {
-                Ok(lemma) => text.push_str(lemma),
+                Ok((lemma, needs)) => {
+                    text.push_str(lemma);
+                    part = *needs;
+                }
                 Err(why) => {
                     let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
                 }
             }
             let name = emitted.map(|_| format!("claim_{name}"));
-            lemmas.push(Lemma { statement, link, name, text });
+            lemmas.push(Lemma { statement, link, name, text, part });
         }
     }
     File { title, lemmas }

@@ -1,6 +1,8 @@
 //! Proofs of the kernel as terms of the Coq file.
 
-use kane_kernel::{Atom, Poly, Proof, Sign, State};
+use std::cell::RefCell;
+
+use kane_kernel::{Atom, Poly, Proof, Side, Sign, State};
 use num_bigint::BigInt;
 use num_traits::One;
 
@@ -14,6 +16,8 @@ pub(super) type Summand = (BigInt, Poly, Vec<(usize, u32)>);
 #[derive(Debug)]
 pub(super) struct Writer<'a> {
     pub(super) symbols: &'a Symbols<'a>,
+    /// the sides from which limits are taken; `None` where none may be
+    pub(super) sides: Option<RefCell<Vec<Side>>>,
 }
 
 impl Writer<'_> {
@@ -62,7 +66,9 @@ impl Writer<'_> {
                 super::table::Table { writer: self, var: *var, bases, roots, used: atoms }
                     .close(&mut state.atoms.clone())?
             }
-            Proof::Pass { .. } => return Err(NotEmitted::Step("a passage to the limit")),
+            Proof::Pass { germ, atom, along, then } => {
+                self.pass(state, (germ, atom), (along, then))?
+            }
         })
     }
 

@@ -1,0 +1,163 @@
+//! Claims that are proved of functions: limits, and what limits among the premises lead to.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use kane_kernel::{
+    Atom, Finding, Germ, Limit, Poly, Proof, Side, SideProof, Sign, State, claim_state, constants,
+    differs, leaves, misses,
+};
+
+use super::NotEmitted;
+use super::family::{Claimed, Family, side};
+use super::prose::Prose;
+use super::script::Writer;
+
+impl Family<'_, '_> {
+    /// A limit, from a proof for each of its sides.
+    pub(super) fn limit(
+        &self,
+        name: &str,
+        limit: &Limit,
+        proofs: &[SideProof],
+    ) -> Result<String, NotEmitted> {
+        let state = constants(self.scope, self.goal, self.x)?;
+        let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
+        let written = |v: usize| self.written(v);
+        let prose = Prose { name: &written, symbols: &self.symbols };
+        let Claimed { sides, f, to, target } = self.claimed(limit)?;
+        let parts = writer.side_proofs(&state, limit, proofs)?;
+        let says = self.tends(&prose, (&f, &to, &sides))?;
+        let arguments = format!(
+            "goal_{name} {} {} {target} proof_{name}",
+            writer.used(),
+            self.symbols.expr(&f)?
+        );
+        let by = format!(
+            "limit_proved _ _ _ _ _ _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl"
+        );
+        Ok(format!(
+            "{}Definition proof_{name} : list (side * side_proof) :=\n  {parts}.\n{}",
+            self.data(name, "Falsehood")?,
+            self.lemma(name, &self.statement(&prose, &says)?, &by),
+        ))
+    }
+
+    /// A claim at each point, from a contradiction that may pass to limits.
+    pub(super) fn point(
+        &self,
+        name: &str,
+        finding: Finding,
+        proof: &Proof,
+    ) -> Result<String, NotEmitted> {
+        let state = claim_state(self.scope, self.goal, finding)?;
+        let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
+        let script = writer.proof(&state, proof)?;
+        let written = |v: usize| self.written(v);
+        let prose = Prose { name: &written, symbols: &self.symbols };
+        let (claim, says) = self.pointwise(&prose, finding)?;
+        let arguments = format!("goal_{name} {} proof_{name}", writer.used());
+        let by =
+            format!("point_proved _ _ _ _\n    (eq_refl true <: proves_point {arguments} = true)");
+        Ok(format!(
+            "{}Definition proof_{name} : proof :=\n  {script}.\n{}",
+            self.data(name, &claim)?,
+            self.lemma(name, &self.statement(&prose, &says)?, &by),
+        ))
+    }
+}
+
+impl Writer<'_> {
+    /// Remembers that a limit is taken from this side.
+    fn uses(&self, side: &Side) {
+        if let Some(sides) = &self.sides {
+            let mut sides = sides.borrow_mut();
+            if !sides.contains(side) {
+                sides.push(side.clone());
+            }
+        }
+    }
+
+    /// All of them, as data.
+    pub(super) fn used(&self) -> String {
+        let sides = self.sides.as_ref().map(|s| s.borrow().iter().map(side).collect::<Vec<_>>());
+        format!("[{}]", sides.unwrap_or_default().join("; "))
+    }
+
+    /// Proofs of a limit, each with its side.
+    pub(super) fn side_proofs(
+        &self,
+        state: &State<'_, '_>,
+        limit: &Limit,
+        proofs: &[SideProof],
+    ) -> Result<String, NotEmitted> {
+        let mut parts = Vec::new();
+        for p in proofs {
+            let data = self.side_proof(state, limit, p)?;
+            parts.push(format!("({}, {data})", side(&p.germ.side)));
+        }
+        Ok(format!("[{}]", parts.join(";\n   ")))
+    }
+
+    /// A proof of a limit from one side.
+    pub(super) fn side_proof(
+        &self,
+        state: &State<'_, '_>,
+        limit: &Limit,
+        p: &SideProof,
+    ) -> Result<String, NotEmitted> {
+        self.uses(&p.germ.side);
+        let germ = self.germ(state, &p.germ)?;
+        let along = state.along_unproved(&p.germ)?;
+        let wrong = differs(state.scope, &limit.expr, (&p.num, &p.den))?;
+        let identity = self.proof(&along.with_cases(wrong), &p.along)?;
+        let misses = misses(state, &p.germ.side, (&p.num, &p.den, p.order), &limit.to)?;
+        let ends = self.proof(&state.with_cases(misses), &p.at_zero)?;
+        Ok(format!(
+            "SideProof {germ} {} {} {} {identity} {ends}",
+            self.poly(&p.num)?,
+            self.poly(&p.den)?,
+            p.order
+        ))
+    }
+
+    /// The radius, that it is positive, and that the germ lies in the domain.
+    fn germ(&self, state: &State<'_, '_>, germ: &Germ) -> Result<String, NotEmitted> {
+        let (num, den) = &germ.radius;
+        let fails = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
+        let radius = state.with_cases(vec![fails(num), fails(den)]);
+        let positive = self.proof(&radius, &germ.positive)?;
+        if state.reaches(&germ.side) {
+            return Err(NotEmitted::Step("a side that is supposed to be reached"));
+        }
+        let along = state.along_unproved(germ)?;
+        let leaves = leaves(state.scope, state.goal, germ.side.var)?;
+        let outside = State { formulas: Rc::new(leaves), ..along };
+        let inside = self.proof(&outside, &germ.inside)?;
+        Ok(format!("{} {} {positive} {inside}", self.poly(num)?, self.poly(den)?))
+    }
+
+    /// What holds along a germ, at its end.
+    pub(super) fn pass(
+        &self,
+        state: &State<'_, '_>,
+        (germ, atom): (&Germ, &Atom),
+        (along, then): (&Proof, &Proof),
+    ) -> Result<String, NotEmitted> {
+        if self.sides.is_none() {
+            return Err(NotEmitted::Step("a passage to the limit"));
+        }
+        self.uses(&germ.side);
+        let radius = self.germ(state, germ)?;
+        let along = self.proof(&state.along_unproved(germ)?.with(atom.not()), along)?;
+        let then = self.proof(&state.with(state.at_zero(germ, atom)?), then)?;
+        let sign = match atom.sign {
+            Sign::Zero => "SZ",
+            Sign::NonZero => "SNZ",
+            Sign::NonNegative => "SNN",
+            Sign::Positive => "SP",
+        };
+        let atom = format!("(A {} {sign})", self.poly(&atom.poly)?);
+        Ok(format!("(Pass {} {radius} {atom} {along} {then})", side(&germ.side)))
+    }
+}
