@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use kane_kernel::Context;
 
 /// The names that a document declares.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Names<'a>(HashSet<&'a str>);
 
 /// A stretch of a sentence.

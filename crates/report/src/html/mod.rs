@@ -19,6 +19,8 @@ use crate::wording::mark;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
 pub(crate) use frame::Frame;
+pub(crate) use prose::{Part as Passage, parts as passages};
+pub(crate) use words::sentence;
 use prose::Part;
 
 /// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.
@@ -47,7 +49,7 @@ pub fn html(report: &Report<'_>) -> String {
         kind: "Audit",
         news: page.news(),
         contents,
-        style: include_str!("audit.css"),
+        style: concat!(include_str!("verdicts.css"), include_str!("audit.css")),
         script: include_str!("audit.js"),
         provenance: vec![
             ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
