@@ -31,6 +31,12 @@ impl<'a> Names<'a> {
         Self(vars.chain(context.lets.iter().map(|definition| definition.name.as_str())).collect())
     }
 
+    /// These names, too.
+    pub(crate) fn and(mut self, names: &[&'a str]) -> Self {
+        self.0.extend(names);
+        self
+    }
+
     /// The sentence in pieces.
     pub(crate) fn pieces<'t>(&self, text: &'t str) -> Vec<Piece<'t>> {
         let mut pieces = Vec::new();

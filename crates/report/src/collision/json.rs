@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::envelope::written;
+
 use super::Collision;
 
 /// The name of the schema.
@@ -33,10 +35,7 @@ pub fn json(collision: &Collision) -> String {
         before: collision.before.iter().map(Reading::of).collect(),
         laws: collision.laws.iter().map(Law::of).collect(),
     };
-    let mut out =
-        serde_json::to_string_pretty(&file).expect("strings, numbers and lists always serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 #[derive(Serialize)]

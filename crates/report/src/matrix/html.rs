@@ -30,7 +30,7 @@ pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
              speaks against it. "
             code { "kane laws --explain LAW:PROPERTY" } " prints a cell in full."
         }
-        p.words { (SYMBOLS_IN_WORDS) }
+        p.words { (sentence(SYMBOLS_IN_WORDS, &names(None))) }
         @for row in &matrix.rows { (law(&matrix.properties, row, &told)) }
     };
     Frame {
@@ -97,12 +97,13 @@ fn table(report: &MatrixReport<'_>) -> Markup {
 }
 
 fn question(property: &Property) -> Markup {
+    let names = names(None);
     html! {
         div id=(property.id) {
             dt { (property.name) " " code { (property.id) } }
             dd {
-                code.template { (property.template) }
-                p { "For " (property.domain) ". " (property.meaning) }
+                p.template { (sentence(property.template, &names)) }
+                p { "For " (sentence(property.domain, &names)) ". " (sentence(property.meaning, &names)) }
             }
         }
     }
@@ -114,7 +115,7 @@ fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
         section aria-labelledby=(row.id) {
             h3 id=(row.id) { (row.id) }
             p { (row.source) "." }
-            @if !with.is_empty() { p { "Here with " code { (with) } "." } }
+            @if !with.is_empty() { p { "Here with " (with) "." } }
             @if let Some(words) = told.law(row.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }
             }
@@ -123,14 +124,25 @@ fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
     }
 }
 
-/// Lines of a proof that a page shows; a longer one is told in outline.
+/// The names of templates and witnesses.
+const NAMES: [&str; 22] = [
+    "v", "a", "W", "W_tt", "W_tn", "W_nn", "mu", "e", "alpha", "k", "i_x", "p_t", "p_n", "v_1",
+    "E_t", "E_n", "gamma", "nu", "beta", "c", "w", "d",
+];
+
+/// All names of a goal.
+fn names(part: Option<&Part>) -> Names<'_> {
+    part.map(|part| Names::of(&part.goal.context)).unwrap_or_default().and(&NAMES)
+}
+
+/// Lines of a proof that a page shows; a longer one is told in outline. A witness is always whole.
 const MOST_LINES: usize = 40;
 
 /// A cell. Its anchor is inside of what is folded, so that a link to it unfolds it without scripts.
 fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
-    let names = cell.parts.first().map(|part| Names::of(&part.goal.context)).unwrap_or_default();
+    let names = names(cell.parts.first());
     let proof = in_full(&cell.parts);
-    let is_long = proof.len() > MOST_LINES;
+    let is_long = cell.finding == Finding::Proved && proof.len() > MOST_LINES;
     let proof = if is_long { in_outline(&cell.parts) } else { proof };
     html! {
         details class={ "cell " (class(cell.finding)) } data-v=(class(cell.finding)) {
@@ -140,7 +152,7 @@ fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
             }
             div id={ (row.id) ":" (property.id) } {
                 p {
-                    a href={ "#" (property.id) } { code { (property.template) } }
+                    a href={ "#" (property.id) } { (sentence(property.template, &names)) }
                     @if cell.finding == Finding::Proved { ": " (cell.reason) }
                     @if is_long {
                         ", here in outline; " code { "kane laws --explain " (row.id) ":" (property.id) }
