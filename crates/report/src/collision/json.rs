@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::envelope::written;
+use crate::envelope::{Program, Schema, written};
 
 use super::Collision;
 
@@ -16,7 +16,7 @@ pub const COLLISION_SCHEMA_VERSION: u32 = 1;
 pub fn json(collision: &Collision) -> String {
     let file = File {
         schema: Schema { name: COLLISION_SCHEMA_NAME, version: COLLISION_SCHEMA_VERSION },
-        program: Schema { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        program: Program::THIS,
         command: &collision.command,
         title: &collision.title,
         headline: collision.headline(),
@@ -40,8 +40,8 @@ pub fn json(collision: &Collision) -> String {
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema<u32>,
-    program: Schema<&'static str>,
+    schema: Schema,
+    program: Program,
     command: &'a str,
     title: &'a str,
     headline: String,
@@ -50,12 +50,6 @@ struct File<'a> {
     notes: &'a [String],
     before: Vec<Reading<'a>>,
     laws: Vec<Law<'a>>,
-}
-
-#[derive(Serialize)]
-struct Schema<V> {
-    name: &'static str,
-    version: V,
 }
 
 #[derive(Serialize)]
