@@ -64,7 +64,8 @@ fn as_page(matrix: &Matrix) {
     }
     assert_eq!(page.matches("Formula, source and domain").count(), matrix.rows.len());
     for row in &matrix.rows {
-        let known = page.matches(&format!("kane::impact::laws::{}", in_code(row.id, laws))).count();
+        let known =
+            page.matches(&format!("impact::laws::{}</code>", in_code(row.id, laws))).count();
         assert_eq!(known, 1, "what is known of {} stands there once", row.id);
         for (property, cell) in matrix.properties.iter().zip(&row.cells) {
             let id = format!("{}:{}", row.id, property.id);

@@ -48,7 +48,7 @@ fn no_measured_error_is_above_its_proved_bound() {
     let report = ChartReport { all: &all, machine: String::new(), command: String::new() };
     let shown = text(&report, Page::default());
     assert!(shown.contains("65/128") && shown.contains("none"), "{shown}");
-    assert!(shown.contains("proved only to alpha = 2^24, with"), "{shown}");
+    assert!(shown.contains("† proved to alpha = 2^24 only"), "{shown}");
     assert!(markdown(&report).contains("| 65/128 |") && csv(&report).contains(",65/128,2^30,"));
     let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
     let methods = value["methods"].as_array().expect("a list");

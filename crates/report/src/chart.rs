@@ -65,8 +65,15 @@ fn bound(measured: &Measured) -> String {
     }
 }
 
+/// The same with a dagger where the bound ends before the domain does.
+fn daggered(measured: &Measured) -> String {
+    let (_, last) = kane_measure::chart::DOMAIN;
+    let is_partial = measured.proved.as_ref().is_some_and(|p| reach(p) != format!("2^{last}"));
+    bound(measured) + if is_partial { "†" } else { "" }
+}
+
 /// Where a proved bound ends, as a power of two.
-fn reach(proved: &Proved) -> String {
+pub(crate) fn reach(proved: &Proved) -> String {
     match proved.to.numer().bits() {
         bits @ 1.. if proved.to == Rational::from_integer(BigInt::from(1) << (bits - 1)) => {
             format!("2^{}", bits - 1)
@@ -117,7 +124,7 @@ impl ChartReport<'_> {
             }
             let Method { law, quantity, name, system, .. } = measured.method;
             notes.push(format!(
-                "proved only to alpha = {}, with {} ulps measured: {law} {quantity} {name} in {system}",
+                "† proved to alpha = {} only, and up to there at most {} measured: {law} {quantity} {name} in {system}",
                 reach(proved),
                 ulps(proved.measured),
             ));
@@ -185,7 +192,7 @@ pub fn text(report: &ChartReport<'_>, page: Page) -> String {
                 digits(accuracy.worst),
                 digits(accuracy.median),
                 if exact { String::new() } else { ulps(accuracy.ulps) },
-                bound(measured),
+                daggered(measured),
                 padded(&measured.method.system.to_string(), 13),
                 padded(measured.method.name, 7),
                 form_of(&measured.method),
@@ -241,7 +248,7 @@ pub fn markdown(report: &ChartReport<'_>) -> String {
                 "| {time} | {quartiles} | {worst} | {} | {} | {} | {:e} | {} | {} `{form}` |",
                 digits(measured.accuracy.median),
                 ulps(measured.accuracy.ulps.filter(|_| measured.accuracy.worst != i64::MAX)),
-                bound(measured),
+                daggered(measured),
                 measured.accuracy.at,
                 method.system,
                 method.name,
