@@ -103,7 +103,8 @@ Examples:
   kane laws --property energy             one column
   kane laws --explain kane-levinson:energy
                                           the proof or the witness of one cell
-  kane laws --out reports                 also writes reports/laws.txt, .md and .json
+  kane laws --out reports                 also writes reports/laws.html, .txt, .md and .json, and
+                                          the picture reports/matrix.svg with its data, .csv
 
 A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that
 it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what

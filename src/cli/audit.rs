@@ -72,16 +72,20 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         })
         .unzip();
 
-    let answers = match reports.iter().map(|report| ask(report, args)).collect() {
+    let answers: Vec<Vec<Judge>> = match reports.iter().map(|report| ask(report, args)).collect() {
         Ok(answers) => answers,
         Err(outcome) => return outcome,
     };
-    let answers: Vec<Vec<Judge>> = answers;
+    let reports: Vec<Report<'_>> = reports
+        .into_iter()
+        .zip(&answers)
+        .map(|(report, judges)| report.with_judges(judges))
+        .collect();
     let shown = || match args.explain {
         Some(_) => explanations(&reports),
-        None => print(&reports, &answers, args.format),
+        None => print(&reports, args.format),
     };
-    let written = |dir: &Path| write(dir, &inputs, &reports, &answers);
+    let written = |dir: &Path| write(dir, &inputs, &reports);
     if let Err(outcome) = deliver(args.out.as_deref(), written, shown) {
         return outcome;
     }
@@ -163,30 +167,20 @@ fn command(input: &Input, only: &[String]) -> String {
 }
 
 /// The reports in one string.
-fn print(reports: &[Report<'_>], answers: &[Vec<Judge>], format: Format) -> String {
-    let join = |each: &dyn Fn(&Report<'_>, &[Judge]) -> String| {
-        let each = reports.iter().zip(answers).map(|(report, judges)| each(report, judges));
-        each.collect::<Vec<_>>().join("\n")
+fn print(reports: &[Report<'_>], format: Format) -> String {
+    let join = |each: &dyn Fn(&Report<'_>) -> String| {
+        reports.iter().map(each).collect::<Vec<_>>().join("\n")
     };
     match format {
         Format::Text => {
             let page = output::page();
-            join(&|report, judges| {
-                report::text(report, page) + &report::judges::text(report.audit, judges)
+            join(&|report| {
+                report::text(report, page) + &report::judges::text(report.audit, report.judges)
             })
         }
-        Format::Markdown => join(&markdown),
-        Format::Json => report::json_with_judges(reports, answers),
+        Format::Markdown => join(&report::markdown),
+        Format::Json => report::json(reports),
     }
-}
-
-/// A report as Markdown, with the answers of other judges if any were asked.
-fn markdown(report: &Report<'_>, judges: &[Judge]) -> String {
-    let mut out = report::markdown(report);
-    if !judges.is_empty() {
-        out.push_str(&report::judges::markdown(report.audit, judges));
-    }
-    out
 }
 
 /// The chosen statements in full.
@@ -198,20 +192,14 @@ fn explanations(reports: &[Report<'_>]) -> String {
 }
 
 /// Writes every report in every form, its claims for Coq, and each as a question for a solver.
-fn write(
-    dir: &Path,
-    inputs: &[&Input],
-    reports: &[Report<'_>],
-    answers: &[Vec<Judge>],
-) -> std::io::Result<()> {
+fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Result<()> {
     fs::create_dir_all(dir)?;
-    for ((input, report), judges) in inputs.iter().zip(reports).zip(answers) {
-        let both = (std::slice::from_ref(report), std::slice::from_ref(judges));
+    for (input, report) in inputs.iter().zip(reports) {
         let forms = [
             ("html", report::html(report)),
-            ("md", markdown(report, judges)),
+            ("md", report::markdown(report)),
             ("tex", report::latex(report)),
-            ("json", report::json_with_judges(both.0, both.1)),
+            ("json", report::json(std::slice::from_ref(report))),
         ];
         for (ending, text) in forms {
             output::to_file(&dir.join(format!("{}.{ending}", input.stem)), &text)?;

@@ -8,7 +8,7 @@ use kane::algebra::syntax::nearest;
 use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
 use kane::impact::laws::law_ids;
 use kane::report::Page;
-use kane::report::matrix::{MatrixReport, explain, json, markdown, text};
+use kane::report::matrix::{MatrixReport, csv, explain, html, json, markdown, picture, text};
 
 use super::args::{Format, LawsArgs};
 use super::progress::Progress;
@@ -86,13 +86,22 @@ fn explained(matrix: &Matrix) -> String {
     rows.collect()
 }
 
-/// Writes laws.txt, laws.md and laws.json.
+/// What each law says and how it is known, for the page.
+const LAWS: &str = include_str!("../../docs/laws.md");
+
+/// Writes the report in every form, and the picture with its data.
 fn write(dir: &Path, report: &MatrixReport<'_>) -> io::Result<()> {
     fs::create_dir_all(dir)?;
-    let forms =
-        [("txt", text(report, Page::default())), ("md", markdown(report)), ("json", json(report))];
-    for (ending, text) in forms {
-        output::to_file(&dir.join(format!("laws.{ending}")), &text)?;
+    let forms = [
+        ("laws.txt", text(report, Page::default())),
+        ("laws.md", markdown(report)),
+        ("laws.json", json(report)),
+        ("laws.html", html(report, LAWS)),
+        ("matrix.svg", picture(report).map_err(io::Error::other)?),
+        ("matrix.csv", csv(report)),
+    ];
+    for (name, text) in forms {
+        output::to_file(&dir.join(name), &text)?;
     }
     Ok(())
 }

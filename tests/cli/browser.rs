@@ -23,7 +23,7 @@ static BROWSER: LazyLock<Option<Mutex<Chromium>>> = LazyLock::new(|| {
 });
 
 /// The browser, or nothing and a message.
-fn browser() -> Option<MutexGuard<'static, Chromium>> {
+pub(crate) fn browser() -> Option<MutexGuard<'static, Chromium>> {
     if BROWSER.is_none() {
         skip("chromium", "KANE_REQUIRE_BROWSER");
     }
@@ -41,19 +41,19 @@ fn report() -> Value {
 }
 
 /// How many elements are seen.
-fn seen(browser: &mut Chromium, selector: &str) -> usize {
+pub(crate) fn seen(browser: &mut Chromium, selector: &str) -> usize {
     let expression = format!(
         "[...document.querySelectorAll({selector:?})].filter(e => e.checkVisibility()).length"
     );
     number(&browser.value(&expression))
 }
 
-fn number(value: &Value) -> usize {
+pub(crate) fn number(value: &Value) -> usize {
     value.as_u64().and_then(|number| usize::try_from(number).ok()).expect("a number")
 }
 
 /// Everything that a quiet page gives no cause for.
-fn noise(browser: &Chromium, page: &str) -> Vec<String> {
+pub(crate) fn noise(browser: &Chromium, page: &str) -> Vec<String> {
     let requests = browser.events("Network.requestWillBeSent");
     let foreign = requests.filter(|event| event["request"]["url"] != page);
     let complaints = ["Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"];

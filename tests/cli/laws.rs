@@ -65,6 +65,13 @@ fn every_form_is_written_and_the_json_is_the_documented_one() {
         assert_eq!(written, kane(&[&selection[..], &["--format", format]].concat()).stdout);
     }
 
+    for (name, beginning) in
+        [("laws.html", "<!DOCTYPE html>"), ("matrix.svg", "<svg"), ("matrix.csv", "law,property,")]
+    {
+        let written = fs::read_to_string(target.join(name)).expect(name);
+        assert!(written.starts_with(beginning), "{name}");
+    }
+
     let json = fs::read_to_string(target.join("laws.json")).expect("it was written");
     let value: Value = serde_json::from_str(&json).expect("it is JSON");
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/laws-schema.md");

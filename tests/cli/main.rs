@@ -9,6 +9,7 @@ mod figures; // the figures, and the page that shows them
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod laws; // the matrix: exit codes, one cell in full, files
+mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
 mod scene; // scenes: models, files, exit codes

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use kane::audit::{Options, Verdict, audit, read};
-use kane::report::{Report, Summary};
+use kane::report::{Report, Summary, html};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -36,6 +36,8 @@ fn every_shipped_document_audits_as_expected() {
         let audit = audit(document, &Options::default(), &mut |_, _| {});
         let summary = Summary::of(&Report::new(&audit, "kane audit"));
         println!("{name}: {}", summary.headline());
+        let page = html(&Report::new(&audit, "kane audit")).len();
+        assert!(page < 1_000_000, "the page of {name} has {page} bytes");
         surprises.extend(summary.surprises.iter().map(|label| format!("{name}: {label}")));
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
             if judgement.verdict == Verdict::Undecided {

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use kane::audit::matrix::{Finding, Matrix, Selection, matrix};
+use kane::audit::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
-use kane::report::matrix::{MatrixReport, explain, json, markdown, properties, text};
+use kane::report::matrix::{
+    MatrixReport, csv, explain, html, json, markdown, picture, properties, text,
+};
 
 use crate::settings;
 
@@ -15,6 +17,7 @@ fn the_matrix_in_every_form() {
     as_text(&matrix);
     as_markdown(&matrix);
     as_json(&matrix);
+    as_page(&matrix);
     some_cells_in_full(&matrix);
     undecided_are_the_known_cells_about_the_sphere_and_few_others(&matrix);
 }
@@ -42,6 +45,75 @@ fn as_json(matrix: &Matrix) {
     assert_eq!(value["laws"].as_array().expect("a list").len(), matrix.rows.len());
     let some = Matrix { properties: matrix.properties.clone(), rows: matrix.rows[..3].to_vec() };
     settings().bind(|| insta::assert_snapshot!("json", json(&report(&some))));
+}
+
+/// The page is asserted, not kept: it is long, and tells what the other forms tell.
+fn as_page(matrix: &Matrix) {
+    let laws = include_str!("../../docs/laws.md");
+    let page = html(&report(matrix), laws);
+    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+    assert_eq!(page, html(&report(matrix), laws), "the same in every run");
+    let ids: Vec<_> =
+        page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let distinct: std::collections::BTreeSet<_> = ids.iter().collect();
+    assert_eq!(ids.len(), distinct.len(), "no two elements share an anchor");
+    for link in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+        // the page of the laws has links to publications
+        let anchor = link.strip_prefix('#').filter(|anchor| !anchor.is_empty());
+        assert!(anchor.is_none_or(|anchor| ids.contains(&anchor)), "{link} leads nowhere");
+    }
+    assert_eq!(page.matches("Formula, source and domain").count(), matrix.rows.len());
+    for row in &matrix.rows {
+        let known =
+            page.matches(&format!("impact::laws::{}</code>", in_code(row.id, laws))).count();
+        assert_eq!(known, 1, "what is known of {} stands there once", row.id);
+        for (property, cell) in matrix.properties.iter().zip(&row.cells) {
+            let id = format!("{}:{}", row.id, property.id);
+            let (_, entry) = page.split_once(&format!(" id=\"{id}\"")).expect("a cell");
+            let entry = entry.split("</details>").next().expect("it is closed");
+            let is_whole = cell.parts.iter().all(|part| entry.contains(&part.digest()));
+            let outline = format!("kane laws --explain {id}</code>");
+            assert!(is_whole || entry.contains(&outline), "{id} is neither whole nor outlined");
+            assert!(cell.finding != Finding::Refuted || is_whole, "{id}: a witness is whole");
+        }
+    }
+    let table = csv(&report(matrix));
+    assert_eq!(table.lines().count(), 1 + matrix.rows.len() * matrix.properties.len());
+}
+
+/// The name of a law's type, from the page of the laws.
+fn in_code<'a>(id: &str, laws: &'a str) -> &'a str {
+    let (_, section) = laws.split_once(&format!("\n## {id}\n")).expect("a section");
+    let (_, code) = section.split_once("kane::impact::laws::").expect("its type");
+    code.split('`').next().expect("the name ends").trim_end_matches(';')
+}
+
+/// Of a matrix made by hand with every finding in it, so that a change of the prover changes no picture.
+#[test]
+fn the_picture_of_a_matrix() {
+    use Finding::{NotApplicable, Proved, Refuted, Undecided};
+    let cell = |finding| Cell {
+        finding,
+        reason: "because, \"so\"".to_owned(),
+        parts: Vec::new(),
+        witness: Vec::new(),
+    };
+    let row = |id, findings: [Finding; 4]| Row {
+        id,
+        source: "nobody",
+        parameters: Vec::new(),
+        cells: findings.map(cell).to_vec(),
+    };
+    let properties = [0, 5, 6, 9].map(|index| &PROPERTIES[index]).to_vec();
+    let rows = vec![
+        row("one-law", [Proved, Refuted, NotApplicable, Undecided]),
+        row("another", [Refuted, Proved, Proved, Proved]),
+    ];
+    let matrix = Matrix { properties, rows };
+    let shown = picture(&report(&matrix)).expect("a picture can be drawn");
+    settings().bind(|| insta::assert_snapshot!("picture", shown));
+    let table = csv(&report(&matrix));
+    assert!(table.contains("one-law,cone,not applicable,0,\"because, \"\"so\"\"\"\n"), "{table}");
 }
 
 /// Of the sphere: what the search for proofs does not reach for laws in a frame of their own.

@@ -1,6 +1,7 @@
 //! The report of a small audit, in every format.
 
 use kane::audit::Options;
+use kane::report::judges::{Answer, Judge};
 use kane::report::{Page, Report, explain, html, json, latex, markdown, text};
 
 use crate::fixture::audit;
@@ -128,6 +129,62 @@ fn the_page_and_the_appendix_of_the_paper_hold_all_that_the_report_holds() {
     for text in [&page, &appendix] {
         // of the document, as `sha256sum` tells it
         assert!(text.contains(&audit.document.sha256()));
+    }
+}
+
+/// Of two judges one accepts a claim, denies another and was not asked a third; the other is not installed.
+#[test]
+fn answers_of_other_judges_stand_beside_each_claim() {
+    let audit = audit();
+    let at = |label: &str| audit.document.statements.iter().position(|s| s.label == label);
+    let at = |label: &str| at(label).expect("the statement is there");
+    let answers = [
+        ((at("(16)"), 0), Answer::Agrees),
+        ((at("(1)"), 0), Answer::Disagrees("it is <true>".to_owned())),
+        ((at("range"), 0), Answer::Agrees),
+        ((at("range"), 1), Answer::Undecided("no answer within 10 s".to_owned())),
+        ((at("μ-lim"), 0), Answer::NotAsked("not emitted: a limit".to_owned())),
+    ];
+    let judges = [
+        Judge {
+            name: "z3".to_owned(),
+            answers: answers.into_iter().collect(),
+            asked: true,
+            axioms: Vec::new(),
+        },
+        Judge { name: "Coq".to_owned(), ..Judge::default() },
+    ];
+    let without = Report::new(&audit, "kane audit wall.md");
+    let report = without.clone().with_judges(&judges);
+    let page = html(&report);
+    let note = |label: &str| {
+        let (_, article) = page.split_once(&format!("id=\"s-{label}\"")).expect("a statement");
+        article.split("</article>").next().expect("it is closed").to_owned()
+    };
+    assert!(note("16").contains("✓</span> z3: agrees</p>"), "{}", note("16"));
+    assert!(note("16").contains("?</span> Coq: not checked</p>"), "{}", note("16"));
+    assert!(note("1").contains("✗</span> z3: DISAGREES; it is &lt;true&gt;</p>"), "{}", note("1"));
+    assert!(note("1").contains("judge surprise"), "a disagreement stands out");
+    let half = "?</span> z3: 1 agrees, 1 undecided; no answer within 10 s</p>";
+    assert!(note("range").contains(half), "{}", note("range"));
+    assert!(note("_-lim").contains("z3: not asked; not emitted: a limit"), "{}", note("_-lim"));
+    assert!(!note("2").contains("z3"), "a premise is put to nobody");
+
+    let news = ["z3: 1 DISAGREE, 2 agree, 1 undecided, 1 not asked", "Coq: NOT CHECKED"];
+    for (form, text) in [("html", &page), ("md", &markdown(&report)), ("tex", &latex(&report))] {
+        for line in news {
+            let at = text.find(line).unwrap_or_else(|| panic!("{line} is not in {form}"));
+            let first = text.find("(16)").expect("the first statements");
+            assert!(form == "html" || at < first, "{form}: it comes first");
+        }
+    }
+    assert!(latex(&report).contains("z3: DISAGREES; it is"));
+    assert!(markdown(&report).contains("| (1) | refuted | DISAGREES | not checked |"));
+    let value: serde_json::Value =
+        serde_json::from_str(&json(std::slice::from_ref(&report))).expect("it is JSON");
+    assert!(value["judges"][0]["summary"]["z3"].as_str().is_some_and(|s| s == news[0]));
+    for text in [html(&without), markdown(&without), latex(&without), json(&[without])] {
+        assert!(!text.contains("z3") && !text.contains("\"judges\""), "nobody was asked");
     }
 }
 

@@ -58,6 +58,13 @@ impl RoundingBound {
         let method = self.methods.first().map_or("", |name| name.trim_matches(['(', ')']));
         format!("{}-{}-{method}-{}", self.law, self.quantity, self.system)
     }
+
+    /// The bound on the error of the result, in ulps of the exact value; exact.
+    #[must_use]
+    pub fn whole(&self) -> Rational {
+        let half = Rational::new(1.into(), 2.into());
+        if self.before_last_rounding { &self.ulps + half } else { self.ulps.clone() }
+    }
 }
 
 /// Where α ends: 2³⁰, as in the chart.

@@ -3,17 +3,19 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use kane_measure::chart::{Measured, Method, System, contradictions, front};
+use kane_measure::chart::{Measured, Method, Proved, System, contradictions, front};
+use kane_number::Rational;
+use num_bigint::BigInt;
 use serde::Serialize;
 
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 
 use crate::Page;
 use crate::shorten::{padded, shorten};
 use crate::stability::quoted;
 
 /// Columns where the page has no width.
-const WIDTH: usize = 100;
+const WIDTH: usize = 110;
 
 /// The methods with their errors, their times if they were taken, and where that was.
 #[derive(Clone, Debug)]
@@ -52,6 +54,34 @@ fn ulps(hundredths: Option<i64>) -> String {
     }
 }
 
+/// The bound that is proved, in ulps; that none is, where an error is measured in them.
+fn bound(measured: &Measured) -> String {
+    match &measured.proved {
+        Some(proved) => proved.ulps.to_string(),
+        None if measured.accuracy.ulps.is_some() && measured.accuracy.worst != i64::MAX => {
+            "none".to_owned()
+        }
+        None => String::new(),
+    }
+}
+
+/// The same with a dagger where the bound ends before the domain does.
+fn daggered(measured: &Measured) -> String {
+    let (_, last) = kane_measure::chart::DOMAIN;
+    let is_partial = measured.proved.as_ref().is_some_and(|p| reach(p) != format!("2^{last}"));
+    bound(measured) + if is_partial { "†" } else { "" }
+}
+
+/// Where a proved bound ends, as a power of two.
+pub(crate) fn reach(proved: &Proved) -> String {
+    match proved.to.numer().bits() {
+        bits @ 1.. if proved.to == Rational::from_integer(BigInt::from(1) << (bits - 1)) => {
+            format!("2^{}", bits - 1)
+        }
+        _ => proved.to.to_string(),
+    }
+}
+
 /// The form as written, or that it is the law's own code.
 const fn form_of(method: &Method) -> &'static str {
     if method.is_law { "the program's own" } else { method.text }
@@ -79,6 +109,27 @@ impl ChartReport<'_> {
             group.sort_by_key(price);
         }
         groups
+    }
+
+    /// What the proved bounds are about, and where one ends before the domain does.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let (_, last) = kane_measure::chart::DOMAIN;
+        let mut notes = vec![format!(
+            "proved: no error for alpha from 0 to 2^{last} is larger, in ulps (docs/rounding)"
+        )];
+        for measured in self.all {
+            let Some(proved) = &measured.proved else { continue };
+            if reach(proved) == format!("2^{last}") {
+                continue;
+            }
+            let Method { law, quantity, name, system, .. } = measured.method;
+            notes.push(format!(
+                "† proved to alpha = {} only, and up to there at most {} measured: {law} {quantity} {name} in {system}",
+                reach(proved),
+                ulps(proved.measured),
+            ));
+        }
+        notes
     }
 
     /// What the clock says against the counted costs, one line a pair, at most some.
@@ -116,8 +167,8 @@ pub fn text(report: &ChartReport<'_>, page: Page) -> String {
         let _ = writeln!(out, "\n{bold}{law}  {quantity}{bold:#}");
         let _ = writeln!(
             out,
-            "    {:>7} {:>15}  {:>5} {:>6}  {:>6}  {:>10}  {:13}  form",
-            "ns", "quartiles", "worst", "median", "ulps", "at alpha", "system"
+            "    {:>7} {:>15}  {:>5} {:>6}  {:>6} {:>6}  {:>10}  {:13}  form",
+            "ns", "quartiles", "worst", "median", "ulps", "proved", "at alpha", "system"
         );
         for index in group {
             let Some(measured) = report.all.get(index) else { continue };
@@ -136,11 +187,12 @@ pub fn text(report: &ChartReport<'_>, page: Page) -> String {
             let exact = accuracy.worst == i64::MAX;
             let at = if exact { String::new() } else { format!("{:.3e}", accuracy.at) };
             let row = format!(
-                "  {} {time:>7} {quartiles:>15}  {:>5} {:>6}  {:>6}  {at:>10}  {}  {}  {}",
+                "  {} {time:>7} {quartiles:>15}  {:>5} {:>6}  {:>6} {:>6}  {at:>10}  {}  {}  {}",
                 if on_front { "*" } else { " " },
                 digits(accuracy.worst),
                 digits(accuracy.median),
                 if exact { String::new() } else { ulps(accuracy.ulps) },
+                daggered(measured),
                 padded(&measured.method.system.to_string(), 13),
                 padded(measured.method.name, 7),
                 form_of(&measured.method),
@@ -149,10 +201,11 @@ pub fn text(report: &ChartReport<'_>, page: Page) -> String {
             let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&row, width));
         }
     }
-    let warnings = report.warnings();
-    if !warnings.is_empty() {
-        out.push('\n');
+    out.push('\n');
+    for note in report.notes() {
+        let _ = writeln!(out, "{}", shorten(&note, width));
     }
+    let warnings = report.warnings();
     for warning in warnings.iter().take(5) {
         let _ = writeln!(out, "{}", shorten(warning, width));
     }
@@ -178,7 +231,7 @@ pub fn markdown(report: &ChartReport<'_>) -> String {
     );
     for ((law, quantity), group) in report.groups() {
         let _ = writeln!(out, "\n## {law}: {quantity}\n");
-        out.push_str("| ns | quartiles | digits, worst | digits, median | worst alpha | system | form |\n|---|---|---|---|---|---|---|\n");
+        out.push_str("| ns | quartiles | digits, worst | digits, median | ulps, worst | ulps, proved | worst alpha | system | form |\n|---|---|---|---|---|---|---|---|---|\n");
         for index in group {
             let Some(measured) = report.all.get(index) else { continue };
             let (time, quartiles) = measured.time.as_ref().map_or_else(Default::default, |time| {
@@ -192,16 +245,18 @@ pub fn markdown(report: &ChartReport<'_>) -> String {
             let form = form_of(method);
             let _ = writeln!(
                 out,
-                "| {time} | {quartiles} | {worst} | {} | {:e} | {} | {} `{form}` |",
+                "| {time} | {quartiles} | {worst} | {} | {} | {} | {:e} | {} | {} `{form}` |",
                 digits(measured.accuracy.median),
+                ulps(measured.accuracy.ulps.filter(|_| measured.accuracy.worst != i64::MAX)),
+                daggered(measured),
                 measured.accuracy.at,
                 method.system,
                 method.name,
             );
         }
     }
-    for warning in report.warnings() {
-        let _ = writeln!(out, "\n{warning}");
+    for line in report.notes().into_iter().chain(report.warnings()) {
+        let _ = writeln!(out, "\n{line}");
     }
     let _ = writeln!(
         out,
@@ -218,7 +273,7 @@ pub fn markdown(report: &ChartReport<'_>) -> String {
 pub fn csv(report: &ChartReport<'_>) -> String {
     let front = front(report.all);
     let mut out = String::from(
-        "law,quantity,name,form,k,system,alpha_from,alpha_to,digits_worst,digits_median,log2_ulps_worst,worst_alpha,counted_cost,ns,ns_first_quartile,ns_third_quartile,pareto\n",
+        "law,quantity,name,form,k,system,alpha_from,alpha_to,digits_worst,digits_median,log2_ulps_worst,ulps_proved,proved_to,log2_ulps_worst_up_to_there,worst_alpha,counted_cost,ns,ns_first_quartile,ns_third_quartile,pareto\n",
     );
     for (index, measured) in report.all.iter().enumerate() {
         let method = &measured.method;
@@ -243,6 +298,13 @@ pub fn csv(report: &ChartReport<'_>) -> String {
                 .accuracy
                 .ulps
                 .filter(|_| !exact)
+                .map_or_else(String::new, |h| hundredths(h.max(0))),
+            bound(measured),
+            measured.proved.as_ref().map_or_else(String::new, reach),
+            measured
+                .proved
+                .as_ref()
+                .and_then(|proved| proved.measured)
                 .map_or_else(String::new, |h| hundredths(h.max(0))),
             if exact { String::new() } else { format!("{:e}", measured.accuracy.at) },
             measured.cost.map_or_else(String::new, |cost| cost.to_string()),
@@ -278,12 +340,23 @@ struct Row<'a> {
     system: String,
     digits_worst: String,
     digits_median: String,
+    log2_ulps_worst: Option<i64>,
+    proved: Option<Bound>,
     worst_alpha: f64,
     inputs: usize,
     counted_cost: Option<u64>,
     picoseconds: Option<[u64; 3]>,
     rounds: Option<usize>,
     pareto: bool,
+}
+
+/// A proved bound: in ulps, exactly; where it ends; and the worst error measured up to there, in
+/// hundredths of log2 ulps.
+#[derive(Serialize)]
+struct Bound {
+    ulps: String,
+    to: String,
+    log2_ulps_worst: Option<i64>,
 }
 
 /// The table for programs, ended by a line feed; times as first quartile, median, third quartile.
@@ -302,6 +375,12 @@ pub fn json(report: &ChartReport<'_>) -> String {
             system: method.system.to_string(),
             digits_worst: digits(measured.accuracy.worst),
             digits_median: digits(measured.accuracy.median),
+            log2_ulps_worst: measured.accuracy.ulps,
+            proved: measured.proved.as_ref().map(|proved| Bound {
+                ulps: proved.ulps.to_string(),
+                to: reach(proved),
+                log2_ulps_worst: proved.measured,
+            }),
             worst_alpha: measured.accuracy.at,
             inputs: measured.accuracy.tried,
             counted_cost: measured.cost,
@@ -321,9 +400,7 @@ pub fn json(report: &ChartReport<'_>) -> String {
         warnings: report.warnings(),
         methods: report.all.iter().enumerate().map(row).collect(),
     };
-    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 /// The table that is committed: the errors and the counted costs, and how they were made. No times.

@@ -4,7 +4,7 @@ use kane_measure::chart::{Measured, System, front};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::chart::{ChartReport, SYSTEMS};
+use crate::chart::{ChartReport, SYSTEMS, reach};
 use crate::shorten::shorten;
 use crate::stability::PictureError;
 
@@ -152,8 +152,13 @@ fn panel(
                 _ => "the law's code".to_owned(),
             };
             let text = if measured.method.is_law { own() } else { text };
+            let bound = measured
+                .proved
+                .as_ref()
+                .map(|p| format!(", proved: {} ulp to {}", p.ulps, reach(p)));
+            let text = shorten(&text, 34) + &bound.unwrap_or_default();
             let font = ("sans-serif", 11).into_font();
-            area.draw(&Text::new(shorten(&text, 34), (x + 9, y + 2), font))?;
+            area.draw(&Text::new(text, (x + 9, y + 2), font))?;
         }
     }
     Ok(())

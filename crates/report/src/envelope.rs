@@ -1,4 +1,4 @@
-//! How every report for programs begins: what it is, and what wrote it.
+//! What every report for programs has: what it is, what wrote it, and the line feed at its end.
 
 use serde::Serialize;
 
@@ -14,6 +14,14 @@ pub(crate) struct Schema {
 pub(crate) struct Program {
     name: &'static str,
     version: &'static str,
+}
+
+/// A report for programs as text, ended by a line feed.
+pub(crate) fn written(report: &impl Serialize) -> String {
+    let mut out = serde_json::to_string_pretty(report)
+        .expect("numbers, strings, lists and maps with string keys always serialise");
+    out.push('\n');
+    out
 }
 
 impl Program {

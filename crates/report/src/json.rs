@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use kane_audit::LinkJudgement;
 use serde::Serialize;
 
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 
-use crate::judges::{self, Judge};
+use crate::judges;
 use crate::report::Entry;
 use crate::{Report, Summary};
 
@@ -20,14 +20,8 @@ pub const SCHEMA_VERSION: u32 = 1;
 /// The reports as JSON, ended by a line feed.
 #[must_use]
 pub fn json(reports: &[Report<'_>]) -> String {
-    json_with_judges(reports, &[])
-}
-
-/// The same with the answers of other judges, one list a report.
-#[must_use]
-pub fn json_with_judges(reports: &[Report<'_>], answers: &[Vec<Judge>]) -> String {
-    let asked = answers.iter().any(|judges| !judges.is_empty());
-    let told = || reports.iter().zip(answers).map(|(r, judges)| judges::answers(r.audit, judges));
+    let asked = reports.iter().any(|report| !report.judges.is_empty());
+    let told = || reports.iter().map(|report| judges::answers(report.audit, report.judges));
     let file = File {
         judges: asked.then(|| told().collect()),
         schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
@@ -35,10 +29,7 @@ pub fn json_with_judges(reports: &[Report<'_>], answers: &[Vec<Judge>]) -> Strin
         as_expected: reports.iter().all(Report::as_expected),
         documents: reports.iter().map(Document::of).collect(),
     };
-    let mut out = serde_json::to_string_pretty(&file)
-        .expect("strings, numbers and string keys always serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 #[derive(Serialize)]

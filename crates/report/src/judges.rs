@@ -43,8 +43,43 @@ impl Judge {
         self.answers.values().filter(|a| wanted(a)).count()
     }
 
+    /// The answer to a link, in a word, and why.
+    fn told(&self, place: (usize, usize)) -> (&'static str, &str) {
+        self.answers.get(&place).map_or(("not checked", ""), |a| (a.word(), a.why()))
+    }
+
+    /// The answers to all links of a statement, `agrees` or `2 agrees, 1 not asked`, then why not.
+    pub(crate) fn on(&self, statement: usize, links: usize) -> String {
+        let told: Vec<_> = (0..links).map(|link| self.told((statement, link))).collect();
+        let mut words: Vec<(&str, usize)> = Vec::new();
+        let mut reasons: Vec<&str> = Vec::new();
+        for (word, why) in told {
+            match words.iter_mut().find(|(known, _)| *known == word) {
+                Some((_, count)) => *count += 1,
+                None => words.push((word, 1)),
+            }
+            if !why.is_empty() && !reasons.contains(&why) {
+                reasons.push(why);
+            }
+        }
+        let words: Vec<String> = match words.as_slice() {
+            [(word, _)] => vec![(*word).to_owned()],
+            several => several.iter().map(|(word, count)| format!("{count} {word}")).collect(),
+        };
+        let reasons =
+            reasons.iter().map(|why| why.split_whitespace().collect::<Vec<_>>().join(" "));
+        let parts: Vec<String> = std::iter::once(words.join(", ")).chain(reasons).collect();
+        parts.join("; ")
+    }
+
+    /// Whether an answer to the statement disagrees.
+    pub(crate) fn disagrees_on(&self, statement: usize) -> bool {
+        let answers = self.answers.range((statement, 0)..(statement + 1, 0));
+        answers.into_iter().any(|(_, answer)| matches!(answer, Answer::Disagrees(_)))
+    }
+
     /// `Coq: 205 agree, 3 not asked`
-    fn headline(&self) -> String {
+    pub(crate) fn headline(&self) -> String {
         if !self.asked {
             return format!("{}: NOT CHECKED, it is not installed", self.name);
         }
@@ -104,25 +139,19 @@ pub fn text(audit: &Audit, judges: &[Judge]) -> String {
 }
 
 /// The answers as a table in Markdown, one row a link and one column a judge.
-#[must_use]
-pub fn markdown(audit: &Audit, judges: &[Judge]) -> String {
-    let mut out = "\n## Other judges\n\n".to_owned();
-    for judge in judges {
-        let _ = writeln!(out, "- {}", judge.headline());
-    }
+pub(crate) fn markdown(audit: &Audit, judges: &[Judge]) -> String {
+    let mut out = "## Other judges\n".to_owned();
     let names: Vec<&str> = judges.iter().map(|j| j.name.as_str()).collect();
     let _ = writeln!(out, "\n| claim | kernel | {} |", names.join(" | "));
     let _ = writeln!(out, "|---|---|{}", "---|".repeat(judges.len()));
     for (statement, judgement) in audit.judgements.iter().enumerate() {
         for (link, judged) in judgement.links.iter().enumerate() {
-            let cells: Vec<&str> = judges
-                .iter()
-                .map(|j| j.answers.get(&(statement, link)).map_or("not checked", Answer::word))
-                .collect();
+            let cells: Vec<&str> = judges.iter().map(|j| j.told((statement, link)).0).collect();
             let said = claim(audit, (statement, link)).replace('|', "\\|");
             let _ = writeln!(out, "| {said} | {} | {} |", judged.verdict, cells.join(" | "));
         }
     }
+    out.push('\n');
     out
 }
 
@@ -153,9 +182,9 @@ pub(crate) fn answers<'a>(audit: &'a Audit, judges: &'a [Judge]) -> Answers<'a> 
     let mut links = Vec::new();
     for (statement, judgement) in audit.judgements.iter().enumerate() {
         for (link, judged) in judgement.links.iter().enumerate() {
-            let told = |j: &'a Judge| match j.answers.get(&(statement, link)) {
-                Some(a) => Told { answer: a.word(), reason: a.why() },
-                None => Told { answer: "not checked", reason: "" },
+            let told = |j: &'a Judge| {
+                let (answer, reason) = j.told((statement, link));
+                Told { answer, reason }
             };
             links.push(Row {
                 label: &audit.document.statements[statement].label,

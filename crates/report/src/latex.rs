@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_algebra::syntax::{canonical_name, greek_letter, latex_name};
 use kane_audit::{LinkJudgement, Verdict};
 
+use crate::judges::Judge;
 use crate::markdown::capitalised;
 use crate::outline::headings;
 use crate::report::Entry;
@@ -45,9 +46,12 @@ pub fn latex(report: &Report<'_>) -> String {
         escape(&capitalised(&summary.headline())),
         escape(&capitalised(&summary.expectation()))
     );
+    for judge in report.judges {
+        let _ = writeln!(out, "{}.\n", escape(&judge.headline()));
+    }
     let headings = headings(&document.text);
     let mut headings = headings.iter().peekable();
-    for entry in report.entries() {
+    for (&index, entry) in report.shown.iter().zip(report.entries()) {
         let mut above = Vec::new();
         while let Some(heading) = headings.next_if(|h| h.start < entry.statement.span.start) {
             // of headings without statements between them, only those that this statement stands under are shown
@@ -59,6 +63,12 @@ pub fn latex(report: &Report<'_>) -> String {
             let _ = writeln!(out, "\\{command}*{{{}}}\n", escape(&heading.title));
         }
         statement(&mut out, &entry, &names);
+        if entry.is_claim() && !report.judges.is_empty() {
+            let links = entry.judgement.links.len();
+            let told = |judge: &Judge| format!("{}: {}.", judge.name, judge.on(index, links));
+            let told: Vec<String> = report.judges.iter().map(told).collect();
+            let _ = writeln!(out, "\\par{{\\small {}}}\n", escape(&told.join(" ")));
+        }
     }
     let _ = writeln!(
         out,

@@ -41,7 +41,7 @@ pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use gappa::{gappa, gappa_questions};
 pub use html::html;
-pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json, json_with_judges};
+pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
 pub use markdown::markdown;
 pub use report::{Picture, Report};

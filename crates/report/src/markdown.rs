@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use kane_audit::LinkJudgement;
 
+use crate::judges;
 use crate::report::Entry;
 use crate::{Report, Summary};
 
@@ -17,8 +18,17 @@ pub fn markdown(report: &Report<'_>) -> String {
         writeln!(out, "# Audit: {}\n", escape(document.title.as_deref().unwrap_or(&document.name)));
     let _ = writeln!(out, "**{}**\n", escape(&summary.headline()));
     let _ = writeln!(out, "{}.\n", escape(&summary.expectation()));
+    for judge in report.judges {
+        let _ = writeln!(out, "- {}", escape(&judge.headline()));
+    }
+    if !report.judges.is_empty() {
+        out.push('\n');
+    }
     for entry in report.entries() {
         section(&mut out, &entry);
+    }
+    if !report.judges.is_empty() {
+        out.push_str(&judges::markdown(report.audit, report.judges));
     }
     let _ = writeln!(out, "---\n\nkane {}, {}\n", env!("CARGO_PKG_VERSION"), code(&report.command));
     out.truncate(out.trim_end().len());

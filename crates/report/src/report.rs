@@ -4,6 +4,8 @@ use kane_algebra::syntax::{Notation as _, latex_name};
 use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
 use kane_kernel::{Context, Sentence};
 
+use crate::judges::Judge;
+
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
@@ -15,6 +17,8 @@ pub struct Report<'a> {
     pub command: String,
     /// pictures that belong to the document, for the forms that can show them
     pub pictures: &'a [Picture],
+    /// other judges that were asked, or should have been
+    pub judges: &'a [Judge],
 }
 
 /// A picture that belongs to a document.
@@ -35,6 +39,7 @@ impl<'a> Report<'a> {
             shown: (0..audit.document.statements.len()).collect(),
             command: command.into(),
             pictures: &[],
+            judges: &[],
         }
     }
 
@@ -42,6 +47,13 @@ impl<'a> Report<'a> {
     #[must_use]
     pub const fn with_pictures(mut self, pictures: &'a [Picture]) -> Self {
         self.pictures = pictures;
+        self
+    }
+
+    /// The same report with the answers of other judges.
+    #[must_use]
+    pub const fn with_judges(mut self, judges: &'a [Judge]) -> Self {
+        self.judges = judges;
         self
     }
 

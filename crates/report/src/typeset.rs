@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use kane_kernel::Context;
 
 /// The names that a document declares.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Names<'a>(HashSet<&'a str>);
 
 /// A stretch of a sentence.
@@ -29,6 +29,12 @@ impl<'a> Names<'a> {
     pub(crate) fn of(context: &'a Context) -> Self {
         let vars = context.vars.iter().map(|var| var.name.as_str());
         Self(vars.chain(context.lets.iter().map(|definition| definition.name.as_str())).collect())
+    }
+
+    /// These names, too.
+    pub(crate) fn and(mut self, names: &[&'a str]) -> Self {
+        self.0.extend(names);
+        self
     }
 
     /// The sentence in pieces.

@@ -23,6 +23,8 @@ pub struct Accuracy {
     pub at: f64,
     /// the worst error in hundredths of log₂ ulps of the format, for `f32` and `f64`
     pub ulps: Option<i64>,
+    /// the greatest input
+    pub greatest: f64,
     /// how many inputs were tried
     pub tried: usize,
 }
@@ -78,12 +80,19 @@ pub(super) fn program(method: &Method) -> Option<Program> {
 /// as where its system has no roots.
 #[must_use]
 pub fn accuracy(method: &Method) -> Option<Accuracy> {
+    accuracy_up_to(method, f64::INFINITY)
+}
+
+/// The same over the inputs that are no greater than `reach`.
+pub(super) fn accuracy_up_to(method: &Method, reach: f64) -> Option<Accuracy> {
     let program = program(method)?;
     let reference = Dyadic { bits: BITS };
     let mut digits: Vec<(i64, f64)> = Vec::new();
     let mut ulps: Option<i64> = None;
-    let inputs = inputs(method);
+    let mut inputs = inputs(method);
+    inputs.retain(|alpha| *alpha <= reach);
     let tried = inputs.len();
+    let greatest = inputs.last().copied()?;
     for alpha in inputs {
         let exact = program.value(&reference, &[alpha.exactly()?])?;
         if exact.certain_bits() < 200 {
@@ -106,7 +115,7 @@ pub fn accuracy(method: &Method) -> Option<Accuracy> {
     digits.sort_by_key(|(digits, alpha)| (*digits, alpha.to_bits()));
     let (worst, at) = *digits.first()?;
     let (median, _) = *digits.get(digits.len() / 2)?;
-    Some(Accuracy { worst, median, at, ulps, tried })
+    Some(Accuracy { worst, median, at, ulps, greatest, tried })
 }
 
 /// |x − exact|, for an enclosure that of the end further away.

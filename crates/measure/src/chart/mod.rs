@@ -4,6 +4,7 @@ mod accuracy;
 mod clock;
 mod cost;
 mod method;
+mod proved;
 mod registry;
 
 pub(crate) use accuracy::right;
@@ -11,7 +12,10 @@ pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
 pub use cost::{cost, weights};
 pub use method::{Answer, Lane, Method, System};
+pub use proved::Proved;
 pub use registry::{DOMAIN, registry};
+
+use crate::rounding_bounds;
 
 /// One method with all that is known of it.
 #[derive(Clone, Debug)]
@@ -22,6 +26,8 @@ pub struct Measured {
     pub accuracy: Accuracy,
     /// the operations, weighted; `None` for a law's own code, whose operations are not counted
     pub cost: Option<u64>,
+    /// the bound on its error that is proved; `None` where none is
+    pub proved: Option<Proved>,
     /// how long an evaluation took; `None` where nothing was timed
     pub time: Option<Time>,
 }
@@ -30,9 +36,11 @@ pub struct Measured {
 /// of the registry. Methods that a system cannot evaluate, such as roots in rationals, are left out.
 #[must_use]
 pub fn table() -> Vec<Measured> {
+    let bounds = rounding_bounds();
     let of = |method: Method| {
         let accuracy = accuracy(&method)?;
-        Some(Measured { cost: cost(&method), method, accuracy, time: None })
+        let proved = Proved::of(&method, &bounds, &accuracy);
+        Some(Measured { cost: cost(&method), method, accuracy, proved, time: None })
     };
     registry().into_iter().filter_map(of).collect()
 }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::envelope::{Program, Schema, written};
+
 use super::Collision;
 
 /// The name of the schema.
@@ -14,7 +16,7 @@ pub const COLLISION_SCHEMA_VERSION: u32 = 1;
 pub fn json(collision: &Collision) -> String {
     let file = File {
         schema: Schema { name: COLLISION_SCHEMA_NAME, version: COLLISION_SCHEMA_VERSION },
-        program: Schema { name: "kane", version: env!("CARGO_PKG_VERSION") },
+        program: Program::THIS,
         command: &collision.command,
         title: &collision.title,
         headline: collision.headline(),
@@ -33,16 +35,13 @@ pub fn json(collision: &Collision) -> String {
         before: collision.before.iter().map(Reading::of).collect(),
         laws: collision.laws.iter().map(Law::of).collect(),
     };
-    let mut out =
-        serde_json::to_string_pretty(&file).expect("strings, numbers and lists always serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema<u32>,
-    program: Schema<&'static str>,
+    schema: Schema,
+    program: Program,
     command: &'a str,
     title: &'a str,
     headline: String,
@@ -51,12 +50,6 @@ struct File<'a> {
     notes: &'a [String],
     before: Vec<Reading<'a>>,
     laws: Vec<Law<'a>>,
-}
-
-#[derive(Serialize)]
-struct Schema<V> {
-    name: &'static str,
-    version: V,
 }
 
 #[derive(Serialize)]

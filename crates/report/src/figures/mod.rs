@@ -12,7 +12,7 @@ mod legend;
 mod map;
 mod pixels;
 mod scale;
-mod sheet;
+pub(crate) mod sheet;
 
 use plotters::style::RGBColor;
 
@@ -152,5 +152,5 @@ const PALETTE: [RGBColor; 7] = [
 /// Sizes of type, in the units of the plotting library, 1.24 to the point of the picture: at a width of
 /// 170 mm the smallest is 6 points on paper.
 const TITLE: i32 = 21;
-const WORDS: i32 = 17;
-const NUMBERS: i32 = 15;
+pub(crate) const WORDS: i32 = 17;
+pub(crate) const NUMBERS: i32 = 15;

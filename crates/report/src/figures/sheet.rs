@@ -10,7 +10,7 @@ use plotters::style::TextStyle;
 use super::{NUMBERS, TITLE};
 use crate::stability::PictureError;
 
-pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Pixels of the library to a pixel of the picture.
 const FINE: i32 = 4;
@@ -18,22 +18,22 @@ const FINE: i32 = 4;
 const NOTE: i32 = 17;
 
 /// A length of the picture, in pixels of the library.
-pub(super) const fn px(length: i32) -> i32 {
+pub(crate) const fn px(length: i32) -> i32 {
     length * FINE
 }
 
 /// The same, for what the library counts without a sign.
-pub(super) const fn upx(length: i32) -> u32 {
+pub(crate) const fn upx(length: i32) -> u32 {
     px(length).unsigned_abs()
 }
 
 /// The type of this size.
-pub(super) fn font(size: i32) -> TextStyle<'static> {
+pub(crate) fn font(size: i32) -> TextStyle<'static> {
     ("sans-serif", px(size)).into_text_style(&(0, 0))
 }
 
 /// How high the notes are, in pixels of the picture.
-pub(super) fn footer(notes: &[String]) -> i32 {
+pub(crate) fn footer(notes: &[String]) -> i32 {
     NOTE * i32::try_from(lines(notes).len()).unwrap_or(0) + 12
 }
 
@@ -42,7 +42,7 @@ fn lines(notes: &[String]) -> Vec<String> {
 }
 
 /// A sheet of this size in pixels of the picture, with a title and notes, and the rest by `draw`.
-pub(super) fn sheet(
+pub(crate) fn sheet(
     (width, height): (i32, i32),
     title: &str,
     notes: &[String],
@@ -98,7 +98,7 @@ fn merged(svg: &str) -> String {
 }
 
 /// Words in lines of so many characters.
-pub(super) fn wrapped(words: &str, columns: usize) -> Vec<String> {
+pub(crate) fn wrapped(words: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in words.split(' ') {
         let line = lines.last().map_or(0, |line| line.chars().count());

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{GrowthReport, chain_reading, family_reading};
 use crate::chart::{digits, nanoseconds};
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 use crate::stability::quoted;
 
 /// One point of a curve.
@@ -153,7 +153,5 @@ pub fn json(report: &GrowthReport<'_>) -> String {
         readings: batches.into_iter().chain(chains).chain(families).collect(),
         points: report.points(),
     };
-    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
-    out.push('\n');
-    out
+    written(&file)
 }

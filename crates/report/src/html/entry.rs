@@ -8,7 +8,7 @@ use super::math::math;
 use super::words::sentence;
 use super::{Page, marked, verdict_class};
 use crate::report::Entry;
-use crate::wording::evidence;
+use crate::wording::{evidence, mark};
 
 impl Page<'_> {
     /// The statement, under a heading of this level.
@@ -78,7 +78,24 @@ impl Page<'_> {
             @if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
                 p { "No model of its hypotheses was found." }
             }
+            @if entry.is_claim() { (self.judges(index, judgement.links.len())) }
             @if !dependents.is_empty() { p.used { "used in " (self.anchors.links(dependents)) } }
+        }
+    }
+
+    /// What other judges answer to the claim, each with a sign.
+    fn judges(&self, index: usize, links: usize) -> Markup {
+        html! {
+            @for judge in self.report.judges {
+                @let said = judge.on(index, links);
+                @let disagrees = judge.disagrees_on(index);
+                @let sign = if disagrees { mark(Verdict::Refuted) }
+                    else if said == "agrees" { mark(Verdict::Proved) }
+                    else { mark(Verdict::Undecided) };
+                p.judge.surprise[disagrees] {
+                    span.mark aria-hidden="true" { (sign) } " " (judge.name) ": " (said)
+                }
+            }
         }
     }
 

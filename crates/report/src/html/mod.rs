@@ -20,6 +20,8 @@ use crate::{Picture, Report, Summary};
 use anchors::Anchors;
 pub(crate) use frame::Frame;
 use prose::Part;
+pub(crate) use prose::{Part as Passage, parts as passages};
+pub(crate) use words::sentence;
 
 /// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.
 ///
@@ -47,7 +49,7 @@ pub fn html(report: &Report<'_>) -> String {
         kind: "Audit",
         news: page.news(),
         contents,
-        style: include_str!("audit.css"),
+        style: concat!(include_str!("verdicts.css"), include_str!("audit.css")),
         script: include_str!("audit.js"),
         provenance: vec![
             ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
@@ -110,6 +112,9 @@ impl<'a> Page<'a> {
             p.counts { (summary.counts()) }
             @if !summary.refuted_as_printed.is_empty() {
                 p { "Refuted as printed: " (labels(&summary.refuted_as_printed)) }
+            }
+            @for judge in self.report.judges {
+                p.judge.surprise[!judge.agrees() || !judge.asked] { (judge.headline()) }
             }
             @if summary.surprises.is_empty() {
                 p { (crate::markdown::capitalised(&summary.expectation())) "." }

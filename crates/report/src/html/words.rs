@@ -13,10 +13,17 @@ pub(crate) fn sentence(text: &str, names: &Names<'_>) -> Markup {
             Piece::Text(text) => text.render_to(&mut out),
             Piece::Name(written) => name(written).render_to(&mut out),
             Piece::Operator(operator) => sign(operator).render_to(&mut out),
-            Piece::Power(digits) => html! { sup { (digits) } }.render_to(&mut out),
+            Piece::Power(digits) => out.extend(digits.chars().map(raised)),
         }
     }
-    PreEscaped(out)
+    // a product of letters is slanted as a whole; of a long proof that is a tenth
+    PreEscaped(out.replace("</i>·<i>", "·"))
+}
+
+/// A digit of an exponent. As a letter of its own it is a sixth as long as with tags around it.
+fn raised(digit: char) -> char {
+    let place = digit.to_digit(10).and_then(|digit| usize::try_from(digit).ok());
+    place.and_then(|place| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(place)).unwrap_or(digit)
 }
 
 fn sign(operator: &str) -> &str {
@@ -67,7 +74,15 @@ fn letters(latex: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::name;
+    use crate::typeset::Names;
+
+    use super::{name, sentence};
+
+    #[test]
+    fn products_and_powers_are_set_as_one() {
+        let set = sentence("2*x*y^12*z = -x^2", &Names::default()).into_string();
+        assert_eq!(set, "2·<i>x·y</i>¹²·<i>z</i> = −<i>x</i>²");
+    }
 
     #[test]
     fn names_have_their_letters_and_subscripts() {

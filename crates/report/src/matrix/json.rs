@@ -6,7 +6,7 @@ use kane_audit::matrix::{Cell, Matrix, Property, Row, Witness};
 use serde::Serialize;
 
 use super::{MatrixReport, word};
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 
 /// The name of the schema.
 pub const LAWS_SCHEMA_NAME: &str = "kane-laws";
@@ -25,10 +25,7 @@ pub fn json(report: &MatrixReport<'_>) -> String {
         properties: matrix.properties.iter().map(|p| Column::of(p)).collect(),
         laws: matrix.rows.iter().map(|row| Law::of(matrix, row)).collect(),
     };
-    let mut out =
-        serde_json::to_string_pretty(&file).expect("strings, numbers and lists always serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 #[derive(Serialize)]

@@ -1,15 +1,21 @@
-//! Laws against properties: text, Markdown, JSON, and one cell in full.
+//! Laws against properties: text, Markdown, HTML, JSON, CSV, a picture, and one cell in full.
 
+mod csv;
 mod explain;
+mod html;
 mod json;
 mod markdown;
+mod picture;
 mod text;
 
 use kane_audit::matrix::{Cell, Finding, Matrix, Property, Row};
 
+pub use csv::csv;
 pub use explain::explain;
+pub use html::html;
 pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
 pub use markdown::{markdown, properties};
+pub use picture::picture;
 pub use text::text;
 
 /// The matrix, and the command that prints it again.
@@ -29,9 +35,7 @@ impl MatrixReport<'_> {
             if n == 1 { format!("1 {one}") } else { format!("{n} {many}") }
         };
         let mut parts = Vec::new();
-        for finding in
-            [Finding::Proved, Finding::Refuted, Finding::NotApplicable, Finding::Undecided]
-        {
+        for finding in FINDINGS {
             let count = matrix.count(finding);
             if count > 0 {
                 parts.push(format!("{count} {}", word(finding)));
@@ -51,6 +55,10 @@ impl MatrixReport<'_> {
         cells.filter(|(_, cell)| cell.finding != Finding::Proved).collect()
     }
 }
+
+/// All findings, in the order in which they are counted and explained.
+pub(crate) const FINDINGS: [Finding; 4] =
+    [Finding::Proved, Finding::Refuted, Finding::NotApplicable, Finding::Undecided];
 
 /// A finding in a word.
 pub(crate) fn word(finding: Finding) -> &'static str {

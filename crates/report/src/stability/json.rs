@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 
 use super::{Entry, StabilityReport, bits};
 
@@ -133,9 +133,7 @@ pub fn json(report: &StabilityReport<'_>) -> String {
             .collect(),
         formulas: entries.iter().enumerate().map(|(i, e)| formula(report, i, e)).collect(),
     };
-    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
-    out.push('\n');
-    out
+    written(&file)
 }
 
 fn formula<'a>(report: &StabilityReport<'a>, index: usize, entry: &Entry<'a>) -> Formula<'a> {

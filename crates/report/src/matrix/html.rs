@@ -1,0 +1,285 @@
+//! The matrix as a page: the table, and below it every law, every cell in full, and what each property asks.
+
+use kane_audit::matrix::{Cell, Finding, Part, Property, Row, SYMBOLS_IN_WORDS};
+use maud::{Markup, html};
+
+use super::explain::{Line, asked, decided, premises, seen};
+use super::{FINDINGS, MatrixReport, parameters, word};
+use crate::html::{Frame, Passage, passages, sentence};
+use crate::typeset::Names;
+
+/// The matrix as one HTML file, which loads nothing. `laws` is the page of the laws, `docs/laws.md`, which tells
+/// the formula and the source of each. Equal matrices give equal bytes.
+///
+/// It can be read without scripts; with them, cells can be filtered by finding.
+#[must_use]
+pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
+    let matrix = report.matrix;
+    let told = Told::of(laws);
+    let mut contents =
+        vec![("matrix", html! { "The matrix" }), ("properties", html! { "What is asked" })];
+    contents.extend(matrix.rows.iter().map(|row| (row.id, html! { (row.id) })));
+    let content = html! {
+        (filter(report))
+        (table(report))
+        h2 #properties { "What is asked" }
+        dl.asked { @for property in &matrix.properties { (question(property)) } }
+        h2 #laws { "What is found" }
+        p.words {
+            "Each law with its formula and its source, and each of its cells with the proof or the contact that \
+             speaks against it. "
+            code { "kane laws --explain LAW:PROPERTY" } " prints a cell in full."
+        }
+        p.words { (sentence(SYMBOLS_IN_WORDS, &names(None))) }
+        @for row in &matrix.rows { (law(&matrix.properties, row, &told)) }
+    };
+    Frame {
+        title: "Laws and properties",
+        kind: "Matrix",
+        news: html! { p.counts { (report.headline()) } },
+        contents: contents.into_iter().map(|(id, words)| (id.to_owned(), words)).collect(),
+        style: concat!(include_str!("../html/verdicts.css"), include_str!("matrix.css")),
+        script: include_str!("matrix.js"),
+        provenance: vec![
+            ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
+            ("Command", html! { code { (report.command) } }),
+            ("Seed", html! { "none: nothing here is drawn at random" }),
+        ],
+    }
+    .page(&content)
+}
+
+/// Which findings are shown; without scripts it stays hidden, and all of them are.
+fn filter(report: &MatrixReport<'_>) -> Markup {
+    html! {
+        form.filter hidden aria-label="Show" {
+            fieldset {
+                legend { "Show" }
+                @for finding in FINDINGS {
+                    label {
+                        input type="checkbox" name="v" value=(class(finding)) checked;
+                        " " (marked(finding)) " " span.count { (report.matrix.count(finding)) }
+                    }
+                }
+            }
+            output aria-live="polite" {}
+        }
+    }
+}
+
+fn table(report: &MatrixReport<'_>) -> Markup {
+    let matrix = report.matrix;
+    html! {
+        div.scroll #matrix tabindex="0" role="region" aria-label="The matrix" {
+            table {
+                caption.quiet { "Findings, a law a row and a property a column" }
+                thead { tr {
+                    th scope="col" { "law" }
+                    @for p in &matrix.properties {
+                        th scope="col" { a href={ "#" (p.id) } title=(p.template) { (p.name) } }
+                    }
+                } }
+                tbody { @for row in &matrix.rows { tr {
+                    th scope="row" { a href={ "#" (row.id) } { (row.id) } }
+                    @for (p, cell) in matrix.properties.iter().zip(&row.cells) {
+                        td class=(class(cell.finding)) {
+                            a href={ "#" (row.id) ":" (p.id) } title={ (row.id) ", " (p.name) } {
+                                span aria-hidden="true" { (mark(cell.finding)) }
+                                span.quiet { (word(cell.finding)) }
+                            }
+                        }
+                    }
+                } } }
+            }
+        }
+        ul.key { @for finding in FINDINGS { li { (marked(finding)) } } }
+    }
+}
+
+fn question(property: &Property) -> Markup {
+    let names = names(None);
+    html! {
+        div id=(property.id) {
+            dt { (property.name) " " code { (property.id) } }
+            dd {
+                p.template { (sentence(property.template, &names)) }
+                p { "For " (sentence(property.domain, &names)) ". " (sentence(property.meaning, &names)) }
+            }
+        }
+    }
+}
+
+fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
+    let with = parameters(row);
+    html! {
+        section aria-labelledby=(row.id) {
+            h3 id=(row.id) { (row.id) }
+            p { (row.source) "." }
+            @if !with.is_empty() { p { "Here with " (with) "." } }
+            @if let Some(words) = told.law(row.id) {
+                details { summary { "Formula, source and domain" } div.told { (words) } }
+            }
+            @for (property, cell) in properties.iter().zip(&row.cells) { (entry(row, property, cell)) }
+        }
+    }
+}
+
+/// The names of templates and witnesses.
+const NAMES: [&str; 22] = [
+    "v", "a", "W", "W_tt", "W_tn", "W_nn", "mu", "e", "alpha", "k", "i_x", "p_t", "p_n", "v_1",
+    "E_t", "E_n", "gamma", "nu", "beta", "c", "w", "d",
+];
+
+/// All names of a goal.
+fn names(part: Option<&Part>) -> Names<'_> {
+    part.map(|part| Names::of(&part.goal.context)).unwrap_or_default().and(&NAMES)
+}
+
+/// Lines of a proof that a page shows; a longer one is told in outline. A witness is always whole.
+const MOST_LINES: usize = 40;
+
+/// A cell. Its anchor is inside of what is folded, so that a link to it unfolds it without scripts.
+fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
+    let names = names(cell.parts.first());
+    let proof = in_full(&cell.parts);
+    let is_long = cell.finding == Finding::Proved && proof.len() > MOST_LINES;
+    let proof = if is_long { in_outline(&cell.parts) } else { proof };
+    html! {
+        details class={ "cell " (class(cell.finding)) } data-v=(class(cell.finding)) {
+            summary {
+                (marked(cell.finding)) " " (property.name)
+                @if cell.finding != Finding::Proved { span.why { (sentence(&cell.reason, &names)) } }
+            }
+            div id={ (row.id) ":" (property.id) } {
+                p {
+                    a href={ "#" (property.id) } { (sentence(property.template, &names)) }
+                    @if cell.finding == Finding::Proved { ": " (cell.reason) }
+                    @if is_long {
+                        ", here in outline; " code { "kane laws --explain " (row.id) ":" (property.id) }
+                        " tells every step"
+                    }
+                }
+                (lines(&seen(cell), &names))
+                (lines(&proof, &names))
+            }
+        }
+    }
+}
+
+/// All goals; where one has the premises of the one before, they stand there alone.
+fn in_full(parts: &[Part]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut known = Vec::new();
+    for part in parts {
+        lines.push(asked(part));
+        let own = premises(part);
+        if own.is_empty() || own != known {
+            lines.extend(own.iter().cloned());
+        } else {
+            lines.push((1, "from the same premises".to_owned()));
+        }
+        known = own;
+        lines.extend(decided(part));
+    }
+    lines
+}
+
+/// How many goals there are on each family of contacts, in which regimes, and on what grounds they are decided.
+fn in_outline(parts: &[Part]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut settings: Vec<&str> = Vec::new();
+    for part in parts {
+        if !settings.contains(&part.setting) {
+            settings.push(part.setting);
+        }
+    }
+    for setting in settings {
+        let mut regimes: Vec<&str> = Vec::new();
+        let mut grounds: Vec<(String, usize)> = Vec::new();
+        for part in parts.iter().filter(|part| part.setting == setting) {
+            if !regimes.contains(&part.regime.as_str()) {
+                regimes.push(&part.regime);
+            }
+            let (ground, _) = part.told();
+            match grounds.iter_mut().find(|(known, _)| *known == ground) {
+                Some((_, count)) => *count += 1,
+                None => grounds.push((ground, 1)),
+            }
+        }
+        lines.push((0, format!("{setting}, \"{}\"", regimes.join("\", \""))));
+        lines.extend(grounds.into_iter().map(|(ground, count)| {
+            (1, format!("{count} {} {ground}", if count == 1 { "goal" } else { "goals" }))
+        }));
+    }
+    lines
+}
+
+fn lines(lines: &[Line], names: &Names<'_>) -> Markup {
+    html! {
+        @if !lines.is_empty() {
+            ol.steps {
+                @for (depth, text) in lines {
+                    li class={ "d" (depth.min(&9)) } {
+                        @for (number, line) in text.lines().enumerate() {
+                            @if number > 0 { br; }
+                            (sentence(line, names))
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What the page of the laws tells of each.
+struct Told(Vec<(String, Vec<Markup>)>);
+
+impl Told {
+    fn of(laws: &str) -> Self {
+        let mut told: Vec<(String, Vec<Markup>)> = Vec::new();
+        for passage in passages(laws, &|_| None) {
+            match passage {
+                Passage::Heading { words, .. } => told.push((words.into_string(), Vec::new())),
+                Passage::Prose(words) => {
+                    if let Some((_, passages)) = told.last_mut() {
+                        passages.push(words);
+                    }
+                }
+                Passage::Statements(_) => {}
+            }
+        }
+        Self(told)
+    }
+
+    fn law(&self, id: &str) -> Option<Markup> {
+        let (_, passages) = self.0.iter().find(|(heading, _)| heading == id)?;
+        Some(html! { @for passage in passages { (passage) } })
+    }
+}
+
+/// The finding with its sign, which means the same without colour.
+fn marked(finding: Finding) -> Markup {
+    html! {
+        span class={ "verdict " (class(finding)) } {
+            span.mark aria-hidden="true" { (mark(finding)) } " " (word(finding))
+        }
+    }
+}
+
+const fn mark(finding: Finding) -> &'static str {
+    match finding {
+        Finding::Proved => "✓",
+        Finding::Refuted => "✗",
+        Finding::NotApplicable => "–",
+        Finding::Undecided => "?",
+    }
+}
+
+const fn class(finding: Finding) -> &'static str {
+    match finding {
+        Finding::Proved => "proved",
+        Finding::Refuted => "refuted",
+        Finding::NotApplicable => "ground",
+        Finding::Undecided => "undecided",
+    }
+}
