@@ -140,15 +140,30 @@ pub fn apply<L: ImpactLaw>(
     ranges: &Ranges,
     root: usize,
 ) -> (Vec<Applied>, Option<Vec<Premise>>) {
+    let all = 0..law.regimes::<Symbolic>().len();
+    apply_some(law, contact, ranges, root, all)
+}
+
+/// The same for some of its regimes, without those after them.
+pub(super) fn apply_some<L: ImpactLaw>(
+    law: &L,
+    contact: &Contact<Symbolic>,
+    ranges: &Ranges,
+    root: usize,
+    wanted: std::ops::Range<usize>,
+) -> (Vec<Applied>, Option<Vec<Premise>>) {
     let mut out = Vec::new();
     let mut passed: Vec<Premise> = Vec::new();
-    for (index, regime) in law.regimes::<Symbolic>().iter().enumerate() {
+    for (index, regime) in law.regimes::<Symbolic>().iter().enumerate().take(wanted.end) {
         let Some(mine) = guards(law, regime.guards, contact, ranges) else { continue };
         let label = |what: &str| format!("{what} \"{}\"", regime.name);
-        let mut premises: Vec<Premise> =
-            mine.iter().map(|g| Premise::new(label("guard of"), Vec::new(), g.clone())).collect();
-        premises.extend(passed.iter().cloned());
-        if let Some(applied) = one(law, regime, contact, ranges, (index, root), premises) {
+        let premises = || -> Vec<Premise> {
+            let own = mine.iter().map(|g| Premise::new(label("guard of"), Vec::new(), g.clone()));
+            own.chain(passed.iter().cloned()).collect()
+        };
+        if wanted.contains(&index)
+            && let Some(applied) = one(law, regime, contact, ranges, (index, root), premises())
+        {
             out.push(Applied { guards: mine.clone(), ..applied });
         }
         let Some((last, others)) = mine.split_last() else { return (out, None) };

@@ -6,6 +6,7 @@ use kane_number::Rational;
 
 use super::applied::Premise;
 use super::cell::{Cell, Witness};
+use super::conjugate;
 use super::outcome::proved;
 use super::property::Template;
 use super::sample::{Exact, resolve, violation};
@@ -31,35 +32,69 @@ pub(crate) fn decide<L: ImpactLaw>(
             }
         }
     }
-    let (mut parts, mut open) = (Vec::new(), Vec::new());
-    'all: for family in families {
-        for (index, regime) in family.regimes.iter().enumerate() {
-            let outcome = match &family.solved[index] {
-                Some((outcome, part)) => {
-                    parts.push(part.clone());
-                    outcome
-                }
-                None => &regime.outcome,
-            };
-            // each of two summands, where the sum itself is too much
-            let found = prove(family, index, outcome, template).or_else(|why| {
-                let summands = template.summands().ok_or_else(|| why.clone())?;
-                prove(family, index, outcome, &summands).map_err(|_| why)
-            });
-            match found {
-                Ok(found) => parts.extend(found),
-                Err(why) => {
-                    if let Some(cell) = search(law, family, index, template) {
-                        return cell;
-                    }
-                    // one is enough, and what cannot be proved takes longest
-                    open.push(why);
-                    break 'all;
-                }
-            }
+    let (approaching, resting): (Vec<&Family>, Vec<&Family>) =
+        families.iter().partition(|family| family.setting.approaches());
+    let conjugate = || match template.is_of_energy() && !approaching.is_empty() {
+        true => conjugate::energy(law, &approaching),
+        false => Err(String::new()),
+    };
+    // a frame of the law's own is the better one to ask in
+    let stands_turned = approaching.iter().any(|family| family.seen.is_some());
+    let early = if stands_turned { conjugate().ok() } else { None };
+    let (mut parts, rest) = match early {
+        Some(parts) => (parts, resting),
+        None => (Vec::new(), families),
+    };
+    let mut covered = false;
+    for family in rest {
+        if covered && family.setting.approaches() {
+            continue;
         }
+        let Err(open) = in_family(family, template, &mut parts) else { continue };
+        if family.setting.approaches()
+            && !stands_turned
+            && let Ok(found) = conjugate()
+        {
+            parts.extend(found);
+            covered = true;
+            continue;
+        }
+        // one that is open is enough, and what cannot be proved takes longest
+        let found = search(law, family, open.regime, template);
+        return found.unwrap_or_else(|| Cell::undecided(open.why));
     }
-    Cell::from_parts(parts, open)
+    Cell::from_parts(parts, Vec::new())
+}
+
+/// A regime without a proof.
+struct Open {
+    regime: usize,
+    why: String,
+}
+
+/// Proofs in every regime of a family.
+fn in_family(family: &Family, template: &Template, parts: &mut Vec<Part>) -> Result<(), Open> {
+    for (index, regime) in family.regimes.iter().enumerate() {
+        let outcome = match &family.solved[index] {
+            Some((outcome, part)) => {
+                parts.push(part.clone());
+                outcome
+            }
+            None => &regime.outcome,
+        };
+        // each of two summands, where the sum itself is too much
+        let found = prove(family, index, outcome, template).or_else(|why| {
+            let summands = template.summands().ok_or_else(|| why.clone())?;
+            prove(family, index, outcome, &summands).map_err(|_| why)
+        });
+        let resting = template.is_of_energy() && !family.setting.approaches();
+        let found = match found {
+            Err(why) if resting => conjugate::regime(family, index).map_err(|_| why),
+            found => found,
+        };
+        parts.extend(found.map_err(|why| Open { regime: index, why })?);
+    }
+    Ok(())
 }
 
 /// A witness that the kernel accepts.
