@@ -30,6 +30,12 @@ impl Premise {
         let sentence = Sentence { when, links: vec![Link::Relation(link)] };
         Self { label: label.into(), hypothesis: Hypothesis { sentence, given: true } }
     }
+
+    /// Whether it is an equation.
+    pub(super) fn is_equation(&self) -> bool {
+        let of = |link: &Link| matches!(link, Link::Relation(Relation { rel: Rel::Eq, .. }));
+        self.hypothesis.sentence.links.iter().any(of)
+    }
 }
 
 /// A regime of a law at a contact in symbols: where it is taken, and what follows.
@@ -85,6 +91,27 @@ impl RootOf {
             }
         }
         Some(out)
+    }
+
+    /// The same value with x² put in above and below, where the root's equation is one in x² and the value
+    /// has such a power.
+    #[must_use]
+    pub fn reduced(&self, value: &Symbolic) -> Option<Symbolic> {
+        let [c, b, a] = &self.coefficients[..] else { return None };
+        let (num, den) = value.fraction();
+        if !b.is_zero() || num.degree(self.symbol).max(den.degree(self.symbol)) < 2 {
+            return None;
+        }
+        let (x, square) = (Symbolic::symbol(self.symbol), -c.clone() / a);
+        let put_in = |p: &Poly| {
+            let terms = p.coefficients(self.symbol).into_iter().enumerate();
+            terms.fold(Symbolic::zero(), |sum, (n, c)| {
+                let even = (0..n / 2).fold(Symbolic::one(), |power, _| power * &square);
+                let power = if n % 2 == 1 { even * &x } else { even };
+                sum + whole(&c) * power
+            })
+        };
+        put_in(&num).checked_div(&put_in(&den))
     }
 
     /// The roots that are rational functions, of a polynomial of degree two whose discriminant is a square.
@@ -220,6 +247,10 @@ pub(super) fn with_root<L: ImpactLaw>(
     value: &Symbolic,
 ) -> Outcome<Symbolic> {
     law.regimes::<Symbolic>()[applied.index].outcome(law, contact, value)
+}
+
+fn whole(p: &Poly) -> Symbolic {
+    Symbolic::new(p, &Poly::one()).expect("1 is not zero")
 }
 
 /// s with s² = f and a positive first coefficient, if there is one.

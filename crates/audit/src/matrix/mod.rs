@@ -18,6 +18,7 @@ mod property;
 mod sample;
 mod scale;
 mod setting;
+mod stopped;
 mod study;
 mod subdivision;
 mod visible;
@@ -33,6 +34,7 @@ pub use cell::{Cell, Finding, Said, Witness};
 pub use property::{Kind, PROPERTIES, Property, property, value};
 pub use sample::{Exact, contacts, resolve};
 pub use setting::{SYMBOLS_IN_WORDS, Setting, Symbolic};
+pub use stopped::Stop;
 pub use study::Part;
 pub use visible::{Condition, Ranges, negated};
 

@@ -9,6 +9,7 @@ use super::cell::{Cell, Witness};
 use super::conjugate::approach;
 use super::sample::resolve;
 use super::setting::{ROOTS, Setting, Symbolic};
+use super::stopped;
 use super::study::{Family, Part, Question, impossible, locate};
 use super::visible::{Condition, negated};
 
@@ -32,27 +33,38 @@ pub(crate) fn exists<L: ImpactLaw>(
     let mut parts = Vec::new();
     for family in families {
         // one open goal is enough
-        if let Err(why) = in_family(family, &mut parts) {
+        if let Err(why) = in_family(law, family, &mut parts) {
             return Cell::from_parts(parts, vec![format!("{}, {why}", family.setting.name())]);
         }
     }
     Cell::from_parts(parts, Vec::new())
 }
 
-fn in_family(family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
+fn in_family<L: ImpactLaw>(law: &L, family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
     if let Some(rest) = &family.rest {
         let claim = "some regime applies";
         let found = impossible(family, rest, "none".to_owned(), claim);
         parts.push(found.map_err(|why| format!("{claim}: {why}"))?);
     }
-    for regime in &family.regimes {
-        for (claim, premises, conclusion) in obligations(family, regime) {
-            let question = family.question(regime, Vec::new(), conclusion, claim.clone());
-            let found = question.on(&premises);
-            parts.push(found.map_err(|why| format!("\"{}\", {claim}: {why}", regime.name))?);
-        }
+    for regime in 0..family.regimes.len() {
+        let mut directly = |family: &Family, index| in_regime(family, index);
+        let found =
+            stopped::each(law, family, regime, &mut directly).or_else(|_| directly(family, regime));
+        parts.extend(found?);
     }
     Ok(())
+}
+
+fn in_regime(family: &Family, index: usize) -> Result<Vec<Part>, String> {
+    let regime = &family.regimes[index];
+    let asked = obligations(family, regime).into_iter();
+    asked
+        .map(|(claim, premises, conclusion)| {
+            let question = family.question(regime, Vec::new(), conclusion, claim.clone());
+            let found = question.on(&premises);
+            found.map_err(|why| format!("\"{}\", {claim}: {why}", regime.name))
+        })
+        .collect()
 }
 
 /// What must hold for a regime to have an outcome: the claim, on which premises, and the relation.

@@ -11,6 +11,7 @@ use super::outcome::proved;
 use super::property::Template;
 use super::sample::{Exact, resolve, violation};
 use super::setting::{Setting, Symbolic};
+use super::stopped;
 use super::study::{Family, Located, Part, contact_at, locate};
 
 /// Decides a pointwise property: a witness among simple contacts, or a proof in every regime.
@@ -50,7 +51,7 @@ pub(crate) fn decide<L: ImpactLaw>(
         if covered && family.setting.approaches() {
             continue;
         }
-        let Err(open) = in_family(family, template, &mut parts) else { continue };
+        let Err(open) = in_family(law, family, template, &mut parts) else { continue };
         if family.setting.approaches()
             && !stands_turned
             && let Ok(found) = conjugate()
@@ -73,28 +74,45 @@ struct Open {
 }
 
 /// Proofs in every regime of a family.
-fn in_family(family: &Family, template: &Template, parts: &mut Vec<Part>) -> Result<(), Open> {
-    for (index, regime) in family.regimes.iter().enumerate() {
-        let outcome = match &family.solved[index] {
-            Some((outcome, part)) => {
-                parts.push(part.clone());
-                outcome
-            }
-            None => &regime.outcome,
-        };
-        // each of two summands, where the sum itself is too much
-        let found = prove(family, index, outcome, template).or_else(|why| {
-            let summands = template.summands().ok_or_else(|| why.clone())?;
-            prove(family, index, outcome, &summands).map_err(|_| why)
-        });
-        let resting = template.is_of_energy() && !family.setting.approaches();
-        let found = match found {
-            Err(why) if resting => conjugate::regime(family, index).map_err(|_| why),
-            found => found,
-        };
-        parts.extend(found.map_err(|why| Open { regime: index, why })?);
+fn in_family<L: ImpactLaw>(
+    law: &L,
+    family: &Family,
+    template: &Template,
+    parts: &mut Vec<Part>,
+) -> Result<(), Open> {
+    for regime in 0..family.regimes.len() {
+        let mut directly = |family: &Family, index| in_regime(family, index, template);
+        let found =
+            stopped::each(law, family, regime, &mut directly).or_else(|_| directly(family, regime));
+        parts.extend(found.map_err(|why| Open { regime, why })?);
     }
     Ok(())
+}
+
+fn in_regime(family: &Family, index: usize, template: &Template) -> Result<Vec<Part>, String> {
+    let (outcome, solved) = match &family.solved[index] {
+        Some((outcome, part)) => (outcome, Some(part)),
+        None => (&family.regimes[index].outcome, None),
+    };
+    if matches!(family.setting, Setting::Stopped(_))
+        && template.is_of_energy()
+        && let Ok(parts) = stopped::energy(family, index)
+    {
+        return Ok(parts);
+    }
+    // each of two summands, where the sum itself is too much
+    let found = prove(family, index, outcome, template).or_else(|why| {
+        let summands = template.summands().ok_or_else(|| why.clone())?;
+        prove(family, index, outcome, &summands).map_err(|_| why)
+    });
+    let resting = matches!(family.setting, Setting::RestingSphere | Setting::Resting);
+    let found = match found {
+        Err(why) if resting && template.is_of_energy() => {
+            conjugate::regime(family, index).map_err(|_| why)
+        }
+        found => found,
+    };
+    Ok([solved.into_iter().cloned().collect(), found?].concat())
 }
 
 /// A witness that the kernel accepts.

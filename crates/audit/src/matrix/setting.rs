@@ -18,6 +18,8 @@ use kane_kernel::{Bound, Context, Var};
 use kane_number::{Number, Rational};
 use num_traits::{Signed as _, Zero as _};
 
+use super::stopped::Stop;
+
 /// A number in symbols.
 pub type Symbolic = RationalFunction;
 
@@ -66,6 +68,8 @@ pub enum Setting {
         /// of q
         slip: Ordering,
     },
+    /// W_tn ≠ 0, v > 0, a > 0, mu > 0, and the slip stops
+    Stopped(Stop),
 }
 
 impl Setting {
@@ -78,6 +82,7 @@ impl Setting {
             Self::Braking => "W_tn < 0",
             Self::RestingSphere => "W_tn = 0, v = 0",
             Self::Resting => "W_tn > 0, v = 0",
+            Self::Stopped(stop) => stop.name(),
             Self::Seen { coupling, slip } => match (coupling, slip) {
                 (Ordering::Greater, Ordering::Greater) => "W_tn > 0, q > 0",
                 (Ordering::Greater, Ordering::Equal) => "W_tn > 0, q = 0",
@@ -110,9 +115,11 @@ impl Setting {
         let end = |value: i64, strict| {
             Some(Bound { value: Rational::from_integer(value.into()), strict })
         };
-        let weak = match self {
-            Self::RestingSphere => &[MU, GAMMA][..],
-            _ => &[],
+        let (renamed, weak) = match self {
+            Self::RestingSphere => (Vec::new(), vec![MU, GAMMA]),
+            Self::Seen { .. } => (vec![(V, "q")], Vec::new()),
+            Self::Stopped(stop) => stop.symbols(),
+            _ => (Vec::new(), Vec::new()),
         };
         let vars = NAMES.iter().enumerate().map(|(index, &name)| {
             let (lower, upper) = match index {
@@ -120,7 +127,7 @@ impl Setting {
                 index if ROOTS.contains(&index) => (None, None),
                 index => (end(0, !weak.contains(&index)), None),
             };
-            let name = if index == V && matches!(self, Self::Seen { .. }) { "q" } else { name };
+            let name = renamed.iter().rev().find(|r| r.0 == index).map_or(name, |r| r.1);
             Var { name: name.into(), of: None, lower, upper }
         });
         Context { vars: vars.collect(), ..Context::default() }
@@ -152,6 +159,7 @@ impl Setting {
                 Delassus::unchecked(d, <Symbolic as Number>::zero(), w),
             ),
             Self::Resting => (<Symbolic as Number>::zero(), gamma, coupled(nu)),
+            Self::Stopped(stop) => return stop.contact(),
             Self::Seen { coupling, slip } => {
                 let signed = |sign: Ordering, x: Symbolic| match sign {
                     Ordering::Greater => x,
@@ -180,7 +188,7 @@ impl Setting {
             Self::RestingSphere => w.tn().is_zero() && v.is_zero(),
             Self::Resting => w.tn().is_positive() && v.is_zero(),
             // nothing is looked for there
-            Self::Seen { .. } => false,
+            Self::Seen { .. } | Self::Stopped(_) => false,
         };
         let known = self == Self::RestingSphere || (mu.is_positive() && closing.is_positive());
         if !inside || !known {
@@ -196,7 +204,11 @@ impl Setting {
         match self {
             Self::Sphere => values.push((ALPHA, contact.alpha()?)),
             Self::RestingSphere => values.push((D, w.tt().clone())),
-            Self::Driving | Self::Braking | Self::Resting | Self::Seen { .. } => {
+            Self::Driving
+            | Self::Braking
+            | Self::Resting
+            | Self::Seen { .. }
+            | Self::Stopped(_) => {
                 let nu = mu * w.tn().abs() / w.nn();
                 values.push((D, mu * mu * w.tt() / w.nn() - &nu * &nu));
                 values.push((NU, nu));

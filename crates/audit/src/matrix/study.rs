@@ -105,6 +105,8 @@ pub(crate) struct Family {
     pub(crate) regimes: Vec<Applied>,
     /// the contact as the law sees it, where that is another
     pub(crate) seen: Option<Frame<Symbolic>>,
+    /// its contacts as a process sees them, once somebody needed that
+    pub(crate) stopped: OnceCell<Vec<Self>>,
     /// what is asked beyond the ranges of the symbols
     pub(crate) asked: Vec<Premise>,
     /// holds where no regime is taken, if that may be
@@ -252,6 +254,7 @@ impl Family {
             rest,
             solved,
             lemmas,
+            stopped: OnceCell::new(),
         };
         family.solved = family.regimes.iter().map(|regime| family.solve(law, regime)).collect();
         family
