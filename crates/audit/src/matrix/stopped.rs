@@ -251,3 +251,111 @@ pub(crate) fn energy(family: &Family, index: usize) -> Result<Vec<Part>, String>
     }
     Ok(parts)
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_number::Rational;
+    use num_traits::{Signed as _, Zero as _};
+
+    use super::*;
+    use crate::matrix::contacts;
+
+    const KINDS: [Stop; 7] = [
+        Stop::DrivingInCompression,
+        Stop::Jamming,
+        Stop::DrivingInRestitution,
+        Stop::SticksInCompression,
+        Stop::SticksInRestitution,
+        Stop::ReversesInCompression,
+        Stop::ReversesInRestitution,
+    ];
+
+    /// The symbols of a contact as the page says, whether they are in range or not.
+    fn values(stop: Stop, c: &Contact<Rational>) -> Option<Vec<Rational>> {
+        let (w, mu, e, a) = (c.delassus(), c.friction(), c.restitution(), c.approach());
+        let slowing = mu * w.tt() - w.tn();
+        let apart = w.nn() - mu * w.tn();
+        let p = c.slip() / &slowing;
+        let at_stop = &apart * &p - a;
+        let jams = stop == Stop::Jamming;
+        let mut values = vec![Rational::zero(); 12];
+        values[T] = w.tt().clone();
+        values[MU] = mu.clone();
+        values[NU] = w.tn().abs();
+        values[D] = if jams { -apart.clone() } else { w.determinant() };
+        values[E] = e.clone();
+        values[R] = if jams { w.determinant() / w.tt() } else { apart.clone() };
+        values[S] = match stop {
+            _ if w.tn().is_positive() => slowing,
+            Stop::SticksInCompression | Stop::SticksInRestitution => mu * w.tt() + w.tn(),
+            _ => -(mu * w.tt() + w.tn()),
+        };
+        (values[P], values[U]) = if stop.in_restitution() {
+            (e * a - &at_stop, at_stop)
+        } else {
+            (p, if jams { a.clone() } else { -at_stop })
+        };
+        if stop.in_restitution() {
+            values[stop.lost()] = a - e * a;
+        }
+        let driving = [Stop::DrivingInCompression, Stop::Jamming, Stop::DrivingInRestitution];
+        (driving.contains(&stop) == w.tn().is_positive()).then_some(values)
+    }
+
+    /// Two ways: the symbols of a contact give it back, and of the kinds one alone has them in range.
+    #[test]
+    fn every_contact_on_which_the_slip_stops_is_of_one_kind() {
+        let mut seen = [0; KINDS.len()];
+        for contact in contacts(&[Setting::Driving, Setting::Braking]) {
+            let (mu, w) = (contact.friction(), contact.delassus());
+            let slowing = mu * w.tt() - w.tn();
+            let lasting = contact.slip() * (w.nn() - mu * w.tn()) - contact.closing() * &slowing;
+            let stops = slowing.is_positive() && lasting.is_negative();
+            let mut kinds = Vec::new();
+            for (index, stop) in KINDS.into_iter().enumerate().filter(|_| stops) {
+                let Some(values) = values(stop, &contact) else { continue };
+                let symbolic = stop.contact();
+                let entries = |c: &Contact<Symbolic>| {
+                    let w = c.delassus();
+                    [c.slip(), c.approach(), w.tt(), w.tn(), w.nn(), c.friction(), c.restitution()]
+                        .map(|x| x.eval(&values))
+                };
+                let mentioned: Vec<usize> = [
+                    symbolic.slip(),
+                    symbolic.approach(),
+                    symbolic.delassus().tt(),
+                    symbolic.delassus().nn(),
+                    symbolic.friction(),
+                    symbolic.restitution(),
+                ]
+                .iter()
+                .flat_map(|x| x.symbols())
+                .collect();
+                let weak = stop.symbols().1;
+                let in_range = mentioned.iter().all(|v| match values[*v].is_zero() {
+                    true => weak.contains(v) || *v == E,
+                    false => values[*v].is_positive(),
+                });
+                if !in_range {
+                    continue;
+                }
+                let w = contact.delassus();
+                let expected = [
+                    contact.slip(),
+                    contact.approach(),
+                    w.tt(),
+                    w.tn(),
+                    w.nn(),
+                    contact.friction(),
+                    contact.restitution(),
+                ]
+                .map(|x| Some(x.clone()));
+                assert_eq!(entries(&symbolic), expected, "{stop:?}");
+                kinds.push(index);
+            }
+            assert_eq!(kinds.len(), usize::from(stops), "{contact:?}: {kinds:?}");
+            kinds.iter().for_each(|kind| seen[*kind] += 1);
+        }
+        assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+    }
+}
