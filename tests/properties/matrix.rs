@@ -9,8 +9,11 @@ use std::collections::BTreeMap;
 
 use kane::audit::matrix::{Finding, PROPERTIES, Row, row};
 use kane::kernel::{Certificate, Evidence, Fuel, Proof, check};
-use kane_impact::laws::{LawVisitor, visit_laws};
-use kane_impact::{Contact, Guard, ImpactLaw, Impulse, NoImpulse, Outcome, Regime, Relation};
+use kane_impact::bodies::Direction;
+use kane_impact::laws::{ChatterjeeRuina, LawVisitor, LougeAdams, visit_laws};
+use kane_impact::{
+    Contact, Frame, Guard, ImpactLaw, Impulse, NoImpulse, Outcome, Regime, Relation,
+};
 use kane_number::{Algebraic, Number, Rational};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -307,6 +310,90 @@ fn planted_faults_are_refuted_where_they_are() {
     }
     for id in ["cone-sphere", "cone", "scale", "unique"] {
         assert_eq!(finding(&row, id), Finding::Proved, "{id}");
+    }
+}
+
+/// A push along a normal of its own, four times as strong where the slip there exceeds the approach.
+#[derive(Clone)]
+struct PlantedJump(Direction<Rational>);
+
+impl ImpactLaw for PlantedJump {
+    fn id(&self) -> &'static str {
+        "planted-jump"
+    }
+
+    fn source(&self) -> &'static str {
+        "a fault"
+    }
+
+    fn statement(&self) -> &'static str {
+        "i_x = 0"
+    }
+
+    fn frame<N: Number>(&self, contact: &Contact<N>) -> Option<Frame<N>> {
+        let turn = self.0.map(N::from_rational);
+        Some(Frame { contact: contact.turned(&turn), turn })
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        None
+    }
+
+    fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
+        fn push<N: Number>(law: &PlantedJump, contact: &Contact<N>, times: N) -> Impulse<N> {
+            let Frame { turn, contact } = law.frame(contact).expect("it has one");
+            let normal = contact.closing() / contact.delassus().nn() * times;
+            Impulse { tangential: N::zero(), normal }.turned(&turn.mirrored())
+        }
+        const {
+            &[
+                Regime {
+                    name: "slow",
+                    guards: const {
+                        &[Guard {
+                            quantity: |law: &Self, contact: &Contact<N>| {
+                                let seen = law.frame(contact).expect("it has one").contact;
+                                seen.approach().clone() - seen.slip()
+                            },
+                            relation: Relation::NotNegative,
+                        }]
+                    },
+                    root: None,
+                    impulse: |law, contact, _| push(law, contact, N::one()),
+                    slip: None,
+                    work: None,
+                },
+                Regime {
+                    name: "fast",
+                    guards: &[],
+                    root: None,
+                    impulse: |law, contact, _| push(law, contact, N::one().double().double()),
+                    slip: None,
+                    work: None,
+                },
+            ]
+        }
+    }
+}
+
+#[test]
+fn a_jump_in_a_frame_of_the_law_s_own_is_not_called_unique() {
+    let law = PlantedJump(Direction::of_half_tangent(&rational(1, 10)));
+    let unique = PROPERTIES.iter().filter(|property| property.id == "unique");
+    let row = row(&law, &unique.collect::<Vec<_>>(), &mut || {});
+    assert_eq!(row.cells[0].finding, Finding::Undecided);
+}
+
+#[test]
+fn a_law_that_creates_energy_in_its_own_frame_is_refuted_there() {
+    let energy: Vec<_> =
+        PROPERTIES.iter().filter(|p| ["energy-sphere", "energy"].contains(&p.id)).collect();
+    let (restitution, tilt) = (rational(2, 1), rational(1, 10));
+    let turned = LougeAdams { tilt, restitution: restitution.clone() };
+    let plain = ChatterjeeRuina { restitution };
+    for row in [row(&turned, &energy, &mut || {}), row(&plain, &energy, &mut || {})] {
+        let findings: Vec<_> = row.cells.iter().map(|cell| cell.finding).collect();
+        assert_eq!(findings, [Finding::Refuted; 2], "{}", row.id);
     }
 }
 

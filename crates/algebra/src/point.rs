@@ -92,26 +92,26 @@ pub fn theta() -> Uni<Q> {
 /// Replaces variables by rational values: Dⁿ·p(values), a positive multiple.
 #[must_use]
 pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
-    let mut out: Vec<(kane_kernel::Monomial, Q)> = Vec::new();
+    // n^k·d^(N−k) for the k-th power of n/d in a polynomial of degree N
+    let powers: Vec<(usize, Vec<BigInt>)> = values
+        .iter()
+        .map(|(v, q)| {
+            let degree = p.degree(*v);
+            let power = |k| q.numer().pow(k) * q.denom().pow(degree - k);
+            (*v, (0..=degree).map(power).collect())
+        })
+        .collect();
+    let mut poly = Poly::default();
     for (m, c) in p.terms() {
-        let mut coefficient = Q::from_integer(c.clone());
-        let mut rest = Vec::new();
-        for &(v, n) in m {
-            match values.iter().find(|x| x.0 == v) {
-                Some((_, q)) => {
-                    let n = i32::try_from(n).unwrap_or(i32::MAX);
-                    coefficient *= q.pow(n);
-                }
-                None => rest.push((v, n)),
+        let mut coefficient = c.clone();
+        for (v, of) in &powers {
+            let power = &of[kane_kernel::exponent(m, *v) as usize];
+            if !power.is_one() {
+                coefficient *= power;
             }
         }
-        out.push((rest, coefficient));
-    }
-    let common =
-        out.iter().fold(BigInt::one(), |l, (_, q)| num_integer::Integer::lcm(&l, q.denom()));
-    let mut poly = Poly::default();
-    for (m, q) in out {
-        poly.add_term(m, q.numer() * (&common / q.denom()));
+        let rest = m.iter().filter(|(v, _)| powers.iter().all(|x| x.0 != *v));
+        poly.add_term(rest.copied().collect(), coefficient);
     }
     poly
 }

@@ -12,8 +12,8 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use polycore::Order;
 use thiserror::Error;
-use zippel_gcd::Frac;
 
+use crate::fraction::Fraction;
 use crate::ring;
 use crate::syntax::Notation;
 
@@ -45,7 +45,7 @@ type Foreign = polycore::Poly<Rational>;
 #[derive(Clone, Debug)]
 pub struct RationalFunction {
     /// symbol i is variable i
-    value: Frac,
+    value: Fraction,
     /// none of these vanishes; the denominator divides a product of them
     conditions: BTreeSet<Poly>,
 }
@@ -75,14 +75,14 @@ impl RationalFunction {
     /// num/den in lowest terms, provided den ≠ 0; `None` if den is the zero polynomial.
     #[must_use]
     pub fn new(num: &Poly, den: &Poly) -> Option<Self> {
-        let value = Frac::new(outward(num), outward(den))?;
-        Self::from(value).provided(den)
+        let value = Fraction::new(outward(num), outward(den))?;
+        Self::of(value).provided(den)
     }
 
     /// The symbol at this index of the context.
     #[must_use]
     pub fn symbol(index: usize) -> Self {
-        Frac::from(Foreign::var(index, index + 1, Order::GRevLex)).into()
+        Self::of(Foreign::var(index, index + 1, Order::GRevLex).into())
     }
 
     /// What an expression says, definitions and derivatives expanded. Undefined functions count as
@@ -162,7 +162,7 @@ impl RationalFunction {
     #[must_use]
     pub fn powi(&self, n: i32) -> Option<Self> {
         let power = |p: &Foreign| p.pow(n.unsigned_abs());
-        let value = Frac::new(power(self.value.num()), power(self.value.den()))?;
+        let value = Fraction::new(power(self.value.num()), power(self.value.den()))?;
         let power = Self { value, conditions: self.conditions.clone() };
         if n < 0 { Self::one().checked_div(&power) } else { Some(power) }
     }
@@ -176,7 +176,7 @@ impl RationalFunction {
             if x < p.nvars { p.derivative(x) } else { Foreign::zero(p.nvars, p.order.clone()) }
         };
         let top = &(&by_x(n) * d) - &(n * &by_x(d));
-        let value = Frac::new(top, d * d).expect("a denominator is not zero");
+        let value = Fraction::new(top, d * d).expect("a denominator is not zero");
         Self { value, conditions: self.conditions.clone() }
     }
 
@@ -242,6 +242,14 @@ impl RationalFunction {
         }
     }
 
+    /// The function n/d, provided d ≠ 0.
+    fn of(value: Fraction) -> Self {
+        let (den, _) = inward(value.den());
+        let conditions = BTreeSet::from([signed(&den)]);
+        let conditions = conditions.into_iter().filter(|d| d.as_constant().is_none()).collect();
+        Self { value, conditions }
+    }
+
     fn with_conditions_of(mut self, other: &Self) -> Self {
         self.conditions.extend(other.conditions.iter().cloned());
         self
@@ -256,19 +264,9 @@ pub fn non_zero(conditions: &[Poly]) -> Vec<Relation> {
     conditions.iter().map(relation).collect()
 }
 
-impl From<Frac> for RationalFunction {
-    /// The function n/d, provided d ≠ 0.
-    fn from(value: Frac) -> Self {
-        let (den, _) = inward(value.den());
-        let conditions = BTreeSet::from([signed(&den)]);
-        let conditions = conditions.into_iter().filter(|d| d.as_constant().is_none()).collect();
-        Self { value, conditions }
-    }
-}
-
 impl From<Rational> for RationalFunction {
     fn from(constant: Rational) -> Self {
-        Frac::from(constant).into()
+        Self::of(constant.into())
     }
 }
 
@@ -351,11 +349,11 @@ impl Number for RationalFunction {
     }
 
     fn zero() -> Self {
-        Frac::zero().into()
+        <Rational as Zero>::zero().into()
     }
 
     fn one() -> Self {
-        Frac::one().into()
+        <Rational as One>::one().into()
     }
 
     fn from_rational(exact: &Rational) -> Self {

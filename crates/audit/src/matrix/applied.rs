@@ -30,6 +30,12 @@ impl Premise {
         let sentence = Sentence { when, links: vec![Link::Relation(link)] };
         Self { label: label.into(), hypothesis: Hypothesis { sentence, given: true } }
     }
+
+    /// Whether it is an equation.
+    pub(super) fn is_equation(&self) -> bool {
+        let of = |link: &Link| matches!(link, Link::Relation(Relation { rel: Rel::Eq, .. }));
+        self.hypothesis.sentence.links.iter().any(of)
+    }
 }
 
 /// A regime of a law at a contact in symbols: where it is taken, and what follows.
@@ -87,6 +93,27 @@ impl RootOf {
         Some(out)
     }
 
+    /// The same value with x² put in above and below, where the root's equation is one in x² and the value
+    /// has such a power.
+    #[must_use]
+    pub fn reduced(&self, value: &Symbolic) -> Option<Symbolic> {
+        let [c, b, a] = &self.coefficients[..] else { return None };
+        let (num, den) = value.fraction();
+        if !b.is_zero() || num.degree(self.symbol).max(den.degree(self.symbol)) < 2 {
+            return None;
+        }
+        let (x, square) = (Symbolic::symbol(self.symbol), -c.clone() / a);
+        let put_in = |p: &Poly| {
+            let terms = p.coefficients(self.symbol).into_iter().enumerate();
+            terms.fold(Symbolic::zero(), |sum, (n, c)| {
+                let even = (0..n / 2).fold(Symbolic::one(), |power, _| power * &square);
+                let power = if n % 2 == 1 { even * &x } else { even };
+                sum + whole(&c) * power
+            })
+        };
+        put_in(&num).checked_div(&put_in(&den))
+    }
+
     /// The roots that are rational functions, of a polynomial of degree two whose discriminant is a square.
     #[must_use]
     pub fn rational(&self) -> Vec<Symbolic> {
@@ -140,15 +167,30 @@ pub fn apply<L: ImpactLaw>(
     ranges: &Ranges,
     root: usize,
 ) -> (Vec<Applied>, Option<Vec<Premise>>) {
+    let all = 0..law.regimes::<Symbolic>().len();
+    apply_some(law, contact, ranges, root, all)
+}
+
+/// The same for some of its regimes, without those after them.
+pub(super) fn apply_some<L: ImpactLaw>(
+    law: &L,
+    contact: &Contact<Symbolic>,
+    ranges: &Ranges,
+    root: usize,
+    wanted: std::ops::Range<usize>,
+) -> (Vec<Applied>, Option<Vec<Premise>>) {
     let mut out = Vec::new();
     let mut passed: Vec<Premise> = Vec::new();
-    for (index, regime) in law.regimes::<Symbolic>().iter().enumerate() {
+    for (index, regime) in law.regimes::<Symbolic>().iter().enumerate().take(wanted.end) {
         let Some(mine) = guards(law, regime.guards, contact, ranges) else { continue };
         let label = |what: &str| format!("{what} \"{}\"", regime.name);
-        let mut premises: Vec<Premise> =
-            mine.iter().map(|g| Premise::new(label("guard of"), Vec::new(), g.clone())).collect();
-        premises.extend(passed.iter().cloned());
-        if let Some(applied) = one(law, regime, contact, ranges, (index, root), premises) {
+        let premises = || -> Vec<Premise> {
+            let own = mine.iter().map(|g| Premise::new(label("guard of"), Vec::new(), g.clone()));
+            own.chain(passed.iter().cloned()).collect()
+        };
+        if wanted.contains(&index)
+            && let Some(applied) = one(law, regime, contact, ranges, (index, root), premises())
+        {
             out.push(Applied { guards: mine.clone(), ..applied });
         }
         let Some((last, others)) = mine.split_last() else { return (out, None) };
@@ -205,6 +247,10 @@ pub(super) fn with_root<L: ImpactLaw>(
     value: &Symbolic,
 ) -> Outcome<Symbolic> {
     law.regimes::<Symbolic>()[applied.index].outcome(law, contact, value)
+}
+
+fn whole(p: &Poly) -> Symbolic {
+    Symbolic::new(p, &Poly::one()).expect("1 is not zero")
 }
 
 /// s with s² = f and a positive first coefficient, if there is one.

@@ -10,6 +10,7 @@
 
 mod applied;
 mod cell;
+mod conjugate;
 mod limits;
 mod outcome;
 mod pointwise;
@@ -17,9 +18,12 @@ mod property;
 mod sample;
 mod scale;
 mod setting;
+mod stopped;
 mod study;
 mod subdivision;
 mod visible;
+
+use std::rc::Rc;
 
 use kane_impact::laws::{LawVisitor, law_ids, visit_laws};
 use kane_impact::{Contact, ImpactLaw};
@@ -30,11 +34,12 @@ pub use cell::{Cell, Finding, Said, Witness};
 pub use property::{Kind, PROPERTIES, Property, property, value};
 pub use sample::{Exact, contacts, resolve};
 pub use setting::{SYMBOLS_IN_WORDS, Setting, Symbolic};
+pub use stopped::Stop;
 pub use study::Part;
 pub use visible::{Condition, Ranges, negated};
 
 use property::Template;
-use study::Family;
+use study::{Family, Memo};
 
 /// A law and its cells.
 #[derive(Clone, Debug)]
@@ -86,7 +91,16 @@ pub fn row<L: ImpactLaw>(
     properties: &[&'static Property],
     progress: &mut dyn FnMut(),
 ) -> Row {
-    let families: Vec<Family> = FAMILIES.into_iter().map(|s| Family::new(law, s)).collect();
+    row_with(&Rc::default(), law, properties, progress)
+}
+
+fn row_with<L: ImpactLaw>(
+    memo: &Rc<Memo>,
+    law: &L,
+    properties: &[&'static Property],
+    progress: &mut dyn FnMut(),
+) -> Row {
+    let families: Vec<Family> = FAMILIES.into_iter().map(|s| Family::new(memo, law, s)).collect();
     let answer = |c: Contact<Rational>| {
         let outcome = resolve(law, &c).ok()?;
         Some((c, outcome))
@@ -137,7 +151,7 @@ fn decided<L: ImpactLaw>(
         Kind::Scale => scale::decide(law, &families[..3], answers),
         Kind::Subdivision => subdivision::decide(law, &families[0]),
         Kind::Exists(settings) => outcome::exists(law, families, settings, &contacts(settings)),
-        Kind::Unique => outcome::unique(&families[0]),
+        Kind::Unique => outcome::unique(law, &families[0]),
     }
 }
 
@@ -174,6 +188,7 @@ struct Build<'a> {
     selection: &'a Selection,
     properties: Vec<&'static Property>,
     rows: Vec<Row>,
+    memo: Rc<Memo>,
     done: usize,
     all: usize,
     progress: &'a mut dyn FnMut(usize, usize),
@@ -187,7 +202,7 @@ impl LawVisitor for Build<'_> {
         }
         let (done, all) = (&mut self.done, self.all);
         let progress = &mut *self.progress;
-        let row = row(law, &self.properties, &mut || {
+        let row = row_with(&self.memo, law, &self.properties, &mut || {
             *done += 1;
             progress(*done, all);
         });
@@ -201,7 +216,15 @@ pub fn matrix(selection: &Selection, progress: &mut dyn FnMut(usize, usize)) -> 
     let properties = selection.properties();
     let count = selection.laws.as_ref().map_or_else(|| law_ids().len(), Vec::len);
     let all = count * properties.len();
-    let mut build = Build { selection, properties, rows: Vec::new(), done: 0, all, progress };
+    let mut build = Build {
+        selection,
+        properties,
+        rows: Vec::new(),
+        memo: Rc::default(),
+        done: 0,
+        all,
+        progress,
+    };
     visit_laws(&mut build);
     Matrix { properties: build.properties, rows: build.rows }
 }

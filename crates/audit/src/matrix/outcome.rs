@@ -6,8 +6,10 @@ use kane_number::Rational;
 
 use super::applied::{ACCEPTED, Applied, Premise, ROOT, absurd};
 use super::cell::{Cell, Witness};
+use super::conjugate::approach;
 use super::sample::resolve;
 use super::setting::{ROOTS, Setting, Symbolic};
+use super::stopped;
 use super::study::{Family, Part, Question, impossible, locate};
 use super::visible::{Condition, negated};
 
@@ -31,27 +33,38 @@ pub(crate) fn exists<L: ImpactLaw>(
     let mut parts = Vec::new();
     for family in families {
         // one open goal is enough
-        if let Err(why) = in_family(family, &mut parts) {
+        if let Err(why) = in_family(law, family, &mut parts) {
             return Cell::from_parts(parts, vec![format!("{}, {why}", family.setting.name())]);
         }
     }
     Cell::from_parts(parts, Vec::new())
 }
 
-fn in_family(family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
+fn in_family<L: ImpactLaw>(law: &L, family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
     if let Some(rest) = &family.rest {
         let claim = "some regime applies";
         let found = impossible(family, rest, "none".to_owned(), claim);
         parts.push(found.map_err(|why| format!("{claim}: {why}"))?);
     }
-    for regime in &family.regimes {
-        for (claim, premises, conclusion) in obligations(family, regime) {
-            let question = family.question(regime, Vec::new(), conclusion, claim.clone());
-            let found = question.on(&premises);
-            parts.push(found.map_err(|why| format!("\"{}\", {claim}: {why}", regime.name))?);
-        }
+    for regime in 0..family.regimes.len() {
+        let mut directly = |family: &Family, index| in_regime(family, index);
+        let found =
+            stopped::each(law, family, regime, &mut directly).or_else(|_| directly(family, regime));
+        parts.extend(found?);
     }
     Ok(())
+}
+
+fn in_regime(family: &Family, index: usize) -> Result<Vec<Part>, String> {
+    let regime = &family.regimes[index];
+    let asked = obligations(family, regime).into_iter();
+    asked
+        .map(|(claim, premises, conclusion)| {
+            let question = family.question(regime, Vec::new(), conclusion, claim.clone());
+            let found = question.on(&premises);
+            found.map_err(|why| format!("\"{}\", {claim}: {why}", regime.name))
+        })
+        .collect()
 }
 
 /// What must hold for a regime to have an outcome: the claim, on which premises, and the relation.
@@ -122,6 +135,7 @@ fn silent<L: ImpactLaw>(law: &L, family: &Family, contact: &Contact<Rational>) -
         let rest = family.rest.as_ref()?;
         let values = values.into_iter().map(|(v, q)| (v, vec![q])).collect();
         let question = Question {
+            memo: &family.memo,
             context: &family.context,
             setting: family.setting.name(),
             regime: "none".to_owned(),
@@ -142,9 +156,29 @@ fn silent<L: ImpactLaw>(law: &L, family: &Family, contact: &Contact<Rational>) -
     Question { premises: &premises, ..question }.refute(located.point).ok()
 }
 
-/// Decides uniqueness on a family: one root a regime, and regimes that agree where they meet.
-pub(crate) fn unique(family: &Family) -> Cell {
+/// Decides uniqueness on a family; where a law stands in a frame of its own, as it sees contacts there.
+pub(crate) fn unique<L: ImpactLaw>(law: &L, family: &Family) -> Cell {
     let (mut parts, mut open) = (Vec::new(), Vec::new());
+    if family.seen.is_none() {
+        one_impulse(family, &mut parts, &mut open);
+        return Cell::from_parts(parts, open);
+    }
+    match approach(family) {
+        Ok(found) => parts.extend(found),
+        Err(why) => open.push(why),
+    }
+    for setting in Setting::seen() {
+        match Family::seen(&family.memo, law, setting) {
+            _ if !open.is_empty() => {}
+            Some(family) => one_impulse(&family, &mut parts, &mut open),
+            None => open.push("the law's frame depends on the contact".to_owned()),
+        }
+    }
+    Cell::from_parts(parts, open)
+}
+
+/// One root a regime, and regimes that agree where they meet.
+fn one_impulse(family: &Family, parts: &mut Vec<Part>, open: &mut Vec<String>) {
     for (index, regime) in family.regimes.iter().enumerate() {
         let Some(root) = &regime.root else { continue };
         if let Some((_, part)) = &family.solved[index] {
@@ -166,11 +200,10 @@ pub(crate) fn unique(family: &Family) -> Cell {
         for (second, there) in family.regimes.iter().enumerate().skip(first + 1) {
             // one open border is enough, and what cannot be proved takes longest
             if open.is_empty() {
-                border(family, (first, here), (second, there), &mut parts, &mut open);
+                border(family, (first, here), (second, there), parts, open);
             }
         }
     }
-    Cell::from_parts(parts, open)
 }
 
 /// Where a guard of the first regime that includes its border holds with equality, and the second
@@ -191,8 +224,9 @@ fn border(
     let roots = |r: &Applied| -> Vec<Premise> {
         r.premises.iter().filter(|p| p.label == ROOT || p.label == ACCEPTED).cloned().collect()
     };
-    for (number, guard) in here.guards.iter().enumerate() {
-        if !matches!(guard.rel, Rel::Ge | Rel::Le) {
+    'borders: for (number, guard) in here.guards.iter().enumerate() {
+        // beyond a guard that both ask, the second regime does not take over either
+        if !matches!(guard.rel, Rel::Ge | Rel::Le) || there.guards.contains(guard) {
             continue;
         }
         let mut premises = vec![Premise::new(
@@ -204,17 +238,21 @@ fn border(
         premises.extend(others.map(|(_, g)| Premise::new(label(here), Vec::new(), g.clone())));
         premises
             .extend(there.guards.iter().map(|g| Premise::new(label(there), Vec::new(), g.clone())));
+        premises.extend(family.asked.iter().cloned());
         premises.extend(roots(here));
         premises.extend(roots(there));
         for (index, between) in family.regimes[..second].iter().enumerate() {
             if index == first {
                 continue;
             }
-            // passed over, border included: the second regime is taken beyond, and so at, the border
-            let Some((last, others)) = between.guards.split_last() else { continue };
+            // passed over by a guard that the second regime does not ask too, border included: the second
+            // regime is taken beyond, and so at, the border
+            let own: Vec<Relation> =
+                between.guards.iter().filter(|g| !there.guards.contains(g)).cloned().collect();
+            let Some((last, others)) = own.split_last() else { continue 'borders };
             premises.push(Premise::new(
                 format!("passed over: \"{}\"", between.name),
-                others.to_vec(),
+                others.iter().map(|g| negated(&closed(negated(g)))).collect(),
                 closed(negated(last)),
             ));
         }
@@ -235,7 +273,10 @@ fn border(
             };
             match question.prove() {
                 Ok(part) => parts.push(part),
-                Err(why) => open.push(format!("the border of {names}: {why}")),
+                Err(why) => {
+                    let place = family.setting.name();
+                    open.push(format!("{place}, the border of {names}: {why}"));
+                }
             }
         }
     }

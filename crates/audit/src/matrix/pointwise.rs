@@ -6,10 +6,12 @@ use kane_number::Rational;
 
 use super::applied::Premise;
 use super::cell::{Cell, Witness};
+use super::conjugate;
 use super::outcome::proved;
 use super::property::Template;
 use super::sample::{Exact, resolve, violation};
 use super::setting::{Setting, Symbolic};
+use super::stopped;
 use super::study::{Family, Located, Part, contact_at, locate};
 
 /// Decides a pointwise property: a witness among simple contacts, or a proof in every regime.
@@ -31,35 +33,86 @@ pub(crate) fn decide<L: ImpactLaw>(
             }
         }
     }
-    let (mut parts, mut open) = (Vec::new(), Vec::new());
-    'all: for family in families {
-        for (index, regime) in family.regimes.iter().enumerate() {
-            let outcome = match &family.solved[index] {
-                Some((outcome, part)) => {
-                    parts.push(part.clone());
-                    outcome
-                }
-                None => &regime.outcome,
-            };
-            // each of two summands, where the sum itself is too much
-            let found = prove(family, index, outcome, template).or_else(|why| {
-                let summands = template.summands().ok_or_else(|| why.clone())?;
-                prove(family, index, outcome, &summands).map_err(|_| why)
-            });
-            match found {
-                Ok(found) => parts.extend(found),
-                Err(why) => {
-                    if let Some(cell) = search(law, family, index, template) {
-                        return cell;
-                    }
-                    // one is enough, and what cannot be proved takes longest
-                    open.push(why);
-                    break 'all;
-                }
-            }
+    let (approaching, resting): (Vec<&Family>, Vec<&Family>) =
+        families.iter().partition(|family| family.setting.approaches());
+    let conjugate = || match template.is_of_energy() && !approaching.is_empty() {
+        true => conjugate::energy(law, &approaching),
+        false => Err(String::new()),
+    };
+    // a frame of the law's own is the better one to ask in
+    let stands_turned = approaching.iter().any(|family| family.seen.is_some());
+    let early = if stands_turned { conjugate().ok() } else { None };
+    let (mut parts, rest) = match early {
+        Some(parts) => (parts, resting),
+        None => (Vec::new(), families),
+    };
+    let mut covered = false;
+    for family in rest {
+        if covered && family.setting.approaches() {
+            continue;
         }
+        let Err(open) = in_family(law, family, template, &mut parts) else { continue };
+        if family.setting.approaches()
+            && !stands_turned
+            && let Ok(found) = conjugate()
+        {
+            parts.extend(found);
+            covered = true;
+            continue;
+        }
+        // one that is open is enough, and what cannot be proved takes longest
+        let found = search(law, family, open.regime, template);
+        return found.unwrap_or_else(|| Cell::undecided(open.why));
     }
-    Cell::from_parts(parts, open)
+    Cell::from_parts(parts, Vec::new())
+}
+
+/// A regime without a proof.
+struct Open {
+    regime: usize,
+    why: String,
+}
+
+/// Proofs in every regime of a family.
+fn in_family<L: ImpactLaw>(
+    law: &L,
+    family: &Family,
+    template: &Template,
+    parts: &mut Vec<Part>,
+) -> Result<(), Open> {
+    for regime in 0..family.regimes.len() {
+        let mut directly = |family: &Family, index| in_regime(family, index, template);
+        let found =
+            stopped::each(law, family, regime, &mut directly).or_else(|_| directly(family, regime));
+        parts.extend(found.map_err(|why| Open { regime, why })?);
+    }
+    Ok(())
+}
+
+fn in_regime(family: &Family, index: usize, template: &Template) -> Result<Vec<Part>, String> {
+    let (outcome, solved) = match &family.solved[index] {
+        Some((outcome, part)) => (outcome, Some(part)),
+        None => (&family.regimes[index].outcome, None),
+    };
+    if matches!(family.setting, Setting::Stopped(_))
+        && template.is_of_energy()
+        && let Ok(parts) = stopped::energy(family, index)
+    {
+        return Ok(parts);
+    }
+    // each of two summands, where the sum itself is too much
+    let found = prove(family, index, outcome, template).or_else(|why| {
+        let summands = template.summands().ok_or_else(|| why.clone())?;
+        prove(family, index, outcome, &summands).map_err(|_| why)
+    });
+    let resting = matches!(family.setting, Setting::RestingSphere | Setting::Resting);
+    let found = match found {
+        Err(why) if resting && template.is_of_energy() => {
+            conjugate::regime(family, index).map_err(|_| why)
+        }
+        found => found,
+    };
+    Ok([solved.into_iter().cloned().collect(), found?].concat())
 }
 
 /// A witness that the kernel accepts.

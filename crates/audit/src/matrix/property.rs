@@ -59,6 +59,9 @@ const ALL_PLANAR: &[Setting] = &[
 const UNCOUPLED: &str = "contacts that do not couple, W_tn = 0";
 const EVERY: &str = "every planar contact";
 
+/// The collision creates no energy.
+const NO_ENERGY_CREATED: &str = "E_t + E_n <= 0";
+
 /// All properties, in the order of the columns.
 pub const PROPERTIES: [Property; 19] = [
     Property {
@@ -140,7 +143,7 @@ pub const PROPERTIES: [Property; 19] = [
         head: "E",
         name: "total energy, sphere",
         domain: UNCOUPLED,
-        template: "E_t + E_n <= 0",
+        template: NO_ENERGY_CREATED,
         meaning: "The collision creates no energy, for 0 <= e <= 1.",
         kind: Kind::Pointwise(ALL_SPHERES),
     },
@@ -149,7 +152,7 @@ pub const PROPERTIES: [Property; 19] = [
         head: "E*",
         name: "total energy, every contact",
         domain: EVERY,
-        template: "E_t + E_n <= 0",
+        template: NO_ENERGY_CREATED,
         meaning: "The collision creates no energy, for 0 <= e <= 1 and every symmetric positive definite W.",
         kind: Kind::Pointwise(ALL_PLANAR),
     },
@@ -307,6 +310,11 @@ impl Template {
         }
         let sentence = parse_sentence(text, &scope).expect("the template is well formed");
         Self { sentence, scope }
+    }
+
+    /// Whether it is that no energy is created.
+    pub(crate) fn is_of_energy(&self) -> bool {
+        self.sentence == Self::new(NO_ENERGY_CREATED).sentence
     }
 
     /// For «a + b compared with 0» the same of a and of b, which together say more.

@@ -1,11 +1,13 @@
 //! A law's code on symbols, and what is proved or refuted of it.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use kane_impact::{Contact, ImpactLaw, Outcome};
+use kane_impact::{Contact, Frame, ImpactLaw, Outcome};
 use kane_kernel::{
     Certificate, Conclusion, Context, Evidence, Goal, Link, Model, Point, Rel, Relation,
-    Root as KernelRoot,
+    Root as KernelRoot, digest,
 };
 use kane_number::{Algebraic, Rational};
 use num_traits::{One as _, Zero as _};
@@ -28,6 +30,37 @@ const BUDGET: Budget = Budget {
 };
 /// The same with the tactics that take long, where all variables are few.
 const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };
+
+/// What was asked before, and the answers: laws that say the same share their proofs.
+#[derive(Debug, Default)]
+pub(crate) struct Memo(RefCell<BTreeMap<(u128, Search), Answer>>);
+
+/// A certificate that the kernel accepted, or why there is none.
+type Answer = Result<Certificate, String>;
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Search {
+    Proof,
+    ThoroughProof,
+    Witness,
+}
+
+impl Memo {
+    fn answer(&self, goal: &Goal, search: Search) -> Answer {
+        let key = (digest(goal), search);
+        if let Some(known) = self.0.borrow().get(&key) {
+            return known.clone();
+        }
+        let answer = match search {
+            Search::Proof => prove_goal(goal, BUDGET),
+            Search::ThoroughProof => prove_goal(goal, THOROUGH),
+            Search::Witness => find_witness(goal, BUDGET).ok_or_else(String::new),
+        };
+        self.0.borrow_mut().insert(key, answer.clone());
+        answer
+    }
+}
 
 /// One goal that the kernel was asked, and its answer.
 #[derive(Clone, Debug)]
@@ -64,11 +97,18 @@ impl Part {
 
 /// A law on one family of contacts.
 pub(crate) struct Family {
+    pub(crate) memo: Rc<Memo>,
     pub(crate) setting: Setting,
     pub(crate) context: Context,
     pub(crate) contact: Contact<Symbolic>,
     pub(crate) ranges: Ranges,
     pub(crate) regimes: Vec<Applied>,
+    /// the contact as the law sees it, where that is another
+    pub(crate) seen: Option<Frame<Symbolic>>,
+    /// its contacts as a process sees them, once somebody needed that
+    pub(crate) stopped: OnceCell<Vec<Self>>,
+    /// what is asked beyond the ranges of the symbols
+    pub(crate) asked: Vec<Premise>,
     /// holds where no regime is taken, if that may be
     pub(crate) rest: Option<Vec<Premise>>,
     /// per regime: the root as a rational function, with its proof
@@ -79,6 +119,7 @@ pub(crate) struct Family {
 
 /// A question about a regime.
 pub(crate) struct Question<'a> {
+    pub(crate) memo: &'a Memo,
     pub(crate) context: &'a Context,
     pub(crate) setting: &'static str,
     pub(crate) regime: String,
@@ -125,7 +166,7 @@ impl Question<'_> {
     /// A proof that the kernel accepted.
     pub(crate) fn prove(&self) -> Result<Part, String> {
         let goal = self.goal();
-        let certificate = prove_goal(&goal, BUDGET)?;
+        let certificate = self.memo.answer(&goal, Search::Proof)?;
         Ok(self.part(goal, certificate))
     }
 
@@ -133,7 +174,7 @@ impl Question<'_> {
     pub(crate) fn prove_patiently(&self) -> Result<Part, String> {
         self.prove().or_else(|_| {
             let goal = self.goal();
-            let certificate = prove_goal(&goal, THOROUGH)?;
+            let certificate = self.memo.answer(&goal, Search::ThoroughProof)?;
             Ok(self.part(goal, certificate))
         })
     }
@@ -141,7 +182,7 @@ impl Question<'_> {
     /// A point that the search finds and the kernel accepts.
     pub(crate) fn search(&self) -> Option<(Part, Point)> {
         let goal = self.goal();
-        let certificate = find_witness(&goal, BUDGET)?;
+        let certificate = self.memo.answer(&goal, Search::Witness).ok()?;
         let Evidence::Model(Model::Point(point)) = &certificate.evidence else { return None };
         let point = point.clone();
         Some((self.part(goal, certificate), point))
@@ -156,13 +197,65 @@ impl Question<'_> {
 }
 
 impl Family {
-    pub(crate) fn new<L: ImpactLaw>(law: &L, setting: Setting) -> Self {
-        let (context, contact) = (setting.context(), setting.contact());
+    pub(crate) fn new<L: ImpactLaw>(memo: &Rc<Memo>, law: &L, setting: Setting) -> Self {
+        let context = setting.context();
         let ranges = Ranges::of(&context);
-        let (regimes, rest) = apply(law, &contact, &ranges, ROOTS[0]);
+        Self::of(memo, law, setting, (context, ranges), setting.contact(), Vec::new())
+    }
+
+    /// The contacts that a law sees in its own frame as those of a family, as far as they slip forwards
+    /// and approach in theirs; `None` if the law's frame depends on the contact.
+    pub(crate) fn seen<L: ImpactLaw>(memo: &Rc<Memo>, law: &L, setting: Setting) -> Option<Self> {
+        let (context, seen) = (setting.context(), setting.contact());
+        let ranges = Ranges::of(&context);
+        let some = Contact::of_alpha(Rational::one());
+        let Some(frame) = law.frame(&some) else {
+            return Some(Self::of(memo, law, setting, (context, ranges), seen, Vec::new()));
+        };
+        let turn = frame.turn.map(<Symbolic as kane_number::Number>::from_rational);
+        let contact = seen.turned(&turn.mirrored());
+        let again = law.frame(&contact)?;
+        let fits = again.turn == turn
+            && seen.slip() == again.contact.slip()
+            && seen.approach() == again.contact.approach()
+            && seen.delassus() == again.contact.delassus();
+        let asked = [("v > 0", contact.slip().clone()), ("a > 0", contact.approach().clone())];
+        let known = asked.iter().fold(ranges.clone(), |known, (_, x)| known.asking(x));
+        let premises =
+            asked.map(|(label, x)| Premise::new(label, Vec::new(), ranges.relation(&x, Rel::Gt)));
+        fits.then(|| Self::of(memo, law, setting, (context, known), contact, premises.into()))
+    }
+
+    fn of<L: ImpactLaw>(
+        memo: &Rc<Memo>,
+        law: &L,
+        setting: Setting,
+        (context, ranges): (Context, Ranges),
+        contact: Contact<Symbolic>,
+        asked: Vec<Premise>,
+    ) -> Self {
+        let (mut regimes, rest) = apply(law, &contact, &ranges, ROOTS[0]);
+        for regime in &mut regimes {
+            regime.premises.extend(asked.iter().cloned());
+        }
         let solved = Vec::new();
         let lemmas = regimes.iter().map(|_| OnceCell::new()).collect();
-        let mut family = Self { setting, context, contact, ranges, regimes, rest, solved, lemmas };
+        let slips = !matches!(setting, Setting::RestingSphere | Setting::Resting);
+        let seen = law.frame(&contact).filter(|_| slips);
+        let mut family = Self {
+            memo: memo.clone(),
+            setting,
+            context,
+            contact,
+            seen,
+            asked,
+            ranges,
+            regimes,
+            rest,
+            solved,
+            lemmas,
+            stopped: OnceCell::new(),
+        };
         family.solved = family.regimes.iter().map(|regime| family.solve(law, regime)).collect();
         family
     }
@@ -190,6 +283,7 @@ impl Family {
         claim: String,
     ) -> Question<'a> {
         Question {
+            memo: &self.memo,
             context: &self.context,
             setting: self.setting.name(),
             regime: regime.name.to_owned(),
@@ -298,6 +392,7 @@ pub(crate) fn impossible(
     claim: &str,
 ) -> Result<Part, String> {
     Question {
+        memo: &family.memo,
         context: &family.context,
         setting: family.setting.name(),
         regime,

@@ -5,7 +5,7 @@ use kane_impact::{Contact, ImpactLaw};
 use kane_kernel::{Point, Rel};
 use kane_number::{Algebraic, Number, Ordered as _, Rational};
 
-use super::applied::{Applied, Premise, apply, with_root};
+use super::applied::{Applied, Premise, apply_some, with_root};
 use super::cell::{Cell, Witness};
 use super::sample::{Exact, algebraic, contacts};
 use super::setting::{BETA, ROOTS, Setting, Symbolic};
@@ -59,7 +59,7 @@ pub(crate) fn decide<L: ImpactLaw>(law: &L, family: &Family) -> Cell {
         return cell;
     }
     let (mut parts, mut open) = (Vec::new(), Vec::new());
-    each(law, family, true, &mut |way, lemmas, premises| {
+    each(law, family, None, &mut |way, lemmas, premises| {
         let end = way.left.turned(way.second.outcome.slip.clone());
         let difference = end - &way.whole.outcome.slip;
         let question = question(family, &way, premises, &difference);
@@ -81,6 +81,7 @@ fn question<'a>(
     difference: &Symbolic,
 ) -> Question<'a> {
     Question {
+        memo: &family.memo,
         context: &family.context,
         setting: family.setting.name(),
         regime: format!("{}, then {}; {}", way.first.name, way.second.name, way.whole.name),
@@ -118,19 +119,35 @@ fn solved<L: ImpactLaw>(
 /// Is given a way, the proofs of its roots, and its premises.
 type Found<'f> = dyn FnMut(Way<'_>, &[Part], &[Premise]) + 'f;
 
-/// All ways, with the premises of each.
-fn each<L: ImpactLaw>(law: &L, family: &Family, solve: bool, found: &mut Found<'_>) {
+/// The numbers of the regimes that the first part, the second and the whole are in.
+struct Regimes {
+    first: usize,
+    left: Left,
+    second: usize,
+    whole: usize,
+}
+
+/// All ways, or one, with the premises of each; roots are put in where all are asked for.
+fn each<L: ImpactLaw>(law: &L, family: &Family, one: Option<&Regimes>, found: &mut Found<'_>) {
+    let solve = one.is_none();
+    let wanted = |of: fn(&Regimes) -> usize| match one.map(of) {
+        Some(index) => index..index + 1,
+        None => 0..law.regimes::<Symbolic>().len(),
+    };
     let contact = &family.contact;
     let (v, a) = (contact.slip().clone(), contact.approach().clone());
     let b = a.clone() * Symbolic::symbol(BETA);
     let together = at(contact, v, a + &b);
-    let (wholes, _) = apply(law, &together, &family.ranges, ROOTS[2]);
+    let (wholes, _) = apply_some(law, &together, &family.ranges, ROOTS[2], wanted(|r| r.whole));
     let own = |contact: &Contact<Symbolic>, r: &Applied, before: &[Premise]| {
         if solve { solved(law, family, contact, r, before) } else { (r.clone(), None) }
     };
-    for first in &family.regimes {
+    for first in family.regimes.iter().filter(|r| wanted(|r| r.first).contains(&r.index)) {
         let (first, of_first) = own(contact, first, &[]);
         for left in [Left::Forwards, Left::Nothing, Left::Backwards] {
+            if one.is_some_and(|one| one.left != left) {
+                continue;
+            }
             let mut premises = first.premises.clone();
             match family.ranges.condition(&first.outcome.slip, left.rel()) {
                 Condition::Never => continue,
@@ -140,7 +157,8 @@ fn each<L: ImpactLaw>(law: &L, family: &Family, solve: bool, found: &mut Found<'
                 }
             }
             let next = at(contact, left.turned(first.outcome.slip.clone()), b.clone());
-            let (seconds, _) = apply(law, &next, &family.ranges, ROOTS[1]);
+            let (seconds, _) =
+                apply_some(law, &next, &family.ranges, ROOTS[1], wanted(|r| r.second));
             for second in &seconds {
                 let (second, of_second) = own(&next, second, &premises);
                 for whole in &wholes {
@@ -263,11 +281,8 @@ fn witness<L: ImpactLaw>(
         _ => Left::Nothing,
     };
     let mut out = None;
-    each(law, family, false, &mut |way, _, premises| {
-        let here = (way.first.index, way.second.index, way.whole.index, way.left);
-        if out.is_some() || here != (first, second, whole, left) {
-            return;
-        }
+    let here = Regimes { first, left, second, whole };
+    each(law, family, Some(&here), &mut |way, _, premises| {
         let end = way.left.turned(way.second.outcome.slip.clone());
         let difference = end - &way.whole.outcome.slip;
         out = question(family, &way, premises, &difference).refute(point.clone()).ok();

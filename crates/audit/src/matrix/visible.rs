@@ -25,6 +25,8 @@ pub struct Ranges {
     positive: Vec<usize>,
     /// symbols ≥ 0
     not_negative: Vec<usize>,
+    /// polynomials > 0, by what is asked
+    asked: Vec<Poly>,
 }
 
 impl Ranges {
@@ -43,11 +45,25 @@ impl Ranges {
                 _ => {}
             }
         }
-        Self { positive, not_negative }
+        Self { positive, not_negative, asked: Vec::new() }
+    }
+
+    /// The same where only points are asked at which a quantity is positive. Its denominator must
+    /// visibly be positive.
+    #[must_use]
+    pub fn asking(mut self, quantity: &Symbolic) -> Self {
+        let (num, den) = quantity.fraction();
+        if self.sign(&self.stripped(&den)) == Some(true) {
+            self.asked.push(self.stripped(&num));
+        }
+        self
     }
 
     /// The sign of a polynomial where its coefficients show it: `Some(true)` for > 0 everywhere.
     fn sign(&self, p: &Poly) -> Option<bool> {
+        if self.asked.contains(p) {
+            return Some(true);
+        }
         let strict = |(m, _): (&kane_kernel::Monomial, &BigInt)| {
             m.iter().all(|(v, _)| self.positive.contains(v))
         };

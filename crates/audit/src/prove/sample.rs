@@ -63,15 +63,12 @@ impl Search<'_> {
                 }
                 let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
                 assignment.extend(alone.iter().cloned());
-                let mut special = state.clone();
-                let mut fits = true;
-                for a in &mut special.atoms {
-                    a.poly = specialised(&a.poly, &assignment);
-                    fits = fits && a.decided() != Some(false);
-                }
-                if !fits {
-                    continue;
-                }
+                let at = |a: &Atom| {
+                    let a = Atom::new(specialised(&a.poly, &assignment), a.sign);
+                    (a.decided() != Some(false)).then_some(a)
+                };
+                let Some(atoms) = state.atoms.iter().map(at).collect() else { continue };
+                let special = State { atoms, ..state.clone() };
                 let mut partial = Partial::default();
                 match tactics::line(&special, last) {
                     None => {

@@ -3,6 +3,7 @@
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
 use kane_algebra::linear_program::{feasible, whole};
+use kane_algebra::point::specialised;
 use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
 use kane_kernel::{Atom, Monomial, Poly, Proof, Sign, State, Term};
@@ -195,13 +196,38 @@ pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Proof> {
             }
         }
         if bounds.iter().all(|b| b.1.is_some() || b.2.is_some()) {
+            let may_fit = !mixed_at_ends(state, atom, &bounds);
             let proof = Proof::Orthant { atom: i, bounds };
-            if state.refute(&proof).is_ok() {
+            if may_fit && state.refute(&proof).is_ok() {
                 return Some(proof);
             }
         }
     }
     even_powers(state, i)
+}
+
+/// Whether coefficients already have another sign where all variables with two ends are at their lower or
+/// at their upper ones: a look that saves mapping the whole polynomial.
+fn mixed_at_ends(
+    state: &State<'_, '_>,
+    atom: &Atom,
+    bounds: &[(usize, Option<usize>, Option<usize>)],
+) -> bool {
+    let (mut lower, mut upper) = (Vec::new(), Vec::new());
+    for &(v, l, u) in bounds {
+        match (l, u) {
+            (Some(l), Some(u)) => {
+                lower.push((v, bound_value(state, l, v)));
+                upper.push((v, bound_value(state, u, v)));
+            }
+            (Some(l), None) if bound_value(state, l, v).is_zero() => {}
+            _ => return false,
+        }
+    }
+    let ends = [specialised(&atom.poly, &lower), specialised(&atom.poly, &upper)];
+    let some =
+        |positive: bool| ends.iter().any(|p| p.terms().any(|(_, c)| c.is_positive() == positive));
+    if atom.sign == Sign::Zero { some(true) && some(false) } else { some(true) }
 }
 
 /// Atom i is a sum of monomials of the wrong sign: even powers, and variables bounded by zero.

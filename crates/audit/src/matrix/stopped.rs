@@ -1,0 +1,361 @@
+//! Contacts on which the slip stops, as a process with Coulomb friction sees them.
+//!
+//! With T = W_tt, the slowing rate s = mu·T − W_tn > 0 and a1 = W_nn − mu·W_tn, the slip stops at the
+//! normal impulse p = v/s with the normal velocity v_s = a1·p − a. Written in p or a, in u = |v_s| and in
+//! what decides between sticking and reversing, all that the process does is a sum of visible signs:
+//!
+//! ```text
+//! W_tn = nu > 0    mu·T = nu + s, W_nn = a1 + mu·nu                              sticks
+//! W_tn = −nu < 0   mu·T = nu + t, t ≥ 0 (sticks), or nu = mu·T + t, t > 0 (reverses),
+//!                  W_nn = (nu² + d)/T, so that det W = d
+//! in compression   v_s = −u < 0, a = a1·p + u; where a1 = −b ≤ 0, u = a + b·p and T = nu·s/(r + b),
+//!                  so that det W = r·T
+//! in restitution   v_s = u ≥ 0, e·a = u + h, a = u + h + g, h > 0, g ≥ 0, p = (a + u)/a1
+//! ```
+//!
+//! Each is a bijection from an orthant, and together they are all contacts that couple, slip and approach
+//! and on which the slip stops before v_n = e·a.
+
+use kane_impact::{Contact, Delassus, ImpactLaw, Restitution};
+use kane_kernel::{Rel, Relation};
+use kane_number::Number as _;
+
+use super::applied::{ACCEPTED, Premise, ROOT};
+use super::setting::{Setting, Symbolic};
+use super::study::{Family, Part, Question};
+
+/// How the slip stops.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// W_tn > 0 and W_nn > mu·W_tn, in compression
+    DrivingInCompression,
+    /// W_tn > 0 and W_nn ≤ mu·W_tn: sliding cannot separate the bodies
+    Jamming,
+    /// W_tn > 0, in restitution
+    DrivingInRestitution,
+    /// W_tn < 0, in compression, and the contact sticks
+    SticksInCompression,
+    /// W_tn < 0, in restitution, and the contact sticks
+    SticksInRestitution,
+    /// W_tn < 0, in compression, and the slip reverses
+    ReversesInCompression,
+    /// W_tn < 0, in restitution, and the slip reverses
+    ReversesInRestitution,
+}
+
+/// The symbols by index: p or h, T, mu, u or a, nu, d, b or g, e, s or t, a1, r or g.
+const P: usize = 0;
+const T: usize = 1;
+const MU: usize = 2;
+const U: usize = 3;
+const NU: usize = 4;
+const D: usize = 5;
+const E: usize = 6;
+const S: usize = 7;
+const R: usize = 8;
+
+impl Stop {
+    /// What it is, for people.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::DrivingInCompression => "W_tn > 0, the slip stops in compression",
+            Self::Jamming => "W_tn > 0, the contact jams",
+            Self::DrivingInRestitution => "W_tn > 0, the slip stops in restitution",
+            Self::SticksInCompression => "W_tn < 0, sticks in compression",
+            Self::SticksInRestitution => "W_tn < 0, sticks in restitution",
+            Self::ReversesInCompression => "W_tn < 0, reverses in compression",
+            Self::ReversesInRestitution => "W_tn < 0, reverses in restitution",
+        }
+    }
+
+    fn in_restitution(self) -> bool {
+        use Stop::{DrivingInRestitution, ReversesInRestitution, SticksInRestitution};
+        matches!(self, DrivingInRestitution | SticksInRestitution | ReversesInRestitution)
+    }
+
+    /// The names of the symbols that differ, and those that may be zero.
+    pub(crate) fn symbols(self) -> (Vec<(usize, &'static str)>, Vec<usize>) {
+        let first = if self.in_restitution() { "h" } else { "p" };
+        let mut names = vec![(P, first), (T, "T"), (U, "u")];
+        let mut weak = if self.in_restitution() { vec![U] } else { Vec::new() };
+        match self {
+            Self::DrivingInCompression | Self::DrivingInRestitution => {
+                names.extend([(S, "s"), (R, "a1")]);
+            }
+            Self::Jamming => {
+                names.extend([(U, "a"), (S, "s"), (R, "r"), (D, "b")]);
+                weak.push(D);
+            }
+            Self::SticksInCompression | Self::SticksInRestitution => {
+                names.push((S, "t"));
+                weak.push(S);
+            }
+            Self::ReversesInCompression | Self::ReversesInRestitution => names.push((S, "t")),
+        }
+        if self.in_restitution() {
+            names.push((self.lost(), "g"));
+            weak.push(self.lost());
+        }
+        (names, weak)
+    }
+
+    /// The symbol g of (1 − e)·a, one that is free.
+    fn lost(self) -> usize {
+        if self == Self::DrivingInRestitution { D } else { R }
+    }
+
+    /// The contact of these symbols.
+    pub(crate) fn contact(self) -> Contact<Symbolic> {
+        let [first, tt, mu, u, nu, d, e, s, r] =
+            [P, T, MU, U, NU, D, E, S, R].map(Symbolic::symbol);
+        let (tt, tn, nn, mu, slowing) = match self {
+            Self::DrivingInCompression | Self::DrivingInRestitution => {
+                let mu = (nu.clone() + &s) / &tt;
+                let nn = r + mu.clone() * &nu;
+                (tt, nu, nn, mu, s)
+            }
+            Self::Jamming => {
+                let tt = nu.clone() * &s / (r + &d);
+                let mu = (nu.clone() + &s) / &tt;
+                let nn = mu.clone() * &nu - &d;
+                (tt, nu, nn, mu, s)
+            }
+            Self::SticksInCompression | Self::SticksInRestitution => {
+                let mu = (nu.clone() + &s) / &tt;
+                let nn = (nu.square() + d) / &tt;
+                let slowing = nu.double() + s;
+                (tt, -nu, nn, mu, slowing)
+            }
+            Self::ReversesInCompression | Self::ReversesInRestitution => {
+                let held = mu.clone() * &tt;
+                let nu = held.clone() + s;
+                let nn = (nu.square() + d) / &tt;
+                let slowing = held + &nu;
+                (tt, -nu, nn, mu, slowing)
+            }
+        };
+        let apart = nn.clone() - mu.clone() * &tn;
+        let (stop, approach, e) = match self {
+            Self::Jamming => (first, u, e),
+            _ if self.in_restitution() => {
+                let rebound = u.clone() + first;
+                let approach = rebound.clone() + Symbolic::symbol(self.lost());
+                ((approach.clone() + u) / apart, approach.clone(), rebound / approach)
+            }
+            _ => (first.clone(), apart * first + u, e),
+        };
+        Contact::unchecked(stop * slowing, approach, Delassus::unchecked(tt, tn, nn), mu, e)
+    }
+
+    /// The kinds of contacts of a family on which the slip can stop.
+    fn of(setting: Setting) -> &'static [Self] {
+        match setting {
+            Setting::Driving => {
+                &[Self::DrivingInCompression, Self::Jamming, Self::DrivingInRestitution]
+            }
+            Setting::Braking => &[
+                Self::SticksInCompression,
+                Self::SticksInRestitution,
+                Self::ReversesInCompression,
+                Self::ReversesInRestitution,
+            ],
+            _ => &[],
+        }
+    }
+}
+
+/// The families of contacts that slow down, of a family that couples; none for laws that are not asked so.
+pub(crate) fn families<L: ImpactLaw>(law: &L, family: &Family) -> Vec<Family> {
+    if law.restitution() == Restitution::Newton {
+        return Vec::new();
+    }
+    let stops = Stop::of(family.setting).iter();
+    stops.map(|stop| Family::new(&family.memo, law, Setting::Stopped(*stop))).collect()
+}
+
+/// A proof in one regime of a family, as the process sees its contacts: first that they slow down.
+pub(crate) fn each<L: ImpactLaw>(
+    law: &L,
+    family: &Family,
+    index: usize,
+    prove: &mut dyn FnMut(&Family, usize) -> Result<Vec<Part>, String>,
+) -> Result<Vec<Part>, String> {
+    let regime = &family.regimes[index];
+    let stopped = family.stopped.get_or_init(|| families(law, family));
+    let place = |f: &Family| f.regimes.iter().position(|r| r.index == regime.index);
+    let places: Vec<_> = stopped.iter().filter_map(|f| Some((f, place(f)?))).collect();
+    if places.is_empty() {
+        return Err("the slip does not stop, or the law is no process".to_owned());
+    }
+    let contact = &family.contact;
+    let slowing = contact.slowing_rate();
+    // v_t⁺ if it slid all the time, times W_nn - mu·W_tn
+    let lasting = contact.slip().clone() * contact.separation_rate() - contact.closing() * &slowing;
+    let guards = |p: &&Premise| p.label != ROOT && p.label != ACCEPTED;
+    let mut premises: Vec<Premise> = regime.premises.iter().filter(guards).cloned().collect();
+    let mut parts = Vec::new();
+    for (claim, quantity, rel) in [
+        ("mu*W_tt - W_tn > 0", slowing, Rel::Gt),
+        ("v*(W_nn - mu*W_tn) < c*(mu*W_tt - W_tn)", lasting, Rel::Lt),
+    ] {
+        let relation = family.ranges.relation(&quantity, rel);
+        let question = family.question(regime, Vec::new(), relation.clone(), claim.to_owned());
+        parts.push(Question { premises: &premises, ..question }.prove_patiently()?);
+        premises.push(Premise::new(format!("shown before: {claim}"), Vec::new(), relation));
+    }
+    for (family, index) in places {
+        parts.extend(prove(family, index)?);
+    }
+    Ok(parts)
+}
+
+/// Proves in one regime that neither friction nor the normal force does work in all.
+///
+/// Friction slides until p and then takes what is left of `p_t` with a slip that changes linearly to
+/// v_t⁺: E_f = −mu·p·v/2 + (p_t + mu·p)·v_t⁺/2. The rest of E_t + E_n is the work of the normal force.
+pub(crate) fn energy(family: &Family, index: usize) -> Result<Vec<Part>, String> {
+    let regime = &family.regimes[index];
+    let (contact, outcome) = (&family.contact, &regime.outcome);
+    let half = |x: Symbolic| x / Symbolic::one().double();
+    let sliding = contact.slip().clone() / contact.slowing_rate() * contact.friction();
+    let left = outcome.impulse.tangential.clone() + &sliding;
+    let friction = half(left * &outcome.slip - sliding * contact.slip());
+    let normal = outcome.work.tangential.clone() + &outcome.work.normal - &friction;
+    let (mut parts, mut premises) = (Vec::new(), regime.premises.clone());
+    let ask = |premises: &[Premise], claim: String, relation: Relation| {
+        family.question(regime, Vec::new(), relation, claim).on(premises)
+    };
+    if let Some(root) = &regime.root {
+        // first ≠, by the equation of the root; then >, without it
+        let x = Symbolic::symbol(root.symbol);
+        let of_root = |p: &&Premise| p.label == ROOT;
+        let mut known: Vec<Premise> = premises.iter().filter(of_root).cloned().collect();
+        for (claim, rel) in [("x != 0", Rel::Ne), ("x > 0", Rel::Gt)] {
+            let relation = family.ranges.relation(&x, rel);
+            let Ok(part) = ask(&known, claim.to_owned(), relation.clone()) else { break };
+            parts.push(part);
+            known.retain(|p| !p.is_equation());
+            known.push(Premise::new(format!("shown before: {claim}"), Vec::new(), relation));
+        }
+        premises.extend(known.into_iter().filter(|p| p.label != ROOT));
+    }
+    for (name, work) in [("E_f", friction), ("E_t + E_n - E_f", normal)] {
+        let simple = regime.root.as_ref().and_then(|root| root.reduced(&work));
+        if let Some(simple) = &simple {
+            let same = family.ranges.relation(&(work.clone() - simple), Rel::Eq);
+            let claim = format!("{name}, by the equation of the root");
+            parts.push(ask(&premises, claim, same)?);
+        }
+        let sign = family.ranges.relation(&simple.unwrap_or(work), Rel::Le);
+        parts.push(ask(&premises, format!("{name} <= 0"), sign)?);
+    }
+    Ok(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_number::Rational;
+    use num_traits::{Signed as _, Zero as _};
+
+    use super::*;
+    use crate::matrix::contacts;
+
+    const KINDS: [Stop; 7] = [
+        Stop::DrivingInCompression,
+        Stop::Jamming,
+        Stop::DrivingInRestitution,
+        Stop::SticksInCompression,
+        Stop::SticksInRestitution,
+        Stop::ReversesInCompression,
+        Stop::ReversesInRestitution,
+    ];
+
+    /// The symbols of a contact as the page says, whether they are in range or not.
+    fn values(stop: Stop, c: &Contact<Rational>) -> Option<Vec<Rational>> {
+        let (w, mu, e, a) = (c.delassus(), c.friction(), c.restitution(), c.approach());
+        let slowing = mu * w.tt() - w.tn();
+        let apart = w.nn() - mu * w.tn();
+        let p = c.slip() / &slowing;
+        let at_stop = &apart * &p - a;
+        let jams = stop == Stop::Jamming;
+        let mut values = vec![Rational::zero(); 12];
+        values[T] = w.tt().clone();
+        values[MU] = mu.clone();
+        values[NU] = w.tn().abs();
+        values[D] = if jams { -apart.clone() } else { w.determinant() };
+        values[E] = e.clone();
+        values[R] = if jams { w.determinant() / w.tt() } else { apart.clone() };
+        values[S] = match stop {
+            _ if w.tn().is_positive() => slowing,
+            Stop::SticksInCompression | Stop::SticksInRestitution => mu * w.tt() + w.tn(),
+            _ => -(mu * w.tt() + w.tn()),
+        };
+        (values[P], values[U]) = if stop.in_restitution() {
+            (e * a - &at_stop, at_stop)
+        } else {
+            (p, if jams { a.clone() } else { -at_stop })
+        };
+        if stop.in_restitution() {
+            values[stop.lost()] = a - e * a;
+        }
+        let driving = [Stop::DrivingInCompression, Stop::Jamming, Stop::DrivingInRestitution];
+        (driving.contains(&stop) == w.tn().is_positive()).then_some(values)
+    }
+
+    /// Two ways: the symbols of a contact give it back, and of the kinds one alone has them in range.
+    #[test]
+    fn every_contact_on_which_the_slip_stops_is_of_one_kind() {
+        let mut seen = [0; KINDS.len()];
+        for contact in contacts(&[Setting::Driving, Setting::Braking]) {
+            let (mu, w) = (contact.friction(), contact.delassus());
+            let slowing = mu * w.tt() - w.tn();
+            let lasting = contact.slip() * (w.nn() - mu * w.tn()) - contact.closing() * &slowing;
+            let stops = slowing.is_positive() && lasting.is_negative();
+            let mut kinds = Vec::new();
+            for (index, stop) in KINDS.into_iter().enumerate().filter(|_| stops) {
+                let Some(values) = values(stop, &contact) else { continue };
+                let symbolic = stop.contact();
+                let entries = |c: &Contact<Symbolic>| {
+                    let w = c.delassus();
+                    [c.slip(), c.approach(), w.tt(), w.tn(), w.nn(), c.friction(), c.restitution()]
+                        .map(|x| x.eval(&values))
+                };
+                let mentioned: Vec<usize> = [
+                    symbolic.slip(),
+                    symbolic.approach(),
+                    symbolic.delassus().tt(),
+                    symbolic.delassus().nn(),
+                    symbolic.friction(),
+                    symbolic.restitution(),
+                ]
+                .iter()
+                .flat_map(|x| x.symbols())
+                .collect();
+                let weak = stop.symbols().1;
+                let in_range = mentioned.iter().all(|v| match values[*v].is_zero() {
+                    true => weak.contains(v) || *v == E,
+                    false => values[*v].is_positive(),
+                });
+                if !in_range {
+                    continue;
+                }
+                let w = contact.delassus();
+                let expected = [
+                    contact.slip(),
+                    contact.approach(),
+                    w.tt(),
+                    w.tn(),
+                    w.nn(),
+                    contact.friction(),
+                    contact.restitution(),
+                ]
+                .map(|x| Some(x.clone()));
+                assert_eq!(entries(&symbolic), expected, "{stop:?}");
+                kinds.push(index);
+            }
+            assert_eq!(kinds.len(), usize::from(stops), "{contact:?}: {kinds:?}");
+            kinds.iter().for_each(|kind| seen[*kind] += 1);
+        }
+        assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+    }
+}
