@@ -132,13 +132,20 @@ fn a_million_bounces_take_little_time() {
     let world = above_floor(vec![ball("1", "1", ["0", "1"], ["1", "-3", "0"])], "10", "1/5", "1");
     let world = of::<f64>(&world);
     let budget = Budget { impacts: 1_000_000, ..Budget::default() };
+    let since = std::time::Instant::now();
+    // what this thread has had of a processor, where the system tells, because others run too
+    let now = || {
+        let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+        let spent = told.split_whitespace().next().and_then(|ns| ns.parse::<f64>().ok());
+        spent.map_or_else(|| since.elapsed().as_secs_f64(), |ns| ns * 1e-9)
+    };
     let mut times = Vec::new();
     for _ in 0..15 {
-        let start = std::time::Instant::now();
+        let start = now();
         let until = Until::Impacts(1_000_000);
         let end = run(&world, &ByLaw(RouthNewton), &until, budget, &mut |_| {}).unwrap();
         assert_eq!(end.impacts, 1_000_000);
-        times.push(start.elapsed().as_secs_f64());
+        times.push(now() - start);
     }
     times.sort_by(f64::total_cmp);
     let (least, middle) = (times[0], times[times.len() / 2]);
@@ -146,6 +153,6 @@ fn a_million_bounces_take_little_time() {
         "10^6 planar bounces: {least:.3} s at least, {middle:.3} s the median of {}",
         times.len()
     );
-    // the least, because what else runs on the machine only adds
+    // the least, because what else runs on the core only adds
     assert!(cfg!(debug_assertions) || least < 0.15, "{times:?}");
 }
