@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 
 use kane::report::scene::{
-    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, motion_picture,
+    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
     states_csv, text,
 };
 use kane::scene::{Effort, Model, Verdict, answer, read};
@@ -81,8 +81,8 @@ fn write(dir: &Path, stem: &str, report: &SceneReport<'_>, compare: bool) -> io:
     if report.answer.end.is_some() {
         file("-states.csv", &states_csv(report))?;
     }
-    if let Some(picture) = motion_picture(report).map_err(io::Error::other)? {
-        file("-motion.svg", &picture)?;
+    if let Some(drawn) = picture(report).map_err(io::Error::other)? {
+        file(&format!("-{}.svg", drawn.name), &drawn.svg)?;
     }
     if let Some(picture) = ledger_picture(report).map_err(io::Error::other)? {
         file("-ledger.svg", &picture)?;

@@ -1,6 +1,7 @@
 //! `kane scene`: models, files, exit codes.
 
 use std::fs;
+use std::time::{Duration, Instant};
 
 use crate::{kane, scratch};
 
@@ -21,6 +22,33 @@ fn a_scene_is_answered_and_written_in_every_form() {
     }
     let json = fs::read_to_string(out.join("backspin.json")).expect("it was written");
     assert_eq!(json, kane(&["scene", file, "--compare", "--format", "json"]).stdout);
+}
+
+#[test]
+fn every_shipped_scene_with_its_pictures_takes_less_than_two_seconds() {
+    let out = scratch("scene-all");
+    let mut scenes = 0;
+    for entry in fs::read_dir("docs/scenes").expect("they are shipped") {
+        let path = entry.expect("readable").path();
+        let name = path.file_stem().expect("it has a name").to_string_lossy().into_owned();
+        let file = path.to_str().expect("UTF-8");
+        let timed = || {
+            let start = Instant::now();
+            let run = kane(&["scene", file, "--out", out.to_str().expect("UTF-8")]);
+            assert_eq!(run.code, 0, "{file}: {}", run.stderr);
+            start.elapsed()
+        };
+        // tens of milliseconds; once more, where the machine did something else
+        let limit = Duration::from_secs(2);
+        assert!(timed() < limit || timed() < limit, "{file}");
+        let drawn = |what: &&str| out.join(format!("{name}-{what}.svg")).is_file();
+        let pictures: Vec<&str> =
+            ["motion", "impulse", "contact"].into_iter().filter(|what| drawn(what)).collect();
+        assert_eq!(pictures.len(), 1, "{name}: {pictures:?}");
+        assert!(out.join(format!("{name}.html")).is_file(), "{name}");
+        scenes += 1;
+    }
+    assert_eq!(scenes, 11);
 }
 
 #[test]

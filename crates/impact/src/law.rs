@@ -320,6 +320,7 @@ impl<L: ImpactLaw, N: Number> Regime<L, N> {
 
 impl<L, N: Ordered> Regime<L, N> {
     /// Whether all guards hold, or `None` if that is undecided: one failing guard decides.
+    #[inline]
     #[must_use]
     pub fn applies(&self, law: &L, contact: &Contact<N>) -> Option<bool> {
         let mut decided = Some(true);
@@ -373,6 +374,7 @@ impl<L, N: Number> Guard<L, N> {
 }
 
 impl<L, N: Ordered> Guard<L, N> {
+    #[inline]
     fn holds(&self, law: &L, contact: &Contact<N>) -> Option<bool> {
         let sign = (self.quantity)(law, contact).sign();
         match self.relation {

@@ -43,8 +43,15 @@ macro_rules! float_number {
         }
 
         impl Ordered for $float {
+            #[inline]
+            #[allow(
+                clippy::neg_cmp_op_on_partial_ord,
+                clippy::double_comparisons,
+                reason = "NaN leaves every ordering possible, without a branch"
+            )]
             fn compare(&self, other: &Self) -> Comparison {
-                self.partial_cmp(other).into()
+                let (a, b) = (self, other);
+                Comparison::possible(!(a >= b), !(a < b || a > b), !(a <= b))
             }
         }
 

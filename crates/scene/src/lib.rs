@@ -36,6 +36,8 @@
 
 mod choose;
 mod coordinate;
+mod impulse_plane;
+mod picture;
 mod quantity;
 pub mod read;
 mod resolver;
@@ -47,10 +49,13 @@ mod tip;
 mod world;
 
 pub use choose::{
-    Answer, Bounced, Effort, Judged, Line, Mechanics, Model, NoAnswer, Shown, UnknownModel,
-    Verdict, answer,
+    Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Shown, Spread,
+    UnknownModel, Verdict, answer,
 };
 pub use coordinate::Coordinate;
+pub use impulse_plane::{ImpulsePlane, PlaneLine};
+pub use kane_impact::oracle::Event;
+pub use picture::Picture;
 pub use quantity::{Kind, Quantity};
 pub use resolver::{ByLaw, Elastic, NormalOnly, Process, Resolver};
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};

@@ -129,6 +129,9 @@ impl Elastic {
     }
 }
 
+/// What is said of an impact that a process followed.
+pub(crate) const COMPLIANT: &str = "compliant";
+
 const BEYOND: NoImpulse = NoImpulse::Outside {
     law: "elastic contact",
     reason: "the compliant process came to no end within its budget",
@@ -167,7 +170,7 @@ impl Elastic {
         let k = Interval::between(k - found.error, k + found.error);
         let slip = k * contact.slip();
         let tangential = (slip - contact.slip()) / contact.delassus().tt();
-        let mut outcome = with_impulse("compliant", contact, Impulse { tangential, normal });
+        let mut outcome = with_impulse(COMPLIANT, contact, Impulse { tangential, normal });
         outcome.slip = slip;
         Ok(outcome)
     }

@@ -3,7 +3,7 @@
 //!
 //! The rows are committed in `docs/data/scene-stress.csv` and compared in every run of the tests.
 
-use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
+use kane_impact::laws::{RouthNewton, Walton, WangSuLi, WhittakerUncapped};
 use kane_impact::{Contact, ImpactLaw};
 use kane_number::{Number as _, Rational};
 
@@ -79,8 +79,8 @@ fn k_error<N: Coordinate, L: ImpactLaw>(law: &L, alpha: &Rational) -> f64 {
     found.map_or(f64::INFINITY, |k| num_traits::Signed::abs(&(k - exact)).to_f64())
 }
 
-/// α beside 1/2, where sliding ends, and beside 1, where the paper's k changes its sign: the
-/// error of k, absolute.
+/// α beside 1/2, where sliding ends, beside 3/4, where it does if half of the slip comes back, and
+/// beside 1, where the paper's k changes its sign: the error of k, absolute.
 fn kinks(rows: &mut Vec<Row>) {
     for power in [10_u32, 20, 30, 40, 50] {
         for sign in [-1, 1] {
@@ -91,8 +91,12 @@ fn kinks(rows: &mut Vec<Row>) {
                 rows.push(Row { case: "kink, error of k", pushed, to, method, error });
             };
             let half = ratio(1, 2) + &tiny;
+            let three_quarters = ratio(3, 4) + &tiny;
             let one = integer(1) + &tiny;
             push("alpha from 1/2 by", "coulomb/f64", k_error::<f64, _>(&RouthNewton, &half));
+            // with a share of 1/2 given back sliding ends at (1 + 1/2)/2
+            let walton = Walton { restitution: ratio(1, 2) };
+            push("alpha from 3/4 by", "grip/f64", k_error::<f64, _>(&walton, &three_quarters));
             push("alpha from 1 by", "wang-su-li/f64", k_error::<f64, _>(&WangSuLi, &one));
         }
     }

@@ -26,9 +26,21 @@ pub struct Strobe {
     pub walls: Vec<(Side, f64)>,
 }
 
-/// Pictures in a strobe, and points of a path for each.
+/// The most pictures in a strobe and the fewest, and points of a path.
 const FRAMES: u32 = 24;
-const FINE: u32 = 12;
+const FEWEST: u32 = 4;
+const POINTS: u32 = 288;
+
+/// So many that a body moves by about 5/4 of its radius from one to the next: more would hide each
+/// other.
+fn frames(paths: &[Vec<[f64; 2]>], radii: &[f64]) -> u32 {
+    let length = |path: &Vec<[f64; 2]>| -> f64 {
+        path.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum()
+    };
+    let far = paths.iter().zip(radii).map(|(path, radius)| length(path) / (1.25 * radius));
+    let far = far.fold(0.0, f64::max);
+    (FEWEST..FRAMES).find(|n| f64::from(*n) >= far).unwrap_or(FRAMES)
+}
 
 impl Strobe {
     /// The motion under a model, in floats; `None` where nothing flies.
@@ -73,27 +85,29 @@ impl Strobe {
         };
         let bodies = world.bodies.len();
         let moment = |n: u32, of: u32| time * f64::from(n) / f64::from(of);
-        let frames = (0..=FRAMES)
-            .map(|n| Frame {
-                time: moment(n, FRAMES),
-                bodies: (0..bodies).map(|index| at(index, moment(n, FRAMES))).collect(),
-            })
-            .collect();
-        let paths = (0..bodies)
+        let paths: Vec<Vec<[f64; 2]>> = (0..bodies)
             .map(|index| {
                 // with its corners
-                let mut times: Vec<f64> = (0..=FRAMES * FINE)
-                    .map(|n| moment(n, FRAMES * FINE))
+                let mut times: Vec<f64> = (0..=POINTS)
+                    .map(|n| moment(n, POINTS))
                     .chain(states[index].iter().map(|(since, ..)| *since))
                     .collect();
                 times.sort_by(f64::total_cmp);
                 times.into_iter().map(|time| at(index, time).0).collect()
             })
             .collect();
+        let radii: Vec<f64> = world.bodies.iter().map(|body| body.radius).collect();
+        let count = frames(&paths, &radii);
+        let frames = (0..=count)
+            .map(|n| Frame {
+                time: moment(n, count),
+                bodies: (0..bodies).map(|index| at(index, moment(n, count))).collect(),
+            })
+            .collect();
         Some(Self {
             frames,
             paths,
-            radii: world.bodies.iter().map(|body| body.radius).collect(),
+            radii,
             walls: world.walls.iter().map(|wall| (wall.side, wall.at)).collect(),
         })
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use kane_scene::stress::Row;
-use kane_scene::{Round, Shown};
+use kane_scene::{Known, Round, Shown};
 
 use super::{SceneReport, verdict, who};
 use crate::stability::quoted;
@@ -60,11 +60,13 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
 /// A row for each model that was tried.
 #[must_use]
 pub fn models_csv(report: &SceneReport<'_>) -> String {
-    let mut out = String::from("model,counted_cost,error_by_tolerance,verdict\n");
+    let mut out = String::from("model,cost,cost_is,error_by_tolerance,error_is,verdict\n");
     for judged in &report.answer.judged {
         let ratio = judged.ratio.map_or_else(String::new, |ratio| format!("{ratio:e}"));
-        let verdict = quoted(&verdict(&judged.verdict));
-        let _ = writeln!(out, "{},{},{ratio},{verdict}", judged.model, judged.cost);
+        let verdict = quoted(&verdict(&judged.verdict, report.answer.known));
+        let how = if judged.model.mechanics.is_counted() { "counted" } else { "estimated" };
+        let known = judged.ratio.and(report.answer.known).map_or("", Known::id);
+        let _ = writeln!(out, "{},{},{how},{ratio},{known},{verdict}", judged.model, judged.cost);
     }
     out
 }

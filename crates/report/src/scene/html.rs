@@ -2,7 +2,9 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, ledger_picture, motion_picture, number, small, verdict, who};
+use super::{
+    COST, SceneReport, brief, cost, error, ledger_picture, moved, number, picture, verdict, who,
+};
 use crate::html::Frame;
 use crate::stability::PictureError;
 
@@ -15,11 +17,11 @@ const MOST_ROWS: usize = 200;
 /// # Errors
 /// [`PictureError`], which drawing into a string does not give in practice.
 pub fn html(report: &SceneReport<'_>) -> Result<String, PictureError> {
-    let motion = motion_picture(report)?;
+    let drawn = picture(report)?;
     let ledger = ledger_picture(report)?;
     let has_impacts = !report.answer.bounces.is_empty();
     let mut contents = vec![("why", "Why this model")];
-    contents.extend(motion.is_some().then_some(("motion", "Motion")));
+    contents.extend(drawn.as_ref().map(|drawn| (drawn.name, drawn.heading)));
     contents.extend(ledger.is_some().then_some(("ledger", "Energy")));
     contents.push(("models", "Models"));
     contents.extend(has_impacts.then_some(("impacts", "Impacts")));
@@ -27,7 +29,7 @@ pub fn html(report: &SceneReport<'_>) -> Result<String, PictureError> {
         (answers(report))
         h2 id="why" { "Why this model" }
         @for reason in &report.answer.reasons { p { (reason) } }
-        @if let Some(picture) = &motion { (figure("motion", "Motion", picture)) }
+        @if let Some(drawn) = &drawn { (figure(drawn.name, drawn.heading, &drawn.svg)) }
         @if let Some(picture) = &ledger { (figure("ledger", "Energy", picture)) }
         (models(report))
         @if has_impacts { (impacts(report)) }
@@ -63,7 +65,7 @@ fn answers(report: &SceneReport<'_>) -> Markup {
         table {
             thead { tr {
                 @for head in
-                    ["asked", "answer", "unit", "error at most", "tolerance", "inputs move it by"]
+                    ["asked", "answer", "unit", "error", "tolerance", "inputs move it by"]
                 { th scope="col" { (head) } }
             } }
             tbody {
@@ -72,11 +74,9 @@ fn answers(report: &SceneReport<'_>) -> Markup {
                         th scope="row" { code { (line.quantity) } }
                         td.number { (line.exact.clone().unwrap_or_else(|| number(line.value))) }
                         td { (line.quantity.unit()) }
-                        td.number { (line.error.map_or_else(|| "unknown".to_owned(), small)) }
-                        td.number { (small(line.tolerance)) }
-                        td.number {
-                            (line.spread.map_or_else(|| "-".to_owned(), |by| format!("±{}", small(by))))
-                        }
+                        td.number { (error(line.error, report.answer.known)) }
+                        td.number { (brief(line.tolerance)) }
+                        td.number { (moved(line.spread)) }
                     }
                 }
             }
@@ -87,6 +87,7 @@ fn answers(report: &SceneReport<'_>) -> Markup {
 fn models(report: &SceneReport<'_>) -> Markup {
     html! {
         h2 id="models" { "Models" }
+        p { (COST) }
         table {
             thead { tr {
                 @for head in ["model", "cost", "error by tolerance", "verdict"] {
@@ -97,9 +98,9 @@ fn models(report: &SceneReport<'_>) -> Markup {
                 @for judged in &report.answer.judged {
                     tr {
                         th scope="row" { code { (judged.model) } }
-                        td.number { (judged.cost) }
-                        td.number { (judged.ratio.map_or_else(|| "-".to_owned(), small)) }
-                        td { (verdict(&judged.verdict)) }
+                        td.number { (cost(judged)) }
+                        td.number { (judged.ratio.map_or_else(|| "-".to_owned(), brief)) }
+                        td.verdict { (verdict(&judged.verdict, report.answer.known)) }
                     }
                 }
             }

@@ -1,6 +1,6 @@
 //! The report for programs. The schema is documented in `docs/scene-format.md`.
 
-use kane_scene::{Round, Shown};
+use kane_scene::{Known, Round, Shown};
 use serde::Serialize;
 
 use super::{SceneReport, verdict, who};
@@ -29,16 +29,20 @@ struct Asked<'a> {
     unit: &'static str,
     value: f64,
     exact: Option<&'a str>,
-    error_at_most: Option<f64>,
+    error: Option<f64>,
+    error_is: Option<&'static str>,
     tolerance: f64,
     inputs_move_it_by: Option<f64>,
+    inputs_are: Option<&'static str>,
 }
 
 #[derive(Serialize)]
 struct Tried {
     model: String,
-    counted_cost: u64,
-    errors_at_most: Vec<Option<f64>>,
+    cost: u64,
+    cost_is: &'static str,
+    errors: Vec<Option<f64>>,
+    errors_are: Option<&'static str>,
     error_by_tolerance: Option<f64>,
     good_enough: bool,
     verdict: String,
@@ -93,6 +97,7 @@ fn state(body: &Round<Shown>) -> State<'_> {
 pub fn json(report: &SceneReport<'_>) -> String {
     let answer = report.answer;
     let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
+    let known = answer.known.map(Known::id);
     let file = File {
         schema: Schema { name: "kane-scene", version: 1 },
         program: Program::THIS,
@@ -109,9 +114,13 @@ pub fn json(report: &SceneReport<'_>) -> String {
                 unit: line.quantity.unit(),
                 value: line.value,
                 exact: line.exact.as_deref(),
-                error_at_most: line.error,
+                error: line.error,
+                error_is: known,
                 tolerance: line.tolerance,
-                inputs_move_it_by: line.spread,
+                inputs_move_it_by: line.spread.map(|spread| spread.by),
+                inputs_are: line
+                    .spread
+                    .map(|spread| if spread.enclosed { "enclosed" } else { "at corners" }),
             })
             .collect(),
         reasons: &answer.reasons,
@@ -120,11 +129,13 @@ pub fn json(report: &SceneReport<'_>) -> String {
             .iter()
             .map(|judged| Tried {
                 model: judged.model.to_string(),
-                counted_cost: judged.cost,
-                errors_at_most: judged.errors.clone(),
+                cost: judged.cost,
+                cost_is: if judged.model.mechanics.is_counted() { "counted" } else { "estimated" },
+                errors: judged.errors.clone(),
+                errors_are: judged.ratio.and(known),
                 error_by_tolerance: judged.ratio,
                 good_enough: judged.verdict == kane_scene::Verdict::Meets,
-                verdict: verdict(&judged.verdict),
+                verdict: verdict(&judged.verdict, answer.known),
             })
             .collect(),
         kinetic_energy_at_start_j: answer.start_energy,

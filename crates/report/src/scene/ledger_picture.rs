@@ -1,19 +1,15 @@
 //! The energy ledger, and error against cost, as pictures.
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
-use kane_scene::{Bounced, Judged, Verdict};
+use kane_scene::{Bounced, Judged, Known, Verdict};
 use plotters::prelude::*;
 
 use super::SceneReport;
+use super::sheet::{GRID, INKS, SIZE, headed};
 use crate::stability::PictureError;
 
-const SIZE: (u32, u32) = (760, 420);
-const PARTS: [(&str, RGBColor); 4] = [
-    ("normal", RGBColor(0, 114, 178)),
-    ("tangential", RGBColor(213, 94, 0)),
-    ("rotational", RGBColor(0, 158, 115)),
-    ("gravity", RGBColor(130, 130, 130)),
-];
+const PARTS: [(&str, RGBColor); 4] =
+    [("normal", INKS[0]), ("tangential", INKS[1]), ("rotational", INKS[2]), ("gravity", INKS[4])];
 
 /// The ledger as SVG: what impacts have done to the energy so far, by part, and what gravity has;
 /// `None` without impacts to show.
@@ -26,28 +22,32 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
     let all = || sums.iter().flat_map(|sum| sum.parts).chain([0.0]);
     let (low, high) =
         (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-    let margin = ((high - low) * 0.08).max(1e-300);
+    // where nothing changes, the energy itself gives the scale
+    let extent = if high > low { high - low } else { report.answer.start_energy.max(1e-300) };
+    let margin = extent * 0.08;
+    // a while after the last impact, so that its step is seen
+    let end = last.time * 1.06;
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        root.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&root)
-            .caption(format!("{}: energy by part", report.title), ("sans-serif", 17))
+        let looks = PARTS.map(|(name, ink)| (name, ink.stroke_width(2)));
+        let area = headed(&root, &format!("{}: energy by part", report.title), &looks)?;
+        let mut chart = ChartBuilder::on(&area)
             .margin(12)
             .x_label_area_size(38)
             .y_label_area_size(76)
-            .build_cartesian_2d(0.0..last.time * 1.02, (low - margin)..(high + margin))?;
+            .build_cartesian_2d(0.0..end, (low - margin)..(high + margin))?;
         chart
             .configure_mesh()
             .x_desc("time, s")
             .y_desc("change of energy so far, J")
             // the axis counts in steps that round: its zero is only near it
-            .y_label_formatter(&|y| super::small(if y.abs() < margin / 1e6 { 0.0 } else { *y }))
-            .x_label_formatter(&|x| super::number(*x))
+            .y_label_formatter(&|y| super::brief(if y.abs() < margin / 1e6 { 0.0 } else { *y }))
+            .x_label_formatter(&|x| super::brief(*x))
             .light_line_style(TRANSPARENT)
-            .bold_line_style(RGBColor(225, 225, 225))
+            .bold_line_style(GRID)
             .draw()?;
-        for (part, (name, ink)) in PARTS.iter().enumerate() {
+        for (part, (_, look)) in looks.iter().enumerate() {
             let mut points = vec![(0.0, 0.0)];
             let mut level = 0.0;
             for sum in sums {
@@ -55,19 +55,16 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
                 level = sum.parts[part];
                 points.push((sum.time, level));
             }
-            chart.draw_series(LineSeries::new(points, ink.stroke_width(2)))?.label(*name).legend(
-                move |(x, y)| PathElement::new(vec![(x, y), (x + 18, y)], ink.stroke_width(3)),
-            );
+            points.push((end, level));
+            chart.draw_series(LineSeries::new(points, *look))?;
         }
-        chart
-            .configure_series_labels()
-            .background_style(WHITE.mix(0.85))
-            .border_style(RGBColor(200, 200, 200))
-            .draw()?;
         root.present()?;
     }
     Ok(Some(svg))
 }
+
+/// The height of a label in pixels.
+const LABEL: i32 = 13;
 
 /// What no error is drawn below.
 const LEAST: f64 = 1e-18;
@@ -92,30 +89,39 @@ pub fn compare_picture(report: &SceneReport<'_>) -> Result<String, PictureError>
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        root.fill(&WHITE)?;
+        let tolerance = RGBColor(213, 94, 0).stroke_width(2);
+        let title = format!("{}: error against cost", report.title);
+        let looks = [
+            ("the tolerance", tolerance),
+            ("good enough; the chosen one is full", INKS[2].stroke_width(2)),
+            ("not, or not known to be", INKS[4].stroke_width(2)),
+        ];
+        let area = headed(&root, &title, &looks)?;
         let costs = (20.0..most * 12.0).log_scale();
         let ratios = (best / 10.0..worst * 10.0).log_scale();
-        let mut chart = ChartBuilder::on(&root)
-            .caption(format!("{}: error against cost", report.title), ("sans-serif", 17))
+        let mut chart = ChartBuilder::on(&area)
             .margin(12)
             .x_label_area_size(38)
             .y_label_area_size(72)
             .build_cartesian_2d(costs, ratios)?;
         chart
             .configure_mesh()
-            .x_desc("counted cost of an impact, additions of f64")
-            .y_desc("worst error by its tolerance")
+            .x_desc("cost of an impact, additions of f64")
+            .y_desc(match report.answer.known {
+                Some(Known::Estimated) => "worst error by its tolerance, estimated",
+                _ => "worst error by its tolerance",
+            })
             .x_label_formatter(&|x| super::small(*x))
             .y_label_formatter(&|y| super::small(*y))
             .light_line_style(TRANSPARENT)
-            .bold_line_style(RGBColor(225, 225, 225))
+            .bold_line_style(GRID)
             .draw()?;
         let line = vec![(20.0, 1.0), (most * 12.0, 1.0)];
-        chart.draw_series(LineSeries::new(line, RGBColor(213, 94, 0).stroke_width(2)))?;
+        chart.draw_series(LineSeries::new(line, tolerance))?;
         let mut labels: Vec<(String, f64, f64)> = Vec::new();
         for (judged, cost, ratio) in drawn {
             let good = judged.verdict == Verdict::Meets;
-            let ink = if good { RGBColor(0, 158, 115) } else { RGBColor(90, 90, 90) };
+            let ink = if good { INKS[2] } else { INKS[4] };
             let chosen = report.answer.chosen == Some(judged.model);
             let style = if chosen { ink.filled() } else { ink.stroke_width(2) };
             chart.draw_series(std::iter::once(Circle::new((cost, ratio), 5, style)))?;
@@ -125,9 +131,20 @@ pub fn compare_picture(report: &SceneReport<'_>) -> Result<String, PictureError>
                 None => labels.push((judged.model.to_string(), cost, ratio)),
             }
         }
+        // beside its circle, and lower where another one is in the way
+        let mut taken: Vec<[i32; 3]> = Vec::new();
+        labels.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.1.total_cmp(&b.1)));
         for (text, cost, ratio) in labels {
-            let font = ("sans-serif", 11).into_font();
-            chart.draw_series(std::iter::once(Text::new(text, (cost * 1.12, ratio), font)))?;
+            let (x, y) = chart.backend_coord(&(cost, ratio));
+            let (left, mut top) = (x + 9, y - 6);
+            let right = left + 7 * i32::try_from(text.len()).unwrap_or(0);
+            let meets =
+                |top: i32, [l, t, r]: [i32; 3]| left < r && l < right && (top - t).abs() < LABEL;
+            while let Some(other) = taken.iter().find(|other| meets(top, **other)) {
+                top = other[1] + LABEL;
+            }
+            taken.push([left, top, right]);
+            root.draw(&Text::new(text, (left, top), ("sans-serif", 11).into_font()))?;
         }
         root.present()?;
     }

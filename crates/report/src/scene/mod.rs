@@ -1,11 +1,14 @@
 //! A scene: what was asked, by which model, and how it moved. Presentation only.
 
+mod contact_picture;
 mod csv;
 mod html;
+mod impulse_picture;
 mod json;
 mod ledger_picture;
 mod markdown;
 mod motion_picture;
+mod sheet;
 mod stress_picture;
 mod text;
 
@@ -14,12 +17,13 @@ pub use html::html;
 pub use json::json;
 pub use ledger_picture::{compare_picture, ledger_picture};
 pub use markdown::markdown;
-pub use motion_picture::motion_picture;
 pub use stress_picture::stress_picture;
 pub use text::text;
 
+use crate::stability::PictureError;
+use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
-use kane_scene::{Answer, Verdict};
+use kane_scene::{Answer, Judged, Known, Spread, Verdict};
 
 /// An answer and how its report introduces it.
 pub struct SceneReport<'a> {
@@ -43,14 +47,51 @@ impl SceneReport<'_> {
             1 => "what is asked for is within its tolerance",
             _ => "all that is asked for is within its tolerance",
         };
+        let surely = match answer.known {
+            Some(Known::Estimated) => ", by an estimate",
+            Some(Known::Documented) => ", as documented",
+            _ => "",
+        };
         match (good, answer.chosen) {
-            (true, _) => format!("{shown}: {each}"),
+            (true, _) => format!("{shown}: {each}{surely}"),
             (false, None) => format!("no model is known to be good enough; shown is {shown}"),
             (false, Some(chosen)) => {
                 format!("{shown} is not known to be good enough; {chosen} is")
             }
         }
     }
+}
+
+/// A picture, with what it is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// The end of its file's name.
+    pub name: &'static str,
+    /// Its heading.
+    pub heading: &'static str,
+    /// The drawing, SVG.
+    pub svg: String,
+}
+
+/// The picture of a scene: what flies, the impulse of a tip, or forces over the time of contact;
+/// `None` where the model has none.
+///
+/// # Errors
+/// [`PictureError`], which drawing into a string does not give in practice.
+pub fn picture(report: &SceneReport<'_>) -> Result<Option<Drawn>, PictureError> {
+    let Some(picture) = &report.answer.picture else { return Ok(None) };
+    let (name, heading, svg) = match picture {
+        Picture::Motion(strobe) => {
+            ("motion", "Motion", motion_picture::motion_picture(report, strobe)?)
+        }
+        Picture::ImpulsePlane(plane) => {
+            ("impulse", "Impulse", impulse_picture::impulse_picture(report, plane)?)
+        }
+        Picture::ContactTime(contact) => {
+            ("contact", "Contact", contact_picture::contact_picture(report, contact)?)
+        }
+    };
+    Ok(Some(Drawn { name, heading, svg }))
 }
 
 /// A number for a table, with its sign where it has one.
@@ -72,9 +113,56 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// An error or a tolerance.
+/// An error, a tolerance or a place on an axis, to two digits, or as many as it has before the point.
+pub(crate) fn brief(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 || !(1e-3..1e5).contains(&magnitude) {
+        return small(value);
+    }
+    // the digit before the last to be kept
+    let digits = [1e-2, 1e-1, 1.0, 10.0].iter().position(|bound| magnitude < *bound);
+    let decimals = digits.map_or(0, |n| 4 - n);
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// An error to two digits.
 pub(crate) fn small(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// The cost of a model, and whether it is counted or only estimated.
+pub(crate) fn cost(judged: &Judged) -> String {
+    let about = if judged.model.mechanics.is_counted() { "" } else { "about " };
+    format!("{about}{}", judged.cost)
+}
+
+/// What the column of costs is.
+pub(crate) const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
+
+/// What is known of an error: its size, and whether that is a bound or an estimate.
+pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
+    match (error, known) {
+        (Some(0.0), Some(Known::Exactly | Known::Enclosed)) => "none".to_owned(),
+        (Some(error), Some(Known::Exactly | Known::Enclosed)) => {
+            format!("at most {}", brief(error))
+        }
+        (Some(error), Some(Known::Documented)) => format!("{}, documented", brief(error)),
+        (Some(error), Some(Known::Estimated)) => format!("{}, estimated", brief(error)),
+        _ => "unknown".to_owned(),
+    }
+}
+
+/// How far the stated uncertainty moves an answer.
+pub(crate) fn moved(spread: Option<Spread>) -> String {
+    match spread {
+        Some(Spread { by, enclosed: true }) => format!("±{} at most", brief(by)),
+        Some(Spread { by, enclosed: false }) => format!("±{} at corners", brief(by)),
+        None => "-".to_owned(),
+    }
 }
 
 /// Who meets, in words; bodies are counted from 1.
@@ -87,12 +175,16 @@ pub(crate) fn who(encounter: Encounter, bodies: usize) -> String {
 }
 
 /// What is said of a model, in a few words.
-pub(crate) fn verdict(verdict: &Verdict) -> String {
+pub(crate) fn verdict(verdict: &Verdict, known: Option<Known>) -> String {
     match verdict {
-        Verdict::Meets => "good enough".to_owned(),
+        Verdict::Meets => match known {
+            Some(Known::Estimated) => "good enough by an estimate".to_owned(),
+            Some(Known::Documented) => "good enough as documented".to_owned(),
+            _ => "good enough".to_owned(),
+        },
         Verdict::Misses { quantity, by, at_a_corner } => {
             let place = if *at_a_corner { " within the uncertainty" } else { "" };
-            format!("{quantity} off by {}{place}", small(*by))
+            format!("{quantity} off by {}{place}", brief(*by))
         }
         Verdict::Uncertified(why) => format!("not certified: {why}"),
         Verdict::Fails(reason) => format!("no answer: {reason}"),

@@ -5,16 +5,13 @@ use kane_scene::{Side, Strobe};
 use plotters::prelude::*;
 
 use super::SceneReport;
+use super::sheet::INKS;
 use crate::stability::PictureError;
 
 /// The longer side of the drawing, the margin, and the header, in pixels.
 const LONG: f64 = 860.0;
 const MARGIN: f64 = 36.0;
 const HEADER: f64 = 56.0;
-
-/// Blue, vermilion, green and purple of the palette by Okabe and Ito.
-const INKS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
 
 /// Metres to pixels.
 struct Scale {
@@ -57,6 +54,21 @@ impl Scale {
         }
     }
 
+    /// A bar of a round length beside the caption, with the length.
+    fn bar(&self, root: &super::sheet::Area<'_>) -> Result<(), PictureError> {
+        let most = 150.0 / self.by;
+        let ten = 10_f64.powf(most.log10().floor());
+        let length = [5.0, 2.0, 1.0].map(|n| n * ten).into_iter().find(|length| *length <= most);
+        let length = length.unwrap_or(ten);
+        let right = self.size.0.cast_signed() - 16;
+        let left = right - whole(length * self.by);
+        let bar = vec![(left, 36), (left, 44), (left, 40), (right, 40), (right, 36), (right, 44)];
+        root.draw(&PathElement::new(bar, BLACK.stroke_width(1)))?;
+        let words = format!("{} m", super::brief(length));
+        root.draw(&Text::new(words, (left, 18), ("sans-serif", 13).into_font()))?;
+        Ok(())
+    }
+
     fn at(&self, [x, y]: [f64; 2]) -> (i32, i32) {
         let across = MARGIN + (x - self.left) * self.by;
         (whole(across), whole(HEADER + MARGIN + (self.top - y) * self.by))
@@ -72,13 +84,11 @@ fn whole(x: f64) -> i32 {
 /// Many bodies are drawn at the start and at the end alone.
 const FEW: usize = 4;
 
-/// The motion as SVG: bodies at equal intervals, with a spoke that turns with them, and their ways;
-/// `None` where nothing flies.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn motion_picture(report: &SceneReport<'_>) -> Result<Option<String>, PictureError> {
-    let Some(strobe) = &report.answer.strobe else { return Ok(None) };
+/// The motion as SVG: bodies at equal intervals, with a spoke that turns with them, and their ways.
+pub(super) fn motion_picture(
+    report: &SceneReport<'_>,
+    strobe: &Strobe,
+) -> Result<String, PictureError> {
     let scale = Scale::of(strobe);
     let mut svg = String::new();
     {
@@ -86,7 +96,7 @@ pub fn motion_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
         root.fill(&WHITE)?;
         let font = |size: i32| ("sans-serif", size).into_font();
         root.draw(&Text::new(report.title.clone(), (12, 8), font(20)))?;
-        root.draw(&Text::new(caption(strobe, report), (12, 34), font(13)))?;
+        root.draw(&Text::new(caption(strobe), (12, 34), font(13)))?;
         let grey = RGBColor(90, 90, 90);
         let (width, height) = (scale.size.0.cast_signed(), scale.size.1.cast_signed());
         let left = whole(MARGIN) / 3;
@@ -128,9 +138,10 @@ pub fn motion_picture(report: &SceneReport<'_>) -> Result<Option<String>, Pictur
                 root.draw(&PathElement::new(spoke, ink.stroke_width(1)))?;
             }
         }
+        scale.bar(&root)?;
         root.present()?;
     }
-    Ok(Some(svg))
+    Ok(svg)
 }
 
 fn share(n: usize, of: usize) -> f64 {
@@ -138,15 +149,18 @@ fn share(n: usize, of: usize) -> f64 {
     small(n) / small(of).max(1.0)
 }
 
-fn caption(strobe: &Strobe, report: &SceneReport<'_>) -> String {
+fn caption(strobe: &Strobe) -> String {
     let apart = match &strobe.frames[..] {
         [first, second, ..] => second.time - first.time,
         _ => 0.0,
     };
-    let how = match strobe.radii.len() > FEW {
-        true => "first and last position, and the ways between".to_owned(),
-        false => format!("every {} s, the spoke turns with the body", super::small(apart)),
-    };
-    let command = &report.command;
-    format!("{how}; by {}; kane {}: {command}", report.answer.shown, env!("CARGO_PKG_VERSION"))
+    match strobe.radii.len() > FEW {
+        true => "first and last position (dark), and the ways between".to_owned(),
+        false => {
+            format!(
+                "every {} s, later is darker; the spoke turns with the body",
+                super::brief(apart)
+            )
+        }
+    }
 }

@@ -4,11 +4,11 @@
 use kane_scene::stress::Row;
 use plotters::prelude::*;
 
+use super::sheet::{GRID, INKS, headed};
 use crate::stability::PictureError;
 
-const PANEL: (u32, u32) = (520, 260);
+const PANEL: (u32, u32) = (520, 290);
 const COLUMNS: usize = 2;
-const INKS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 /// What no error is drawn below, and above: an answer that is not there.
 const LEAST: f64 = 1e-17;
 const MOST: f64 = 1e3;
@@ -44,8 +44,11 @@ pub fn stress_picture(rows: &[Row]) -> Result<String, PictureError> {
                 }
             }
             let last = places.len().saturating_sub(1);
-            let mut chart = ChartBuilder::on(area)
-                .caption(*case, ("sans-serif", 14))
+            let ink = |index: usize| INKS[index % INKS.len()].stroke_width(2);
+            let looks: Vec<(&str, ShapeStyle)> =
+                methods.iter().enumerate().map(|(n, (method, _))| (*method, ink(n))).collect();
+            let area = headed(area, case, &looks)?;
+            let mut chart = ChartBuilder::on(&area)
                 .margin(8)
                 .x_label_area_size(36)
                 .y_label_area_size(58)
@@ -64,10 +67,10 @@ pub fn stress_picture(rows: &[Row]) -> Result<String, PictureError> {
                 .y_labels(6)
                 .y_label_formatter(&|y| super::small(*y))
                 .light_line_style(TRANSPARENT)
-                .bold_line_style(RGBColor(228, 228, 228))
+                .bold_line_style(GRID)
                 .draw()?;
             for (index, (method, pushed)) in methods.iter().enumerate() {
-                let ink = INKS[index % INKS.len()];
+                let ink = ink(index);
                 let points: Vec<(f64, f64)> = of_case
                     .iter()
                     .filter(|row| (row.method, row.pushed) == (*method, *pushed))
@@ -76,21 +79,10 @@ pub fn stress_picture(rows: &[Row]) -> Result<String, PictureError> {
                         Some((float(place), row.error.clamp(LEAST, MOST)))
                     })
                     .collect();
-                chart
-                    .draw_series(LineSeries::new(points.clone(), ink.stroke_width(1)))?
-                    .label(*method)
-                    .legend(move |(x, y)| {
-                        PathElement::new(vec![(x, y), (x + 14, y)], ink.stroke_width(3))
-                    });
+                chart.draw_series(LineSeries::new(points.clone(), ink))?;
                 let dots = points.into_iter().map(|point| Circle::new(point, 3, ink.filled()));
                 chart.draw_series(dots)?;
             }
-            chart
-                .configure_series_labels()
-                .position(SeriesLabelPosition::UpperLeft)
-                .background_style(WHITE.mix(0.85))
-                .label_font(("sans-serif", 11))
-                .draw()?;
         }
         root.present()?;
     }

@@ -7,7 +7,7 @@ use kane_scene::Verdict;
 use kane_scene::simulate::Ending;
 use unicode_width::UnicodeWidthStr as _;
 
-use super::{SceneReport, number, small, verdict, who};
+use super::{SceneReport, brief, cost, error, moved, number, verdict, who};
 use crate::Page;
 use crate::shorten::{padded, shorten};
 
@@ -28,7 +28,7 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
 
     let uncertain = answer.lines.iter().any(|line| line.spread.is_some());
     let mut rows =
-        vec![vec!["asked".to_owned(), "answer".into(), "error at most".into(), "tolerance".into()]];
+        vec![vec!["asked".to_owned(), "answer".into(), "error".into(), "tolerance".into()]];
     if uncertain {
         rows[0].push("inputs move it by".into());
     }
@@ -38,13 +38,11 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
         let mut row = vec![
             line.quantity.to_string(),
             value,
-            line.error.map_or_else(|| "unknown".to_owned(), small),
-            small(line.tolerance),
+            error(line.error, answer.known),
+            brief(line.tolerance),
         ];
         if uncertain {
-            row.push(
-                line.spread.map_or_else(|| "unknown".to_owned(), |s| format!("±{}", small(s))),
-            );
+            row.push(moved(line.spread));
         }
         rows.push(row);
     }
@@ -59,9 +57,9 @@ pub fn text(report: &SceneReport<'_>, page: Page) -> String {
     for judged in &answer.judged {
         rows.push(vec![
             judged.model.to_string(),
-            judged.cost.to_string(),
-            judged.ratio.map_or_else(|| "-".to_owned(), small),
-            verdict(&judged.verdict),
+            cost(judged),
+            judged.ratio.map_or_else(|| "-".to_owned(), brief),
+            verdict(&judged.verdict, answer.known),
         ]);
     }
     let good: Vec<bool> =

@@ -1,21 +1,22 @@
 //! A scene under one model.
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
+use kane_impact::{Contact, Outcome};
 use kane_measure::chart::System;
 use kane_number::{Interval, Number as _, Rational};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
-use crate::resolver::{ByLaw, Elastic, NormalOnly, Process, Resolver};
+use crate::resolver::{ByLaw, COMPLIANT, Elastic, NormalOnly, Process, Resolver};
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
 use crate::tip::Tip;
-use crate::world::World;
+use crate::world::{Round, World};
 
 /// Why a model has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum Failed {
+pub(crate) enum Failed {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     #[error(transparent)]
@@ -30,7 +31,7 @@ pub(super) enum Failed {
 
 impl Failed {
     /// Whether the model itself refuses, rather than its number system.
-    pub(super) fn is_of_the_model(&self) -> bool {
+    pub(crate) fn is_of_the_model(&self) -> bool {
         let refuses = |reason: &kane_impact::NoImpulse| {
             matches!(reason, kane_impact::NoImpulse::Outside { .. })
         };
@@ -48,6 +49,8 @@ pub(super) struct Found<N> {
     pub(super) values: Vec<N>,
     /// Every impact slid all the time, or had no slip.
     pub(super) slides: bool,
+    /// Some impact was followed by a process, whose error is its own estimate.
+    pub(super) estimated: bool,
     /// No impact had any slip.
     pub(super) no_slip: bool,
     /// α of the first impact, with the sign of its slip.
@@ -75,31 +78,49 @@ pub(super) fn evaluate_with<N: Coordinate>(
     kept: usize,
     shown: u64,
 ) -> Result<Found<N>, Failed> {
-    let elastic;
-    let walton;
-    let resolver: &dyn Resolver<N> = match mechanics {
-        Mechanics::NormalOnly => &NormalOnly,
-        Mechanics::Sliding => &ByLaw(WhittakerUncapped),
-        Mechanics::WangSuLi => &ByLaw(WangSuLi),
-        Mechanics::Coulomb => &ByLaw(RouthNewton),
-        Mechanics::Energetic => &ByLaw(Stronge1990),
+    if mechanics == Mechanics::Chain {
+        return chain(scene, setup);
+    }
+    let resolver = resolver(scene, mechanics)?;
+    match setup {
+        Setup::Bodies(world) => bodies(scene, world, &*resolver, kept, shown),
+        Setup::Tip(tip) => tips(scene, tip, &*resolver),
+    }
+}
+
+/// What resolves one contact at a time.
+fn resolver<N: Coordinate>(
+    scene: &Scene,
+    mechanics: Mechanics,
+) -> Result<Box<dyn Resolver<N>>, Failed> {
+    Ok(match mechanics {
+        Mechanics::NormalOnly => Box::new(NormalOnly),
+        Mechanics::Sliding => Box::new(ByLaw(WhittakerUncapped)),
+        Mechanics::WangSuLi => Box::new(ByLaw(WangSuLi)),
+        Mechanics::Coulomb => Box::new(ByLaw(RouthNewton)),
+        Mechanics::Energetic => Box::new(ByLaw(Stronge1990)),
         Mechanics::Grip => {
             let Tangential::Grip(share) = &scene.tangential else {
                 return Err(missing("tangential_restitution"));
             };
-            walton = ByLaw(Walton { restitution: share.clone() });
-            &walton
+            Box::new(ByLaw(Walton { restitution: share.clone() }))
         }
         Mechanics::Compliant | Mechanics::Annuli => {
-            elastic = contact(&scene.tangential, mechanics)?;
-            &elastic
+            Box::new(contact(&scene.tangential, mechanics)?)
         }
-        Mechanics::Chain => return chain(scene, setup),
-    };
-    match setup {
-        Setup::Bodies(world) => bodies(scene, world, resolver, kept, shown),
-        Setup::Tip(tip) => tips(scene, tip, resolver),
-    }
+        Mechanics::Chain => {
+            return Err(Failed::Invalid("a chain is no single contact".to_owned()));
+        }
+    })
+}
+
+/// The outcome of a tip's contact in floats.
+pub(crate) fn resolve_tip(
+    scene: &Scene,
+    contact: &Contact<f64>,
+    mechanics: Mechanics,
+) -> Result<Outcome<f64>, Failed> {
+    Ok(resolver(scene, mechanics)?.resolve(contact)?)
 }
 
 /// The elastic contact of the scene, followed by one process or by the finer one.
@@ -133,7 +154,7 @@ fn bodies<N: Coordinate>(
     kept: usize,
     shown: u64,
 ) -> Result<Found<N>, Failed> {
-    let (mut slides, mut no_slip) = (true, true);
+    let (mut slides, mut no_slip, mut estimated) = (true, true, false);
     let mut bounces: Vec<Bounce<N>> = Vec::new();
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
@@ -142,6 +163,7 @@ fn bodies<N: Coordinate>(
         let none = bounce.slip[0].sign().is_equal() == Some(true);
         no_slip &= none;
         slides &= none || bounce.regime.starts_with("slide");
+        estimated |= bounce.regime == COMPLIANT;
         if bounces.is_empty() {
             alpha = world.alpha(bounce);
         }
@@ -157,6 +179,7 @@ fn bodies<N: Coordinate>(
     Ok(Found {
         values: values.collect::<Result<_, _>>()?,
         slides,
+        estimated,
         no_slip,
         alpha,
         bounces,
@@ -202,6 +225,7 @@ fn tips<N: Coordinate>(
     Ok(Found {
         values: values.collect::<Result<_, _>>()?,
         slides: outcome.regime.starts_with("slide"),
+        estimated: outcome.regime == COMPLIANT,
         // without slip a contact that couples may still have a tangential impulse
         no_slip: no_slip && contact.delassus().tn().sign().is_equal() == Some(true),
         alpha: None,
@@ -214,25 +238,28 @@ fn tips<N: Coordinate>(
 /// Steps of a chain's integration, and for the estimate of its error half of them.
 const STEPS: u32 = 8_192;
 
-fn chain<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Result<Found<N>, Failed> {
-    let (Setup::Bodies(world), Some(stiffness)) = (setup, &scene.stiffness) else {
-        return Err(missing("stiffness"));
-    };
-    if N::of_enclosure(Interval::zero()).is_none() {
-        return Err(Failed::Invalid("an integration has no exact answer".to_owned()));
-    }
+/// The row of spheres in floats; `None` if the scene states no stiffness.
+pub(crate) fn chain_of<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Option<Chain> {
+    let (Setup::Bodies(world), Some(stiffness)) = (setup, &scene.stiffness) else { return None };
     // exact where it can be, so that spheres that touch have no gap by rounding
-    let gap = |i: usize| {
-        let (a, b) = (&world.bodies[i], &world.bodies[i + 1]);
+    let gap = |pair: &[Round<N>]| {
+        let [a, b] = pair else { return 0.0 };
         let exact = b.position[0].clone() - &a.position[0] - &a.radius - &b.radius;
         exact.to_f64().max(0.0)
     };
-    let chain = Chain {
+    Some(Chain {
         masses: world.bodies.iter().map(|body| body.mass.to_f64()).collect(),
-        gaps: (0..world.bodies.len() - 1).map(gap).collect(),
+        gaps: world.bodies.windows(2).map(gap).collect(),
         velocities: world.bodies.iter().map(|body| body.motion.vx.to_f64()).collect(),
         stiffness: stiffness.to_f64(),
-    };
+    })
+}
+
+fn chain<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Result<Found<N>, Failed> {
+    let chain = chain_of(scene, setup).ok_or_else(|| missing("stiffness"))?;
+    if N::of_enclosure(Interval::zero()).is_none() {
+        return Err(Failed::Invalid("an integration has no exact answer".to_owned()));
+    }
     let (coarse, fine) = (collide_chain(&chain, STEPS / 2)?, collide_chain(&chain, STEPS)?);
     // at least first order is certain, so that what is left is at most what the halving changed;
     // twice that, and a part for the rounding of the steps
@@ -259,6 +286,7 @@ fn chain<N: Coordinate>(scene: &Scene, setup: &Setup<N>) -> Result<Found<N>, Fai
     Ok(Found {
         values: values.collect::<Result<_, _>>()?,
         slides: true,
+        estimated: true,
         no_slip: true,
         alpha: None,
         bounces: Vec::new(),

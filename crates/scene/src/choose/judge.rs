@@ -14,7 +14,7 @@ use crate::scene::Scene;
 /// What is said of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every error is certified to be within the tolerance.
+    /// Every error is within the tolerance, as surely as the reference is [known](super::Known).
     Meets,
     /// It measurably misses.
     Misses {
@@ -38,7 +38,8 @@ pub struct Judged {
     pub model: Model,
     /// In additions of `f64`, an impact.
     pub cost: u64,
-    /// A bound on the error of each quantity at the values as stated; `None` if unknown.
+    /// The error of each quantity at the values as stated is no greater, as surely as the reference
+    /// is [known](super::Known); `None` if unknown.
     pub errors: Vec<Option<f64>>,
     /// The greatest error by its tolerance; `None` if unknown, or the tolerance is 0 and the error
     /// is not.

@@ -1,8 +1,9 @@
 //! The least model that is good enough.
 //!
 //! Candidates are tried from the cheapest by counted cost. One is accepted where its error in every
-//! quantity asked for is *certified* to be within the tolerance, and passed over where it measurably
-//! is not, or where nothing certifies it. No clock is asked.
+//! quantity asked for is known to be within the tolerance, and passed over where it measurably is
+//! not, or where nothing shows it. *Known* is by a bound, by a documented result, or by the estimate
+//! of a process, and [`Known`] tells which. No clock is asked.
 
 mod evaluate;
 mod judge;
@@ -12,15 +13,17 @@ mod reference;
 
 pub use judge::{Judged, Verdict};
 pub use model::{Mechanics, Model, UnknownModel};
+pub use reference::{Known, Spread};
 
 use kane_number::{Rational, Rounding, encode};
 use num_traits::Signed as _;
 
 use crate::coordinate::Coordinate;
+use crate::picture::Picture;
 use crate::quantity::Quantity;
 use crate::scene::Scene;
 use crate::simulate::{Bounce, End, Until};
-use crate::strobe::Strobe;
+pub(crate) use evaluate::{Failed, chain_of, resolve_tip};
 use evaluate::{Found, evaluate};
 use reference::Reference;
 
@@ -51,13 +54,14 @@ pub struct Line {
     pub value: f64,
     /// The exact answer, from a model in exact numbers.
     pub exact: Option<String>,
-    /// No further is the answer from that of the reference; `None` if that is unknown.
+    /// No further is the answer from that of the reference, as surely as [`Answer::known`] says;
+    /// `None` if that is unknown.
     pub error: Option<f64>,
     /// What was asked for.
     pub tolerance: f64,
     /// How far the stated uncertainty moves the reference's answer to either side; `None` if nothing
     /// is uncertain, or it is not known.
-    pub spread: Option<f64>,
+    pub spread: Option<Spread>,
 }
 
 /// The answer to a scene.
@@ -65,6 +69,9 @@ pub struct Line {
 pub struct Answer {
     /// Every quantity, in the order of the file.
     pub lines: Vec<Line>,
+    /// How the reference is known, and so what every error here is: a bound, documented, or an
+    /// estimate; `None` if the reference has no answer.
+    pub known: Option<Known>,
     /// The models that were tried, from the cheapest.
     pub judged: Vec<Judged>,
     /// The cheapest that is good enough; `None` if none is.
@@ -82,8 +89,8 @@ pub struct Answer {
     pub end: Option<End<Shown>>,
     /// The kinetic energy at the start; J.
     pub start_energy: f64,
-    /// The motion as a picture shows it; `None` for one impact of a tip and for a chain.
-    pub strobe: Option<Strobe>,
+    /// What the scene shows of itself.
+    pub picture: Option<Picture>,
 }
 
 /// The change of energy since the start, right after an impact.
@@ -172,10 +179,11 @@ pub fn answer(
     let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);
     Ok(Answer {
         lines,
+        known: reference.values.is_ok().then_some(reference.known),
         chosen,
         shown,
         reasons,
-        strobe: Strobe::of(scene, shown),
+        picture: Picture::of(scene, shown),
         judged,
         sums: sums(&told.bounces),
         bounces: told.bounces,

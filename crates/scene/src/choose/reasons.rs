@@ -33,7 +33,11 @@ pub(super) fn reasons(
         match (&reference.values, reference.known) {
             (Err(_), _) => "",
             (Ok(_), Known::Exactly) => ", known exactly",
-            (Ok(_), Known::Enclosed) => ", known within enclosures",
+            (Ok(_), Known::Enclosed) => ", enclosed by intervals",
+            (Ok(_), Known::Documented) =>
+                ", which slides all the time here as is documented of it; that is enclosed by intervals",
+            (Ok(_), Known::Estimated) =>
+                ", followed in steps; how far that is off is an estimate from finer and coarser steps and no bound",
         }
     )];
     said.extend(of_the_contact(scene, reference));
@@ -47,8 +51,8 @@ pub(super) fn reasons(
     if let Some(spread) = reference.spread(scene) {
         let moved = scene.asked.iter().zip(spread);
         let beyond: Vec<String> = moved
-            .filter(|(asked, spread)| *spread > asked.tolerance.to_f64())
-            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread)))
+            .filter(|(asked, spread)| spread.by > asked.tolerance.to_f64())
+            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread.by)))
             .collect();
         if !beyond.is_empty() {
             said.push(format!(
@@ -122,18 +126,22 @@ fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: 
     };
     let found = judged.iter().find(|judged| judged.model == chosen);
     let worst = found.and_then(|judged| judged.errors.iter().flatten().copied().reduce(f64::max));
-    let error = match worst {
-        Some(0.0) => ", exactly".to_owned(),
-        Some(error) => format!(", with no error above {}", short(error)),
-        None => String::new(),
+    let error = match (worst, reference.known) {
+        (Some(0.0), Known::Exactly | Known::Enclosed) => ", exactly".to_owned(),
+        (Some(error), Known::Exactly | Known::Enclosed) => {
+            format!(", with no error above {}", short(error))
+        }
+        (Some(error), Known::Documented) => {
+            format!(", with no error above {} as far as it slides", short(error))
+        }
+        (Some(error), Known::Estimated) => format!(", with an estimated error of {}", short(error)),
+        (None, _) => String::new(),
     };
-    let shorter = judged
+    // those after it are there to be compared
+    let before = judged.iter().position(|judged| judged.model == chosen).unwrap_or(judged.len());
+    let shorter = judged[..before]
         .iter()
-        .rfind(|judged| {
-            judged.model.mechanics == chosen.mechanics
-                && judged.model.cost() <= chosen.cost()
-                && judged.model != chosen
-        })
+        .rfind(|judged| judged.model.mechanics == chosen.mechanics)
         .map(|judged| format!("; {}: {}", judged.model.system, in_words(&judged.verdict)));
     said.push(format!(
         "Good enough and cheapest is {}{equal}, in {}{error}{}.",

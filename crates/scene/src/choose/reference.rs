@@ -7,13 +7,53 @@ use super::model::Mechanics;
 use crate::coordinate::Coordinate as _;
 use crate::scene::{Scene, Setup, Tangential};
 
-/// How the reference's values are known.
+/// How the reference's values are known, and with them every error against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Known {
-    /// in exact numbers
+pub enum Known {
+    /// Proved: in exact numbers.
     Exactly,
-    /// by intervals, or by a process with its own error
+    /// Proved: on intervals.
     Enclosed,
+    /// On intervals, in a range where the literature documents that an elastic contact slides all
+    /// the time ([`Elastic::slides_up_to`](crate::Elastic::slides_up_to)). What the processes say
+    /// there is charted in `docs/data/model-error.csv`.
+    Documented,
+    /// Heuristic: a process or an integration, by the change under refinement of its steps.
+    Estimated,
+}
+
+impl Known {
+    /// Its name in tables.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Exactly => "exact",
+            Self::Enclosed => "enclosed",
+            Self::Documented => "documented",
+            Self::Estimated => "estimated",
+        }
+    }
+
+    /// How what was found on intervals is known.
+    fn on_intervals(mechanics: Mechanics, found: &Found<Interval>) -> Self {
+        let elastic = matches!(mechanics, Mechanics::Compliant | Mechanics::Annuli);
+        if found.estimated {
+            Self::Estimated
+        } else if elastic && !found.no_slip {
+            Self::Documented
+        } else {
+            Self::Enclosed
+        }
+    }
+}
+
+/// How far the stated uncertainty moves an answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// To either side, in the unit of the quantity.
+    pub by: f64,
+    /// Enclosed by intervals; else measured at the corners of the uncertainty, which is heuristic.
+    pub enclosed: bool,
 }
 
 /// The reference of a scene.
@@ -52,13 +92,13 @@ impl Reference {
         let (values, known) = match (asks_exactly, &at) {
             (true, _) | (false, Err(_)) => match (exact(), &at) {
                 (Ok(values), _) => (Ok(values), Known::Exactly),
-                (Err(_), Ok(found)) => (enclosed(found), Known::Enclosed),
+                (Err(_), Ok(found)) => (enclosed(found), Known::on_intervals(mechanics, found)),
                 (Err(failed), Err(other)) => {
                     let failed = if other.is_of_the_model() { other.clone() } else { failed };
                     (Err(failed), Known::Enclosed)
                 }
             },
-            (false, Ok(found)) => (enclosed(found), Known::Enclosed),
+            (false, Ok(found)) => (enclosed(found), Known::on_intervals(mechanics, found)),
         };
         let over =
             (scene.uncertain() > 0).then(|| evaluate(scene, &scene.enclosed(), mechanics, 1));
@@ -67,12 +107,15 @@ impl Reference {
 
     /// How far the stated uncertainty moves each answer to either side, from enclosures where they
     /// are finite, else by the corners of the box; `None` if nothing is uncertain, or not known.
-    pub(super) fn spread(&self, scene: &Scene) -> Option<Vec<f64>> {
+    pub(super) fn spread(&self, scene: &Scene) -> Option<Vec<Spread>> {
         let over = self.over.as_ref()?;
+        let all = |halves: Vec<f64>, enclosed| {
+            Some(halves.into_iter().map(|by| Spread { by, enclosed }).collect())
+        };
         if let Ok(found) = over {
             let half: Vec<f64> = found.values.iter().map(|value| value.width() / 2.0).collect();
             if half.iter().all(|half| half.is_finite()) {
-                return Some(half);
+                return all(half, !found.estimated);
             }
         }
         let middle = at(scene, self.mechanics, &scene.nominal())?;
@@ -83,7 +126,7 @@ impl Reference {
                 *most = most.max((value - middle).abs());
             }
         }
-        Some(most)
+        all(most, false)
     }
 }
 

@@ -81,8 +81,12 @@ impl Source<'_> {
     /// The number as written, exactly.
     ///
     /// # Errors
-    /// That it is no number, or outside the domain; `symbol` says which.
+    /// That it is no number, an uncertain one, or outside the domain; `symbol` says which.
     pub fn number(&self, number: &Number, symbol: &str, domain: Domain) -> Result<Rational, Fault> {
+        if number.get_ref().is_table() {
+            let message = format!("{symbol} is known exactly or not at all: write one number");
+            return Err(self.fault(number.span(), message));
+        }
         read_in(&self.written(number), domain)
             .map_err(|error| self.fault(number.span(), format!("{symbol} {error}")))
     }

@@ -41,6 +41,53 @@ const MOST_STEPS: usize = 4_000_000;
 /// # Errors
 /// [`ChainError`].
 pub fn collide_chain(chain: &Chain, steps: u32) -> Result<Vec<f64>, ChainError> {
+    follow(chain, steps, &mut |_, _| {})
+}
+
+/// A moment of a collision of several spheres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// Since the first touch; s.
+    pub time: f64,
+    /// Of each sphere; m/s.
+    pub velocities: Vec<f64>,
+    /// Between neighbours, at least 0; N.
+    pub forces: Vec<f64>,
+}
+
+/// A collision of several spheres over the time from the first touch to the last parting.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactTime {
+    /// In order; evenly thinned to some hundred.
+    pub moments: Vec<Moment>,
+}
+
+/// Moments that are kept.
+const KEPT: usize = 120;
+
+/// The same integration, watched; heuristic as [`collide_chain`] is.
+///
+/// # Errors
+/// [`ChainError`].
+pub fn watch_chain(chain: &Chain, steps: u32) -> Result<ContactTime, ChainError> {
+    let mut moments: Vec<Moment> = Vec::new();
+    follow(chain, steps, &mut |time, state| {
+        let forces = (0..state.gaps.len()).map(|i| chain.force(state, i)).collect();
+        moments.push(Moment { time, velocities: state.velocities.clone(), forces });
+    })?;
+    let start = moments.first().map_or(0.0, |first| first.time);
+    let (every, last) = (moments.len().div_ceil(KEPT).max(1), moments.len().saturating_sub(1));
+    let kept = moments.into_iter().enumerate().filter(|(n, _)| n % every == 0 || *n == last);
+    let kept = kept.map(|(_, moment)| Moment { time: moment.time - start, ..moment });
+    Ok(ContactTime { moments: kept.collect() })
+}
+
+/// Integrates, and shows the state at every first touch and after every step.
+fn follow(
+    chain: &Chain,
+    steps: u32,
+    see: &mut dyn FnMut(f64, &State),
+) -> Result<Vec<f64>, ChainError> {
     let n = chain.masses.len();
     let finite = chain.gaps.iter().chain(&chain.velocities).all(|x| x.is_finite());
     let positive = chain.masses.iter().chain([&chain.stiffness]).all(|x| *x > 0.0);
@@ -54,7 +101,7 @@ pub fn collide_chain(chain: &Chain, steps: u32) -> Result<Vec<f64>, ChainError> 
         return Err(ChainError::Invalid);
     }
     let mut state = State { gaps: chain.gaps.clone(), velocities: chain.velocities.clone() };
-    let mut left = MOST_STEPS;
+    let (mut left, mut now) = (MOST_STEPS, 0.0);
     loop {
         let touching = |gap: f64, closing: f64| gap < 0.0 || (gap == 0.0 && closing > 0.0);
         let contact = (0..n - 1).any(|i| touching(state.gaps[i], state.closing(i)));
@@ -69,12 +116,16 @@ pub fn collide_chain(chain: &Chain, steps: u32) -> Result<Vec<f64>, ChainError> 
                 state.gaps[i] -= state.closing(i) * time;
             }
             state.gaps[first] = 0.0;
+            now += time;
             continue;
         }
         let step = chain.time_of_bounce(&state) / f64::from(steps);
+        see(now, &state);
         while (0..n - 1).any(|i| touching(state.gaps[i], state.closing(i))) {
             left = left.checked_sub(1).ok_or(ChainError::Endless)?;
             state = chain.stepped(&state, step);
+            now += step;
+            see(now, &state);
         }
     }
 }
@@ -108,16 +159,19 @@ impl Chain {
         2.94 * depth / spread
     }
 
+    /// κ·δ^(3/2) where the two overlap by δ, and 0 where they do not touch.
+    fn force(&self, state: &State, i: usize) -> f64 {
+        let depth = (-state.gaps[i]).max(0.0);
+        self.stiffness * depth * depth.sqrt()
+    }
+
     fn rate(&self, state: &State) -> State {
         let n = self.masses.len();
         let mut velocities = vec![0.0; n];
         for i in 0..n - 1 {
-            let depth = -state.gaps[i];
-            if depth > 0.0 {
-                let force = self.stiffness * depth * depth.sqrt();
-                velocities[i] -= force / self.masses[i];
-                velocities[i + 1] += force / self.masses[i + 1];
-            }
+            let force = self.force(state, i);
+            velocities[i] -= force / self.masses[i];
+            velocities[i + 1] += force / self.masses[i + 1];
         }
         State { gaps: (0..n - 1).map(|i| -state.closing(i)).collect(), velocities }
     }

@@ -115,7 +115,10 @@ pub(super) fn strike<N: Coordinate>(
 ) -> Result<Struck<N>, NoImpulse> {
     let components = |body: &Round<N>| turned([&body.motion.vx, &body.motion.vy], normal);
     let [vt, vn] = components(first);
-    let mut slip = first.motion.omega.mul_add(&first.radius, &vt);
+    let mut slip = match held {
+        Some(held) => held.clone(),
+        None => first.motion.omega.mul_add(&first.radius, &vt),
+    };
     let mut separation = vn.clone();
     let mut nn = N::one() / &first.mass;
     let mut tt = nn.clone() + first.rotational_mobility();
@@ -126,9 +129,6 @@ pub(super) fn strike<N: Coordinate>(
         let free = N::one() / &body.mass;
         tt = tt + &free + body.rotational_mobility();
         nn = nn + free;
-    }
-    if let Some(held) = held {
-        slip = held.clone();
     }
     let delassus = Delassus::unchecked(tt, N::zero(), nn);
     let contact = Contact::unchecked(

@@ -8,7 +8,7 @@ mod rest;
 mod run;
 mod state;
 
-pub use chain::{Chain, ChainError, collide_chain};
+pub use chain::{Chain, ChainError, ContactTime, Moment, collide_chain, watch_chain};
 pub use encounter::{Bounce, Encounter};
 pub use penalty::{Penalty, bounce_by_penalty};
 pub use run::{Budget, End, Ending, Stopped, Until, run};

@@ -1,6 +1,6 @@
 //! The chooser is right: the chosen model meets the tolerance, the next cheaper one misses.
 
-use kane_scene::{Answer, Effort, Model, Scene, Verdict, answer, read};
+use kane_scene::{Answer, Effort, Known, Model, Scene, Verdict, answer, read};
 
 /// The shipped scenes, and the model that each is answered by.
 const SHIPPED: [(&str, &str, &str); 11] = [
@@ -113,12 +113,103 @@ fn two_ways_through_the_half_space_agree_on_the_alumina_sphere() {
 }
 
 #[test]
+fn an_estimate_is_never_called_a_bound() {
+    // in exact numbers, on intervals, by the documented range of sliding, by a process, by the chain
+    for (index, known, said) in [
+        (3, Known::Exactly, "known exactly"),
+        (1, Known::Enclosed, "enclosed by intervals"),
+        (0, Known::Documented, "as is documented of it"),
+        (9, Known::Estimated, "an estimate from finer and coarser steps"),
+        (8, Known::Estimated, "an estimate from finer and coarser steps"),
+        (7, Known::Estimated, "an estimate from finer and coarser steps"),
+    ] {
+        let (name, text, _) = SHIPPED[index];
+        let (_, answer) = answered(name, text, None);
+        assert_eq!(answer.known, Some(known), "{name}");
+        let why = answer.reasons.join(" ");
+        assert!(why.contains(said), "{name}: {why}");
+        let bounded = ["with no error above", "exactly"].iter().any(|word| why.contains(word));
+        assert_eq!(bounded, known != Known::Estimated, "{name}: {why}");
+        assert_eq!(why.contains("estimate"), known == Known::Estimated, "{name}: {why}");
+    }
+    // an elastic contact without any slip needs no process and nothing documented
+    let straight = SHIPPED[0].1.replacen("{ value = 3.378, within = 0.01 }", "0", 1);
+    let straight = straight.replacen("k = 0.01\n", "", 1);
+    let (_, answer) = answered("straight", &straight, None);
+    assert_eq!(answer.known, Some(Known::Enclosed));
+}
+
+#[test]
+fn comparing_all_models_changes_no_reason() {
+    let (name, text, chosen) = SHIPPED[6];
+    let (scene, answer) = answered(name, text, None);
+    let all = kane_scene::answer(&scene, None, Effort::All, &mut |_, _| {}).unwrap();
+    assert_eq!((all.chosen, &all.reasons), (answer.chosen, &answer.reasons));
+    assert_eq!(all.shown.to_string(), chosen);
+    assert!(all.judged.len() > answer.judged.len());
+}
+
+#[test]
+fn what_the_uncertainty_moves_is_enclosed_or_measured_at_corners() {
+    // intervals go through sliding and sticking, but not through a process
+    for (index, enclosed) in [(0, true), (9, false)] {
+        let (_, answer) = answered(SHIPPED[index].0, SHIPPED[index].1, None);
+        for line in &answer.lines {
+            assert_eq!(line.spread.expect("it is uncertain").enclosed, enclosed, "{line:?}");
+        }
+    }
+}
+
+#[test]
+fn a_contact_slides_where_it_is_documented_to_by_the_processes_too() {
+    use kane_impact::compliant::Compliance;
+    use kane_impact::{Contact, Delassus};
+    use kane_number::Rational;
+    use kane_scene::{Elastic, Process};
+
+    for (nu, e) in [(0.0, 1.0), (0.3, 1.0), (0.5, 1.0), (0.28, 0.98), (0.3, 0.5), (0.3, 0.0)] {
+        let compliance = Compliance::of_poisson(3.5, nu, e).expect("in the domain");
+        let decimal = |x: f64| crate::n(&x.to_string());
+        let (one, two) = (decimal(1.0), decimal(2.0));
+        let stiffness_ratio = &two * (&one - decimal(nu)) / (&two - decimal(nu));
+        let delassus = Delassus::new(crate::n("7/2"), crate::n("0"), one.clone()).unwrap();
+        let contact = Contact::new(one.clone(), one, delassus, crate::n("1"), decimal(e)).unwrap();
+        for process in [Process::DimensionReduction, Process::Bilinear] {
+            let elastic = Elastic { stiffness_ratio: stiffness_ratio.clone(), process };
+            let limit: Rational = elastic.slides_up_to(&contact);
+            let limit = kane_scene::Coordinate::to_f64(&limit);
+            for share in [0.3, 0.7, 0.999] {
+                let alpha = share * limit;
+                let found = process.outcome(compliance, alpha).expect("it ends");
+                let off = (found.ratios.k - (1.0 - 2.0 * alpha)).abs();
+                // the process's own estimate, and its roundings
+                assert!(off <= 2.0 * found.error + 1e-9, "nu {nu}, e {e}, {process:?}: {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn where_nothing_is_good_enough_the_reason_is_named() {
     // an irrational time has no exact answer
     let exact = SHIPPED[1].1.replacen("x_m = 0.2", "time_s = 0", 1);
     let (_, answer) = answered("exact", &exact, None);
     assert_eq!(answer.chosen, None);
     assert!(answer.reasons.iter().any(|said| said.contains("limits the answer")), "{answer:#?}");
+    // which part it is: what a process knows of itself, and rounding that grows with every impact
+    for (index, change, with, part) in [
+        (9, "k = 0.02", "k = 1e-9", "What is known of the reference limits"),
+        (10, "impacts = 60", "impacts = 600", "The order of impacts limits"),
+    ] {
+        let (name, text, _) = SHIPPED[index];
+        let changed = text.replacen(change, with, 1);
+        assert_ne!(changed, text, "{name}");
+        let (_, answer) = answered(name, &changed, None);
+        let why = answer.reasons.join(" ");
+        assert!(answer.chosen.is_none() && why.contains(part), "{name}: {why}");
+        let known = answer.known.is_some();
+        assert_eq!(answer.lines.iter().all(|line| line.error.is_some()), known, "{name}");
+    }
 }
 
 #[test]

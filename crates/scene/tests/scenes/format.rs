@@ -73,6 +73,54 @@ fn every_fault_points_at_its_place() {
 }
 
 #[test]
+fn what_may_not_be_uncertain_says_so_at_its_line() {
+    let discs = GOOD.replacen(
+        "[[body]]\nmass_kg = 1\nradius_m = 0.1\nposition_m = [0, 1]\nvelocity_m_s = [{ value = 1, within = 0.1 }, 0]\n",
+        "[discs]\ncolumns = 2\nrows = 2\nmass_kg = 1\nradius_m = 0.1\nspacing_m = 0.3\nspeed_m_s = 1\n",
+        1,
+    );
+    assert!(scene("discs.toml", &discs).is_ok());
+    for (text, change, with, line) in [
+        (discs.as_str(), "speed_m_s = 1", "speed_m_s = { value = 1, within = 0.1 }", 13),
+        (discs.as_str(), "spacing_m = 0.3", "spacing_m = { value = 0.3, within = 0.1 }", 12),
+        (GOOD, "mass_kg = 1", "mass_kg = { value = 1, within = 0.1 }", 8),
+        (GOOD, "k = 0.01", "k = { value = 1, within = 0.1 }", 17),
+    ] {
+        let bad = text.replacen(change, with, 1);
+        assert_ne!(bad, text, "{change}");
+        let fault = scene("bad.toml", &bad).expect_err(with);
+        assert!(fault.message.contains("write one number"), "{with}: {}", fault.message);
+        assert_eq!(fault.line, line, "{with}: {fault}");
+    }
+}
+
+#[test]
+fn numbers_that_are_none_are_refused() {
+    for (with, message) in [
+        ("mass_kg = nan", "mass_kg cannot be nan"),
+        ("mass_kg = inf", "mass_kg cannot be inf"),
+        ("mass_kg = \"NaN\"", "mass_kg cannot be NaN"),
+        ("mass_kg = -1", "mass_kg is -1, but must be above 0"),
+        ("mass_kg = 1e999", "number overflowed"),
+        ("mass_kg = \"\"", "mass_kg cannot be empty"),
+        ("mass_kg = \"1 kg\"", "mass_kg cannot be 1 kg"),
+        ("mass_kg = \"1e400\"", "mass_kg is 1e400, beyond the range"),
+        ("mass_g = 1000", "unknown field `mass_g`"),
+        ("mass_kg = true", "mass_kg cannot be"),
+    ] {
+        let text = GOOD.replacen("mass_kg = 1", with, 1);
+        let fault = scene("bad.toml", &text).expect_err(with);
+        assert!(fault.message.contains(message), "{with}: {}", fault.message);
+        assert_eq!(fault.line, 8, "{with}: {fault}");
+    }
+    // what is missing is said of the table that lacks it
+    let text = GOOD.replacen("mass_kg = 1\n", "", 1);
+    let fault = scene("bad.toml", &text).expect_err("it has no mass");
+    assert!(fault.message.contains("missing field `mass_kg`"), "{}", fault.message);
+    assert_eq!(fault.line, 7, "{fault}");
+}
+
+#[test]
 fn a_key_mistyped_gets_a_suggestion() {
     let text = GOOD.replacen("friction", "fricton", 1);
     let fault = scene("bad.toml", &text).expect_err("it is mistyped");

@@ -1,8 +1,10 @@
 //! Scenes: the motion, the choice of a model, the format, and where methods fail.
 
 mod choice; // every shipped scene: the chosen model meets the tolerance, the next cheaper misses
+mod counting; // what models cost, counted
 mod format; // what bad files get
 mod motion; // flights and impacts, each by two ways
+mod picture; // what pictures show
 mod stress; // drift, reversal, Zeno, grazing, penalty steps
 
 use kane_impact::bodies::Motion;

@@ -119,7 +119,9 @@ fn many_discs_find_their_way_back_for_a_while() {
     assert!(there_and_back(&discs, 25) < 1e-13);
     let (ten, many) = (there_and_back(&discs, 250), there_and_back(&discs, 1_500));
     println!("{ten:e} {many:e}");
-    assert!(ten < 1e-6, "ten collisions a disc: {ten:e}");
+    // a collision of discs multiplies a distance by about 1 + 2·way/(2·radius), and the ways are some
+    // 0.15 m between radii of 0.06 m: 3.5^10·u is 3e-11, and each disc rounds a few times
+    assert!(ten < 1e-10, "ten collisions a disc: {ten:e}");
     assert!(many > 1e-3, "and then they do not: {many:e}");
 }
 
@@ -130,13 +132,27 @@ fn a_million_bounces_take_little_time() {
     let world = above_floor(vec![ball("1", "1", ["0", "1"], ["1", "-3", "0"])], "10", "1/5", "1");
     let world = of::<f64>(&world);
     let budget = Budget { impacts: 1_000_000, ..Budget::default() };
-    let mut best = f64::INFINITY;
-    for _ in 0..9 {
-        let start = std::time::Instant::now();
+    let since = std::time::Instant::now();
+    // what this thread has had of a processor, where the system tells, because others run too
+    let now = || {
+        let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+        let spent = told.split_whitespace().next().and_then(|ns| ns.parse::<f64>().ok());
+        spent.map_or_else(|| since.elapsed().as_secs_f64(), |ns| ns * 1e-9)
+    };
+    let mut times = Vec::new();
+    for _ in 0..15 {
+        let start = now();
         let until = Until::Impacts(1_000_000);
         let end = run(&world, &ByLaw(RouthNewton), &until, budget, &mut |_| {}).unwrap();
         assert_eq!(end.impacts, 1_000_000);
-        best = best.min(start.elapsed().as_secs_f64());
+        times.push(now() - start);
     }
-    println!("10^6 planar bounces: {best:.3} s");
+    times.sort_by(f64::total_cmp);
+    let (least, middle) = (times[0], times[times.len() / 2]);
+    println!(
+        "10^6 planar bounces: {least:.3} s at least, {middle:.3} s the median of {}",
+        times.len()
+    );
+    // the least, because what else runs on the core only adds
+    assert!(cfg!(debug_assertions) || least < 0.15, "{times:?}");
 }
