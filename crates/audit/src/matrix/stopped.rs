@@ -278,7 +278,7 @@ mod tests {
         let p = c.slip() / &slowing;
         let at_stop = &apart * &p - a;
         let jams = stop == Stop::Jamming;
-        let mut values = vec![Rational::zero(); 12];
+        let mut values = vec![Rational::default(); 12];
         values[T] = w.tt().clone();
         values[MU] = mu.clone();
         values[NU] = w.tn().abs();
