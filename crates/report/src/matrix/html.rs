@@ -136,7 +136,7 @@ fn names(part: Option<&Part>) -> Names<'_> {
 }
 
 /// Lines of a proof that a page shows; a longer one is told in outline. A witness is always whole.
-const MOST_LINES: usize = 40;
+const MOST_LINES: usize = 30;
 
 /// A cell. Its anchor is inside of what is folded, so that a link to it unfolds it without scripts.
 fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
