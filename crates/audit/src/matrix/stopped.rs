@@ -173,12 +173,15 @@ pub(crate) fn families<L: ImpactLaw>(law: &L, family: &Family) -> Vec<Family> {
     stops.map(|stop| Family::new(&family.memo, law, Setting::Stopped(*stop))).collect()
 }
 
+/// Proves what is asked in a regime of a family.
+type Prove<'f> = dyn FnMut(&Family, usize) -> Result<Vec<Part>, String> + 'f;
+
 /// A proof in one regime of a family, as the process sees its contacts: first that they slow down.
 pub(crate) fn each<L: ImpactLaw>(
     law: &L,
     family: &Family,
     index: usize,
-    prove: &mut dyn FnMut(&Family, usize) -> Result<Vec<Part>, String>,
+    prove: &mut Prove<'_>,
 ) -> Result<Vec<Part>, String> {
     let regime = &family.regimes[index];
     let stopped = family.stopped.get_or_init(|| families(law, family));
@@ -255,7 +258,7 @@ pub(crate) fn energy(family: &Family, index: usize) -> Result<Vec<Part>, String>
 #[cfg(test)]
 mod tests {
     use kane_number::Rational;
-    use num_traits::{Signed as _, Zero as _};
+    use num_traits::{Signed as _, Zero};
 
     use super::*;
     use crate::matrix::contacts;
@@ -278,7 +281,7 @@ mod tests {
         let p = c.slip() / &slowing;
         let at_stop = &apart * &p - a;
         let jams = stop == Stop::Jamming;
-        let mut values = vec![Rational::default(); 12];
+        let mut values = vec![<Rational as Zero>::zero(); 12];
         values[T] = w.tt().clone();
         values[MU] = mu.clone();
         values[NU] = w.tn().abs();
