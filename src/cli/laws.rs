@@ -34,6 +34,11 @@ pub(super) fn run(args: &LawsArgs) -> Outcome {
     if let Err(outcome) = deliver(args.out.as_deref(), |dir| write(dir, &report), shown) {
         return outcome;
     }
+    outcome(&matrix)
+}
+
+/// How the run ends: what is refuted is an answer, what is undecided is none.
+fn outcome(matrix: &Matrix) -> Outcome {
     if matrix.count(Finding::Undecided) > 0 { Outcome::Unexpected } else { Outcome::AsExpected }
 }
 
@@ -104,4 +109,31 @@ fn write(dir: &Path, report: &MatrixReport<'_>) -> io::Result<()> {
         output::to_file(&dir.join(name), &text)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use kane::audit::matrix::{Cell, Row};
+
+    use super::*;
+
+    /// No shipped cell is open, so that this one is made by hand.
+    #[test]
+    fn a_matrix_with_one_open_cell_is_not_as_expected() {
+        let matrix_of = |findings: &[Finding]| {
+            let cell = |finding: &Finding| Cell {
+                finding: *finding,
+                reason: String::new(),
+                parts: Vec::new(),
+                witness: Vec::new(),
+            };
+            let cells = findings.iter().map(cell).collect();
+            let row = Row { id: "one-law", source: "nobody", parameters: Vec::new(), cells };
+            Matrix { properties: PROPERTIES.iter().take(findings.len()).collect(), rows: vec![row] }
+        };
+        let decided = [Finding::Proved, Finding::Refuted, Finding::NotApplicable];
+        assert!(matches!(outcome(&matrix_of(&decided)), Outcome::AsExpected));
+        let open = [Finding::Proved, Finding::Undecided];
+        assert!(matches!(outcome(&matrix_of(&open)), Outcome::Unexpected));
+    }
 }
