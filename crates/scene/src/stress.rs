@@ -3,15 +3,18 @@
 //!
 //! The rows are committed in `docs/data/scene-stress.csv` and compared in every run of the tests.
 
-use kane_impact::laws::{RouthNewton, Walton, WangSuLi, WhittakerUncapped};
-use kane_impact::{Contact, ImpactLaw};
-use kane_number::{Number as _, Rational};
+mod kinks;
+mod penalty;
+
+use kane_impact::ImpactLaw;
+use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
+use kane_number::Rational;
 
 use crate::coordinate::Coordinate;
 use crate::read;
 use crate::resolver::{ByLaw, NormalOnly};
 use crate::scene::Setup;
-use crate::simulate::{Budget, Chain, Penalty, Until, bounce_by_penalty, collide_chain, run};
+use crate::simulate::{Budget, Chain, Until, collide_chain, run};
 use crate::tip::{Tip, TipBody};
 use crate::world::{Round, Side, Wall, World};
 
@@ -34,7 +37,7 @@ pub struct Row {
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
-    kinks(&mut rows);
+    kinks::rows(&mut rows);
     grazing(&mut rows);
     ends_of_restitution(&mut rows);
     jam(&mut rows);
@@ -43,7 +46,7 @@ pub fn rows() -> Vec<Row> {
     zeno(&mut rows);
     drift(&mut rows);
     reversal(&mut rows);
-    penalty(&mut rows);
+    penalty::rows(&mut rows);
     rows
 }
 
@@ -67,39 +70,6 @@ fn relative<N: Coordinate>(value: Option<&N>, exact: &Rational) -> f64 {
     let size = num_traits::Signed::abs(exact);
     let zero = Rational::default();
     if size == zero { error.to_f64() } else { (error / size).to_f64() }
-}
-
-/// The absolute error of k at a contact with the given α, a float.
-fn k_error<N: Coordinate, L: ImpactLaw>(law: &L, alpha: &Rational) -> f64 {
-    let k = |contact: &Contact<N>| law.resolve(contact).ok().map(|outcome| outcome.slip.double());
-    let exact = law.resolve(&Contact::of_alpha(alpha.clone()));
-    let Ok(exact) = exact else { return f64::INFINITY };
-    let exact = exact.slip.double();
-    let found = k(&Contact::of_alpha(N::from_rational(alpha))).and_then(|k| k.exact());
-    found.map_or(f64::INFINITY, |k| num_traits::Signed::abs(&(k - exact)).to_f64())
-}
-
-/// α beside 1/2, where sliding ends, beside 3/4, where it does if half of the slip comes back, and
-/// beside 1, where the paper's k changes its sign: the error of k, absolute.
-fn kinks(rows: &mut Vec<Row>) {
-    for power in [10_u32, 20, 30, 40, 50] {
-        for sign in [-1, 1] {
-            let tiny = ratio(sign, 1) / integer(1 << power);
-            let to = format!("{}2^-{power}", if sign < 0 { "-" } else { "+" });
-            let mut push = |pushed, method, error| {
-                let to = to.clone();
-                rows.push(Row { case: "kink, error of k", pushed, to, method, error });
-            };
-            let half = ratio(1, 2) + &tiny;
-            let three_quarters = ratio(3, 4) + &tiny;
-            let one = integer(1) + &tiny;
-            push("alpha from 1/2 by", "coulomb/f64", k_error::<f64, _>(&RouthNewton, &half));
-            // with a share of 1/2 given back sliding ends at (1 + 1/2)/2
-            let walton = Walton { restitution: ratio(1, 2) };
-            push("alpha from 3/4 by", "grip/f64", k_error::<f64, _>(&walton, &three_quarters));
-            push("alpha from 1 by", "wang-su-li/f64", k_error::<f64, _>(&WangSuLi, &one));
-        }
-    }
 }
 
 /// A ball on a floor at 0 with radius 1, J = 2/5·m·r².
@@ -403,32 +373,6 @@ fn reversal(rows: &mut Vec<Row>) {
             method: "f64",
             // an impact of two discs counts for both; walls make it a little less
             error: there_and_back(&discs, 25 * each),
-        });
-    }
-}
-
-/// For contrast: ten seconds of a lossless drop on a spring floor, by steps.
-fn penalty(rows: &mut Vec<Row>) {
-    for (to, step) in [
-        ("1e-2", 1e-2),
-        ("7e-3", 7e-3),
-        ("5e-3", 5e-3),
-        ("3e-3", 3e-3),
-        ("2e-3", 2e-3),
-        ("1e-3", 1e-3),
-        ("7e-4", 7e-4),
-        ("5e-4", 5e-4),
-        ("3e-4", 3e-4),
-        ("2e-4", 2e-4),
-        ("1e-4", 1e-4),
-    ] {
-        let ball = Penalty { mass: 1.0, stiffness: 1e4, gravity: 9.81, height: 1.0, step };
-        rows.push(Row {
-            case: "penalty with a fixed step, error of the energy",
-            pushed: "step, s",
-            to: to.to_owned(),
-            method: "spring, semi-implicit Euler",
-            error: (bounce_by_penalty(&ball, 10.0) - 1.0).abs(),
         });
     }
 }

@@ -10,5 +10,5 @@ mod state;
 
 pub use chain::{Chain, ChainError, ContactTime, Moment, collide_chain, watch_chain};
 pub use encounter::{Bounce, Encounter};
-pub use penalty::{Penalty, bounce_by_penalty};
+pub use penalty::{Penalty, energy_by_penalty};
 pub use run::{Budget, End, Ending, Stopped, Until, run};
