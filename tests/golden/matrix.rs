@@ -18,6 +18,7 @@ fn the_matrix_in_every_form() {
     as_markdown(&matrix);
     as_json(&matrix);
     as_page(&matrix);
+    as_figure(&matrix);
     some_cells_in_full(&matrix);
     no_cell_is_undecided(&matrix);
 }
@@ -79,6 +80,21 @@ fn as_page(matrix: &Matrix) {
     }
     let table = csv(&report(matrix));
     assert_eq!(table.lines().count(), 1 + matrix.rows.len() * matrix.properties.len());
+}
+
+/// `KANE_WRITE_DOCS=1 cargo test --test golden the_matrix` makes it again.
+fn as_figure(matrix: &Matrix) {
+    let drawn = picture(&report(matrix)).expect("it can be drawn");
+    assert!(drawn.len() < 64 * 1024, "{} bytes", drawn.len());
+    for (ending, text) in [("svg", drawn), ("csv", csv(&report(matrix)))] {
+        let path =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/figures/matrix.{ending}"));
+        if std::env::var_os("KANE_WRITE_DOCS").is_some() {
+            std::fs::write(&path, &text).expect("docs/figures can be written");
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(kept == text, "{} is stale; write it with KANE_WRITE_DOCS=1", path.display());
+    }
 }
 
 /// The name of a law's type, from the page of the laws.

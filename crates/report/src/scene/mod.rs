@@ -23,7 +23,7 @@ pub use text::text;
 use crate::stability::PictureError;
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
-use kane_scene::{Answer, Judged, Known, Spread, Verdict};
+use kane_scene::{Answer, Judged, Known, Line, Spread, Verdict};
 
 /// An answer and how its report introduces it.
 pub struct SceneReport<'a> {
@@ -52,8 +52,13 @@ impl SceneReport<'_> {
             Some(Known::Documented) => ", as documented",
             _ => "",
         };
+        let is_blurred = |line: &Line| line.spread.is_some_and(|spread| spread.by > line.tolerance);
+        let open = match answer.lines.iter().any(is_blurred) {
+            true => "; the inputs leave more open",
+            false => "",
+        };
         match (good, answer.chosen) {
-            (true, _) => format!("{shown}: {each}{surely}"),
+            (true, _) => format!("{shown}: {each}{surely}{open}"),
             (false, None) => format!("no model is known to be good enough; shown is {shown}"),
             (false, Some(chosen)) => {
                 format!("{shown} is not known to be good enough; {chosen} is")
