@@ -230,7 +230,7 @@ fn a_thousand_contacts_contradict_no_proved_cell() {
 
 /// cargo test --release --test properties -- --ignored a_million_contacts, where `PROPTEST_CASES` replaces the number
 #[test]
-#[ignore = "six hours"]
+#[ignore = "a day"]
 fn a_million_contacts_contradict_no_proved_cell() {
     sample(1_000_000);
 }
