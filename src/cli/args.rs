@@ -130,8 +130,9 @@ the least: normal-only, sliding, wang-su-li, coulomb, grip, energetic, chain, co
 in f64, or as in coulomb/rational in f32, f64, double-double or rational.
 
 Exit codes:
-  0  the model shown is certified to be good enough
-  1  it is not
+  0  the model shown is good enough; the report says whether by a bound, as documented, or by an
+     estimate
+  1  it is not known to be
   2  bad input or usage
   3  it has no answer";
 
@@ -217,7 +218,7 @@ pub(crate) struct LawsArgs {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
-    /// Also write laws.txt, laws.md and laws.json into this directory
+    /// Also write every form of the report, and the picture with its data, into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

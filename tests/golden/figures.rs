@@ -1,6 +1,5 @@
 //! The figures in `docs/figures`: their bytes, and that they show what the laws say.
 
-use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use kane::figures::{experiment, figures};
@@ -9,6 +8,8 @@ use kane::impact::{Alpha, ImpactLaw, Ratios};
 use kane::measure::over_alpha;
 use kane::number::{Algebraic, Number as _, Ordered as _};
 use kane::report::figures::{Content, Figure, Kind, Series, Zone, csv, svg};
+
+use crate::assert_kept;
 
 /// All figures, drawn once for all tests.
 fn all() -> &'static [Figure] {
@@ -27,31 +28,16 @@ fn curves(stem: &str) -> (&'static [Series], &'static [Zone]) {
     }
 }
 
-fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/figures").join(name)
-}
-
 #[test]
 fn the_figures_in_the_documentation_are_those_that_are_drawn() {
-    let mut stale = Vec::new();
     for figure in all() {
         let picture = svg(figure).expect("it can be drawn");
         assert_eq!(picture, svg(figure).expect("again"), "the same in every run");
         assert!(picture.len() < 64 * 1024, "{}: {} bytes", figure.stem, picture.len());
         for (ending, text) in [("svg", picture), ("csv", csv(figure))] {
-            let path = path(&format!("{}.{ending}", figure.stem));
-            if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-                std::fs::write(&path, &text).expect("docs/figures can be written");
-            }
-            if std::fs::read_to_string(&path).unwrap_or_default() != text {
-                stale.push(path);
-            }
+            assert_kept(&format!("docs/figures/{}.{ending}", figure.stem), &text, "figures");
         }
     }
-    assert!(
-        stale.is_empty(),
-        "stale: {stale:?}; write them by\n  KANE_WRITE_DOCS=1 cargo test --test golden figures"
-    );
 }
 
 /// A figure, and the quantity that it shows.

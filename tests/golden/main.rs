@@ -31,3 +31,18 @@ fn settings() -> insta::Settings {
     settings.set_omit_expression(true);
     settings
 }
+
+/// A file of the checkout that the program makes is what it makes now; with `KANE_WRITE_DOCS=1` it is
+/// written first, by the tests of that name.
+#[track_caller]
+fn assert_kept(file: &str, made: &str, tests: &str) {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
+        std::fs::write(&path, made).expect("the checkout is writable");
+    }
+    let kept = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        kept == made,
+        "{file} is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden {tests}"
+    );
+}

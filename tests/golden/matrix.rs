@@ -1,14 +1,12 @@
 //! The matrix of laws and properties, as the program prints it.
 
-use std::path::Path;
-
 use kane::audit::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{
     MatrixReport, csv, explain, html, json, markdown, picture, properties, text,
 };
 
-use crate::settings;
+use crate::{assert_kept, settings};
 
 /// In every form, by one test: making the matrix takes longest.
 #[test]
@@ -82,18 +80,11 @@ fn as_page(matrix: &Matrix) {
     assert_eq!(table.lines().count(), 1 + matrix.rows.len() * matrix.properties.len());
 }
 
-/// `KANE_WRITE_DOCS=1 cargo test --test golden the_matrix` makes it again.
 fn as_figure(matrix: &Matrix) {
     let drawn = picture(&report(matrix)).expect("it can be drawn");
     assert!(drawn.len() < 64 * 1024, "{} bytes", drawn.len());
     for (ending, text) in [("svg", drawn), ("csv", csv(&report(matrix)))] {
-        let path =
-            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/figures/matrix.{ending}"));
-        if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-            std::fs::write(&path, &text).expect("docs/figures can be written");
-        }
-        let kept = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(kept == text, "{} is stale; write it with KANE_WRITE_DOCS=1", path.display());
+        assert_kept(&format!("docs/figures/matrix.{ending}"), &text, "the_matrix");
     }
 }
 
@@ -157,16 +148,9 @@ fn some_cells_in_full(matrix: &Matrix) {
     }
 }
 
-/// `KANE_WRITE_DOCS=1 cargo test --test golden page_of_properties` makes it again.
 #[test]
 fn the_page_of_properties_is_what_the_program_says() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/properties.md");
-    let page = std::fs::read_to_string(&path).expect("the page is there");
+    let page = include_str!("../../docs/properties.md");
     let (head, _) = page.split_once("| column |").expect("the page has its table");
-    let made = format!("{head}{}", properties());
-    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-        std::fs::write(&path, made).expect("the page can be written");
-        return;
-    }
-    assert!(made == page, "docs/properties.md is not what the program says");
+    assert_kept("docs/properties.md", &format!("{head}{}", properties()), "page_of_properties");
 }

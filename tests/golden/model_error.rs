@@ -9,7 +9,8 @@ use kane::impact::compliant::{
 };
 use kane::impact::laws::{LawVisitor, visit_laws};
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/data/model-error.csv");
+use crate::assert_kept;
+
 /// The distinct ones on a sphere that are in use.
 const LAWS: [&str; 5] = ["wang-su-li", "keller-1986", "smith-1991", "walton", "garwin-capped"];
 
@@ -68,12 +69,5 @@ fn the_model_error_is_what_the_processes_say() {
     }
     // the shortcut's error near normal collision was stated as up to 0.7
     assert!((0.6..0.75).contains(&greatest), "{greatest}");
-    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-        std::fs::write(PATH, &rows).expect("docs/data can be written");
-    }
-    let committed = std::fs::read_to_string(PATH).unwrap_or_default();
-    assert!(
-        committed == rows,
-        "docs/data/model-error.csv is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden model_error"
-    );
+    assert_kept("docs/data/model-error.csv", &rows, "model_error");
 }

@@ -8,6 +8,8 @@ use kane_impact::laws::{KaneLevinson, LawVisitor, visit_laws};
 use kane_impact::puzzle::Tip;
 use kane_number::{Algebraic, Interval, Rational, Real, Rounding, encode, parse};
 
+use crate::assert_kept;
+
 fn number(text: &str) -> Rational {
     parse(text).expect("a literal")
 }
@@ -172,8 +174,6 @@ impl LawVisitor for Map {
     }
 }
 
-const MAP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/data/kane-puzzle.csv");
-
 /// For every law and restitution, where friction makes energy rise; every sign is exact.
 #[test]
 fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
@@ -184,12 +184,5 @@ fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
     let contact = rod("0", "0").contact().expect("it touches");
     let mut map = Map { body: "rod tip", tip: Tip::touching(contact), rows: map.rows };
     visit_laws(&mut map);
-    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-        std::fs::write(MAP, &map.rows).expect("docs/data can be written");
-    }
-    let committed = std::fs::read_to_string(MAP).unwrap_or_default();
-    assert!(
-        committed == map.rows,
-        "docs/data/kane-puzzle.csv is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden puzzle"
-    );
+    assert_kept("docs/data/kane-puzzle.csv", &map.rows, "puzzle");
 }

@@ -9,7 +9,7 @@ use kane::report::scene::{
 };
 use kane::scene::{Effort, answer, read, stress};
 
-use crate::settings;
+use crate::{assert_kept, settings};
 
 fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
     let file = format!("docs/scenes/{name}.toml");
@@ -121,14 +121,6 @@ fn the_committed_stress_is_the_program_s() {
     for (file, shown) in
         [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]
     {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
-        if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-            std::fs::write(&path, &shown).expect("the checkout is writable");
-        }
-        let kept = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(
-            kept == shown,
-            "{file} is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden stress"
-        );
+        assert_kept(file, &shown, "stress");
     }
 }

@@ -54,6 +54,32 @@ fn grid() -> Vec<Rational> {
 /// How often the stretch between neighbours of the grid is halved around a change of regime.
 const HALVINGS: u32 = 12;
 
+/// Where what applies at α changes between neighbours of an ascending grid: two fractions on either side
+/// of each change, at the distance of the neighbours halved so often. Heuristic: two changes between the
+/// same neighbours may hide each other.
+pub fn changes<S: PartialEq>(
+    grid: &[Rational],
+    halvings: u32,
+    applies: impl Fn(&Rational) -> S,
+) -> Vec<[Rational; 2]> {
+    let mut asked = grid.iter().map(|alpha| (alpha, applies(alpha)));
+    let Some(mut before) = asked.next() else { return Vec::new() };
+    let mut out = Vec::new();
+    for after in asked {
+        if after.1 != before.1 {
+            let (mut lower, mut upper) = (before.0.clone(), after.0.clone());
+            for _ in 0..halvings {
+                let middle = (&lower + &upper) / Rational::from_integer(2.into());
+                let side = if applies(&middle) == before.1 { &mut lower } else { &mut upper };
+                *side = middle;
+            }
+            out.push([lower, upper]);
+        }
+        before = after;
+    }
+    out
+}
+
 /// Looks for the α at which some law changes its regime, where a curve may have a corner or jump.
 struct Borders<'a> {
     grid: &'a [Rational],
@@ -62,19 +88,8 @@ struct Borders<'a> {
 
 impl LawVisitor for Borders<'_> {
     fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        for (lower, upper) in self.grid.iter().zip(self.grid.iter().skip(1)) {
-            let below = state(law, lower);
-            if state(law, upper) == below {
-                continue;
-            }
-            let (mut lower, mut upper) = (lower.clone(), upper.clone());
-            for _ in 0..HALVINGS {
-                let middle = (&lower + &upper) / Rational::from_integer(2.into());
-                let side = if state(law, &middle) == below { &mut lower } else { &mut upper };
-                *side = middle;
-            }
-            self.found.extend([lower, upper]);
-        }
+        let enclosed = changes(self.grid, HALVINGS, |alpha| state(law, alpha));
+        self.found.extend(enclosed.into_iter().flatten());
     }
 }
 

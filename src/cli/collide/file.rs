@@ -12,7 +12,7 @@ use kane::impact::bodies::{
 };
 use kane::number::{Algebraic, Rational};
 use kane::report::collision::Given;
-use kane::scene::read::{Domain, Number, Source, load};
+use kane::scene::read::{Domain, Number, Pendulum, Rod, Source, load};
 
 use super::Fault;
 use super::flags::{of_floats, pairs};
@@ -53,17 +53,6 @@ struct TwoSpheres {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Rod {
-    mass_kg: Number,
-    length_m: Number,
-    angle_deg: Option<Number>,
-    half_tangent: Option<Number>,
-    velocity_m_s: [Number; 2],
-    spin_rad_s: Option<Number>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 struct Ellipse {
     mass_kg: Number,
     half_axes_m: [Number; 2],
@@ -88,16 +77,6 @@ struct Body {
 struct Planar {
     body: Body,
     other: Option<Body>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Pendulum {
-    mass_kg: Number,
-    length_m: Number,
-    angles_deg: Option<[Number; 2]>,
-    half_tangents: Option<[Number; 2]>,
-    angular_velocities_rad_s: [Number; 2],
 }
 
 /// What is asked by a file.

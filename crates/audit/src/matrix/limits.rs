@@ -72,16 +72,7 @@ pub(crate) fn decide<L: ImpactLaw>(
         {
             if let Some(cell) = attempt(law, families, &text, &answers) {
                 if cell.finding == Finding::Proved {
-                    let witness = answers.iter().find(|(c, _)| is_far(c, infinite));
-                    return Cell {
-                        finding: Finding::Refuted,
-                        reason: text,
-                        witness: witness
-                            .map(|(c, o)| super::Witness::new(c, o))
-                            .into_iter()
-                            .collect(),
-                        ..cell
-                    };
+                    return refuted(cell, text, infinite, &answers);
                 }
                 last = Some(cell);
             }
@@ -125,6 +116,18 @@ fn two_to(n: u32) -> Rational {
 fn is_far(contact: &Contact<Rational>, infinite: bool) -> bool {
     let alpha = contact.alpha().unwrap_or_else(Rational::zero);
     if infinite { alpha >= two_to(20) } else { alpha <= two_to(20).recip() }
+}
+
+/// A proved bound away from the limit, as a refutation, with an answer of the law close to the end.
+fn refuted(
+    cell: Cell,
+    reason: String,
+    infinite: bool,
+    answers: &[(Contact<Rational>, Exact)],
+) -> Cell {
+    let close = answers.iter().find(|(c, _)| is_far(c, infinite));
+    let witness = close.map(|(c, o)| super::Witness::new(c, o)).into_iter().collect();
+    Cell { finding: Finding::Refuted, reason, witness, ..cell }
 }
 
 /// What the law says towards the end, on contacts with v = a = W_nn = 1 and two ways to choose friction.
@@ -179,16 +182,12 @@ pub(crate) fn continuous<L: ImpactLaw>(
             let text = format!("p_t <= -{c}*mu*p_n when alpha >= {end}");
             if let Some(cell) = attempt(law, families, &text, &answers) {
                 if cell.finding == Finding::Proved {
-                    let witness = answers.iter().find(|(c, _)| is_far(c, true));
-                    return Cell {
-                        finding: Finding::Refuted,
-                        reason: format!("{text}, and alpha -> oo as v -> 0"),
-                        witness: witness
-                            .map(|(c, o)| super::Witness::new(c, o))
-                            .into_iter()
-                            .collect(),
-                        ..cell
-                    };
+                    return refuted(
+                        cell,
+                        format!("{text}, and alpha -> oo as v -> 0"),
+                        true,
+                        &answers,
+                    );
                 }
                 last = Some(cell);
             }

@@ -4,7 +4,7 @@ use kane_scene::{Known, Round, Shown};
 use serde::Serialize;
 
 use super::{SceneReport, verdict, who};
-use crate::envelope::{Program, Schema};
+use crate::envelope::{Program, Schema, written};
 
 #[derive(Serialize)]
 struct File<'a> {
@@ -165,7 +165,5 @@ pub fn json(report: &SceneReport<'_>) -> String {
             bodies: end.bodies.iter().map(state).collect(),
         }),
     };
-    let mut out = serde_json::to_string_pretty(&file).expect("strings and numbers serialise");
-    out.push('\n');
-    out
+    written(&file)
 }

@@ -52,7 +52,8 @@ impl SceneReport<'_> {
             Some(Known::Documented) => ", as documented",
             _ => "",
         };
-        let is_blurred = |line: &Line| line.spread.is_some_and(|spread| spread.by > line.tolerance);
+        let is_blurred =
+            |line: &Line| line.spread.is_some_and(|spread| spread.exceeds(line.tolerance));
         let open = match answer.lines.iter().any(is_blurred) {
             true => "; the inputs leave more open",
             false => "",

@@ -51,7 +51,7 @@ pub(super) fn reasons(
     if let Some(spread) = reference.spread(scene) {
         let moved = scene.asked.iter().zip(spread);
         let beyond: Vec<String> = moved
-            .filter(|(asked, spread)| spread.by > asked.tolerance.to_f64())
+            .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
             .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread.by)))
             .collect();
         if !beyond.is_empty() {

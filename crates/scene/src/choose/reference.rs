@@ -56,6 +56,14 @@ pub struct Spread {
     pub enclosed: bool,
 }
 
+impl Spread {
+    /// Whether the inputs leave more open than was asked; the tolerance in the unit of the quantity.
+    #[must_use]
+    pub fn exceeds(&self, tolerance: f64) -> bool {
+        self.by > tolerance
+    }
+}
+
 /// The reference of a scene.
 pub(super) struct Reference {
     pub(super) mechanics: Mechanics,

@@ -38,25 +38,39 @@ pub(super) struct Discs {
     spin_rad_s: Option<Number>,
 }
 
+/// A rod that strikes with its tip, as a file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Rod {
-    mass_kg: Number,
-    length_m: Number,
-    angle_deg: Option<Number>,
-    half_tangent: Option<Number>,
-    velocity_m_s: [Number; 2],
-    spin_rad_s: Option<Number>,
+pub struct Rod {
+    /// m > 0; kg.
+    pub mass_kg: Number,
+    /// l > 0; m.
+    pub length_m: Number,
+    /// Between the surface and the way from the tip up to the centre, unless its half tangent is given;
+    /// degrees.
+    pub angle_deg: Option<Number>,
+    /// The tangent of half of that angle.
+    pub half_tangent: Option<Number>,
+    /// Of the centre, x and y; m/s.
+    pub velocity_m_s: [Number; 2],
+    /// ω, 0 if it is not given; rad/s.
+    pub spin_rad_s: Option<Number>,
 }
 
+/// Kane's double pendulum, as a file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Pendulum {
-    mass_kg: Number,
-    length_m: Number,
-    angles_deg: Option<[Number; 2]>,
-    half_tangents: Option<[Number; 2]>,
-    angular_velocities_rad_s: [Number; 2],
+pub struct Pendulum {
+    /// m > 0 of each of its two rods; kg.
+    pub mass_kg: Number,
+    /// l > 0 of each; m.
+    pub length_m: Number,
+    /// Of both rods from the vertical, unless their half tangents are given; degrees.
+    pub angles_deg: Option<[Number; 2]>,
+    /// The tangents of half of those angles.
+    pub half_tangents: Option<[Number; 2]>,
+    /// Of both rods; rad/s.
+    pub angular_velocities_rad_s: [Number; 2],
 }
 
 /// A number, or a table `{ value = …, within = … }`.

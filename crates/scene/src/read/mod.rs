@@ -9,6 +9,7 @@ mod source;
 mod stated;
 
 pub use angle::direction;
+pub use bodies::{Pendulum, Rod};
 pub use file::scene;
 pub use number::{Domain, read, read_in};
 pub use source::{Fault, Number, Source, load};

@@ -3,6 +3,7 @@
 use kane_algebra::sign_table::simplest_between;
 use kane_impact::laws::{LawVisitor, RouthNewton, Walton, WangSuLi, visit_laws};
 use kane_impact::{Contact, ImpactLaw};
+use kane_measure::changes;
 use kane_number::{Number as _, Rational};
 
 use super::{Row, integer, ratio};
@@ -23,21 +24,13 @@ pub(super) fn kinks<L: ImpactLaw>(law: &L) -> Vec<Rational> {
     let regime = |alpha: &Rational| {
         law.resolve(&Contact::of_alpha(alpha.clone())).ok().map(|outcome| outcome.regime)
     };
-    let mut out = Vec::new();
-    for n in 1..80 {
-        let (mut low, mut high) = (ratio(n, 16), ratio(n + 1, 16));
-        let below = regime(&low);
-        if below == regime(&high) {
-            continue;
-        }
-        for _ in 0..40 {
-            let middle = (&low + &high) / integer(2);
-            if regime(&middle) == below { low = middle } else { high = middle }
-        }
+    let sixteenths: Vec<Rational> = (1..=80).map(|n| ratio(n, 16)).collect();
+    let mut out: Vec<Rational> = changes(&sixteenths, 40, regime)
+        .into_iter()
         // an end may itself be the kink, on whichever side its guard puts it
-        let wider = (&low + &low - &high, &high + &high - &low);
-        out.push(simplest_between(Some(&wider.0), Some(&wider.1)));
-    }
+        .map(|[low, high]| (&low + &low - &high, &high + &high - &low))
+        .map(|(low, high)| simplest_between(Some(&low), Some(&high)))
+        .collect();
     out.dedup();
     out
 }
