@@ -237,6 +237,17 @@ impl Expr {
     }
 }
 
+impl Relation {
+    /// The sides, the one first that is greater if an inequality holds.
+    #[must_use]
+    pub fn greater_first(&self) -> (&Expr, &Expr) {
+        match self.rel {
+            Rel::Lt | Rel::Le => (&self.rhs, &self.lhs),
+            Rel::Eq | Rel::Ne | Rel::Gt | Rel::Ge => (&self.lhs, &self.rhs),
+        }
+    }
+}
+
 impl Context {
     /// The expression that stands for a symbol, if one does.
     #[must_use]

@@ -227,6 +227,18 @@ impl Poly {
         out
     }
 
+    /// ∂p/∂v
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn derivative(&self, v: usize, fuel: &Fuel) -> Checked<Self> {
+        let mut sum = Self::default();
+        for (n, c) in (0..).zip(self.coefficients(v)).skip(1) {
+            sum = sum.add(&c.mul(&Self::power(v, n - 1), fuel)?.scale(&n.into()));
+        }
+        Ok(sum)
+    }
+
     /// Splits off the largest non-negative integer that divides all coefficients: (content, rest).
     #[must_use]
     pub fn primitive(&self) -> (BigInt, Self) {
@@ -342,6 +354,22 @@ impl Fraction {
     /// [`Rejection::Budget`].
     pub fn mul(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
         Ok(Self { num: self.num.mul(&o.num, fuel)?, den: self.den.mul(&o.den, fuel)? })
+    }
+
+    /// Quotient; the other must not be zero.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn over(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
+        Ok(Self { num: self.num.mul(&o.den, fuel)?, den: self.den.mul(&o.num, fuel)? })
+    }
+
+    /// Power.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn pow(&self, n: u32, fuel: &Fuel) -> Checked<Self> {
+        Ok(Self { num: self.num.pow(n, fuel)?, den: self.den.pow(n, fuel)? })
     }
 
     /// A polynomial with the sign of the fraction wherever the denominator is not zero.
