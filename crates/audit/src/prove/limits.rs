@@ -2,14 +2,15 @@
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State,
-    Target, constants, differs, exponent, leaves, misses, premised, sides,
+    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, Sign, State, Target,
+    constants, differs, exponent, leaves, misses, premised, sides,
 };
 use num_bigint::BigInt;
 use num_traits::One;
 use std::rc::Rc;
 
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::{Passage, SideArgument, expand};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
 #[derive(Clone, Debug)]
@@ -18,6 +19,9 @@ pub(crate) struct Found {
     pub(crate) den: Poly,
     pub(crate) order: u32,
 }
+
+/// A proof of nothing, where nobody asks for one.
+pub(crate) const NOTHING: Proof = Proof::Positive { terms: Vec::new(), cofactors: Vec::new() };
 
 /// Radii to try, for constants c around and a leading coefficient D that must not vanish.
 #[derive(Clone, Debug)]
@@ -78,8 +82,9 @@ fn germ(state: &State<'_, '_>, side: &Side, radius: &Radius, steps: u64) -> Opti
     let mut germ = Germ {
         side: side.clone(),
         radius: (num, den),
-        positive: Box::new(proof),
-        inside: Box::new(Proof::Absurd),
+        positive: Box::new(expand(&positive, &proof).ok()?),
+        // Nobody asks where the side is supposed to be reached.
+        inside: Box::new(NOTHING),
     };
     if state.reaches(side) {
         return Some(germ);
@@ -89,7 +94,7 @@ fn germ(state: &State<'_, '_>, side: &Side, radius: &Radius, steps: u64) -> Opti
     let may = varies(state, side.var);
     match Search::new(steps, &may, false).solve(&along) {
         Outcome::Closed(proof) => {
-            germ.inside = Box::new(proof);
+            germ.inside = Box::new(expand(&along, &proof).ok()?);
             Some(germ)
         }
         _ => None,
@@ -139,15 +144,12 @@ pub(crate) fn substituted(
     Ok(cancelled(&num, &den))
 }
 
-/// Constants' state of a limit claim, after what premised limits add; and the steps to wrap.
-type Pass = (Germ, Atom, Proof);
-
 /// What the premised limits on the given sides imply for constants: one atom a pass.
 pub(crate) fn passes<'s, 'g>(
     state: &State<'s, 'g>,
     sides: &[Side],
     steps: u64,
-) -> (State<'s, 'g>, Vec<Pass>) {
+) -> (State<'s, 'g>, Vec<Passage>) {
     let (mut state, mut found) = (state.clone(), Vec::new());
     for _ in 0..3 {
         let before = found.len();
@@ -166,7 +168,7 @@ pub(crate) fn passes<'s, 'g>(
             let nothing = Atom::new(Poly::one(), Sign::Zero);
             if let Outcome::Closed(proof) = search.solve(&along) {
                 state = state.with(nothing.clone());
-                found.push((germ, nothing, proof));
+                found.push(Passage { germ, atom: nothing, along: proof });
                 return (state, found);
             }
             let Some((rest, _)) = search.reduced(&along) else {
@@ -192,7 +194,7 @@ pub(crate) fn passes<'s, 'g>(
                 }
                 if let Outcome::Closed(proof) = search.solve(&along.with(atom.not())) {
                     state = state.with(at_zero);
-                    found.push((germ.clone(), atom, proof));
+                    found.push(Passage { germ: germ.clone(), atom, along: proof });
                 }
             }
         }
@@ -201,16 +203,6 @@ pub(crate) fn passes<'s, 'g>(
         }
     }
     (state, found)
-}
-
-/// Wraps a proof in the passes that it rests on.
-pub(crate) fn wrap(passes: Vec<Pass>, proof: Proof) -> Proof {
-    passes.into_iter().rev().fold(proof, |then, (germ, atom, along)| Proof::Pass {
-        germ,
-        atom,
-        along: Box::new(along),
-        then: Box::new(then),
-    })
 }
 
 /// All sides from which limits are premised.
@@ -274,7 +266,7 @@ pub(crate) fn one_side(
     limit: &Limit,
     side: &Side,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
     for (at, found) in RADII.iter().flat_map(|r| found(state, limit, side, steps, r)) {
@@ -303,7 +295,7 @@ fn along(
     germ: Germ,
     found: &Found,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let any = |_: usize, _: &Poly| true;
     let parts = (&found.num, &found.den, found.order);
     let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
@@ -319,18 +311,23 @@ fn along(
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
         return None;
     };
-    Some(SideProof {
+    Some(SideArgument {
         germ,
         num: found.num.clone(),
         den: found.den.clone(),
         order: found.order,
-        along: Box::new(along),
-        at_zero: Box::new(at_zero),
+        along,
+        at_zero,
     })
 }
 
 /// A proof of a limit from all its sides.
-pub(crate) fn prove(goal: &Goal, limit: &Limit, steps: u64, fuel: u64) -> Option<Vec<SideProof>> {
+pub(crate) fn prove(
+    goal: &Goal,
+    limit: &Limit,
+    steps: u64,
+    fuel: u64,
+) -> Option<Vec<SideArgument>> {
     let scope = kane_kernel::scope(goal, kane_kernel::Fuel::new(fuel)).ok()?;
     let state = constants(&scope, goal, limit.var).ok()?;
     let sides = sides(&scope, limit);

@@ -12,8 +12,10 @@ use std::cell::RefCell;
 
 use kane_kernel::{
     Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
-    Rejection, check, claim_state, digest, premised, scope, sides,
+    Rejection, check, claim_state, constants, digest, premised, scope, sides,
 };
+
+use crate::argument::{Flaw, Grounds, Passage, contradiction, side_proof};
 
 use functions::Effort;
 use search::{Outcome, Search};
@@ -50,11 +52,18 @@ impl Default for Budget {
     }
 }
 
+/// A certificate that the kernel accepted, and what it was written out from.
+#[derive(Clone, Debug)]
+pub(crate) struct Decided {
+    pub(crate) certificate: Certificate,
+    pub(crate) grounds: Grounds,
+}
+
 /// What was found about a goal.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Verdicts {
-    /// accepted certificates; at most one that decides
-    pub(crate) decided: Option<Certificate>,
+    /// what decides, if anything does
+    pub(crate) decided: Option<Decided>,
     /// a model of the hypotheses, accepted too
     pub(crate) model: Option<Model>,
     /// why nothing decides
@@ -90,13 +99,36 @@ impl Prover<'_> {
         &self,
         goal: &Goal,
         finding: Finding,
-        evidence: Evidence,
+        grounds: &Grounds,
     ) -> Result<Certificate, String> {
+        let evidence = self.evidence(goal, finding, grounds);
+        let evidence =
+            evidence.map_err(|why| format!("an argument was found but does not hold: {why:?}"))?;
         let certificate = Certificate { goal: digest(goal), finding, evidence };
         match check(goal, &certificate, Fuel::new(self.budget.check)) {
             Ok(()) => Ok(certificate),
             Err(why) => Err(format!("a certificate was found but not accepted: {why}")),
         }
+    }
+
+    /// Grounds written out in the rules of the kernel.
+    fn evidence(&self, goal: &Goal, finding: Finding, grounds: &Grounds) -> Result<Evidence, Flaw> {
+        let fuel = Fuel::new(self.budget.check);
+        Ok(match (grounds, &goal.conclusion) {
+            (Grounds::Model(model), _) => Evidence::Model(model.clone()),
+            (Grounds::Contradiction(passages, argument), _) => {
+                let scope = scope(goal, fuel)?;
+                let state = claim_state(&scope, goal, finding)?;
+                Evidence::Contradiction(contradiction(&state, passages, argument)?)
+            }
+            (Grounds::Limit(arguments), Conclusion::Link(Link::Limit(l))) => {
+                let scope = scope(goal, fuel)?;
+                let state = constants(&scope, goal, l.var)?;
+                let proofs = arguments.iter().map(|a| side_proof(&state, l, a));
+                Evidence::Limit(proofs.collect::<Result<_, _>>()?)
+            }
+            (Grounds::Limit(_), _) => return Err(Rejection::WrongEvidence.into()),
+        })
     }
 
     /// Judges a goal; with `doubt`, also whether its hypotheses can hold at all.
@@ -116,16 +148,10 @@ impl Prover<'_> {
         out
     }
 
-    fn decide(
-        &self,
-        goal: &Goal,
-        finding: Finding,
-        evidence: Evidence,
-        out: &mut Verdicts,
-    ) -> bool {
-        match self.accept(goal, finding, evidence) {
+    fn decide(&self, goal: &Goal, finding: Finding, grounds: Grounds, out: &mut Verdicts) -> bool {
+        match self.accept(goal, finding, &grounds) {
             Ok(certificate) => {
-                out.decided = Some(certificate);
+                out.decided = Some(Decided { certificate, grounds });
                 true
             }
             Err(why) => {
@@ -135,8 +161,25 @@ impl Prover<'_> {
         }
     }
 
+    /// Searches for a contradiction in the state of a finding.
+    fn closed(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> Option<Grounds> {
+        match self.search(goal, finding, false, out) {
+            (passages, Outcome::Closed(argument)) => {
+                Some(Grounds::Contradiction(passages, argument))
+            }
+            _ => None,
+        }
+    }
+
     /// Searches the state of a finding, premised limits passed first.
-    fn search(&self, goal: &Goal, finding: Finding, models: bool, out: &mut Verdicts) -> Outcome {
+    fn search(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        models: bool,
+        out: &mut Verdicts,
+    ) -> (Vec<Passage>, Outcome) {
+        let open = (Vec::new(), Outcome::Open);
         // Premises beyond the cited ones only guide to better points: a little search is enough.
         let guide = models && goal.hypotheses.len() > self.cited;
         let (steps, fuel) = if guide {
@@ -145,7 +188,7 @@ impl Prover<'_> {
             (self.budget.steps, self.budget.fuel)
         };
         let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
-            return Outcome::Open;
+            return open;
         };
         let state = match claim_state(&scope, goal, finding) {
             Ok(state) => state,
@@ -153,7 +196,7 @@ impl Prover<'_> {
                 if why == Rejection::Budget && !guide {
                     out.reason = unfit(&why);
                 }
-                return Outcome::Open;
+                return open;
             }
         };
         let mut germs = limits::premised_sides(&state, goal);
@@ -173,22 +216,19 @@ impl Prover<'_> {
         // Who looks for a point does not also look for long proofs that there is none.
         search.proofs = !models;
         // Without the limits first: most claims do not need them.
-        let mut outcome = search.solve(&state);
+        let (mut outcome, mut passages) = (search.solve(&state), Vec::new());
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
             let (state, found) = limits::passes(&state, &germs, self.budget.steps);
             if !found.is_empty() {
                 let search = Search::new(self.budget.steps, &any, false);
-                outcome = match search.solve(&state) {
-                    Outcome::Closed(proof) => Outcome::Closed(limits::wrap(found, proof)),
-                    other => other,
-                };
+                (outcome, passages) = (search.solve(&state), found);
             }
         }
         out.cost += steps - search.left();
         if !guide && scope.fuel.spend(1).is_err() {
             out.reason = format!("neither proof nor witness within {fuel} coefficient operations");
         }
-        outcome
+        (passages, outcome)
     }
 
     /// A model of a finding: a point, or functions where limits are involved.
@@ -201,7 +241,7 @@ impl Prover<'_> {
     ) -> Option<Model> {
         match limit_variable(goal, finding) {
             None => match self.search(goal, finding, true, out) {
-                Outcome::Model(point) => Some(Model::Point(point)),
+                (_, Outcome::Model(point)) => Some(Model::Point(point)),
                 _ => None,
             },
             Some(x) => functions::model(goal, finding, x, self.by, self.effort(candidates))
@@ -214,7 +254,7 @@ impl Prover<'_> {
         for source in [self.resting, goal] {
             if let Some(model) = self.model(source, finding, self.candidates(source, goal), out) {
                 let model = restricted(model, goal, source);
-                if self.decide(goal, finding, Evidence::Model(model), out) {
+                if self.decide(goal, finding, Grounds::Model(model), out) {
                     return true;
                 }
             }
@@ -234,8 +274,8 @@ impl Prover<'_> {
     fn remembered(&self, goal: &Goal) -> Option<Model> {
         let earlier = self.earlier.borrow();
         let holds = |model: &&Model| {
-            let evidence = Evidence::Model((*model).clone());
-            self.accept(goal, Finding::Consistent, evidence).is_ok()
+            let grounds = Grounds::Model((*model).clone());
+            self.accept(goal, Finding::Consistent, &grounds).is_ok()
         };
         earlier.iter().rev().take(4).find(holds).cloned()
     }
@@ -248,8 +288,8 @@ impl Prover<'_> {
         }
         let found = self.model(goal, Finding::Consistent, self.budget.functions / 4, out);
         if let Some(model) = found {
-            let evidence = Evidence::Model(model.clone());
-            if self.accept(goal, Finding::Consistent, evidence).is_ok() {
+            let grounds = Grounds::Model(model.clone());
+            if self.accept(goal, Finding::Consistent, &grounds).is_ok() {
                 self.earlier.borrow_mut().push(model.clone());
                 out.model = Some(model);
                 return false;
@@ -261,19 +301,17 @@ impl Prover<'_> {
         } else {
             goal
         };
-        match self.search(source, Finding::Vacuous, false, out) {
-            Outcome::Closed(proof) => {
-                self.decide(source, Finding::Vacuous, Evidence::Contradiction(proof), out)
-            }
-            _ => false,
+        match self.closed(source, Finding::Vacuous, out) {
+            Some(grounds) => self.decide(source, Finding::Vacuous, grounds, out),
+            None => false,
         }
     }
 
     /// Looks for a proof of a pointwise goal, and for nothing else.
     pub(crate) fn prove(&self, goal: &Goal) -> Verdicts {
         let mut out = Verdicts::default();
-        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, &mut out) {
-            self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), &mut out);
+        if let Some(grounds) = self.closed(goal, Finding::Proved, &mut out) {
+            self.decide(goal, Finding::Proved, grounds, &mut out);
         }
         if out.decided.is_none() && out.reason.is_empty() {
             out.reason = format!("no proof within {} steps", self.budget.steps);
@@ -290,14 +328,10 @@ impl Prover<'_> {
 
     fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {
         if goal.conclusion == Conclusion::Contradiction {
-            match self.search(goal, Finding::Proved, false, out) {
-                Outcome::Closed(proof) => {
-                    self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out);
-                }
-                _ => {
-                    self.witness(goal, Finding::Refuted, out);
-                }
-            }
+            match self.closed(goal, Finding::Proved, out) {
+                Some(grounds) => self.decide(goal, Finding::Proved, grounds, out),
+                None => self.witness(goal, Finding::Refuted, out),
+            };
             return;
         }
         if doubt && self.consistent(goal, out) {
@@ -308,14 +342,14 @@ impl Prover<'_> {
                 return;
             }
             if !speaks_of_limits(&goal.conclusion)
-                && let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out)
+                && let Some(grounds) = self.closed(goal, Finding::Refuted, out)
             {
-                self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
+                self.decide(goal, Finding::Refuted, grounds, out);
             }
             return;
         }
-        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, out)
-            && self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out)
+        if let Some(grounds) = self.closed(goal, Finding::Proved, out)
+            && self.decide(goal, Finding::Proved, grounds, out)
         {
             return;
         }
@@ -328,8 +362,8 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
-            && self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out)
+        if let Some(arguments) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
+            && self.decide(goal, Finding::Proved, Grounds::Limit(arguments), out)
         {
             return;
         }
