@@ -9,6 +9,8 @@ mod line;
 mod node;
 mod orthant;
 mod rules;
+#[cfg(test)]
+mod tests;
 
 use kane_kernel::{Atom, Germ, Model, Poly, Root, Term};
 use num_bigint::BigInt;

@@ -120,10 +120,13 @@ impl Node {
     }
 }
 
+/// Facts with powers.
+type Powers = Vec<(Fact, u32)>;
+
 /// A sum that is zero though one summand is positive, as it is put together.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sum {
-    terms: Vec<(BigRational, Poly, Vec<(Fact, u32)>)>,
+    terms: Vec<(BigRational, Poly, Powers)>,
     cofactors: Vec<(BigRational, Poly, Fact)>,
 }
 
@@ -135,7 +138,7 @@ impl Sum {
         square: Poly,
         factors: &[(&Known, u32)],
     ) -> &mut Self {
-        let mut powers: Vec<(Fact, u32)> = Vec::new();
+        let mut powers = Powers::new();
         for (known, n) in factors.iter().filter(|f| f.1 > 0) {
             // A factor that was used up is nobody's fact: the kernel rejects it.
             let (fact, scale) = known.fact.clone().unwrap_or((Fact::MAX, BigInt::one()));

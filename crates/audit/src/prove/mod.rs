@@ -462,3 +462,15 @@ fn restricted(model: Model, goal: &Goal, source: &Goal) -> Model {
 fn goal_roots(goal: &Goal) -> usize {
     scope(goal, Fuel::new(1_000_000)).map_or(0, |s| s.germ() - goal.context.vars.len())
 }
+
+/// A contradiction in a state, if a small search finds one.
+#[cfg(test)]
+pub(crate) fn closed(state: &kane_kernel::State<'_, '_>) -> Option<crate::argument::Argument> {
+    let any = |_: usize, _: &kane_kernel::Poly| true;
+    let mut search = Search::new(60, &any, false);
+    search.ideals = true;
+    match search.solve(state) {
+        Outcome::Closed(argument) => Some(argument),
+        _ => None,
+    }
+}

@@ -74,12 +74,8 @@ Definition germ_atoms (pc : passing) (s : side) (num den : poly) (st : atoms) : 
 
 (** A polynomial or its opposite, and which of its signs -1, 0 and 1 have a case. *)
 Definition sided (opposite : bool) (q : poly) : poly := if opposite then pneg q else q.
-Definition admits (s : sign) (v : Z) : bool :=
-  match s with
-  | SZ => Z.eqb v 0 | SNZ => negb (Z.eqb v 0) | SNN => Z.leb 0 v | SP => Z.ltb 0 v
-  end.
 Definition admitted (each : list (bool * sign * proof)) (v : Z) : bool :=
-  existsb (fun c => admits (snd (fst c)) (if fst (fst c) then Z.opp v else v)) each.
+  existsb (fun c : bool * sign * proof => admits (snd (fst c)) (if fst (fst c) then Z.opp v else v)) each.
 
 Fixpoint refute (pc : option passing) (fuel : nat) (fs : list cases) (st : atoms) (p : proof) : bool :=
   match fuel with O => false | S fuel =>
@@ -92,7 +88,7 @@ Fixpoint refute (pc : option passing) (fuel : nat) (fs : list cases) (st : atoms
      | _, _ => false end) (nth f fs [[]]) ps
   | Split q each =>
     forallb (admitted each) [-1; 0; 1]%Z &&
-    forallb (fun c => refute pc fuel fs (st ++ [A (sided (fst (fst c)) q) (snd (fst c))]) (snd c)) each
+    forallb (fun c : bool * sign * proof => refute pc fuel fs (st ++ [A (sided (fst (fst c)) q) (snd (fst c))]) (snd c)) each
   | Substitute i v lead rest =>
     let eq := nth_atom st i in
     let want := prim (product st lead) in
@@ -225,7 +221,7 @@ Proof.
   - apply Rmult_le_pos; trivial. apply Rlt_le; auto.
   - apply Rmult_lt_0_compat; auto.
 Qed.
-Lemma sided_holds e q o s v : (v = -1)%Z /\ peval e q < 0 \/ v = 0%Z /\ peval e q = 0 \/ v = 1%Z /\ 0 < peval e q ->
+Lemma sided_holds e q (o : bool) s v : (v = -1)%Z /\ peval e q < 0 \/ v = 0%Z /\ peval e q = 0 \/ v = 1%Z /\ 0 < peval e q ->
   admits s (if o then Z.opp v else v) = true -> holds e (A (sided o q) s).
 Proof.
   intros H M. unfold holds, sided; cbn [asign apoly].
