@@ -91,7 +91,8 @@ impl Scope<'_> {
     /// near the point, its derivative; elsewhere undefined.
     ///
     /// # Errors
-    /// [`Rejection::NotExplicit`] if f contains an undefined function of x; else as
+    /// [`Rejection::NotExplicit`] if f contains an undefined function of x, or an expression stands
+    /// for x; else as
     /// [`Scope::pieces`].
     pub fn slopes(&self, f: &Expr, x: usize) -> Checked<Vec<Piece>> {
         self.slopes_near(f, x, (&[], MAX_DEPTH), |slope, _| everywhere(Some(slope)))
@@ -125,6 +126,8 @@ impl Scope<'_> {
         match e {
             Expr::Num(q) => Ok(Local::of(Fraction::rational(q), &[])),
             Expr::Var(v) => match (self.context.value(*v), self.context.vars.get(*v)) {
+                // What is varied has no value.
+                (Some(_), _) if over.contains(v) => Err(Rejection::NotExplicit),
                 (Some(value), _) => go(value),
                 (None, None) => Err(Rejection::UnknownSymbol),
                 (None, Some(var)) if var.of.is_some_and(|x| over.contains(&x)) => {

@@ -153,10 +153,15 @@ impl Poly {
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (m, c) in other.terms() {
-            sum.add_term(m.clone(), c.clone());
-        }
+        sum.add_all(other);
         sum
+    }
+
+    /// Adds another polynomial in place.
+    pub fn add_all(&mut self, other: &Self) {
+        for (m, c) in other.terms() {
+            self.add_term(m.clone(), c.clone());
+        }
     }
 
     /// Difference.

@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use kane_kernel::{
-    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrowing, premised,
-    sides,
+    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrowing,
+    premised, sides,
 };
 
 use super::NotEmitted;

@@ -9,7 +9,6 @@
 //!
 //! What a lemma cannot say is not emitted, with the reason in the file.
 
-mod bounds;
 mod family;
 mod functions;
 mod lemma;
@@ -17,7 +16,6 @@ mod limits;
 mod prose;
 mod reify;
 mod script;
-mod table;
 mod theory;
 mod witness;
 
