@@ -11,6 +11,30 @@ use crate::{
     Root, Scope, Side, Sign, Term, scope,
 };
 
+/// Along which variables something may be passed to a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passages {
+    /// along any: at a point where the premises hold
+    Anywhere,
+    /// along this one: among what is constant while it varies
+    Along(usize),
+    /// along none: not along a germ, where a premised limit's variable stands for the function; not
+    /// for explicit functions; not where no limit is spoken of, and statements speak of one point
+    Nowhere,
+}
+
+impl Passages {
+    /// Whether along x.
+    #[must_use]
+    pub fn allow(self, x: usize) -> bool {
+        match self {
+            Self::Anywhere => true,
+            Self::Along(along) => along == x,
+            Self::Nowhere => false,
+        }
+    }
+}
+
 /// What is known at a point: atoms, and formulas of which one case each holds there.
 #[derive(Clone, Debug)]
 pub struct State<'s, 'g> {
@@ -24,9 +48,8 @@ pub struct State<'s, 'g> {
     pub formulas: Rc<Vec<Cases>>,
     /// whether it is being refuted that the domain, as the premises narrow it, reaches a limit
     pub reaching: bool,
-    /// whether this is a state along a germ: there a premised limit's variable stands for the
-    /// function, so nothing may be passed to its limit
-    pub on_germ: bool,
+    /// where something may be passed to a limit
+    pub passages: Passages,
 }
 
 impl<'s, 'g> State<'s, 'g> {
@@ -56,7 +79,9 @@ impl<'s, 'g> State<'s, 'g> {
                 })
             }
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
-            Proof::Pass { .. } if self.on_germ => Err(Rejection::OutsideDomain),
+            Proof::Pass { germ, .. } if !self.passages.allow(germ.side.var) => {
+                Err(Rejection::OutsideDomain)
+            }
             Proof::Pass { germ, atom, along, then } => {
                 self.along(germ)?.with(atom.not()).refute(along)?;
                 self.with(self.at_zero(germ, atom)?).refute(then)
@@ -191,7 +216,7 @@ impl<'s, 'g> State<'s, 'g> {
         self.with_cases(vec![positive(num), positive(den)]).refute(&germ.positive)?;
         let atoms = self.atoms_along(germ, self.scope)?;
         let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
-        Ok(Self { atoms, formulas, on_germ: true, ..self.clone() })
+        Ok(Self { atoms, formulas, passages: Passages::Nowhere, ..self.clone() })
     }
 
     /// The conditions along a germ of a scope with the same constants: ranges, what is known of

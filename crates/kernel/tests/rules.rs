@@ -2,9 +2,9 @@
 
 use kane_kernel::{
     Approach, Atom, Bound, Case, Certificate, Conclusion, Context, Evidence, Expr, Failure,
-    Finding, Fuel, Functions, Germ, Goal, Hypothesis, Inside, Limit, Link, Model, Point, Poly,
-    Proof, Rejection, Rel, Relation, Root, Sentence, Side, SideProof, Sign, State, Target, Term,
-    Var, check, digest, scope,
+    Finding, Fuel, Functions, Germ, Goal, Hypothesis, Inside, Limit, Link, Model, Passages, Point,
+    Poly, Proof, Rejection, Rel, Relation, Root, Sentence, Side, SideProof, Sign, State, Target,
+    Term, Var, check, digest, scope,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -59,8 +59,8 @@ fn refuted(atoms: &[Atom], proof: &Proof) -> Result<(), Rejection> {
     let goal = plain();
     let scope = scope(&goal, Fuel::new(100_000)).expect("a small goal");
     let (atoms, formulas) = (atoms.to_vec(), std::rc::Rc::default());
-    State { scope: &scope, goal: &goal, atoms, formulas, reaching: false, on_germ: false }
-        .refute(proof)
+    let passages = Passages::Anywhere;
+    State { scope: &scope, goal: &goal, atoms, formulas, reaching: false, passages }.refute(proof)
 }
 
 /// The first proof is accepted, the others are not.

@@ -2,7 +2,7 @@
 //! it can be wrong. And what the search finds on random states is always written out so.
 
 use kane_kernel::{
-    Atom, Conclusion, Context, Fuel, Goal, Poly, Root, Sign, State, Term, Var, scope,
+    Atom, Conclusion, Context, Fuel, Goal, Passages, Poly, Root, Sign, State, Term, Var, scope,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -64,8 +64,8 @@ fn asked<T>(atoms: &[Atom], ask: impl FnOnce(&State<'_, '_>) -> T) -> T {
     let goal = plain();
     let scope = scope(&goal, Fuel::new(10_000_000)).expect("a small goal");
     let (atoms, formulas) = (atoms.to_vec(), std::rc::Rc::default());
-    let (reaching, on_germ) = (false, false);
-    ask(&State { scope: &scope, goal: &goal, atoms, formulas, reaching, on_germ })
+    let (reaching, passages) = (false, Passages::Anywhere);
+    ask(&State { scope: &scope, goal: &goal, atoms, formulas, reaching, passages })
 }
 
 /// Whether the rules take an argument, and whether the kernel takes what it is written out as.

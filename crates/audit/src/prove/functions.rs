@@ -5,7 +5,7 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
+    Limit, Link, Passages, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
     point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
@@ -44,7 +44,7 @@ pub(crate) fn model(
         atoms,
         formulas: Rc::new(formulas[..count].to_vec()),
         reaching: false,
-        on_germ: false,
+        passages: Passages::Anywhere,
     };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();

@@ -212,6 +212,7 @@ impl Prover<'_> {
                 sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>(),
             );
         }
+        germs.retain(|side| state.passages.allow(side.var));
         let any = |_: usize, _: &Poly| true;
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
