@@ -19,6 +19,7 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Checked {
     if certificate.goal != digest(goal) || !goal.context.values.is_empty() {
         return Err(Rejection::OtherGoal);
     }
+    crate::door::enter(goal, certificate)?;
     let finding = certificate.finding;
     match (&certificate.evidence, &goal.conclusion) {
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(limit)))

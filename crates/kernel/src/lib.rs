@@ -8,6 +8,7 @@
 mod ast;
 mod check;
 mod derivative;
+mod door;
 mod limit;
 mod model;
 mod normal;

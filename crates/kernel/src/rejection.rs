@@ -10,6 +10,8 @@ pub enum Rejection {
     Budget,
     /// the certificate names another goal
     OtherGoal,
+    /// a rational number is not in lowest terms with a positive denominator
+    NotCanonical,
     /// evidence of this kind cannot show this finding
     WrongEvidence,
     /// a limit is judged by functions, not by a point
