@@ -1,8 +1,6 @@
-//! Where reports go: standard output, standard error, files.
+//! Where reports go: standard output and standard error.
 
-use std::fs;
 use std::io::{self, IsTerminal as _, Write as _};
-use std::path::Path;
 
 use kane::report::Page;
 
@@ -37,20 +35,4 @@ pub(super) fn to_stdout(text: &str) -> io::Result<()> {
 /// Prints the text on standard error, if anybody listens.
 pub(super) fn to_stderr(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
-}
-
-/// Writes the file whole or not at all: under a temporary name beside it, then renamed.
-///
-/// # Errors
-///
-/// Whatever keeps the file from being written; a file of that name then stays as it was.
-pub(super) fn to_file(path: &Path, text: &str) -> io::Result<()> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let temporary = path.with_file_name(name);
-    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
-    if written.is_err() {
-        let _ = fs::remove_file(&temporary);
-    }
-    written
 }
