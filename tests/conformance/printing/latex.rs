@@ -4,6 +4,7 @@
 //! - An exponent belongs to the one thing before it: a letter, a number, a closed pair of brackets.
 //! - Things side by side are multiplied; a number directly before a number or a fraction is not.
 //! - d/dx acts on everything that is multiplied behind it, up to a dot, a sign or a bracket.
+//! - An exponent behind a prime, behind ΔE or behind the arguments of a function is of the end alone.
 //! - A function's letter directly before a bracket is applied to it.
 //! - `cases` reaches to the end of its formula, so that nothing may follow its rows but a comparison.
 
@@ -78,11 +79,13 @@ pub(super) struct Reader<'a> {
     tokens: Vec<Token>,
     at: usize,
     names: &'a Names,
+    /// whether what was read last is of several parts, so that an exponent would not be of the whole
+    joined: bool,
 }
 
 impl<'a> Reader<'a> {
     pub(super) fn new(tokens: Vec<Token>, names: &'a Names) -> Self {
-        Self { tokens, at: 0, names }
+        Self { tokens, at: 0, names, joined: false }
     }
 
     fn peek(&self) -> Option<&Token> {
@@ -305,6 +308,7 @@ impl<'a> Reader<'a> {
         if self.derivative_begins() {
             return self.derivative();
         }
+        self.joined = false;
         let base = self.primary()?;
         let opens = self.tokens.get(self.at + 1) == Some(&Token::Other('('));
         if self.names.functions.contains(&base) && self.is_command("left") && opens {
@@ -312,6 +316,9 @@ impl<'a> Reader<'a> {
         }
         if !self.accept('^') {
             return Ok(base);
+        }
+        if std::mem::take(&mut self.joined) {
+            return self.fault("an exponent of the end of a name or a call");
         }
         let exponent = self.exponent()?;
         if self.is('^') {
@@ -380,11 +387,15 @@ impl<'a> Reader<'a> {
             Some(Token::Command(name)) => match name.as_str() {
                 "frac" => {
                     self.at += 1;
-                    Ok(Expr::Div(self.braced()?.into(), self.braced()?.into()))
+                    let (a, b) = (self.braced()?, self.braced()?);
+                    self.joined = false;
+                    Ok(Expr::Div(a.into(), b.into()))
                 }
                 "sqrt" => {
                     self.at += 1;
-                    Ok(Expr::Sqrt(self.braced()?.into()))
+                    let a = self.braced()?;
+                    self.joined = false;
+                    Ok(Expr::Sqrt(a.into()))
                 }
                 "min" | "max" => {
                     let min = name == "min";
@@ -396,6 +407,7 @@ impl<'a> Reader<'a> {
                     let b = self.sum()?;
                     self.expect_command("right")?;
                     self.expect(')')?;
+                    self.joined = true;
                     Ok(if min {
                         Expr::Min(a.into(), b.into())
                     } else {
@@ -411,6 +423,7 @@ impl<'a> Reader<'a> {
                     let e = self.sum()?;
                     self.expect_command("right")?;
                     self.expect(if bars { '|' } else { ')' })?;
+                    self.joined = false;
                     Ok(if bars { Expr::Abs(e.into()) } else { e })
                 }
                 _ => self.name(),
@@ -459,6 +472,7 @@ impl<'a> Reader<'a> {
         while self.accept('\'') {
             written.push('\'');
         }
+        self.joined = written.contains(['\'', ' ']) || written.starts_with('d');
         match self.names.symbols.get(&written) {
             Some(e) => Ok(e.clone()),
             None => self.fault(&format!("the unknown name {written}")),

@@ -3,15 +3,18 @@
 
 mod generator; // random statements with every kind of node
 mod latex; // a reader of LaTeX
+mod mathml; // a reader of MathML
 
 use std::collections::HashMap;
 
 use kane::algebra::syntax::{Notation, parse_expr, parse_relations, parse_sentence};
-use kane::kernel::{Context, Expr};
+use kane::audit::{Audit, Options, audit, read};
+use kane::kernel::{Context, Expr, Sentence};
+use kane::report::{Report, html};
 
 use crate::support::{Chance, many};
 use generator::{ALL, DEFINED, FUNCTION, PLAIN, Wanted};
-use latex::{Names, Reader};
+use latex::{Names, Reader, Token};
 
 fn context() -> Context {
     generator::scope().into_context()
@@ -72,6 +75,51 @@ fn latex_reads_back_as_the_same_statement() {
         let back = latex::tokens(&latex).and_then(|tokens| Reader::new(tokens, &names).sentence());
         let plain = sentence.plain(&context);
         assert_eq!(back, Ok(generator::spelled_sentence(&sentence)), "{plain}\n{latex}");
+    }
+}
+
+/// The given sentences as a judged document.
+fn given(sentences: &[Sentence]) -> Audit {
+    let mut text = format!("```kane\n{}", generator::declarations());
+    for (n, sentence) in sentences.iter().enumerate() {
+        text.push_str(&format!("given g{n}: {}\n", sentence.plain(&context())));
+    }
+    text.push_str("```\n");
+    let document = read("random.md", text.as_bytes()).unwrap_or_else(|faults| {
+        panic!("{}", faults.iter().map(ToString::to_string).collect::<String>())
+    });
+    audit(document, &Options::default(), &mut |_, _| {})
+}
+
+/// The formulas of an article of a page: what is said, and its conditions.
+fn formulas(article: &str, names: &Names) -> Result<Sentence, String> {
+    let mut tokens = Vec::new();
+    for (n, math) in article.match_indices("<math ").map(|(at, _)| &article[at..]).enumerate() {
+        if n > 0 {
+            tokens.push(Token::Words("when".to_owned()));
+        }
+        tokens.extend(mathml::element(math)?.0.inside()?);
+    }
+    Reader::new(tokens, names).sentence()
+}
+
+#[test]
+fn the_page_shows_the_statements_that_were_judged() {
+    let names = names();
+    let mut chance = Chance::new(4);
+    for _ in 0..many(5) {
+        let sentences: Vec<Sentence> = (0..300)
+            .map(|_| generator::sentence(1 + chance.below(4), ALL, &mut chance))
+            .collect();
+        let page = html(&Report::new(&given(&sentences), "kane audit random.md"));
+        let articles = page.split("<article class=\"s given").skip(1);
+        assert_eq!(articles.clone().count(), sentences.len());
+        for (article, sentence) in articles.zip(&sentences) {
+            let article = article.split("</article>").next().unwrap_or_default();
+            let said = article.split("class=\"note\"").next().unwrap_or_default();
+            let plain = sentence.plain(&context());
+            assert_eq!(formulas(said, &names).as_ref(), Ok(sentence), "{plain}\n{said}");
+        }
     }
 }
 

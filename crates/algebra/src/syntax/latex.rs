@@ -72,6 +72,21 @@ fn number(value: &BigRational) -> String {
     }
 }
 
+/// Whether an exponent would seem to belong to the end of this base alone: to a prime, to what a Δ or
+/// d stands before, or to the arguments of a function.
+fn seems_shorter(base: &Expr, latex: &str) -> bool {
+    let differential = |rest: &str| rest.starts_with(|c: char| c.is_ascii_uppercase());
+    match base {
+        Expr::Min(..) | Expr::Max(..) => true,
+        Expr::Var(_) | Expr::Let(_) => {
+            latex.ends_with('\'')
+                || latex.starts_with("\\Delta ")
+                || latex.strip_prefix('d').is_some_and(differential)
+        }
+        _ => false,
+    }
+}
+
 struct Writer<'a> {
     context: &'a Context,
 }
@@ -100,7 +115,12 @@ impl Writer<'_> {
             Expr::Mul(a, b) => self.product(a, b),
             Expr::Div(a, b) => format!("\\frac{{{}}}{{{}}}", self.free(a), self.free(b)),
             Expr::Pow(a, exponent) => {
-                format!("{}^{{{exponent}}}", self.operand(a, Level::Atom))
+                let base = self.operand(a, Level::Atom);
+                if seems_shorter(a, &base) {
+                    format!("\\left({base}\\right)^{{{exponent}}}")
+                } else {
+                    format!("{base}^{{{exponent}}}")
+                }
             }
             Expr::Abs(a) => format!("\\left|{}\\right|", self.free(a)),
             Expr::Sqrt(a) => format!("\\sqrt{{{}}}", self.free(a)),
