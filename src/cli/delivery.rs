@@ -10,6 +10,7 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, Write as _};
 use std::path::{Component, Path, PathBuf};
 
+use kane::algebra::syntax::printable;
 use thiserror::Error;
 
 /// What is to be written.
@@ -42,7 +43,7 @@ pub(super) enum Refusal {
 
 impl Written {
     pub(super) fn new(path: impl Into<PathBuf>, text: String) -> Self {
-        Self { path: path.into(), text }
+        Self { path: path.into(), text: printable(&text).into_owned() }
     }
 
     /// A picture that does not say in its drawing where it comes from.

@@ -9,6 +9,7 @@ mod generate; // random statements
 mod judges; // Coq and z3 on every shipped document
 mod laws_page; // docs/laws.md is what the laws say of themselves
 mod layering; // which crate may know which, and what the kernel links
+mod line_ends; // lines end at LF, CR or CRLF
 mod literature; // printed numbers and measured points
 mod mutation; // certificates changed in one place
 mod one_variable; // one variable is complete

@@ -17,6 +17,7 @@ mod diagnostic;
 mod label;
 mod statement;
 mod symbol;
+mod tie;
 
 use std::borrow::Cow;
 use std::collections::HashMap;

@@ -2,8 +2,12 @@
 //! readers that know nothing of the printers.
 
 mod generator; // random statements with every kind of node
+mod judges; // what is put to Coq and z3
+mod labels; // labels and prose that would speak for the auditor
 mod latex; // a reader of LaTeX
 mod mathml; // a reader of MathML
+mod smt; // a reader of SMT-LIB
+mod terms; // a reader of Coq's terms
 
 use std::collections::HashMap;
 
@@ -108,9 +112,8 @@ fn the_page_shows_the_statements_that_were_judged() {
     let names = names();
     let mut chance = Chance::new(4);
     for _ in 0..many(5) {
-        let sentences: Vec<Sentence> = (0..300)
-            .map(|_| generator::sentence(1 + chance.below(4), ALL, &mut chance))
-            .collect();
+        let sentences: Vec<Sentence> =
+            (0..300).map(|_| generator::sentence(1 + chance.below(4), ALL, &mut chance)).collect();
         let page = html(&Report::new(&given(&sentences), "kane audit random.md"));
         let articles = page.split("<article class=\"s given").skip(1);
         assert_eq!(articles.clone().count(), sentences.len());

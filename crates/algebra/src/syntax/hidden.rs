@@ -52,23 +52,26 @@ pub fn is_hidden(c: char) -> bool {
 /// escape as `\u{1b}`.
 #[must_use]
 pub fn visible(text: &str) -> Cow<'_, str> {
-    written_out(text, |c| is_hidden(c) || matches!(c, '\n' | '\r' | '\t'))
+    written_out(text, |c, _| is_hidden(c) || matches!(c, '\n' | '\r' | '\t'))
 }
 
 /// A whole page: what could reach beyond its own line is written out, and nothing else, since the
 /// prose of some languages needs characters without width.
 #[must_use]
 pub fn printable(page: &str) -> Cow<'_, str> {
-    written_out(page, |c| is_control(c) || reorders(c) || c == '\r')
+    let lone = |c: char, next: Option<char>| c == '\r' && next != Some('\n');
+    written_out(page, |c, next| is_control(c) || reorders(c) || lone(c, next))
 }
 
-fn written_out(text: &str, hidden: impl Fn(char) -> bool) -> Cow<'_, str> {
-    if !text.chars().any(&hidden) {
+/// The text with some characters written out, each judged with the one that follows it.
+fn written_out(text: &str, hidden: impl Fn(char, Option<char>) -> bool) -> Cow<'_, str> {
+    let following = || text.chars().skip(1).map(Some).chain([None]);
+    if !text.chars().zip(following()).any(|(c, next)| hidden(c, next)) {
         return Cow::Borrowed(text);
     }
     let mut out = String::with_capacity(text.len() + 16);
-    for c in text.chars() {
-        if hidden(c) {
+    for (c, next) in text.chars().zip(following()) {
+        if hidden(c, next) {
             // a string takes every write
             let _ = write!(out, "\\u{{{:x}}}", u32::from(c));
         } else {
@@ -86,7 +89,8 @@ mod tests {
     fn what_is_not_seen_is_written_out() {
         assert_eq!(visible("a\u{1b}[2K\rb\u{9b}c\u{202e}d"), r"a\u{1b}[2K\u{d}b\u{9b}c\u{202e}d");
         assert_eq!(visible("μ·x ≤ é 漢"), "μ·x ≤ é 漢");
-        assert_eq!(printable("a\n\tb\u{200d}c\u{8}\u{2066}"), "a\n\tb\u{200d}c\\u{8}\\u{2066}");
+        let page = "a\r\n\tb\u{200d}c\u{8}\u{2066}\rd";
+        assert_eq!(printable(page), "a\r\n\tb\u{200d}c\\u{8}\\u{2066}\\u{d}d");
     }
 
     #[test]
