@@ -1,6 +1,6 @@
 //! Certificates in words: each step as a sentence that a person can check on paper.
 
-use kane_algebra::syntax::{Evaluator, Notation};
+use kane_algebra::syntax::{Evaluator, NoValue, Notation};
 use kane_kernel::{
     Atom, Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Poly,
     Proof, Scope, Side, Sign, State, Target, claim_state, constants, premised, scope, sides,
@@ -544,29 +544,26 @@ impl Teller<'_> {
             })
             .collect();
         let mut evaluator = Evaluator::new(&goal.context, &values);
-        let mut sides = |link: &Link| -> Option<String> {
+        // premises are defined; it is the claim that may not be
+        let mut sides = |link: &Link, undefined: bool| -> Option<String> {
             let Link::Relation(r) = link else {
                 return None;
             };
-            let mut side = |e: &Expr| match evaluator.value(e) {
-                Ok(q) => short(&q),
-                Err(why) => why.to_string(),
-            };
-            let (a, b) = (side(&r.lhs), side(&r.rhs));
-            Some(match finding {
-                Finding::IllDefined => format!(
-                    "{} is undefined ({})",
-                    r.plain(&goal.context),
-                    if a.parse::<Q>().is_err() { a } else { b }
-                ),
-                _ => format!("left side {a}, right side {b}"),
-            })
+            let (a, b) = (evaluator.value(&r.lhs), evaluator.value(&r.rhs));
+            let mut faults = [&a, &b].into_iter().filter_map(|side| side.as_ref().err());
+            let why = faults.find(|why| !matches!(why, NoValue::Irrational)).filter(|_| undefined);
+            if let Some(why) = why {
+                return Some(format!("{} is undefined ({why})", r.plain(&goal.context)));
+            }
+            let shown =
+                |side: &Result<Q, NoValue>| side.as_ref().map_or_else(ToString::to_string, short);
+            Some(format!("left side {}, right side {}", shown(&a), shown(&b)))
         };
         let mut told = String::new();
         if rational {
             for (h, label) in goal.hypotheses.iter().zip(self.labels) {
                 for link in &h.sentence.links {
-                    if let Some(text) = sides(link) {
+                    if let Some(text) = sides(link, false) {
                         self.steps.push(Step { depth: 1, text: format!("{label}: {text}") });
                     }
                 }
@@ -577,7 +574,7 @@ impl Teller<'_> {
                 Conclusion::Contradiction => &[],
             };
             for link in conclusion {
-                if let Some(text) = sides(link) {
+                if let Some(text) = sides(link, finding == Finding::IllDefined) {
                     self.steps.push(Step { depth: 1, text: format!("the claim: {text}") });
                     told = text;
                 }

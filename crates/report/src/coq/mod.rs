@@ -25,7 +25,8 @@ use std::fmt::Write as _;
 use kane_kernel::Rejection;
 
 use crate::Report;
-use theory::{Part, theory};
+use reify::OWN;
+use theory::{Part, has_word, theory};
 
 /// Why a certificate is not turned into a lemma.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -125,7 +126,8 @@ pub fn coq(report: &Report<'_>) -> File {
                 continue;
             };
             let mut name = link_name(&said.label, (link, links.len()));
-            while !names.insert(name.clone()) {
+            let taken = |name: &str| OWN.iter().any(|own| has_word(&format!("{own}{name}")));
+            while taken(&name) || !names.insert(name.clone()) {
                 name.push('\'');
             }
             let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);

@@ -1,5 +1,8 @@
 //! The theory at the beginning of a file: rules of proof, and their soundness proved in Coq itself.
 
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
 /// A part of the theory, which rests on those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
@@ -45,6 +48,18 @@ pub(super) fn theory(needed: &[Part]) -> String {
         texts.extend(FUNCTIONS);
     }
     texts.join("\n")
+}
+
+/// Whether the theory, in any of its parts, uses this word. Words of one letter are names of what it
+/// binds for itself.
+pub(super) fn has_word(word: &str) -> bool {
+    static WORDS: OnceLock<HashSet<&str>> = OnceLock::new();
+    let apart = |c: char| !(c.is_alphanumeric() || c == '_' || c == '\'');
+    let words = WORDS.get_or_init(|| {
+        let parts = POINTS.iter().chain(&WITNESSES).chain(&LIMITS).chain(&FUNCTIONS);
+        parts.flat_map(|text| text.split(apart)).filter(|word| word.len() > 1).collect()
+    });
+    words.contains(word)
 }
 
 #[cfg(test)]
