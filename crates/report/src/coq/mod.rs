@@ -17,6 +17,7 @@ mod limits;
 mod prose;
 mod reify;
 mod script;
+mod slopes;
 mod table;
 mod theory;
 mod witness;

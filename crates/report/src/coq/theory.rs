@@ -13,10 +13,13 @@ pub(super) enum Part {
     Functions,
 }
 
-const POINTS: [&str; 7] = [
+const POINTS: [&str; 10] = [
     include_str!("theory/polynomials.v"),
     include_str!("theory/conditions.v"),
     include_str!("theory/expressions.v"),
+    include_str!("theory/near.v"),
+    include_str!("theory/derivatives.v"),
+    include_str!("theory/regions.v"),
     include_str!("theory/sentences.v"),
     include_str!("theory/rules.v"),
     include_str!("theory/germs.v"),
@@ -52,7 +55,7 @@ mod tests {
     use super::*;
 
     /// What prints lemmas, and so names definitions of the theory.
-    const PRINTERS: [&str; 10] = [
+    const PRINTERS: [&str; 11] = [
         include_str!("bounds.rs"),
         include_str!("family.rs"),
         include_str!("functions.rs"),
@@ -61,6 +64,7 @@ mod tests {
         include_str!("prose.rs"),
         include_str!("reify.rs"),
         include_str!("script.rs"),
+        include_str!("slopes.rs"),
         include_str!("table.rs"),
         include_str!("witness.rs"),
     ];
