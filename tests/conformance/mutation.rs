@@ -93,7 +93,10 @@ pub(crate) fn walk(c: &mut Certificate, see: See<'_>) {
             see("Functions.failure", Field::Failure(&mut f.failure));
             match &mut f.failure {
                 Failure::At(p) => point(p, see),
-                Failure::Reaches(s) => side_proof(s, see),
+                Failure::Reaches(sides) => {
+                    see("Failure::Reaches", Field::List(sides));
+                    sides.iter_mut().for_each(|s| side_proof(s, see));
+                }
                 Failure::Limit { link, target, proof } => {
                     see("Failure::Limit.link", Field::Index(link));
                     see("Failure::Limit.target", Field::Target(target));
@@ -132,7 +135,15 @@ fn germ(g: &mut Germ, see: See<'_>) {
     see("Germ.radius.0", Field::Poly(&mut g.radius.0));
     see("Germ.radius.1", Field::Poly(&mut g.radius.1));
     proof("Germ.positive", &mut g.positive, see);
-    proof("Germ.inside", &mut g.inside, see);
+    see("Germ.inside", Field::List(&mut g.inside));
+    for inside in &mut g.inside {
+        see("Inside.values", Field::List(&mut inside.values));
+        for (v, e) in &mut inside.values {
+            see("Inside.values.0", Field::Index(v));
+            see("Inside.values.1", Field::Expr(e));
+        }
+        proof("Inside.proof", &mut inside.proof, see);
+    }
 }
 
 fn side_proof(s: &mut SideProof, see: See<'_>) {

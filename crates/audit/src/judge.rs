@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use kane_algebra::syntax::Notation;
+use kane_algebra::syntax::{Notation, moving};
 use kane_kernel::{
     Conclusion, Context, Definition, Evidence, Expr, Finding, Goal, Hypothesis, Link, Model,
-    Sentence, Target,
+    Sentence, Side, Target,
 };
 
 use crate::explain;
@@ -186,8 +186,10 @@ fn judge(
         claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect();
     let hypotheses: Vec<Hypothesis> =
         cited.iter().filter_map(|&i| hypothesis(document, i)).collect();
-    let behind = rests_on.iter().filter(|i| !cited.contains(i));
-    let mut behind: Vec<Hypothesis> = behind.filter_map(|&i| hypothesis(document, i)).collect();
+    let further: Vec<usize> = rests_on.iter().copied().filter(|i| !cited.contains(i)).collect();
+    let mut behind: Vec<Hypothesis> =
+        further.iter().filter_map(|&i| hypothesis(document, i)).collect();
+    let ranged: Vec<Sentence> = behind.iter().map(|h| h.sentence.clone()).collect();
     if !of_limits(claim, &hypotheses) {
         // A point can be held against premises at a point only.
         behind.retain(|h| !h.sentence.links.iter().any(|l| matches!(l, Link::Limit(_))));
@@ -218,14 +220,21 @@ fn judge(
     let mut links = Vec::new();
     let (mut model, mut vacuous) = (None, false);
     for (conclusion, text, latex) in conclusions {
+        let along = hypotheses.iter().map(|h| &h.sentence.links[..]).chain([conclusion.links()]);
+        let limits = along.flatten().any(|l| matches!(l, Link::Limit(_)));
         let mut goal = Goal {
             context: Context { vars: document.context.vars.clone(), ..Context::default() },
             hypotheses: hypotheses.clone(),
+            behind: if limits { ranged.clone() } else { Vec::new() },
             when: claim.when.clone(),
             conclusion,
         };
         goal.context.lets = needed_lets(document, &goal, &behind, &claim.by);
-        let resting = Goal { hypotheses: [&hypotheses[..], &behind[..]].concat(), ..goal.clone() };
+        let resting = Goal {
+            hypotheses: [&hypotheses[..], &behind[..]].concat(),
+            behind: Vec::new(),
+            ..goal.clone()
+        };
         let prover = Prover {
             budget: options.budget,
             by: &claim.by,
@@ -234,7 +243,10 @@ fn judge(
             resting: &resting,
         };
         // The hypotheses are the same for all links: whether they can hold is found once.
-        let found = prover.judge(&goal, links.is_empty() || vacuous);
+        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
+        if let Some((side, given)) = &found.unreached {
+            found.reason = unreached(document, claim, done, side, given);
+        }
         vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);
         if model.is_none() {
             model = found.model.as_ref().map(|m| explain::model(&goal, m));
@@ -250,6 +262,39 @@ fn judge(
         rests_on,
         model,
         expect: claim.expect,
+    }
+}
+
+/// That a given was not shown to hold near a limit, and through which citation a claim rests on it.
+fn unreached(
+    document: &Document,
+    claim: &Claim,
+    done: &[Judgement],
+    side: &Side,
+    given: &Sentence,
+) -> String {
+    let label = |i: usize| &document.statements[i].label;
+    let is_it = |i: &usize| matches!(&document.statements[*i].body, Body::Given(s) if s == given);
+    let near = moving(side.var, &side.approach(), &document.context);
+    let cited = claim.from.iter().copied();
+    let (through, given) = match cited.clone().find(is_it) {
+        Some(given) => (None, Some(given)),
+        None => {
+            let rests = |i: &usize| done[*i].rests_on.iter().any(is_it);
+            let through = cited.clone().find(rests);
+            (through, through.and_then(|i| done[i].rests_on.iter().copied().find(is_it)))
+        }
+    };
+    match (through, given) {
+        (Some(through), Some(given)) => format!(
+            "{} rests on {}, which was not shown to be able to hold as {near}",
+            label(through),
+            label(given)
+        ),
+        (None, Some(given)) => {
+            format!("{} was not shown to be able to hold as {near}", label(given))
+        }
+        (_, None) => format!("a premise was not shown to be able to hold as {near}"),
     }
 }
 

@@ -191,6 +191,9 @@ pub struct Goal {
     pub context: Context,
     /// cited premises
     pub hypotheses: Vec<Hypothesis>,
+    /// givens on which cited claims rest and which are not cited themselves: no premises, but along
+    /// a limit the variable has to stay in the range of each
+    pub behind: Vec<Sentence>,
     /// the claim's own conditions
     pub when: Vec<Relation>,
     /// one link of the claim
@@ -257,6 +260,13 @@ impl Context {
 }
 
 impl Sentence {
+    /// The relations of it that are wanted, under its conditions.
+    #[must_use]
+    pub fn only(&self, wanted: impl Fn(&Relation) -> bool) -> Self {
+        let links = self.relations().filter(|r| wanted(r)).cloned().map(Link::Relation);
+        Self { when: self.when.clone(), links: links.collect() }
+    }
+
     /// Its links that are relations.
     pub fn relations(&self) -> impl Iterator<Item = &Relation> {
         self.links.iter().filter_map(|l| match l {

@@ -3,7 +3,7 @@
 use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 
-use crate::limit::{Place, constants, narrows, premises, sides};
+use crate::limit::{Place, constants, is_explicit, narrowing, premises, sides};
 use crate::model::satisfies;
 use crate::{
     Bound, Cases, Certificate, Checked, Conclusion, Context, Evidence, Expr, Failure, Finding,
@@ -161,13 +161,17 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
     if !f.values.iter().map(|(v, _)| v).eq(others) || limits(goal).any(|l| l.var != f.var) {
         return Err(Rejection::NotConstant);
     }
-    if f.values.iter().any(|(v, e)| !is_explicit(e, f.var, vars[*v].of == Some(f.var))) {
+    let explicit = |v: usize, e: &Expr| {
+        let of_x = vars.get(v).is_some_and(|var| var.of == Some(f.var));
+        is_explicit(e, &|w| of_x && w == f.var)
+    };
+    if f.values.iter().any(|(v, e)| !explicit(*v, e)) {
         return Err(Rejection::NotConstant);
     }
     if f.premises.len() != goal.hypotheses.len() || f.ranges.len() != f.values.len() {
         return Err(Rejection::CaseCount(goal.hypotheses.len(), f.premises.len()));
     }
-    // Premises about x alone narrow its domain; all others are proved on that domain.
+    // What premises say of x alone narrows its domain; they are proved on that domain.
     let domain = on_functions(&outer, goal, f.var, &f.values);
     let on_domain =
         |conclusion, when: &[Relation]| Goal { conclusion, when: when.to_vec(), ..domain.clone() };
@@ -185,9 +189,6 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         holds(&range_premise(&goal.context, *v), proof)?;
     }
     for (h, (proof, limits)) in goal.hypotheses.iter().zip(&f.premises) {
-        if narrows(&outer, &h.sentence, f.var) {
-            continue;
-        }
         holds(h, proof)?;
         let wanted = h.sentence.limits().count();
         if wanted != limits.len() {
@@ -202,9 +203,9 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         (Failure::At(point), conclusion, _) => {
             holds_at(&on_domain(conclusion.clone(), &goal.when), finding, point, fuel)
         }
-        (Failure::Reaches(proof), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
+        (Failure::Reaches(proofs), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
             let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
-            tends(one_sided(&outer, &zero, proof)?, &goal.when, std::slice::from_ref(proof))
+            tends(zero, &goal.when, proofs)
         }
         (Failure::Limit { link, target, proof }, Conclusion::Link(_), Finding::Refuted)
         | (Failure::Limit { link, target, proof }, Conclusion::NotImplied(_), Finding::Proved) => {
@@ -226,13 +227,17 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
 }
 
 /// What is left of a goal with explicit functions of x for its symbols: no condition, nothing
-/// claimed, and only those of its premises that narrow the domain of x.
+/// claimed, and of its premises what narrows the domain of x.
 #[must_use]
 pub fn on_functions(scope: &Scope<'_>, goal: &Goal, x: usize, values: &[(usize, Expr)]) -> Goal {
-    let narrowing = goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x));
+    let narrowed = goal.hypotheses.iter().filter_map(|h| {
+        let sentence = narrowing(scope, &h.sentence, x);
+        (!sentence.links.is_empty()).then_some(Hypothesis { sentence, given: h.given })
+    });
     Goal {
         context: Context { values: values.to_vec(), ..goal.context.clone() },
-        hypotheses: narrowing.cloned().collect(),
+        hypotheses: narrowed.collect(),
+        behind: Vec::new(),
         when: Vec::new(),
         conclusion: Conclusion::Contradiction,
     }
@@ -268,16 +273,6 @@ fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Checked<bool> 
     };
     let equal = scope.relation(&Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() })?;
     Ok(equal.iter().all(|p| p.value != Some(true)))
-}
-
-/// Whether an expression mentions nothing but numbers and, if allowed, x.
-fn is_explicit(e: &Expr, x: usize, allowed: bool) -> bool {
-    let fits = match e {
-        Expr::Var(v) | Expr::Deriv(_, v) => *v == x && allowed,
-        Expr::Let(_) => false,
-        _ => true,
-    };
-    fits && e.children().into_iter().all(|part| is_explicit(part, x, allowed))
 }
 
 /// Digest of a goal or a certificate: 128-bit FNV-1a of its parts. A name, not a safeguard: the

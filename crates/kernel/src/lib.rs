@@ -19,7 +19,10 @@ mod univariate;
 
 pub use ast::*;
 pub use check::{check, claim_state, digest, on_functions, point_state, range_premise, scope};
-pub use limit::{Place, constants, differs, leaves, misses, narrows, premised, premises, sides};
+pub use limit::{
+    Place, constants, differs, inside_goal, inside_state, misses, narrowing, owed, premised,
+    premises, sides,
+};
 pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;

@@ -168,8 +168,17 @@ pub struct Germ {
     pub radius: (Poly, Poly),
     /// proof that both are positive (its last formula: one of them is not)
     pub positive: Box<Proof>,
-    /// proof that the premises about x alone hold along the germ: it lies in the narrowed domain
-    pub inside: Box<Proof>,
+    /// that it lies in the range of each given that [`crate::owed`] names
+    pub inside: Vec<Inside>,
+}
+
+/// Shows that a given can hold at each point along a germ.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Inside {
+    /// functions of x, as expressions in x and constants
+    pub values: Vec<(usize, Expr)>,
+    /// proof that with them the given holds (its last formula: it fails, or a value does)
+    pub proof: Proof,
 }
 
 /// Proof of a limit f → L from one side: den·f = num along the germ, and both ends at t = 0.
@@ -228,8 +237,8 @@ pub struct Functions {
 pub enum Failure {
     /// at a point x (where nothing has to fail for mere consistency)
     At(Point),
-    /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along a side
-    Reaches(SideProof),
+    /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along each side
+    Reaches(Vec<SideProof>),
     /// the limit at this link is another one, as proved from one of its sides
     Limit {
         /// index of the link in a sentence; 0 for a single link

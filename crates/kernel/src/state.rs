@@ -7,10 +7,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::limit::{Place, leaves, premises, sides, start};
+use crate::limit::{Place, inside_goal, inside_state, owed, premises, sides, start};
 use crate::{
     Atom, Atoms, Cases, Checked, Conclusion, Expr, Fuel, Germ, Goal, Link, Poly, Proof, Rejection,
-    Root, Scope, Side, Sign, Term, descartes, sign, sign_at,
+    Root, Scope, Side, Sign, Term, descartes, scope, sign, sign_at,
 };
 
 /// What is known at a point: atoms, and formulas of which one case each holds there.
@@ -318,25 +318,30 @@ impl<'s, 'g> State<'s, 'g> {
     /// [`Rejection`] if the side does not lie in the domain or the radius may not be positive.
     pub fn along(&self, germ: &Germ) -> Checked<Self> {
         let along = self.along_unproved(germ)?;
-        if !self.reaches(&germ.side) {
-            let leaves = leaves(self.scope, self.goal, germ.side.var)?;
-            Self { formulas: Rc::new(leaves), ..along.clone() }.refute(&germ.inside)?;
+        let owed = owed(self, &germ.side);
+        if owed.len() != germ.inside.len() {
+            return Err(Rejection::CaseCount(owed.len(), germ.inside.len()));
+        }
+        for (given, inside) in owed.into_iter().zip(&germ.inside) {
+            let goal = inside_goal(self, &germ.side, given, &inside.values)?;
+            let scope = scope(&goal, self.scope.fuel.clone())?;
+            inside_state(self, germ, &scope, &goal)?.refute(&inside.proof)?;
         }
         Ok(along)
     }
 
-    /// Whether the state takes for granted that the domain reaches the limit from this side: it is
-    /// the only side of a limit claim whose vacuity is to be shown.
+    /// Whether the state takes for granted that the cited givens let the variable reach the limit
+    /// from this side: it is one of the sides of a limit claim whose vacuity is to be shown.
     #[must_use]
     pub fn reaches(&self, side: &Side) -> bool {
         let claimed = match &self.goal.conclusion {
             Conclusion::Link(Link::Limit(l)) if self.reaching => sides(self.scope, l),
             _ => Vec::new(),
         };
-        claimed[..] == [side.clone()]
+        claimed.contains(side)
     }
 
-    /// The state along a germ, without the proof that the germ lies in the narrowed domain: for
+    /// The state along a germ, without the proof that the germ lies in the range of the givens: for
     /// those who look for that proof.
     ///
     /// # Errors
@@ -352,19 +357,25 @@ impl<'s, 'g> State<'s, 'g> {
         }
         let positive = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
         self.with_cases(vec![positive(num), positive(den)]).refute(&germ.positive)?;
-        let t = self.scope.germ();
-        let gap = num.sub(&den.mul(&Poly::var(t), &self.scope.fuel)?);
-        let mut atoms = self.scope.ranges();
-        if !self.scope.mentioned.contains(&x) {
-            atoms.extend(self.scope.range(x));
+        let atoms = self.atoms_along(germ, self.scope)?;
+        let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
+        Ok(Self { atoms, formulas, on_germ: true, ..self.clone() })
+    }
+
+    /// The conditions along a germ of a scope with the same constants: ranges, what is known of
+    /// constants here, 0 < t < radius, and x.
+    pub(crate) fn atoms_along(&self, germ: &Germ, scope: &Scope<'_>) -> Checked<Atoms> {
+        let (x, t, (num, den)) = (germ.side.var, scope.germ(), &germ.radius);
+        let mut atoms = scope.ranges();
+        if !scope.mentioned.contains(&x) {
+            atoms.extend(scope.range(x));
         }
         let constant = |a: &&Atom| a.poly.vars().iter().all(|&v| self.is_constant(v, x));
         atoms.extend(self.atoms.iter().filter(constant).cloned());
         atoms.push(Atom::new(Poly::var(t), Sign::Positive));
-        atoms.push(Atom::new(gap, Sign::Positive));
-        atoms.push(germ.side.binding(t, &self.scope.fuel)?);
-        let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
-        Ok(Self { atoms, formulas, on_germ: true, ..self.clone() })
+        atoms.push(Atom::new(num.sub(&den.mul(&Poly::var(t), &scope.fuel)?), Sign::Positive));
+        atoms.push(germ.side.binding(t, &scope.fuel)?);
+        Ok(atoms)
     }
 
     /// The atom that an atom along the germ leaves behind at t = 0.

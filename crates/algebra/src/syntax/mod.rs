@@ -27,6 +27,7 @@ mod names;
 mod number;
 mod parser;
 mod plain;
+mod rebuild;
 mod scope;
 mod suggest;
 mod words;
@@ -42,6 +43,7 @@ pub use parser::{
     MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING, Parser, parse_expr,
     parse_relations, parse_sentence,
 };
-pub use plain::Notation;
+pub use plain::{Notation, moving};
+pub use rebuild::rebuild;
 pub use scope::{DeclareError, Scope, Symbol};
 pub use suggest::nearest;

@@ -132,6 +132,7 @@ pub(crate) struct Question<'a> {
 impl Question<'_> {
     pub(crate) fn goal(&self) -> Goal {
         Goal {
+            behind: Vec::new(),
             context: self.context.clone(),
             hypotheses: self.premises.iter().map(|p| p.hypothesis.clone()).collect(),
             when: self.when.clone(),

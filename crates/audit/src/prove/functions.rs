@@ -5,7 +5,7 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, narrows, on_functions,
+    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
     point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
@@ -65,7 +65,7 @@ pub(crate) fn model(
         values.extend(free.iter().copied().zip(choice));
         // A quotient may have poles where the premises are silent: there any value will do.
         for total in [false, true] {
-            let values = determined(&state, x, values.clone(), &trail, total);
+            let values = determined(&state, (x, &[]), values.clone(), &trail, total);
             let found = values.and_then(|mut v| {
                 v.retain(|(symbol, _)| scope.mentioned.contains(symbol));
                 certified(goal, finding, x, v, effort)
@@ -240,9 +240,9 @@ pub(crate) fn ratio(num: &Poly, den: &Poly) -> Expr {
 }
 
 /// Values for the symbols that the premises determine, from those of the free ones.
-fn determined(
+pub(crate) fn determined(
     state: &State<'_, '_>,
-    x: usize,
+    (x, constants): (usize, &[usize]),
     mut values: Vec<(usize, Expr)>,
     trail: &[Elimination],
     total: bool,
@@ -262,7 +262,8 @@ fn determined(
     };
     let mut known: Vec<(usize, Option<Fraction>)> =
         values.iter().map(|(v, e)| (*v, fraction(e))).collect();
-    known.push((x, Some(Fraction::whole(Poly::var(x)))));
+    let symbols = std::iter::once(&x).chain(constants);
+    known.extend(symbols.map(|v| (*v, Some(Fraction::whole(Poly::var(*v))))));
     let value = |p: &Poly, known: &[(usize, Option<Fraction>)]| -> Option<Fraction> {
         let mut sum = Fraction::rational(&Q::zero());
         for (m, c) in p.terms() {
@@ -347,10 +348,6 @@ fn certified(
     };
     let mut premises = Vec::new();
     for h in &goal.hypotheses {
-        if narrows(&outer, &h.sentence, x) {
-            premises.push((Proof::Absurd, Vec::new()));
-            continue;
-        }
         let proof = premise(h)?;
         let proofs: Option<Vec<_>> = h.sentence.limits().map(limit).collect();
         premises.push((proof, proofs?));
@@ -419,7 +416,8 @@ fn failure(
             let state = constants(&scope, &goal, l.var).ok()?;
             limits::one_side(&state, &trivial, &side, effort.steps)
         };
-        return sides(&outer, &zero).into_iter().find_map(reaches).map(Failure::Reaches);
+        let proofs: Option<Vec<_>> = sides(&outer, &zero).into_iter().map(reaches).collect();
+        return proofs.map(Failure::Reaches);
     }
     let conclusion = match finding {
         Finding::Consistent => Conclusion::Contradiction,

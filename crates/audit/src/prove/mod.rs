@@ -3,7 +3,9 @@
 
 mod expansion;
 mod functions;
+mod germs;
 mod limits;
+mod ranges;
 mod sample;
 mod search;
 mod tactics;
@@ -11,11 +13,16 @@ mod tactics;
 use std::cell::RefCell;
 
 use kane_kernel::{
-    Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
-    Rejection, check, claim_state, digest, premised, scope, sides,
+    Atom, Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link,
+    Model, Poly, Proof, Rejection, Sentence, Side, Sign, State, check, claim_state, constants,
+    digest, premised, scope, sides,
 };
 
+/// Case distinctions on constants before what limits say of them is given up.
+const PASS_SPLITS: u32 = 2;
+
 use functions::Effort;
+use germs::Germs;
 use search::{Outcome, Search};
 
 pub(crate) use functions::expression;
@@ -61,6 +68,8 @@ pub(crate) struct Verdicts {
     pub(crate) reason: String,
     /// search steps spent
     pub(crate) cost: u64,
+    /// a side of a limit, and a given that was not shown to hold near it
+    pub(crate) unreached: Option<(Side, Sentence)>,
 }
 
 /// A question to the search and the budget for it.
@@ -162,7 +171,7 @@ impl Prover<'_> {
                 sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>(),
             );
         }
-        let any = |_: usize, _: &kane_kernel::Poly| true;
+        let any = |_: usize, _: &Poly| true;
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.products = self.budget.products;
@@ -175,13 +184,8 @@ impl Prover<'_> {
         // Without the limits first: most claims do not need them.
         let mut outcome = search.solve(&state);
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
-            let (state, found) = limits::passes(&state, &germs, self.budget.steps);
-            if !found.is_empty() {
-                let search = Search::new(self.budget.steps, &any, false);
-                outcome = match search.solve(&state) {
-                    Outcome::Closed(proof) => Outcome::Closed(limits::wrap(found, proof)),
-                    other => other,
-                };
+            if let Some(closed) = self.passed(&state, &germs, PASS_SPLITS) {
+                outcome = closed;
             }
         }
         out.cost += steps - search.left();
@@ -189,6 +193,38 @@ impl Prover<'_> {
             out.reason = format!("neither proof nor witness within {fuel} coefficient operations");
         }
         outcome
+    }
+
+    /// The search after what limits say of constants; by cases, if a given can hold near a limit
+    /// only where some constant does not vanish.
+    fn passed(&self, state: &State<'_, '_>, germs: &[Side], splits: u32) -> Option<Outcome> {
+        let any = |_: usize, _: &Poly| true;
+        let (next, found) = limits::passes(state, germs, self.budget.steps);
+        if !found.is_empty()
+            && let Outcome::Closed(proof) = Search::new(self.budget.steps, &any, false).solve(&next)
+        {
+            return Some(Outcome::Closed(limits::wrap(found, proof)));
+        }
+        let splits = splits.checked_sub(1)?;
+        let lead = germs.iter().find_map(|side| {
+            Germs::new(state, side, self.budget.steps).leads().into_iter().next()
+        })?;
+        let case = |sign, poly: Poly| {
+            let state = state.with(Atom::new(poly, sign));
+            match Search::new(self.budget.steps / 8, &any, false).solve(&state) {
+                Outcome::Closed(proof) => Some(Box::new(proof)),
+                _ => match self.passed(&state, germs, splits)? {
+                    Outcome::Closed(proof) => Some(Box::new(proof)),
+                    _ => None,
+                },
+            }
+        };
+        Some(Outcome::Closed(Proof::Split {
+            zero: case(Sign::Zero, lead.clone())?,
+            positive: case(Sign::Positive, lead.clone())?,
+            negative: case(Sign::Positive, lead.neg())?,
+            poly: lead,
+        }))
     }
 
     /// A model of a finding: a point, or functions where limits are involved.
@@ -255,15 +291,9 @@ impl Prover<'_> {
                 return false;
             }
         }
-        // A limit claim is vacuous also if the givens far behind it pin its variable.
-        let source = if matches!(goal.conclusion, Conclusion::Link(Link::Limit(_))) {
-            self.resting
-        } else {
-            goal
-        };
-        match self.search(source, Finding::Vacuous, false, out) {
+        match self.search(goal, Finding::Vacuous, false, out) {
             Outcome::Closed(proof) => {
-                self.decide(source, Finding::Vacuous, Evidence::Contradiction(proof), out)
+                self.decide(goal, Finding::Vacuous, Evidence::Contradiction(proof), out)
             }
             _ => false,
         }
@@ -333,7 +363,19 @@ impl Prover<'_> {
         {
             return;
         }
-        self.witness(goal, Finding::Refuted, out);
+        if !self.witness(goal, Finding::Refuted, out) {
+            out.unreached = self.unreached(goal, limit);
+        }
+    }
+
+    /// A side of a limit claim, and a given on which it rests that was not shown to hold near it.
+    fn unreached(&self, goal: &Goal, limit: &Limit) -> Option<(Side, Sentence)> {
+        let scope = scope(goal, self.fuel()).ok()?;
+        let state = constants(&scope, goal, limit.var).ok()?;
+        sides(&scope, limit).into_iter().find_map(|side| {
+            let given = Germs::new(&state, &side, self.budget.steps).unreached()?.clone();
+            Some((side, given))
+        })
     }
 }
 
