@@ -76,7 +76,7 @@ impl<'a, 'g> Family<'a, 'g> {
             let all = family.symbols.expanded(s.when.iter().chain(s.relations()))?;
             family.roles.push(if family.free_all(&all) {
                 Role::Everywhere
-            } else if narrowing(scope, s, x).links.len() == s.links.len() {
+            } else if narrowing(scope, h, x).links.len() == s.links.len() {
                 Role::Narrows
             } else {
                 Role::Along

@@ -16,6 +16,7 @@ mod limits;
 mod prose;
 mod reify;
 mod script;
+mod slopes;
 mod theory;
 mod witness;
 

@@ -6,6 +6,7 @@ use num_traits::Zero;
 
 use super::NotEmitted;
 use super::reify::{Symbols, rebuild};
+use super::slopes::Slope;
 
 /// Propositions as people read them.
 pub(super) struct Prose<'a> {
@@ -20,10 +21,10 @@ impl Prose<'_> {
         Ok(coq(&self.slopes(e)?, self.name))
     }
 
-    /// Derivatives as the expressions that they are, square roots by their names.
+    /// Derivatives and square roots by their names.
     fn slopes(&self, e: &Expr) -> Result<Expr, NotEmitted> {
         rebuild(e, &mut |part| match part {
-            Expr::Deriv(..) => Err(NotEmitted::Step("a derivative")),
+            Expr::Deriv(f, x) => Ok(Some(Expr::Var(self.symbols.slope(f, *x)?))),
             Expr::Sqrt(_) => {
                 let root = self.symbols.roots.iter().find(|(_, r)| r == part);
                 Ok(root.map(|(v, _)| Expr::Var(*v)))
@@ -82,7 +83,10 @@ impl Prose<'_> {
                 }
                 out = rest;
             }
-            Expr::Deriv(..) => return Err(NotEmitted::Step("a derivative")),
+            Expr::Deriv(f, x) => {
+                let slope = Slope::of(f, *x)?;
+                out = self.near_conditions(&slope.f, slope.x, true)?;
+            }
             other => {
                 for part in other.children() {
                     out.extend(self.conditions(part)?);

@@ -1,5 +1,6 @@
 //! Expressions and goals as data of the Coq file.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use kane_algebra::syntax::canonical_name;
@@ -9,6 +10,7 @@ use num_rational::BigRational;
 
 use super::NotEmitted;
 use super::prose::Prose;
+use super::slopes::{FIRST, Slope};
 use super::theory::has_word;
 
 /// Definitions inside definitions, followed at most this deep.
@@ -24,6 +26,8 @@ pub(super) struct Symbols<'a> {
     pub(super) roots: Vec<(usize, Expr)>,
     /// numbers of t and of the limits, which come before them in polynomials
     pub(super) offset: usize,
+    /// derivatives, as they are met; `None` where there may be none
+    pub(super) slopes: Option<RefCell<Vec<Slope>>>,
     names: BTreeMap<usize, String>,
     positions: BTreeMap<usize, usize>,
     /// the kernel's number of t
@@ -31,9 +35,9 @@ pub(super) struct Symbols<'a> {
 }
 
 impl<'a> Symbols<'a> {
-    /// The symbols that a goal mentions.
+    /// The symbols that a goal at a point mentions; it may mention derivatives.
     pub(super) fn new(scope: &Scope<'a>, offset: usize) -> Result<Self, NotEmitted> {
-        Self::with(scope, offset, None)
+        Ok(Self { slopes: Some(RefCell::default()), ..Self::with(scope, offset, None)? })
     }
 
     /// The symbols that a goal mentions, and one more behind them.
@@ -67,12 +71,35 @@ impl<'a> Symbols<'a> {
         roots.sort_by_key(|(_, e)| size(e));
         let listed = order.iter().copied().chain(roots.iter().map(|r| r.0));
         let positions = listed.enumerate().map(|(i, v)| (v, i)).collect();
-        Ok(Self { context, order, roots, offset, names, positions, germ: scope.germ() })
+        let (slopes, germ) = (None, scope.germ());
+        Ok(Self { context, order, roots, offset, slopes, names, positions, germ })
     }
 
     /// The name of a symbol.
     pub(super) fn name(&self, v: usize) -> String {
-        self.names.get(&v).cloned().unwrap_or_else(|| "0".to_owned())
+        match v.checked_sub(FIRST) {
+            Some(i) => self.fresh(&integer_name("slope", i)),
+            None => self.names.get(&v).cloned().unwrap_or_else(|| "0".to_owned()),
+        }
+    }
+
+    /// Names for some of a kind that no symbol has.
+    pub(super) fn numbered(&self, name: &str, count: usize) -> Vec<String> {
+        (0..count).map(|i| self.fresh(&format!("{name}{i}"))).collect()
+    }
+
+    /// Names for what is known of roots and derivatives.
+    pub(super) fn known(&self, count: usize) -> Vec<String> {
+        self.numbered("Known", count)
+    }
+
+    /// A name that no symbol has.
+    pub(super) fn fresh(&self, name: &str) -> String {
+        let mut name = name.to_owned();
+        while self.names.values().any(|n| *n == name) {
+            name.push('\'');
+        }
+        name
     }
 
     /// The place of a symbol in the list of values.
@@ -157,7 +184,7 @@ impl<'a> Symbols<'a> {
                 }
                 Ok(rest)
             }
-            Expr::Deriv(..) => Err(NotEmitted::Step("a derivative")),
+            Expr::Deriv(f, x) => self.slope_data(self.slope(f, *x)?),
             Expr::Let(_) => Err(NotEmitted::Symbol),
         }
     }
@@ -241,6 +268,11 @@ fn rational(q: &BigRational) -> String {
 /// An integer, in parentheses if it is negative.
 pub(super) fn integer(c: &BigInt) -> String {
     if c.sign() == num_bigint::Sign::Minus { format!("({c})") } else { c.to_string() }
+}
+
+/// A name, with a number if it is not the first.
+pub(super) fn integer_name(name: &str, i: usize) -> String {
+    if i == 0 { name.to_owned() } else { format!("{name}_{}", i + 1) }
 }
 
 /// Natural numbers as a list.

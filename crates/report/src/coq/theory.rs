@@ -16,10 +16,13 @@ pub(super) enum Part {
     Functions,
 }
 
-const POINTS: [&str; 7] = [
+const POINTS: [&str; 10] = [
     include_str!("theory/polynomials.v"),
     include_str!("theory/conditions.v"),
     include_str!("theory/expressions.v"),
+    include_str!("theory/near.v"),
+    include_str!("theory/derivatives.v"),
+    include_str!("theory/regions.v"),
     include_str!("theory/sentences.v"),
     include_str!("theory/rules.v"),
     include_str!("theory/germs.v"),
@@ -67,7 +70,7 @@ mod tests {
     use super::*;
 
     /// What prints lemmas, and so names definitions of the theory.
-    const PRINTERS: [&str; 8] = [
+    const PRINTERS: [&str; 9] = [
         include_str!("family.rs"),
         include_str!("functions.rs"),
         include_str!("lemma.rs"),
@@ -75,6 +78,7 @@ mod tests {
         include_str!("prose.rs"),
         include_str!("reify.rs"),
         include_str!("script.rs"),
+        include_str!("slopes.rs"),
         include_str!("witness.rs"),
     ];
 
