@@ -128,10 +128,12 @@ fn asked(context: &Context, relation: &Relation) -> String {
     let goal = Goal {
         context: context.clone(),
         hypotheses: Vec::new(),
+        behind: Vec::new(),
         when: Vec::new(),
         conclusion: Conclusion::Link(Link::Relation(relation.clone())),
     };
-    let evidence = Evidence::Contradiction(Proof::Absurd);
+    let evidence =
+        Evidence::Contradiction(Proof::Positive { terms: Vec::new(), cofactors: Vec::new() });
     let certificate = Certificate { goal: digest(&goal), finding: Finding::Proved, evidence };
     smt(&Accepted { goal, certificate }).expect("it speaks of no limit").text
 }
