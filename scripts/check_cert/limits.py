@@ -34,40 +34,46 @@ def check_side(proof, side, f, limit, opened, constants, state_along, pieces, pa
     allowed_at_end(goal, germ, num)
     allowed_at_end(goal, germ, den)
 
-    def differs():
-        found = []
-        for region, value in pieces.pieces(f):
-            if value is not None:
-                gap = add(multiply(den, value[0]), negative(multiply(num, value[1])))
-                region = (*region, ring.condition(gap, "!=0"))
-            found.append(region)
-        return found
-
     state = state_along(goal, germ, local)
-    proof.check(part_along, state.conditions, [*state.formulas, cache(differs)])
-    num_end = ring.coefficient(num, "t:", 0)
-
-    def misses():
-        den_end = ring.coefficient(den, "t:", 0)
-        found = [(ring.condition(den_end, "=0"),)]
-        for region, value in pieces.pieces(limit):
-            if value is not None:
-                gap = add(multiply(num_end, value[1]), negative(multiply(value[0], den_end)))
-                region = (*region, ring.condition(gap, "!=0"))
-            found.append(region)
-        return found
-
-    def wrong_sign():
-        product = multiply(num_end, ring.coefficient(den, "t:", order))
-        return [(ring.condition(negative(product) if limit == "oo" else product, ">=0"),)]
-
+    formula = cache(lambda: differs(goal, pieces, f, num, den))
+    proof.check(part_along, state.conditions, [*state.formulas, formula])
     if isinstance(limit, tuple):
         demand(order == 0, "the order of a finite limit is 0")
     else:
-        demand(order > 0, "the order of an infinite limit is not 0")
-        for n in range(min(order, 1 << 12)):
+        demand(0 < order < 1 << 12, "the order of an infinite limit is 0, or too large")
+        for n in range(order):
             demand(not ring.coefficient(den, "t:", n), "the denominator does not vanish to its order")
-        demand(order < 1 << 12, "the order is too large")
-    formula = misses if isinstance(limit, tuple) else wrong_sign
-    proof.check(at_zero, constants.conditions, [*constants.formulas, cache(formula)], passes)
+    end = misses if isinstance(limit, tuple) else wrong_sign
+    formula = cache(lambda: end(goal, pieces, limit, num, den, order))
+    proof.check(at_zero, constants.conditions, [*constants.formulas, formula], passes)
     return germ, local
+
+
+def differs(goal, pieces, f, num, den):
+    """The cases in which f is undefined, or not num/den."""
+    found = []
+    for region, value in pieces.pieces(f):
+        if value is not None:
+            gap = add(multiply(den, value[0]), negative(multiply(num, value[1])))
+            region = (*region, goal.ring.condition(gap, "!=0"))
+        found.append(region)
+    return found
+
+
+def misses(goal, pieces, limit, num, den, _):
+    """The cases in which num/den does not end at a finite limit."""
+    num, den = (goal.ring.coefficient(p, "t:", 0) for p in (num, den))
+    found = [(goal.ring.condition(den, "=0"),)]
+    for region, value in pieces.pieces(limit):
+        if value is not None:
+            gap = add(multiply(num, value[1]), negative(multiply(value[0], den)))
+            region = (*region, goal.ring.condition(gap, "!=0"))
+        found.append(region)
+    return found
+
+
+def wrong_sign(goal, _, limit, num, den, order):
+    """The case in which num/den does not grow to an infinite limit."""
+    ring = goal.ring
+    product = multiply(ring.coefficient(num, "t:", 0), ring.coefficient(den, "t:", order))
+    return [(ring.condition(negative(product) if limit == "oo" else product, ">=0"),)]

@@ -4,6 +4,8 @@ from .errors import Rejected
 from .polynomial import ONE, ZERO, constant, is_constant, multiply, negative
 from .ratio import minus, plus, sign_of, times
 
+KINK = "kink"
+
 
 class Near:
     """The part of cutting expressions that looks at a neighbourhood.
@@ -29,7 +31,7 @@ class Near:
     def free(self, value, variables):
         """Does a fraction not change with the variables?"""
         fraction, radicands = value
-        return all(self.free_polynomial(p, radicands, variables) for p in fraction)
+        return KINK not in radicands and all(self.free_polynomial(p, radicands, variables) for p in fraction)
 
     def free_polynomial(self, p, radicands, variables):
         for name in self.ring.variables(p):
@@ -74,10 +76,11 @@ class Near:
                 self.near(expression[1], variables, smooth),
                 lambda a: self.root_near(expression[1], a, variables),
             )
-        if kind in ("neg", "abs", "pow"):
+        if kind in ("abs", "min", "max"):
+            return self.kinked(expression, variables)
+        if kind in ("neg", "pow"):
             operation = {
                 "neg": lambda a: self.one(minus(a)),
-                "abs": self.absolute,
                 "pow": lambda a: self.raised(a, expression[2]),
             }[kind]
             return self.go_on(
@@ -89,6 +92,23 @@ class Near:
             expression[1], expression[2], variables, smooth,
             lambda a, b, radicands: self.with_radicands(operation(a, b), radicands),
         )
+
+    def kinked(self, expression, variables):
+        """abs, min and max, which are continuous where their parts are.
+
+        The piece that holds at a kink is not all that there is near it. So
+        what is made from it counts as changing, even if no variable is left.
+        """
+        kind, left, right = (*expression, ("num", 0, 1))[:3]
+
+        def operation(a, b, radicands):
+            gap = a if kind == "abs" else plus(a, minus(b))
+            if not self.free((gap, radicands), variables):
+                radicands = {**radicands, KINK: True}
+            pieces = self.absolute(a) if kind == "abs" else self.operation(kind)(a, b)
+            return self.with_radicands(pieces, radicands)
+
+        return self.near_both(left, right, variables, False, operation)
 
     def symbol_near(self, name, variables, smooth):
         if name in variables:
