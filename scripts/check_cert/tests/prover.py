@@ -11,8 +11,9 @@ from math import isqrt, lcm
 
 from check_cert.document import Document
 from check_cert.errors import Rejected
-from check_cert.goal import Goal
-from check_cert.polynomial import ONE, multiply
+from check_cert.expressions import parts
+from check_cert.goal import Goal, rests_on
+from check_cert.polynomial import ONE, holds, multiply
 from check_cert.proof import Proof
 
 VALUES = [Fraction(n, d) for n, d in
@@ -161,7 +162,7 @@ def find_point(goal, state):
 
 def settle_roots(goal, point):
     """Gives each root its value, where that is rational."""
-    for radicand, name in sorted(goal.roots.items(), key=lambda item: len(str(item[0]))):
+    for radicand, name in sorted(goal.roots.items(), key=lambda item: len(write_text(item[0]))):
         point[name] = Fraction(0)
         for region, value in goal.pieces.pieces(radicand):
             if value and all(true(goal, c, point) for c in region):
@@ -174,6 +175,43 @@ def settle_roots(goal, point):
     return True
 
 
+def write_text(e):
+    """An expression as text, with all its parentheses."""
+    kind = e[0]
+    if kind == "num":
+        return str(e[1]) if e[2] == 1 else f"({e[1]}/{e[2]})"
+    if kind == "sym":
+        return e[1]
+    if kind == "cases":
+        branches = "".join(
+            ", ".join(f"{write_text(a)} {s} {write_text(b)}" for s, a, b in guard) + f": {write_text(body)}; "
+            for guard, body in e[1]
+        )
+        return "cases { " + branches + (f"else: {write_text(e[2])} " if e[2] else "") + "}"
+    if kind == "pow":
+        return f"({write_text(e[1])})^{e[2]}"
+    if kind == "d":
+        return f"d({write_text(e[1])}, {e[2]})"
+    if kind == "neg":
+        return f"(-{write_text(e[1])})"
+    inner = [write_text(part) for part in parts(e)]
+    sign = {"add": "+", "sub": "-", "mul": "*", "div": "/"}.get(kind)
+    return f"({inner[0]} {sign} {inner[1]})" if sign else f"{kind}({', '.join(inner)})"
+
+
+def roots_of(document, claim, item):
+    """The roots that a link of a claim mentions, as text."""
+    found, seen = set(), set()
+    statements = [*claim.cited, *([claim.other] if claim.other else [])]
+    statements += rests_on(document, claim.cited)
+    expressions = [e for s in statements for e in s.expressions()]
+    for _, left, right in (*claim.when, *([item] if item else [])):
+        expressions += [e for e in (left, right) if isinstance(e, tuple)]
+    for e in expressions:
+        document.roots(e, found, seen)
+    return sorted((f"sqrt({write_text(r)})" for r in found), key=lambda text: (len(text), text))
+
+
 def evaluate(goal, p, point):
     total = Fraction(0)
     for m, value in p.items():
@@ -184,7 +222,6 @@ def evaluate(goal, p, point):
 
 
 def true(goal, condition, point):
-    from check_cert.polynomial import holds
     return holds(evaluate(goal, condition.poly, point), condition.sign)
 
 
@@ -195,7 +232,7 @@ def satisfied(goal, state, point):
     )
 
 
-def certify(text, roots=(), splits=(), hints=None):
+def certify(text, splits=(), hints=None):
     """A certificate for a document, with what the small prover finds.
 
     `hints` maps (label, number of link) to a function from (document, claim,
@@ -210,7 +247,7 @@ def certify(text, roots=(), splits=(), hints=None):
             if hints and (claim.label, number) in hints:
                 links.append(hints[claim.label, number](document, claim, item))
             else:
-                links.append(find_link(document, claim, item, list(roots), splits))
+                links.append(find_link(document, claim, item, splits))
         order = ("vacuous", "ill-defined", "refuted", None, "proved")
         worst = min((link["finding"] for link in links), key=order.index) or "undecided"
         if any(verdicts[s.label] != "proved" for s in claim.cited if s.kind == "claim"):
@@ -223,13 +260,16 @@ def certify(text, roots=(), splits=(), hints=None):
     }
 
 
-def find_link(document, claim, item, roots, splits=()):
+def find_link(document, claim, item, splits=()):
     """The evidence of one link, if the small prover finds it."""
     if item and item[0] == "->":
         return {"finding": None}
     search = ["vacuous", "ill-defined", "refuted", "proved"]
     if item is None:
         search = ["proved", "refuted"]
+        if claim.form == "not implied" and claim.other.limits:
+            search = ["proved"]
+    roots = roots_of(document, claim, item)
     for finding in search:
         goal = Goal(document, claim, item, finding, "cited", roots)
         state = goal.at_point(finding)

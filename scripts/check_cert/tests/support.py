@@ -1,13 +1,11 @@
 """What the tests share."""
 
 import json
-import re
 from pathlib import Path
 
 from check_cert.document import Document
 from check_cert.main import check_text
 
-from .prover import certify
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -32,12 +30,3 @@ def verdicts(certificate):
 def expected(text):
     """The verdict that a document expects of each claim."""
     return {claim.label: claim.expect or "proved" for claim in Document(text).claims}
-
-
-def all_roots(text):
-    """The roots in a text, if none is inside another."""
-    return sorted(set(re.findall(r"sqrt\([^()]*\)", text)))
-
-
-def certified(text, **options):
-    return certify(text, all_roots(text), **options)

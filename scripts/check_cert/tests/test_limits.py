@@ -3,7 +3,8 @@
 import unittest
 
 from .limits_prover import functions_link, limit_link, p, pass_link
-from .support import answer, certified, document, expected, verdicts
+from .prover import certify
+from .support import answer, document, expected, verdicts
 
 T = p((1, "t:", 1))
 ONE = p((1,))
@@ -11,7 +12,7 @@ ONE = p((1,))
 
 class Limits(unittest.TestCase):
     def check(self, text, **hints):
-        certificate = certified(text, hints={(k.replace("_", "-"), 0): h for k, h in hints.items()})
+        certificate = certify(text, hints={(k.replace("_", "-"), 0): h for k, h in hints.items()})
         faults, lines = answer(text, certificate)
         self.assertEqual((faults, lines), (0, []))
         self.assertEqual(verdicts(certificate), expected(text))
@@ -121,13 +122,13 @@ class Limits(unittest.TestCase):
         for x in ("0", "-1", "2"):
             point = {"theta": None, "values": {"x": [x] if x != "0" else []}}
             hint = functions_link("refuted", "x", {"k": "1"}, point, premises=[(ONE, ONE, 0)])
-            faults, lines = answer(text, certified(text, hints={("none", 0): hint}))
+            faults, lines = answer(text, certify(text, hints={("none", 0): hint}))
             self.assertIn("does not hold at the point", lines[0])
 
     def test_no_limit_is_passed_to_without_one(self):
         text = document("var x", "var c, k(x)", "given law: k = c*x", "claim none: c = 0 from law")
         step = ("x", None, True), p((1, "c", 1)), "=0", {"law": {"k": "c*x"}}
-        certificate = certified(text, hints={("none", 0): pass_link("proved", step)})
+        certificate = certify(text, hints={("none", 0): pass_link("proved", step)})
         faults, lines = answer(text, certificate)
         self.assertIn("no limit is passed to here", lines[0])
 
@@ -140,7 +141,7 @@ class Limits(unittest.TestCase):
             "claim zero: c <= 0 from low, slope",
         )
         step = ("x", None, True), p((-1, "lim:0", 1), (1, "t:", 1)), ">=0", {"law": {"k": "x"}}
-        certificate = certified(text, hints={("zero", 0): pass_link("proved", step)})
+        certificate = certify(text, hints={("zero", 0): pass_link("proved", step)})
         proof = certificate["claims"][1]["links"][0]["evidence"]["proof"]
         self.assertIsNotNone(proof["along"])
         self.assertIsNone(proof["pass"]["inside"][0]["proof"])  # x < 1 is not met

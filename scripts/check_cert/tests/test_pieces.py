@@ -9,7 +9,7 @@ from check_cert.document import Document
 from check_cert.expressions import parts, symbols_in
 from check_cert.goal import Goal
 
-from .prover import evaluate, true
+from .prover import evaluate, roots_of, true
 from .support import document
 
 N = 7  # terms of a Taylor series
@@ -192,36 +192,8 @@ def goal_for(text):
     """The expression of a claim, with its goal."""
     parsed = Document(document("var x, y", f"claim a: {text} = 0"))
     claim = parsed.claims[0]
-    goal = Goal.__new__(Goal)
-    radicands = set()
-    parsed.roots(claim.items[0][1], radicands, set())
-    roots = [f"sqrt({write(r)})" for r in radicands]
-    goal.__init__(parsed, claim, claim.items[0], "proved", "cited", roots)
-    return goal, claim.items[0][1]
-
-
-def write(e):
-    """An expression as text, with all its parentheses."""
-    kind = e[0]
-    if kind == "num":
-        return str(e[1]) if e[2] == 1 else f"({e[1]}/{e[2]})"
-    if kind == "sym":
-        return e[1]
-    if kind == "cases":
-        branches = "".join(
-            ", ".join(f"{write(a)} {s} {write(b)}" for s, a, b in guard) + f": {write(body)}; "
-            for guard, body in e[1]
-        )
-        return "cases { " + branches + (f"else: {write(e[2])} " if e[2] else "") + "}"
-    if kind == "pow":
-        return f"({write(e[1])})^{e[2]}"
-    if kind == "d":
-        return f"d({write(e[1])}, {e[2]})"
-    if kind == "neg":
-        return f"(-{write(e[1])})"
-    inner = [write(part) for part in parts(e)]
-    sign = {"add": "+", "sub": "-", "mul": "*", "div": "/"}.get(kind)
-    return f"({inner[0]} {sign} {inner[1]})" if sign else f"{kind}({', '.join(inner)})"
+    roots = roots_of(parsed, claim, claim.items[0])
+    return Goal(parsed, claim, claim.items[0], "proved", "cited", roots), claim.items[0][1]
 
 
 def roots_at(goal, values, point):
