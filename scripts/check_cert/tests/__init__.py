@@ -1,1 +1,1 @@
-"""Tests of the checker: python3 -m unittest discover -s scripts -t scripts"""
+"""Tests of the checker: cd scripts && python3 -m unittest discover -t . -s check_cert/tests"""
