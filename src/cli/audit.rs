@@ -201,6 +201,7 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
             ("md", report::markdown(report)),
             ("tex", report::latex(report)),
             ("json", report::json(std::slice::from_ref(report))),
+            ("cert.json", report::certificates(report)),
         ];
         for (ending, text) in forms {
             files.push(Written::new(format!("{}.{ending}", input.stem), text));
