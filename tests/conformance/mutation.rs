@@ -43,7 +43,6 @@ pub(crate) enum Field<'a> {
     Evidence(&'a mut Evidence),
     Proof(&'a mut Proof),
     Index(&'a mut usize),
-    Maybe(&'a mut Option<usize>),
     Power(&'a mut u32),
     Poly(&'a mut Poly),
     Int(&'a mut BigInt),
@@ -333,13 +332,6 @@ fn change(field: Field<'_>, chance: &mut Chance) {
             }
         }
         Field::Index(i) => *i = moved(*i, chance),
-        Field::Maybe(i) => {
-            *i = match *i {
-                Some(_) if chance.once_in(2) => None,
-                Some(i) => Some(moved(i, chance)),
-                None => Some(chance.below(6)),
-            }
-        }
         Field::Power(n) => {
             *n = match chance.below(3) {
                 0 => *n + 1,
