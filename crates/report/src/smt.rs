@@ -74,18 +74,16 @@ pub fn smt(accepted: &Accepted) -> Result<Question, NotPut> {
 }
 
 /// How the conclusion fails.
-fn failure(
-    terms: &Terms<'_>,
-    goal: &Goal,
-    finding: Finding,
-) -> Result<Option<String>, NotPut> {
+fn failure(terms: &Terms<'_>, goal: &Goal, finding: Finding) -> Result<Option<String>, NotPut> {
     let relation = |r: &Relation, wanted: fn(&Option<bool>) -> bool| {
         Ok::<_, NotPut>(Some(any(&terms.relation(r)?, wanted)))
     };
     match (&goal.conclusion, finding) {
         (_, Finding::Vacuous | Finding::Consistent) | (Conclusion::Contradiction, _) => Ok(None),
         (Conclusion::Link(Link::Relation(r)), Finding::Proved) => relation(r, |v| *v != Some(true)),
-        (Conclusion::Link(Link::Relation(r)), Finding::Refuted) => relation(r, |v| *v == Some(false)),
+        (Conclusion::Link(Link::Relation(r)), Finding::Refuted) => {
+            relation(r, |v| *v == Some(false))
+        }
         (Conclusion::Link(Link::Relation(r)), Finding::IllDefined) => relation(r, Option::is_none),
         (Conclusion::NotImplied(s), _) if s.limits().next().is_none() => {
             Ok(Some(any(&terms.sentence(s)?, |v| *v != Some(true))))
@@ -118,9 +116,7 @@ fn mentioned(goal: &Goal) -> BTreeSet<usize> {
 /// The coordinates of a witness, with the number in which they are polynomials. Roots follow from
 /// the symbols.
 fn witness(terms: &Terms<'_>, goal: &Goal, point: &Point) -> String {
-    let term = |c: String, n: usize| {
-        (0..n).fold(c, |product, _| times(&product, "theta"))
-    };
+    let term = |c: String, n: usize| (0..n).fold(c, |product, _| times(&product, "theta"));
     let sum = |parts: Vec<String>| match parts.as_slice() {
         [] => "0".to_owned(),
         [one] => one.clone(),
@@ -163,4 +159,3 @@ pub fn questions(report: &Report<'_>) -> Vec<(String, Question)> {
     }
     out
 }
-

@@ -151,7 +151,12 @@ impl Prose<'_> {
     }
 
     /// The conditions under which an expression is differentiable by a symbol, or only continuous.
-    pub(super) fn near_conditions(&self, e: &Expr, x: usize, smooth: bool) -> Result<Vec<String>, NotEmitted> {
+    pub(super) fn near_conditions(
+        &self,
+        e: &Expr,
+        x: usize,
+        smooth: bool,
+    ) -> Result<Vec<String>, NotEmitted> {
         let mut out = Vec::new();
         match e {
             Expr::Div(a, b) => {
@@ -177,10 +182,12 @@ impl Prose<'_> {
                         let mut all = self.near_conditions(&g.lhs, x, false)?;
                         all.extend(self.near_conditions(&g.rhs, x, false)?);
                         if mentions(&g.lhs, x) || mentions(&g.rhs, x) {
-                            all.push(self.relation(&Relation {
-                                rel: kane_kernel::Rel::Ne,
-                                ..g.clone()
-                            })?);
+                            all.push(
+                                self.relation(&Relation {
+                                    rel: kane_kernel::Rel::Ne,
+                                    ..g.clone()
+                                })?,
+                            );
                         }
                         let guard = self.relation(g)?;
                         if !then.is_empty() {

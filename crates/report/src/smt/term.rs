@@ -192,7 +192,9 @@ impl<'c> Terms<'c> {
         let total = |value: Quotient| Ok(everywhere(Some(value)));
         match e {
             Expr::Num(q) => total((rational(q), "1".to_owned())),
-            Expr::Var(v) if *v < self.context.vars.len() => total((self.symbol(*v), "1".to_owned())),
+            Expr::Var(v) if *v < self.context.vars.len() => {
+                total((self.symbol(*v), "1".to_owned()))
+            }
             Expr::Var(_) => Err(NotPut::Symbol),
             Expr::Let(i) => {
                 if let Some(known) = self.lets.borrow().get(i) {
