@@ -1,5 +1,6 @@
 //! What the suites share: deterministic chance, documents, goals, and how much to do.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -10,7 +10,7 @@ use kane_kernel::{
 };
 
 use crate::explain;
-use crate::prove::{Budget, Prover, Verdicts};
+use crate::prove::{Budget, Decided, Prover, Verdicts};
 use crate::{Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
 
 /// What to judge, and with how much effort.
@@ -247,7 +247,7 @@ fn judge(
         if let Some((side, given)) = &found.unreached {
             found.reason = unreached(document, claim, done, side, given);
         }
-        vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);
+        vacuous |= matches!(&found.decided, Some(d) if d.certificate.finding == Finding::Vacuous);
         if model.is_none() {
             model = found.model.as_ref().map(|m| explain::model(&goal, m));
         }
@@ -323,7 +323,7 @@ fn link_judgement(
     text: String,
     latex: String,
 ) -> LinkJudgement {
-    let verdict = match found.decided.as_ref().map(|c| c.finding) {
+    let verdict = match found.decided.as_ref().map(|d| d.certificate.finding) {
         Some(Finding::Proved) => Verdict::Proved,
         Some(Finding::Refuted) => Verdict::Refuted,
         Some(Finding::IllDefined) => Verdict::IllDefined,
@@ -332,9 +332,9 @@ fn link_judgement(
     };
     let labels: Vec<&str> = cited.iter().map(|&i| document.statements[i].label.as_str()).collect();
     let (reason, steps, used) = match &found.decided {
-        Some(certificate) => {
+        Some(Decided { certificate, grounds }) => {
             let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
-            let told = explain::certificate(whose, certificate, &labels);
+            let told = explain::grounds(whose, certificate.finding, grounds, &labels);
             let holds = matches!(certificate.evidence, Evidence::Model(_))
                 .then(|| also_holds(goal, resting, certificate))
                 .flatten();
@@ -347,7 +347,7 @@ fn link_judgement(
         }
         None => (found.reason, Vec::new(), Vec::new()),
     };
-    let accepted = found.decided.as_ref().map(|certificate| {
+    let accepted = found.decided.as_ref().map(|Decided { certificate, .. }| {
         let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
         Rc::new(Accepted { goal: whose.clone(), certificate: certificate.clone() })
     });
@@ -356,7 +356,9 @@ fn link_judgement(
         latex,
         verdict,
         reason,
-        certificate: found.decided.as_ref().map(|c| format!("{:032x}", kane_kernel::digest(c))),
+        certificate: accepted
+            .as_ref()
+            .map(|a| format!("{:032x}", kane_kernel::digest(&a.certificate))),
         used,
         steps,
         cost: found.cost,

@@ -7,8 +7,8 @@ use crate::limit::{Place, constants, is_explicit, narrowing, premises, sides};
 use crate::model::satisfies;
 use crate::{
     Bound, Cases, Certificate, Checked, Conclusion, Context, Evidence, Expr, Failure, Finding,
-    Fuel, Functions, Goal, Hypothesis, Limit, Link, Model, Point, Proof, Rejection, Rel, Relation,
-    Scope, Sentence, SideProof, State, Target, expressions,
+    Fuel, Functions, Goal, Hypothesis, Limit, Link, Model, Passages, Point, Proof, Rejection, Rel,
+    Relation, Scope, Sentence, SideProof, State, Target, expressions,
 };
 
 /// Checks a certificate against the goal that it is for, within the budget.
@@ -19,6 +19,7 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Checked {
     if certificate.goal != digest(goal) || !goal.context.values.is_empty() {
         return Err(Rejection::OtherGoal);
     }
+    crate::door::enter(goal, certificate)?;
     let finding = certificate.finding;
     match (&certificate.evidence, &goal.conclusion) {
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(limit)))
@@ -109,7 +110,12 @@ pub fn point_state<'s, 'g>(
     let mut formulas = premises(scope, goal, Place::Point)?;
     formulas.extend(failure);
     let (atoms, formulas) = (scope.ranges(), Rc::new(formulas));
-    Ok(State { scope, goal, atoms, formulas, reaching: false, on_germ: false })
+    // Without a limit statements speak of one point, and behind a claim nothing is owed.
+    let passages = match limits(goal).next() {
+        Some(_) => Passages::Anywhere,
+        None => Passages::Nowhere,
+    };
+    Ok(State { scope, goal, atoms, formulas, reaching: false, passages })
 }
 
 /// Checks that no point satisfies what a finding denies.
@@ -145,7 +151,12 @@ fn limits(goal: &Goal) -> impl Iterator<Item = &Limit> {
 /// Checks one limit from all its sides.
 fn limit_holds(goal: &Goal, limit: &Limit, proofs: &[SideProof], fuel: &Fuel) -> Checked {
     let scope = scope(goal, fuel.clone())?;
-    let (state, sides) = (constants(&scope, goal, limit.var)?, sides(&scope, limit));
+    // With explicit functions there is nothing that a passage could add.
+    let mut state = constants(&scope, goal, limit.var)?;
+    if !goal.context.values.is_empty() {
+        state.passages = Passages::Nowhere;
+    }
+    let sides = sides(&scope, limit);
     if sides.is_empty() || sides.len() != proofs.len() {
         return Err(Rejection::OutsideDomain);
     }
@@ -180,7 +191,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         let goal = on_domain(Conclusion::NotImplied(h.sentence.clone()), &[]);
         let scope = scope(&goal, fuel.clone())?;
         let fails = scope.premise(&h.sentence, h.given, false)?;
-        point_state(&scope, &goal, Some(fails))?.refute(proof)
+        let passages = Passages::Nowhere;
+        State { passages, ..point_state(&scope, &goal, Some(fails))? }.refute(proof)
     };
     let tends = |l: Limit, when: &[Relation], proofs: &[SideProof]| {
         limit_holds(&on_domain(Conclusion::Link(Link::Limit(l.clone())), when), &l, proofs, fuel)
@@ -231,8 +243,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
 #[must_use]
 pub fn on_functions(scope: &Scope<'_>, goal: &Goal, x: usize, values: &[(usize, Expr)]) -> Goal {
     let narrowed = goal.hypotheses.iter().filter_map(|h| {
-        let sentence = narrowing(scope, &h.sentence, x);
-        (!sentence.links.is_empty()).then_some(Hypothesis { sentence, given: h.given })
+        let sentence = narrowing(scope, h, x);
+        (!sentence.links.is_empty()).then_some(Hypothesis { sentence, given: true })
     });
     Goal {
         context: Context { values: values.to_vec(), ..goal.context.clone() },

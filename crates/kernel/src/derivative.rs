@@ -23,6 +23,8 @@ pub(crate) struct Local {
     value: Fraction,
     /// the roots in it: their variables and radicands
     roots: Vec<(usize, Fraction)>,
+    /// whether it is only one of the sides of a kink, on which more than its value depends
+    bent: bool,
 }
 
 /// The pieces of an expression near a point.
@@ -40,7 +42,13 @@ impl Local {
             }
         }
         roots.sort_by_key(|root| root.0);
-        everywhere(Some(Self { value, roots }))
+        let bent = parts.iter().any(|part| part.bent);
+        everywhere(Some(Self { value, roots, bent }))
+    }
+
+    /// Whether it stays as it is while the variables vary near the point.
+    fn is_free(&self, over: &[usize]) -> bool {
+        !self.bent && !over.iter().any(|x| self.varies(&self.value, *x))
     }
 
     /// Whether a fraction in the same variables varies with x.
@@ -91,7 +99,8 @@ impl Scope<'_> {
     /// near the point, its derivative; elsewhere undefined.
     ///
     /// # Errors
-    /// [`Rejection::NotExplicit`] if f contains an undefined function of x; else as
+    /// [`Rejection::NotExplicit`] if f contains an undefined function of x, or an expression stands
+    /// for x; else as
     /// [`Scope::pieces`].
     pub fn slopes(&self, f: &Expr, x: usize) -> Checked<Vec<Piece>> {
         self.slopes_near(f, x, (&[], MAX_DEPTH), |slope, _| everywhere(Some(slope)))
@@ -125,6 +134,8 @@ impl Scope<'_> {
         match e {
             Expr::Num(q) => Ok(Local::of(Fraction::rational(q), &[])),
             Expr::Var(v) => match (self.context.value(*v), self.context.vars.get(*v)) {
+                // What is varied has no value.
+                (Some(_), _) if over.contains(v) => Err(Rejection::NotExplicit),
                 (Some(value), _) => go(value),
                 (None, None) => Err(Rejection::UnknownSymbol),
                 (None, Some(var)) if var.of.is_some_and(|x| over.contains(&x)) => {
@@ -171,12 +182,15 @@ impl Scope<'_> {
             }
             Expr::Abs(a) => self.each(&go(a)?, |x| {
                 let atom = Atom::new(x.value.sign_poly(fuel)?, Sign::NonNegative);
-                self.chosen(atom, x, &Local { value: x.value.neg(), ..x.clone() })
+                self.chosen(atom, x.is_free(over), x, &Local { value: x.value.neg(), ..x.clone() })
             }),
             Expr::Min(a, b) | Expr::Max(a, b) => both(a, b, &|x, y| {
                 let (low, high) = if matches!(e, Expr::Min(..)) { (x, y) } else { (y, x) };
-                let gap = high.value.add(&low.value.neg(), fuel)?.sign_poly(fuel)?;
-                self.chosen(Atom::new(gap, Sign::NonNegative), x, y)
+                let gap = Local::of(high.value.add(&low.value.neg(), fuel)?, &[high, low]);
+                self.each(&gap, |gap| {
+                    let atom = Atom::new(gap.value.sign_poly(fuel)?, Sign::NonNegative);
+                    self.chosen(atom, gap.is_free(over), x, y)
+                })
             }),
             Expr::Deriv(f, x) => {
                 self.slopes_near(f, *x, (over, depth), |slope, at| Local::of(slope, &[at]))
@@ -196,31 +210,22 @@ impl Scope<'_> {
     }
 
     /// One of two where an atom holds and where it does not; both are continuous, and agree where
-    /// they meet.
-    fn chosen(&self, atom: Atom, holds: &Local, fails: &Local) -> Checked<Locals> {
+    /// they meet. Unless the atom's polynomial does not vary, the one is not all that is near.
+    fn chosen(&self, atom: Atom, fixed: bool, holds: &Local, fails: &Local) -> Checked<Locals> {
         self.each(&either(atom, Some(true), Some(false)), |taken| {
-            Ok(everywhere(Some(if *taken { holds.clone() } else { fails.clone() })))
+            let side = if *taken { holds } else { fails };
+            Ok(everywhere(Some(Local { bent: side.bent || !fixed, ..side.clone() })))
         })
     }
 
     /// A root near a point: it needs a positive radicand, unless that does not vary.
     fn root_near(&self, e: &Expr, radicand: &Local, over: &[usize]) -> Checked<Locals> {
         let s = self.root_variable(e)?;
-        let sign = match over.iter().any(|x| radicand.varies(&radicand.value, *x)) {
-            true => Sign::Positive,
-            false => Sign::NonNegative,
-        };
-        let mut pieces = self.root_pieces(s, &radicand.value, sign)?;
-        let mut roots = radicand.roots.clone();
-        roots.push((s, radicand.value.clone()));
-        let known = Local { value: radicand.value.clone(), roots };
-        let local = |value: Fraction| Local::of(value, &[&known]);
-        let mut out = Vec::new();
-        for Piece { atoms, value } in pieces.drain(..) {
-            let value = value.and_then(|v| local(v).pop()).and_then(|p| p.value);
-            out.push(Piece { atoms, value });
-        }
-        Ok(out)
+        let sign = if radicand.is_free(over) { Sign::NonNegative } else { Sign::Positive };
+        let mut known = radicand.clone();
+        known.roots.push((s, radicand.value.clone()));
+        let pieces = self.root_pieces(s, &radicand.value, sign)?;
+        self.each(&pieces, |root| Ok(Local::of(root.clone(), &[&known])))
     }
 
     /// Where guards, read left to right, are true and stay so nearby; where they are false and stay
@@ -253,26 +258,29 @@ impl Scope<'_> {
         let right = side(right)?;
         self.each(&side(left)?, |x| {
             self.each(&right, |y| {
-                let gap = x.value.add(&y.value.neg(), fuel)?;
-                let roots = [&x.roots[..], &y.roots[..]].concat();
-                let at = Local { value: gap.clone(), roots };
-                if !over.iter().any(|v| at.varies(&gap, *v)) {
-                    return Ok(either(self.condition(r.rel, &gap)?, Some(true), Some(false)));
-                }
-                // The two sides are continuous: where they differ, they differ the same way nearby.
-                let (above, below) = match r.rel {
-                    Rel::Eq => (false, false),
-                    Rel::Ne => (true, true),
-                    Rel::Lt | Rel::Gt | Rel::Le | Rel::Ge => (true, false),
-                };
-                let sign = gap.sign_poly(fuel)?;
-                let piece = |poly, sign, value| Piece { atoms: vec![Atom::new(poly, sign)], value };
-                Ok(vec![
-                    piece(sign.clone(), Sign::Positive, Some(above)),
-                    piece(sign.neg(), Sign::Positive, Some(below)),
-                    piece(gap.num, Sign::Zero, None),
-                ])
+                let gap = Local::of(x.value.add(&y.value.neg(), fuel)?, &[x, y]);
+                self.each(&gap, |gap| self.compared(r.rel, gap, over))
             })
         })
+    }
+
+    /// Where a relation holds, or does not, and stays so nearby, from the difference of its sides.
+    fn compared(&self, rel: Rel, gap: &Local, over: &[usize]) -> Checked<Vec<Piece<bool>>> {
+        if gap.is_free(over) {
+            return Ok(either(self.condition(rel, &gap.value)?, Some(true), Some(false)));
+        }
+        // The two sides are continuous: where they differ, they differ the same way nearby.
+        let (above, below) = match rel {
+            Rel::Eq => (false, false),
+            Rel::Ne => (true, true),
+            Rel::Lt | Rel::Gt | Rel::Le | Rel::Ge => (true, false),
+        };
+        let sign = gap.value.sign_poly(&self.fuel)?;
+        let piece = |poly, sign, value| Piece { atoms: vec![Atom::new(poly, sign)], value };
+        Ok(vec![
+            piece(sign.clone(), Sign::Positive, Some(above)),
+            piece(sign.neg(), Sign::Positive, Some(below)),
+            piece(gap.value.num.clone(), Sign::Zero, None),
+        ])
     }
 }

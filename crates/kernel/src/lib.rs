@@ -8,6 +8,7 @@
 mod ast;
 mod check;
 mod derivative;
+mod door;
 mod limit;
 mod model;
 mod normal;
@@ -27,5 +28,5 @@ pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;
 pub use rejection::{Checked, Rejection};
-pub use state::State;
+pub use state::{Passages, State};
 pub use univariate::{descartes, sign, sign_at};

@@ -6,8 +6,8 @@ use crate::normal::regions;
 use crate::state::{depends, varies};
 use crate::{
     Approach, Atom, Atoms, Bound, Cases, Checked, Conclusion, Context, Expr, Fuel, Germ, Goal,
-    Hypothesis, Limit, Piece, Poly, Rejection, Relation, Scope, Sentence, Side, SideProof, Sign,
-    State, Target, expressions, point_state, range_premise,
+    Hypothesis, Limit, Passages, Piece, Poly, Rejection, Relation, Scope, Sentence, Side,
+    SideProof, Sign, State, Target, expressions, point_state, range_premise,
 };
 
 impl Side {
@@ -82,16 +82,18 @@ fn value<'g>(scope: &Scope<'_>, s: &Sentence, l: &'g Limit) -> Option<&'g Expr> 
     (!around.any(|e| depends(scope, e, l.var))).then_some(value)
 }
 
-/// What a premise says of x without any function of x: so it narrows the domain of x.
+/// What a given says of x without any function of x: so it narrows the domain of x. A cited claim
+/// does not.
 #[must_use]
-pub fn narrowing(scope: &Scope<'_>, s: &Sentence, x: usize) -> Sentence {
+pub fn narrowing(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
+    let s = &h.sentence;
     let sides =
         |r: &Relation| [&r.lhs, &r.rhs].map(|e| (depends(scope, e, x), varies(scope, e, x)));
     let speaks = |r: &Relation| sides(r).iter().any(|(depends, _)| *depends);
     let plainly = |r: &Relation| !sides(r).iter().any(|(_, varies)| *varies);
     let conditioned = s.when.iter().any(speaks);
     let plain = s.when.iter().all(plainly);
-    s.only(|r| plain && plainly(r) && (conditioned || speaks(r)))
+    s.only(|r| h.given && plain && plainly(r) && (conditioned || speaks(r)))
 }
 
 /// What a premise says of constants while x varies: the items of a given's list that are free of x;
@@ -168,7 +170,7 @@ pub fn inside_state<'s, 'g>(
         fails.extend(scope.premise(&range_premise(&goal.context, *v).sentence, true, false)?);
     }
     let inside = point_state(scope, goal, Some(fails))?;
-    Ok(State { atoms: state.atoms_along(germ, scope)?, on_germ: true, ..inside })
+    Ok(State { atoms: state.atoms_along(germ, scope)?, passages: Passages::Nowhere, ..inside })
 }
 
 /// Whether an expression mentions nothing but numbers and allowed symbols.
@@ -287,7 +289,8 @@ pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32)
 pub fn constants<'s, 'g>(scope: &'s Scope<'g>, goal: &'g Goal, x: usize) -> Checked<State<'s, 'g>> {
     let formulas = Rc::new(premises(scope, goal, Place::Constants(x))?);
     let atoms = Atoms::new();
-    let mut state = State { scope, goal, atoms, formulas, reaching: false, on_germ: false };
+    let passages = Passages::Along(x);
+    let mut state = State { scope, goal, atoms, formulas, reaching: false, passages };
     let constants = scope.mentioned.iter().filter(|v| state.is_constant(**v, x));
     state.atoms = constants.flat_map(|v| scope.range(*v)).collect();
     Ok(state)

@@ -75,7 +75,7 @@ impl Poly {
         powers.fold(Self::default(), |sum, power| sum.add(&power))
     }
 
-    /// c·m, the zero polynomial if c = 0. The monomial must be ascending in its variables.
+    /// c·m, the zero polynomial if c = 0; the monomial in any order.
     #[must_use]
     pub fn term(m: Monomial, c: BigInt) -> Self {
         let mut p = Self::default();
@@ -88,7 +88,7 @@ impl Poly {
         if c.is_zero() {
             return;
         }
-        match Rc::make_mut(&mut self.0).entry(m) {
+        match Rc::make_mut(&mut self.0).entry(canonical(m)) {
             Entry::Vacant(e) => {
                 e.insert(c);
             }
@@ -153,10 +153,15 @@ impl Poly {
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (m, c) in other.terms() {
-            sum.add_term(m.clone(), c.clone());
-        }
+        sum.add_all(other);
         sum
+    }
+
+    /// Adds another polynomial in place.
+    pub fn add_all(&mut self, other: &Self) {
+        for (m, c) in other.terms() {
+            self.add_term(m.clone(), c.clone());
+        }
     }
 
     /// Difference.
@@ -287,6 +292,21 @@ impl Poly {
         }
         Ok(sum)
     }
+}
+
+/// A monomial with each variable once, ascending, and no power 0.
+fn canonical(mut m: Monomial) -> Monomial {
+    if m.windows(2).any(|w| w[0].0 >= w[1].0) || m.iter().any(|p| p.1 == 0) {
+        m.sort_unstable();
+        // What a caller adds up beyond the range of powers stays a monomial, if another one.
+        m.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            kept.1 = if same { kept.1.saturating_add(next.1) } else { kept.1 };
+            same
+        });
+        m.retain(|p| p.1 > 0);
+    }
+    m
 }
 
 /// Exponent of v in m.

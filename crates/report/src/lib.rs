@@ -9,6 +9,7 @@
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
+mod certificate;
 pub mod chart;
 mod chart_picture;
 pub mod collision;
@@ -37,6 +38,7 @@ mod text;
 mod typeset;
 mod wording;
 
+pub use certificate::certificates;
 pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use gappa::{gappa, gappa_questions};

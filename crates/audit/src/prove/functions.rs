@@ -5,7 +5,7 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
+    Limit, Link, Passages, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
     point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
@@ -13,6 +13,7 @@ use num_traits::{One, Zero};
 
 use super::limits;
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::{expand, side_proof};
 
 type Q = BigRational;
 
@@ -43,7 +44,7 @@ pub(crate) fn model(
         atoms,
         formulas: Rc::new(formulas[..count].to_vec()),
         reaching: false,
-        on_germ: false,
+        passages: Passages::Anywhere,
     };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();
@@ -338,13 +339,16 @@ fn certified(
         let fails = scope.premise(&h.sentence, h.given, false).ok()?;
         let state = point_state(&scope, &goal, Some(fails)).ok()?;
         match Search::new(effort.steps, &any, false).solve(&state) {
-            Outcome::Closed(proof) => Some(proof),
+            Outcome::Closed(argument) => expand(&state, &argument).ok(),
             _ => None,
         }
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-        limits::prove(&goal, l, effort.steps, effort.fuel)
+        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel)?;
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let state = constants(&scope, &goal, l.var).ok()?;
+        arguments.iter().map(|a| side_proof(&state, l, a).ok()).collect::<Option<Vec<_>>>()
     };
     let mut premises = Vec::new();
     for h in &goal.hypotheses {
@@ -401,7 +405,8 @@ fn failure(
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
             let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
-            let proof = limits::one_side(&state, &found, &side, effort.steps)?;
+            let argument = limits::one_side(&state, &found, &side, effort.steps)?;
+            let proof = side_proof(&state, &found, &argument).ok()?;
             return Some(Failure::Limit { link: index, target, proof });
         }
         return None;
@@ -414,7 +419,8 @@ fn failure(
             let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), goal.when.clone());
             let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, l.var).ok()?;
-            limits::one_side(&state, &trivial, &side, effort.steps)
+            let argument = limits::one_side(&state, &trivial, &side, effort.steps)?;
+            side_proof(&state, &trivial, &argument).ok()
         };
         let proofs: Option<Vec<_>> = sides(&outer, &zero).into_iter().map(reaches).collect();
         return proofs.map(Failure::Reaches);

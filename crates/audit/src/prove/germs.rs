@@ -8,6 +8,7 @@ use num_traits::One;
 
 use super::ranges::{self, Values};
 use super::search::{Outcome, Search};
+use crate::argument::expand;
 
 /// Radii to try, for constants c around and a polynomial D in them that must not vanish.
 #[derive(Clone, Debug)]
@@ -65,9 +66,10 @@ impl Radius {
         let any = |_: usize, _: &Poly| true;
         let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
         let state = state.with_cases(vec![not(&num), not(&den)]);
-        let Outcome::Closed(proof) = Search::new(steps, &any, false).solve(&state) else {
+        let Outcome::Closed(argument) = Search::new(steps, &any, false).solve(&state) else {
             return None;
         };
+        let proof = expand(&state, &argument).ok()?;
         let (side, radius) = (side.clone(), (num, den));
         Some(Germ { side, radius, positive: Box::new(proof), inside: Vec::new() })
     }

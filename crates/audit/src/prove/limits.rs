@@ -2,14 +2,15 @@
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State,
-    Target, constants, differs, exponent, misses, premised, sides,
+    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Rejection, Side, Sign, State, Target, constants,
+    differs, exponent, misses, premised, sides,
 };
 use num_bigint::BigInt;
 use std::rc::Rc;
 
 use super::germs::Germs;
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
 #[derive(Clone, Debug)]
@@ -62,15 +63,12 @@ pub(crate) fn substituted(
     Ok(cancelled(&num, &den))
 }
 
-/// Constants' state of a limit claim, after what premised limits add; and the steps to wrap.
-type Pass = (Germ, Atom, Proof);
-
 /// What the premised limits on the given sides imply for constants: one atom a pass.
 pub(crate) fn passes<'s, 'g>(
     state: &State<'s, 'g>,
     sides: &[Side],
     steps: u64,
-) -> (State<'s, 'g>, Vec<Pass>) {
+) -> (State<'s, 'g>, Vec<Passage>) {
     let (mut state, mut found) = (state.clone(), Vec::new());
     for _ in 0..3 {
         let before = found.len();
@@ -88,7 +86,7 @@ pub(crate) fn passes<'s, 'g>(
             let nothing = Atom::new(Poly::one(), Sign::Zero);
             if let Outcome::Closed(proof) = search.solve(&along.with(nothing.not())) {
                 state = state.with(nothing.clone());
-                found.push((germ, nothing, proof));
+                found.push(Passage { germ, atom: nothing, along: proof });
                 return (state, found);
             }
             let Some((rest, _)) = search.reduced(&along) else {
@@ -114,7 +112,7 @@ pub(crate) fn passes<'s, 'g>(
                 }
                 if let Outcome::Closed(proof) = search.solve(&along.with(atom.not())) {
                     state = state.with(at_zero);
-                    found.push((germ.clone(), atom, proof));
+                    found.push(Passage { germ: germ.clone(), atom, along: proof });
                 }
             }
         }
@@ -123,16 +121,6 @@ pub(crate) fn passes<'s, 'g>(
         }
     }
     (state, found)
-}
-
-/// Wraps a proof in the passes that it rests on.
-pub(crate) fn wrap(passes: Vec<Pass>, proof: Proof) -> Proof {
-    passes.into_iter().rev().fold(proof, |then, (germ, atom, along)| Proof::Pass {
-        germ,
-        atom,
-        along: Box::new(along),
-        then: Box::new(then),
-    })
 }
 
 /// All sides from which limits are premised.
@@ -195,7 +183,7 @@ pub(crate) fn one_side(
     limit: &Limit,
     side: &Side,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
     let germs = Germs::new(state, side, steps);
@@ -226,7 +214,7 @@ fn along(
     germ: Germ,
     found: &Found,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let any = |_: usize, _: &Poly| true;
     let parts = (&found.num, &found.den, found.order);
     let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
@@ -242,18 +230,23 @@ fn along(
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
         return None;
     };
-    Some(SideProof {
+    Some(SideArgument {
         germ,
         num: found.num.clone(),
         den: found.den.clone(),
         order: found.order,
-        along: Box::new(along),
-        at_zero: Box::new(at_zero),
+        along,
+        at_zero,
     })
 }
 
 /// A proof of a limit from all its sides.
-pub(crate) fn prove(goal: &Goal, limit: &Limit, steps: u64, fuel: u64) -> Option<Vec<SideProof>> {
+pub(crate) fn prove(
+    goal: &Goal,
+    limit: &Limit,
+    steps: u64,
+    fuel: u64,
+) -> Option<Vec<SideArgument>> {
     let scope = kane_kernel::scope(goal, kane_kernel::Fuel::new(fuel)).ok()?;
     let state = constants(&scope, goal, limit.var).ok()?;
     let sides = sides(&scope, limit);

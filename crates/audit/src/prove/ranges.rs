@@ -17,6 +17,7 @@ use super::functions::determined;
 use super::limits::varies;
 use super::sample::diagonal;
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::expand;
 
 /// Tuples of simple functions that are tried for a given.
 const TRIES: usize = 24;
@@ -63,7 +64,9 @@ pub(super) fn proved(
     let along = inside_state(state, germ, &scope, &goal).ok()?;
     let may = varies(&along, germ.side.var);
     match Search::new(STEPS, &may, false).solve(&along) {
-        Outcome::Closed(proof) => Some(Inside { values, proof }),
+        Outcome::Closed(argument) => {
+            Some(Inside { values, proof: expand(&along, &argument).ok()? })
+        }
         _ => None,
     }
 }

@@ -92,7 +92,7 @@ impl<'a, 'g> Family<'a, 'g> {
             let all = family.symbols.expanded(s.when.iter().chain(s.relations()))?;
             let role = if family.free_all(&all) {
                 Role::Everywhere
-            } else if narrowing(scope, s, x).links.len() == s.links.len() {
+            } else if narrowing(scope, h, x).links.len() == s.links.len() {
                 Role::Narrows
             } else {
                 Role::Along
@@ -231,7 +231,7 @@ impl<'a, 'g> Family<'a, 'g> {
     /// What premises say of the limit variable alone.
     pub(super) fn narrowing(&self) -> Vec<Hypothesis> {
         let one = |h: &Hypothesis| Hypothesis {
-            sentence: narrowing(self.scope, &h.sentence, self.x),
+            sentence: narrowing(self.scope, h, self.x),
             given: h.given,
         };
         let all = self.goal.hypotheses.iter().map(one);

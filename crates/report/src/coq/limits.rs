@@ -11,7 +11,7 @@ use super::NotEmitted;
 use super::family::{Claimed, Family, Setting, side};
 use super::prose::Prose;
 use super::reify::Symbols;
-use super::script::Writer;
+use super::script::{Writer, sign};
 
 impl Family<'_, '_> {
     /// A limit, from a proof for each of its sides.
@@ -183,12 +183,7 @@ impl Writer<'_> {
         let radius = self.germ(state, germ)?;
         let along = self.proof(&state.along_unproved(germ)?.with(atom.not()), along)?;
         let then = self.proof(&state.with(state.at_zero(germ, atom)?), then)?;
-        let sign = match atom.sign {
-            Sign::Zero => "SZ",
-            Sign::NonZero => "SNZ",
-            Sign::NonNegative => "SNN",
-            Sign::Positive => "SP",
-        };
+        let sign = sign(atom.sign);
         let atom = format!("(A {} {sign})", self.poly(&atom.poly)?);
         Ok(format!("(Pass {} {radius} {atom} {along} {then})", side(&germ.side)))
     }

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
+use kane_algebra::syntax::canonical_name;
 use kane_kernel::{Context, Expr, Monomial, Poly, Rel, Relation, Scope, Sentence, Target};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -10,6 +11,7 @@ use num_rational::BigRational;
 use super::NotEmitted;
 use super::prose::Prose;
 use super::slopes::{FIRST, Slope};
+use super::theory::has_word;
 
 /// Definitions inside definitions, followed at most this deep.
 const MAX_DEPTH: usize = 64;
@@ -347,22 +349,121 @@ pub(super) fn rebuild(
     })
 }
 
-/// Words that Coq or the file's beginning keeps for itself.
-const KEPT: [&str; 40] = [
-    "as", "at", "cofix", "else", "end", "exists", "exists2", "fix", "for", "forall", "fun", "if",
-    "IF", "in", "let", "match", "mod", "Prop", "return", "Set", "then", "Type", "using", "where",
-    "with", "SProp", "by", "R", "IZR", "Rabs", "Rmin", "Rmax", "sqrt", "O", "S", "I", "not", "or",
-    "and", "eq",
+/// Words that Coq keeps for itself, or that stand in lemmas and proofs beside the symbols. Those of the
+/// theory are kept, too.
+const KEPT: [&str; 71] = [
+    "as",
+    "at",
+    "by",
+    "cofix",
+    "else",
+    "end",
+    "exists",
+    "exists2",
+    "fix",
+    "for",
+    "forall",
+    "fun",
+    "if",
+    "IF",
+    "in",
+    "lazymatch",
+    "let",
+    "match",
+    "mod",
+    "multimatch",
+    "Prop",
+    "quot",
+    "rem",
+    "return",
+    "Set",
+    "SProp",
+    "then",
+    "Type",
+    "using",
+    "where",
+    "with",
+    "Axiom",
+    "CoFixpoint",
+    "Definition",
+    "Fixpoint",
+    "Hypothesis",
+    "Parameter",
+    "Theorem",
+    "Variable",
+    "R",
+    "IZR",
+    "Rabs",
+    "Rmin",
+    "Rmax",
+    "Rinv",
+    "Rlt_dec",
+    "Rle_dec",
+    "Rgt_dec",
+    "Rge_dec",
+    "Req_EM_T",
+    "sqrt",
+    "pow",
+    "O",
+    "S",
+    "I",
+    "H",
+    "not",
+    "or",
+    "and",
+    "eq",
+    "eq_refl",
+    "true",
+    "false",
+    "True",
+    "False",
+    "epsilon",
+    "delta",
+    "level",
+    "bound",
+    "Root",
+    "div",
 ];
 
-/// A name as Coq takes it.
+/// What the names of a file's own definitions begin with.
+pub(super) const OWN: [&str; 7] =
+    ["goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
+
+/// A name as Coq takes it, and as nothing else in the file is called.
 pub(super) fn identifier(name: &str) -> String {
-    let mut out: String = name
+    let mut out: String = canonical_name(name)
         .chars()
-        .map(|c| if c.is_alphanumeric() || c == '_' || c == '\'' { c } else { '_' })
+        .map(|c| if c.is_ascii_alphanumeric() || c == '_' || c == '\'' { c } else { '_' })
         .collect();
-    if KEPT.contains(&out.as_str()) || out.is_empty() {
+    if OWN.iter().any(|own| out.starts_with(own)) {
+        out.insert_str(0, "v_");
+    }
+    while KEPT.contains(&out.as_str()) || has_word(&out) || out.is_empty() {
         out.push('_');
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_the_file_uses_are_renamed_and_others_are_not() {
+        for kept in ["x", "k", "alpha", "v_x0'", "Delta_e", "slip", "x_", "kW", "i_x"] {
+            assert_eq!(identifier(kept), kept);
+        }
+        assert_eq!(identifier("μ′"), "mu'");
+        for (name, other) in [
+            ("epsilon", "epsilon_"),
+            ("ε", "epsilon_"),
+            ("true", "true_"),
+            ("proved", "proved_"),
+            ("Rlt_dec", "Rlt_dec_"),
+            ("goal_x", "v_goal_x"),
+            ("Root0", "v_Root0"),
+        ] {
+            assert_eq!(identifier(name), other);
+        }
+    }
 }

@@ -1,5 +1,8 @@
 //! The theory at the beginning of a file: rules of proof, and their soundness proved in Coq itself.
 
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
 /// A part of the theory, which rests on those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
@@ -50,13 +53,24 @@ pub(super) fn theory(needed: &[Part]) -> String {
     texts.join("\n")
 }
 
+/// Whether the theory, in any of its parts, uses this word. Words of one letter are names of what it
+/// binds for itself.
+pub(super) fn has_word(word: &str) -> bool {
+    static WORDS: OnceLock<HashSet<&str>> = OnceLock::new();
+    let apart = |c: char| !(c.is_alphanumeric() || c == '_' || c == '\'');
+    let words = WORDS.get_or_init(|| {
+        let parts = POINTS.iter().chain(&WITNESSES).chain(&LIMITS).chain(&FUNCTIONS);
+        parts.flat_map(|text| text.split(apart)).filter(|word| word.len() > 1).collect()
+    });
+    words.contains(word)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// What prints lemmas, and so names definitions of the theory.
-    const PRINTERS: [&str; 11] = [
-        include_str!("bounds.rs"),
+    const PRINTERS: [&str; 9] = [
         include_str!("family.rs"),
         include_str!("functions.rs"),
         include_str!("lemma.rs"),
@@ -65,7 +79,6 @@ mod tests {
         include_str!("reify.rs"),
         include_str!("script.rs"),
         include_str!("slopes.rs"),
-        include_str!("table.rs"),
         include_str!("witness.rs"),
     ];
 

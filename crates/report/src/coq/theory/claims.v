@@ -105,7 +105,7 @@ Proof.
   intros [[|]|]; simpl; intuition congruence.
 Qed.
 
-Definition depth : nat := 400.
+Definition depth : nat := 4000.
 Definition point_state (off : nat) (g : goal) : atoms * list cases :=
   (range_atoms off (ranges g),
    formulas off (premises g) ++ [where_all off (conditions g)] ++ failure off (claim g)).

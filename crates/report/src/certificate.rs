@@ -1,0 +1,376 @@
+//! Certificates as a file, for those who check them without this program: `docs/certificates.md`.
+
+use std::ptr;
+
+use kane_algebra::syntax::Notation as _;
+use kane_audit::{Accepted, Body, Claim, Content, LinkJudgement, Verdict};
+use kane_kernel::{
+    Atom, Conclusion, Context, Evidence, Expr, Failure, Finding, Fuel, Functions, Germ, Goal,
+    Hypothesis, Limit, Link, Model, Point, Poly, Proof, Rejection, Relation, Root, Scope,
+    SideProof, Sign, State, Target, claim_state, constants, inside_goal, narrowing, on_functions,
+    owed, point_state, range_premise, scope,
+};
+use num_rational::BigRational;
+use serde_json::{Map, Value, json};
+
+use crate::Report;
+
+/// The version of the format.
+const FORMAT: u32 = 1;
+
+/// The certificates of all claims of a document, ended by a line feed; one link a line.
+#[must_use]
+pub fn certificates(report: &Report<'_>) -> String {
+    let document = &report.audit.document;
+    let claims = document.statements.iter().zip(&report.audit.judgements);
+    let claims: Vec<Value> = claims
+        .filter_map(|(statement, judgement)| match &statement.body {
+            Body::Claim(claim) => {
+                let links = judgement.links.iter();
+                let links: Vec<Value> =
+                    links.map(|l| link(report, claim, &judgement.rests_on, l)).collect();
+                let label = statement.label.trim_start_matches('(').trim_end_matches(')').trim();
+                let verdict = judgement.verdict.to_string();
+                Some(json!({ "label": label, "verdict": verdict, "links": links }))
+            }
+            Body::Let(_) | Body::Given(_) => None,
+        })
+        .collect();
+    let program = json!(format!("kane {}", env!("CARGO_PKG_VERSION")));
+    let (name, digest) = (json!(document.name), json!(document.sha256()));
+    let mut out = format!(
+        "{{\"program\": {program},\n\"format\": {FORMAT},\n\"document\": {name},\n\"sha256\": {digest},\n\"claims\": ["
+    );
+    for (i, claim) in claims.iter().enumerate() {
+        out.push_str(if i == 0 { "\n" } else { ",\n" });
+        out.push_str(&claim.to_string());
+    }
+    out.push_str("\n]}\n");
+    out
+}
+
+fn link(report: &Report<'_>, claim: &Claim, rests_on: &[usize], judged: &LinkJudgement) -> Value {
+    let nothing = json!({ "finding": null });
+    let Some(accepted) =
+        judged.accepted.as_deref().filter(|_| judged.verdict != Verdict::Undecided)
+    else {
+        return nothing;
+    };
+    let statements = &report.audit.document.statements;
+    let is_cited = |i: &&usize| match &statements[**i].body {
+        Body::Let(_) => false,
+        Body::Given(_) => true,
+        Body::Claim(claim) => matches!(claim.content, Content::Links(_)),
+    };
+    let cited: Vec<usize> = claim.from.iter().filter(is_cited).copied().collect();
+    let behind = rests_on.iter().copied().filter(|i| !cited.contains(i));
+    let label = |i: usize| {
+        statements[i].label.trim_start_matches('(').trim_end_matches(')').trim().to_owned()
+    };
+    let all = accepted.goal.hypotheses.len() > cited.len();
+    let mut labels =
+        Labels { cited: cited.iter().copied().map(label).collect(), behind: Vec::new() };
+    match all {
+        true => labels.cited.extend(behind.map(label)),
+        false => labels.behind = behind.map(label).collect(),
+    }
+    let mut writer = Writer { context: &accepted.goal.context, roots: Vec::new() };
+    match writer.evidence(accepted, &labels) {
+        Ok(evidence) => {
+            let finding = match accepted.certificate.finding {
+                Finding::Proved => "proved",
+                Finding::Refuted => "refuted",
+                Finding::IllDefined => "ill-defined",
+                Finding::Vacuous => "vacuous",
+                Finding::Consistent => "consistent",
+            };
+            let roots: Vec<String> =
+                writer.roots.iter().map(|root| root.plain(writer.context)).collect();
+            let premises = if all { "all" } else { "cited" };
+            json!({ "finding": finding, "premises": premises, "roots": roots, "evidence": evidence })
+        }
+        Err(_) => nothing,
+    }
+}
+
+/// The labels of a goal's premises, and of the givens behind them.
+struct Labels {
+    cited: Vec<String>,
+    behind: Vec<String>,
+}
+
+/// Writes the evidence for one goal.
+struct Writer<'a> {
+    context: &'a Context,
+    /// the roots that were named so far
+    roots: Vec<Expr>,
+}
+
+type Written = Result<Value, Rejection>;
+
+impl Writer<'_> {
+    fn evidence(&mut self, accepted: &Accepted, labels: &Labels) -> Written {
+        let goal = &accepted.goal;
+        let scope = scope(goal, Fuel::new(u64::MAX))?;
+        let mut v = goal.context.vars.len();
+        while let Some(root) = scope.root(v) {
+            self.roots.push(root.clone());
+            v += 1;
+        }
+        Ok(match &accepted.certificate.evidence {
+            Evidence::Contradiction(proof) => {
+                let state = claim_state(&scope, goal, accepted.certificate.finding)?;
+                json!({ "proof": self.proof(&state, labels, proof)? })
+            }
+            Evidence::Limit(proofs) => {
+                json!({ "sides": self.sides(goal, labels, proofs)? })
+            }
+            Evidence::Model(Model::Point(point)) => json!({ "point": self.point(&scope, point) }),
+            Evidence::Model(Model::Functions(f)) => {
+                json!({ "functions": self.functions(&scope, goal, labels, f)? })
+            }
+        })
+    }
+
+    /// The name of a variable of a scope.
+    fn variable(&mut self, scope: &Scope<'_>, v: usize) -> String {
+        if let Some(var) = self.context.vars.get(v) {
+            return var.name.clone();
+        }
+        if let Some(root) = scope.root(v) {
+            let known = self.roots.iter().position(|known| known == root);
+            let i = known.unwrap_or_else(|| {
+                self.roots.push(root.clone());
+                self.roots.len() - 1
+            });
+            return format!("sqrt:{i}");
+        }
+        match v.checked_sub(scope.germ() + 1) {
+            None => "t:".to_owned(),
+            Some(i) => format!("lim:{i}"),
+        }
+    }
+
+    fn poly(&mut self, scope: &Scope<'_>, p: &Poly) -> Value {
+        let mut terms: Vec<(Vec<(String, u32)>, String)> = Vec::new();
+        for (m, c) in p.terms() {
+            let mut powers: Vec<(String, u32)> =
+                m.iter().map(|(v, n)| (self.variable(scope, *v), *n)).collect();
+            powers.sort();
+            terms.push((powers, c.to_string()));
+        }
+        terms.sort();
+        let term = |(powers, c): (Vec<(String, u32)>, String)| {
+            let powers: Map<String, Value> =
+                powers.into_iter().map(|(name, n)| (name, n.into())).collect();
+            json!([c, powers])
+        };
+        terms.into_iter().map(term).collect()
+    }
+
+    fn condition(&mut self, scope: &Scope<'_>, atom: &Atom) -> Value {
+        json!({ "poly": self.poly(scope, &atom.poly), "is": sign(atom.sign) })
+    }
+
+    fn proof(&mut self, state: &State<'_, '_>, labels: &Labels, proof: &Proof) -> Written {
+        let scope = state.scope;
+        Ok(match proof {
+            Proof::Assume { formula, cases } => {
+                let cases: Result<Vec<Value>, _> =
+                    cases.iter().map(|p| self.proof(state, labels, p)).collect();
+                json!({ "assume": formula, "cases": cases? })
+            }
+            Proof::Split { poly, cases } => {
+                let mut all = Vec::new();
+                for case in cases {
+                    let then = self.proof(state, labels, &case.then)?;
+                    let is = sign(case.sign);
+                    all.push(json!({ "opposite": case.opposite, "is": is, "then": then }));
+                }
+                json!({ "split": self.poly(scope, poly), "cases": all })
+            }
+            Proof::Positive { terms, cofactors } => {
+                let terms: Vec<Value> = terms
+                    .iter()
+                    .map(|t| json!([t.weight.to_string(), self.poly(scope, &t.square), t.factors]))
+                    .collect();
+                let cofactors: Vec<Value> =
+                    cofactors.iter().map(|(i, p)| json!([i, self.poly(scope, p)])).collect();
+                json!({ "positive": terms, "cofactors": cofactors })
+            }
+            Proof::Pass { germ, atom, along, then } => json!({
+                "pass": self.germ(state, labels, germ)?,
+                "condition": self.condition(scope, atom),
+                "along": self.proof(state, labels, along)?,
+                "then": self.proof(state, labels, then)?,
+            }),
+        })
+    }
+
+    fn germ(&mut self, state: &State<'_, '_>, labels: &Labels, germ: &Germ) -> Written {
+        let Germ { side, radius, positive, inside } = germ;
+        let mut all = Vec::new();
+        for (given, proof) in owed(state, side).into_iter().zip(inside) {
+            let cited = state.goal.hypotheses.iter().position(|h| ptr::eq(&h.sentence, given));
+            let behind = state.goal.behind.iter().position(|s| ptr::eq(s, given));
+            let label = cited.and_then(|i| labels.cited.get(i));
+            let label = label.or_else(|| behind.and_then(|i| labels.behind.get(i)));
+            let goal = inside_goal(state, side, given, &proof.values)?;
+            let scope = scope(&goal, Fuel::new(u64::MAX))?;
+            // Only names are needed: the conditions do not matter here.
+            let there = point_state(&scope, &goal, None)?;
+            let nobody = Labels { cited: Vec::new(), behind: Vec::new() };
+            all.push(json!({
+                "given": label,
+                "values": self.values(&proof.values),
+                "proof": self.proof(&there, &nobody, &proof.proof)?,
+            }));
+        }
+        Ok(json!({
+            "variable": self.variable(state.scope, side.var),
+            "at": side.at.as_ref().map(rational),
+            "above": side.above,
+            "radius": [self.poly(state.scope, &radius.0), self.poly(state.scope, &radius.1)],
+            "positive": self.proof(state, labels, positive)?,
+            "inside": all,
+        }))
+    }
+
+    fn values(&self, values: &[(usize, Expr)]) -> Value {
+        let value = |(v, e): &(usize, Expr)| {
+            (self.context.vars[*v].name.clone(), e.plain(self.context).into())
+        };
+        Value::Object(values.iter().map(value).collect())
+    }
+
+    /// One limit from all its sides, as the conclusion of the goal.
+    fn sides(&mut self, goal: &Goal, labels: &Labels, proofs: &[SideProof]) -> Written {
+        let Conclusion::Link(Link::Limit(limit)) = &goal.conclusion else {
+            return Err(Rejection::WrongEvidence);
+        };
+        let scope = scope(goal, Fuel::new(u64::MAX))?;
+        let state = constants(&scope, goal, limit.var)?;
+        let side = |p: &SideProof| {
+            Ok(json!({
+                "germ": self.germ(&state, labels, &p.germ)?,
+                "num": self.poly(&scope, &p.num),
+                "den": self.poly(&scope, &p.den),
+                "order": p.order,
+                "along": self.proof(&state, labels, &p.along)?,
+                "at_zero": self.proof(&state, labels, &p.at_zero)?,
+            }))
+        };
+        proofs.iter().map(side).collect()
+    }
+
+    fn point(&mut self, scope: &Scope<'_>, point: &Point) -> Value {
+        let theta = point.generator.as_ref().map(|Root { poly, lo, hi }| {
+            let poly: Vec<String> = poly.iter().map(ToString::to_string).collect();
+            json!({ "poly": poly, "from": rational(lo), "to": rational(hi) })
+        });
+        let mut values = Map::new();
+        for (v, coefficients) in &point.values {
+            let named = scope.mentioned.contains(v) || scope.root(*v).is_some();
+            if named {
+                let mut coefficients: Vec<String> = coefficients.iter().map(rational).collect();
+                while coefficients.last().is_some_and(|c| c == "0") {
+                    coefficients.pop();
+                }
+                values.insert(self.variable(scope, *v), coefficients.into());
+            }
+        }
+        json!({ "theta": theta, "values": values })
+    }
+
+    fn functions(
+        &mut self,
+        outer: &Scope<'_>,
+        goal: &Goal,
+        labels: &Labels,
+        f: &Functions,
+    ) -> Written {
+        let domain = on_functions(outer, goal, f.var, &f.values);
+        let narrows = |h: &&Hypothesis| !narrowing(outer, h, f.var).links.is_empty();
+        let all = goal.hypotheses.iter().zip(&labels.cited);
+        let narrowed = all.filter(|(h, _)| narrows(h)).map(|(_, label)| label.clone());
+        let labels = Labels { cited: narrowed.collect(), behind: Vec::new() };
+        let on = |conclusion, when: &[Relation]| Goal {
+            conclusion,
+            when: when.to_vec(),
+            ..domain.clone()
+        };
+        let mut holds = |h: &Hypothesis, proof: &Proof| {
+            let goal = on(Conclusion::NotImplied(h.sentence.clone()), &[]);
+            let scope = scope(&goal, Fuel::new(u64::MAX))?;
+            self.proof(&point_state(&scope, &goal, None)?, &labels, proof)
+        };
+        let mut ranges = Vec::new();
+        for ((v, _), proof) in f.values.iter().zip(&f.ranges) {
+            ranges.push(holds(&range_premise(&goal.context, *v), proof)?);
+        }
+        let mut proofs = Vec::new();
+        for (h, (proof, _)) in goal.hypotheses.iter().zip(&f.premises) {
+            proofs.push(holds(h, proof)?);
+        }
+        let tends =
+            |l: &Limit, when: &[Relation]| on(Conclusion::Link(Link::Limit(l.clone())), when);
+        let mut premises = Vec::new();
+        for ((h, (_, limits)), proof) in goal.hypotheses.iter().zip(&f.premises).zip(proofs) {
+            let mut all = Vec::new();
+            for (l, p) in h.sentence.limits().zip(limits) {
+                all.push(self.sides(&tends(l, &[]), &labels, p)?);
+            }
+            premises.push(json!({ "proof": proof, "limits": all }));
+        }
+        let failure = match &f.failure {
+            Failure::At(point) => {
+                let conclusion = goal.conclusion.clone();
+                let there = on(conclusion, &goal.when);
+                let scope = scope(&there, Fuel::new(u64::MAX))?;
+                json!({ "at": self.point(&scope, point) })
+            }
+            Failure::Reaches(sides) => {
+                let Conclusion::Link(Link::Limit(l)) = &goal.conclusion else {
+                    return Err(Rejection::WrongEvidence);
+                };
+                let zero = Expr::int(0);
+                let zero = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
+                json!({ "reaches": self.sides(&tends(&zero, &goal.when), &labels, sides)? })
+            }
+            Failure::Limit { link, target, proof } => {
+                let Some(Link::Limit(claimed)) = goal.conclusion.links().get(*link) else {
+                    return Err(Rejection::WrongEvidence);
+                };
+                let at = proof.germ.side.approach();
+                let found = Limit { to: target.clone(), at, ..claimed.clone() };
+                let side = self.sides(&tends(&found, &[]), &labels, std::slice::from_ref(proof))?;
+                let to = match target {
+                    Target::Finite(e) => e.plain(self.context),
+                    Target::PlusInf => "oo".to_owned(),
+                    Target::MinusInf => "-oo".to_owned(),
+                };
+                json!({ "limit": link, "to": to, "side": side[0] })
+            }
+        };
+        Ok(json!({
+            "variable": self.variable(outer, f.var),
+            "values": self.values(&f.values),
+            "ranges": ranges,
+            "premises": premises,
+            "failure": failure,
+        }))
+    }
+}
+
+fn sign(sign: Sign) -> &'static str {
+    match sign {
+        Sign::Zero => "=0",
+        Sign::NonZero => "!=0",
+        Sign::NonNegative => ">=0",
+        Sign::Positive => ">0",
+    }
+}
+
+fn rational(q: &BigRational) -> String {
+    q.to_string()
+}
