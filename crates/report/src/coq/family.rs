@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use kane_kernel::{
-    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrowing,
-    premised, sides,
+    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Sentence, Side, Target,
+    narrowing, premised, sides,
 };
 
 use super::NotEmitted;
@@ -13,12 +13,25 @@ use super::lemma::conclusion;
 use super::prose::{Prose, arrow, conj, grouped};
 use super::reify::{Symbols, integer, join};
 
-/// Where a premise is said: of constants, to bound the domain, or of functions on it.
+/// What a premise is about: constants, the limit variable alone, or functions of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     Everywhere,
     Narrows,
     Along,
+}
+
+/// Where premises about functions are supposed to hold.
+pub(super) enum Setting {
+    /// on a set of values of the variable that reaches up to the limits from these sides
+    Set {
+        /// the sides
+        used: Vec<Side>,
+        /// whether something is claimed at the points of the set
+        point: bool,
+    },
+    /// wherever premises about the variable alone allow
+    Narrowed,
 }
 
 /// A goal whose symbols are constants, the limit variable, and functions of it.
@@ -28,6 +41,8 @@ pub(super) struct Family<'a, 'g> {
     pub(super) symbols: Symbols<'g>,
     pub(super) x: usize,
     pub(super) roles: Vec<Role>,
+    /// what premises that are not about constants say of constants all the same
+    parts: Vec<Hypothesis>,
     pub(super) always_when: bool,
     /// for each premised limit what is used of it: sides, function, value
     pub(super) limits: Vec<Option<(Vec<Side>, Expr, Expr)>>,
@@ -67,6 +82,7 @@ impl<'a, 'g> Family<'a, 'g> {
             symbols,
             x,
             roles: Vec::new(),
+            parts: Vec::new(),
             always_when: false,
             limits: Vec::new(),
         };
@@ -74,13 +90,22 @@ impl<'a, 'g> Family<'a, 'g> {
         for h in &goal.hypotheses {
             let s = &h.sentence;
             let all = family.symbols.expanded(s.when.iter().chain(s.relations()))?;
-            family.roles.push(if family.free_all(&all) {
+            let role = if family.free_all(&all) {
                 Role::Everywhere
             } else if narrowing(scope, h, x).links.len() == s.links.len() {
                 Role::Narrows
             } else {
                 Role::Along
+            };
+            let when = family.symbols.expanded(&s.when)?;
+            let speaks = role != Role::Everywhere && h.given && family.free_all(&when);
+            let part = s.only(|r| {
+                let free = |e| family.symbols.expand(e).is_ok_and(|e| family.free(&e));
+                speaks && free(&r.lhs) && free(&r.rhs)
             });
+            let when = if speaks { part.when } else { Vec::new() };
+            family.parts.push(Hypothesis { sentence: Sentence { when, ..part }, given: h.given });
+            family.roles.push(role);
         }
         for (s, l) in premised(goal) {
             if !s.when.is_empty() {
@@ -163,9 +188,13 @@ impl<'a, 'g> Family<'a, 'g> {
             });
         }
         let roles: Vec<String> = self.roles.iter().map(|r| format!("{r:?}")).collect();
+        let mut parts = Vec::new();
+        for h in &self.parts {
+            parts.push(symbols.sentence(&h.sentence, h.given)?);
+        }
         Ok(format!(
             "Definition goal_{name} : family := Family (Goal\n  {}\n  [{}]\n  {}\n  ({claim}))\n  \
-             {}\n  {} [{}]%nat [{}] {}\n  [{}].\n",
+             {}\n  {} [{}]%nat [{}] [{}] {}\n  [{}].\n",
             symbols.relations(&self.ranges(mentioned))?,
             premises.join(";\n   "),
             symbols.relations(&symbols.expanded(&self.goal.when)?)?,
@@ -173,26 +202,65 @@ impl<'a, 'g> Family<'a, 'g> {
             symbols.position(self.x)?,
             join(&self.positions(|v| self.is_constant(v))?, "; "),
             roles.join("; "),
+            parts.join("; "),
             self.always_when,
             limits.join(";\n   "),
         ))
     }
 
     /// What bounds the domain.
-    fn domain(&self, prose: &Prose<'_>) -> Result<Vec<String>, NotEmitted> {
+    fn domain(&self, prose: &Prose<'_>, setting: &Setting) -> Result<Vec<String>, NotEmitted> {
         let mut out = Vec::new();
         for r in self.ranges(|v| v == self.x) {
             out.push(prose.relation(&r)?);
         }
-        for h in self.hypotheses(Role::Narrows) {
-            out.extend(prose.hypothesis(h)?);
+        match setting {
+            Setting::Set { .. } if self.has_set(setting) => {
+                out.push(format!("{} {}", self.set(), self.symbols.name(self.x)));
+            }
+            Setting::Set { .. } => {}
+            Setting::Narrowed => {
+                for h in self.narrowing() {
+                    out.extend(prose.hypothesis(&h)?);
+                }
+            }
         }
         Ok(out)
     }
 
-    fn hypotheses(&self, role: Role) -> impl Iterator<Item = &Hypothesis> {
+    /// What premises say of the limit variable alone.
+    pub(super) fn narrowing(&self) -> Vec<Hypothesis> {
+        let one = |h: &Hypothesis| Hypothesis {
+            sentence: narrowing(self.scope, h, self.x),
+            given: h.given,
+        };
+        let all = self.goal.hypotheses.iter().map(one);
+        all.filter(|h| !h.sentence.links.is_empty()).collect()
+    }
+
+    fn hypotheses(&self, roles: &[Role]) -> impl Iterator<Item = &Hypothesis> {
         let roled = self.goal.hypotheses.iter().zip(&self.roles);
-        roled.filter(move |(_, r)| **r == role).map(|(h, _)| h)
+        roled.filter(move |(_, r)| roles.contains(r)).map(|(h, _)| h)
+    }
+
+    /// The name of the set on which premises hold.
+    fn set(&self) -> String {
+        self.fresh("domain")
+    }
+
+    /// Whether the lemma speaks of such a set.
+    fn has_set(&self, setting: &Setting) -> bool {
+        let moving = || self.hypotheses(&[Role::Narrows, Role::Along]);
+        let speaks = |h: &Hypothesis| h.sentence.relations().next().is_some();
+        match setting {
+            Setting::Set { point, .. } => *point || moving().any(speaks),
+            Setting::Narrowed => false,
+        }
+    }
+
+    /// The sets of the lemma, as data.
+    pub(super) fn sets(&self, setting: &Setting) -> String {
+        if self.has_set(setting) { format!("[{}]", self.set()) } else { "[]".to_owned() }
     }
 
     /// For every value of x.
@@ -201,12 +269,12 @@ impl<'a, 'g> Family<'a, 'g> {
     }
 
     /// What is supposed, in words: of constants, and of functions on the domain.
-    pub(super) fn supposed(&self, prose: &Prose<'_>) -> Result<Vec<String>, NotEmitted> {
+    fn supposed(&self, prose: &Prose<'_>, setting: &Setting) -> Result<Vec<String>, NotEmitted> {
         let mut out = Vec::new();
         for r in self.ranges(|v| self.is_constant(v)) {
             out.push(prose.relation(&r)?);
         }
-        for h in self.hypotheses(Role::Everywhere) {
+        for h in self.hypotheses(&[Role::Everywhere]).chain(&self.parts) {
             out.extend(prose.hypothesis(h)?);
         }
         if self.always_when && !self.goal.when.is_empty() {
@@ -214,6 +282,14 @@ impl<'a, 'g> Family<'a, 'g> {
         }
         for (ss, f, v) in self.limits.iter().flatten() {
             out.push(self.tends(prose, (f, &Target::Finite(v.clone()), ss))?);
+        }
+        let mut moving = vec![Role::Along];
+        if let Setting::Set { used, .. } = setting {
+            moving.push(Role::Narrows);
+            let says = format!("{} {}", self.set(), self.symbols.name(self.x));
+            for side in used.iter().filter(|_| self.has_set(setting)) {
+                out.push(self.near(prose, side, &says)?);
+            }
         }
         let functions = self.ranges(|v| v != self.x && !self.is_constant(v));
         if !functions.is_empty() {
@@ -225,8 +301,8 @@ impl<'a, 'g> Family<'a, 'g> {
             }
             out.push(format!("{}{}", self.forall(), implied(&within, &conj(&says))));
         }
-        let domain = self.domain(prose)?;
-        for h in self.hypotheses(Role::Along) {
+        let domain = self.domain(prose, setting)?;
+        for h in self.hypotheses(&moving) {
             if let Some(says) = prose.hypothesis(h)? {
                 out.push(format!("{}{}", self.forall(), implied(&domain, &grouped(&says))));
             }
@@ -269,26 +345,30 @@ impl<'a, 'g> Family<'a, 'g> {
             }
         };
         let close = grouped(&conj(&close));
-        let (x, forall) = (self.symbols.name(self.x), self.forall());
         for s in sides {
-            let near = match &s.at {
-                Some(a) => {
-                    let (a, d) = (prose.term(&Expr::Num(a.clone()))?, self.fresh("delta"));
-                    let within = if s.above {
-                        format!("{a} < {x} < {a} + {d}")
-                    } else {
-                        format!("{a} - {d} < {x} < {a}")
-                    };
-                    format!("exists {d} : R, {d} > 0 /\\ ({forall}{within} -> {close})")
-                }
-                None => {
-                    let (b, sign) = (self.fresh("bound"), if s.above { '>' } else { '<' });
-                    format!("exists {b} : R, {forall}{x} {sign} {b} -> {close}")
-                }
-            };
-            says.push(format!("{before}{near}"));
+            says.push(format!("{before}{}", self.near(prose, s, &close)?));
         }
         Ok(conj(&says))
+    }
+
+    /// What holds close to a point on one side of it, or far out.
+    fn near(&self, prose: &Prose<'_>, s: &Side, close: &str) -> Result<String, NotEmitted> {
+        let (x, forall) = (self.symbols.name(self.x), self.forall());
+        Ok(match &s.at {
+            Some(a) => {
+                let (a, d) = (prose.term(&Expr::Num(a.clone()))?, self.fresh("delta"));
+                let within = if s.above {
+                    format!("{a} < {x} < {a} + {d}")
+                } else {
+                    format!("{a} - {d} < {x} < {a}")
+                };
+                format!("exists {d} : R, {d} > 0 /\\ ({forall}{within} -> {close})")
+            }
+            None => {
+                let (b, sign) = (self.fresh("bound"), if s.above { '>' } else { '<' });
+                format!("exists {b} : R, {forall}{x} {sign} {b} -> {close}")
+            }
+        })
     }
 
     /// What is claimed at each point of the domain, as data and in words.
@@ -296,13 +376,14 @@ impl<'a, 'g> Family<'a, 'g> {
         &self,
         prose: &Prose<'_>,
         finding: Finding,
+        setting: &Setting,
     ) -> Result<(String, String), NotEmitted> {
         let (claim, says) = conclusion(prose, self.goal, finding)?;
         let conditions = match self.always_when {
             true => Vec::new(),
             false => prose.flat(&self.symbols.expanded(&self.goal.when)?)?,
         };
-        let says = implied(&self.domain(prose)?, &arrow(&conditions, &says));
+        let says = implied(&self.domain(prose, setting)?, &arrow(&conditions, &says));
         Ok((claim, format!("{}{says}", self.forall())))
     }
 
@@ -313,7 +394,12 @@ impl<'a, 'g> Family<'a, 'g> {
     }
 
     /// The statement: for all constants and functions, what is supposed leads to what is said.
-    pub(super) fn statement(&self, prose: &Prose<'_>, says: &str) -> Result<String, NotEmitted> {
+    pub(super) fn statement(
+        &self,
+        prose: &Prose<'_>,
+        says: &str,
+        setting: &Setting,
+    ) -> Result<String, NotEmitted> {
         let (constants, functions) = self.bound();
         let mut kinds = Vec::new();
         for (symbols, kind) in [(&constants, "R"), (&functions, "R -> R")] {
@@ -322,21 +408,25 @@ impl<'a, 'g> Family<'a, 'g> {
                 kinds.push(format!("({} : {kind})", names.join(" ")));
             }
         }
+        if self.has_set(setting) {
+            kinds.push(format!("({} : R -> Prop)", self.set()));
+        }
         let mut text = String::new();
         if !kinds.is_empty() {
             text = format!("forall {},\n  ", kinds.join(" "));
         }
-        for premise in self.supposed(prose)? {
+        for premise in self.supposed(prose, setting)? {
             let _ = write!(text, "{} ->\n  ", grouped_all(&premise));
         }
         Ok(text + says)
     }
 
     /// A proved statement, from what shows it where the list of values is as it should be.
-    pub(super) fn lemma(&self, name: &str, statement: &str, by: &str) -> String {
+    pub(super) fn lemma(&self, name: &str, statement: &str, by: &str, setting: &Setting) -> String {
         let (constants, functions) = self.bound();
-        let names: Vec<String> =
+        let mut names: Vec<String> =
             constants.iter().chain(&functions).map(|v| self.symbols.name(*v)).collect();
+        names.extend(self.has_set(setting).then(|| self.set()));
         let intros =
             if names.is_empty() { String::new() } else { format!("intros {}. ", names.join(" ")) };
         let values: Vec<String> = self.symbols.order.iter().map(|v| self.written(*v)).collect();
