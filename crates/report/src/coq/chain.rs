@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use kane_audit::{Accepted, Body, Content, Document};
-use kane_kernel::{Expr, Finding, Link, Relation, Sentence};
+use kane_kernel::{Certificate, Evidence, Expr, Link, Relation, Sentence};
 
 use super::NotEmitted;
 use super::family::Slot;
@@ -129,7 +129,7 @@ impl Place<'_> {
     pub(super) fn theorem(&self, name: &str, known: &Theorems) -> Result<Theorem, Unchained> {
         let (lemma, name) = (format!("claim_{name}"), format!("theorem_{name}"));
         if let Some(along) = &self.form.along {
-            return self.along(lemma, name, along, known);
+            return self.along(lemma, name, along.x, known);
         }
         let (cited, goal) = (self.cited()?, &self.accepted.goal);
         let when = !goal.when.is_empty();
@@ -145,8 +145,8 @@ impl Place<'_> {
                 used.push(known.get(&(i, link)).ok_or_else(label)?);
             }
         }
-        if used.iter().any(|t| t.form.along.is_some()) {
-            return Err(Unchained::Limits);
+        if let Some(along) = used.iter().find_map(|t| t.form.along.as_ref()) {
+            return self.along(lemma, name, along.x, known);
         }
         let forms = || used.iter().map(|t| &t.form).chain([self.form]);
         let union: BTreeSet<usize> = forms().flat_map(|f| f.symbols.iter().copied()).collect();
@@ -339,7 +339,7 @@ impl<'a> Chained<'a> {
     }
 }
 
-/// Whether a finding says that something follows.
-pub(super) fn concludes(finding: Finding) -> bool {
-    matches!(finding, Finding::Proved | Finding::Vacuous)
+/// Whether a certificate shows that something follows.
+pub(super) fn concludes(certificate: &Certificate) -> bool {
+    !matches!(certificate.evidence, Evidence::Model(_))
 }

@@ -10,21 +10,22 @@ use kane_kernel::{
 
 use super::NotEmitted;
 use super::chain::{Along, Form, Place, Theorem, Theorems, Unchained, said};
-use super::family::{Family, Setting, Slot};
+use super::family::{Family, Setting, Slot, side};
 use super::prose::Prose;
 use super::reify::Symbols;
 
 impl Place<'_> {
-    /// The theorem of a claim about functions, from its lemma.
+    /// The theorem of a claim about functions, from its lemma; or of one that rests on such claims.
     pub(super) fn along(
         &self,
         lemma: String,
         name: String,
-        form: &Along,
+        x: usize,
         known: &Theorems,
     ) -> Result<Theorem, Unchained> {
-        let (cited, goal, x) = (self.cited()?, &self.accepted.goal, form.x);
-        let when = !goal.when.is_empty() && !form.always_when;
+        let (cited, goal) = (self.cited()?, &self.accepted.goal);
+        let always_when = |form: &Along| form.always_when;
+        let when = !goal.when.is_empty() && !self.form.along.as_ref().is_some_and(always_when);
         if cited.iter().all(|i| self.is_given(*i)) {
             let text = format!("Definition {name} := {lemma}.\n");
             let (form, needs) = (self.form.clone(), Vec::new());
@@ -72,25 +73,54 @@ impl Place<'_> {
             family.supposed(&prose, &setting)?.into_iter().map(|s| s.0).collect();
         let names = symbols.numbered("Premise", slots.len());
         let at = At { place: self, family: &family, slots: &slots, names: &names };
+        let when = !goal.when.is_empty() && !family.always_when;
         let (mut premises, mut holes) = (Vec::new(), String::new());
-        for slot in &form.slots {
-            let (term, hole) = at.premise(slot, self.form, &cited, known)?;
+        let mut add = |(term, hole): (String, Option<String>)| {
             premises.push(term);
             hole.iter().for_each(|h| _ = writeln!(holes, "  {{ {h} }}"));
+        };
+        let (mut intros, mut applied) = (at.symbols(&symbols.order), lemma);
+        let _ = write!(intros, " {} {}", family.set(), names.join(" "));
+        match &self.form.along {
+            Some(form) => {
+                let domain = if form.set { family.set() } else { String::new() };
+                let _ = write!(applied, " {} {domain}", at.symbols(&self.form.symbols));
+                for slot in &form.slots {
+                    add(at.premise(slot, self.form, &cited, known)?);
+                }
+            }
+            None => {
+                let there = symbols.fresh("When");
+                let (here, within, inside) = at.here();
+                let _ = write!(intros, " {here} {} {inside}", within.join(" "));
+                at.values(&self.form.symbols, true, &mut applied)?;
+                for &i in &cited {
+                    add(match self.is_given(i) {
+                        true => (at.given_at(i)?, None),
+                        false => ("_".to_owned(), Some(at.follows_here(i, known)?)),
+                    });
+                }
+                match (goal.when.is_empty(), when) {
+                    (true, _) => {}
+                    (_, false) => add((at.name(&Slot::When)?, None)),
+                    (_, true) => {
+                        let _ = write!(intros, " {there}");
+                        add((there, None));
+                    }
+                }
+            }
         }
-        let domain = if form.set { family.set() } else { String::new() };
         let proof = format!(
-            "Proof. intros {} {} {}.\n  refine ({lemma} {} {domain} {}).\n{holes}Qed.\n",
-            at.symbols(&symbols.order),
-            family.set(),
-            names.join(" "),
-            at.symbols(&self.form.symbols),
+            "Proof. intros {intros}.\n  refine ({applied} {}).\n{holes}Qed.\n",
             premises.join(" "),
         );
         let mut needs: Vec<String> = used.iter().map(|t| t.name.clone()).collect();
         needs.dedup();
         let along =
             Some(Along { x, slots: slots.clone(), set: true, always_when: family.always_when });
+        if !self.form.roots.is_empty() || !self.form.slopes.is_empty() {
+            return Err(Unchained::Limits);
+        }
         let form = Form { symbols: symbols.order.clone(), along, ..self.form.clone() };
         let text = format!("Theorem {name} :\n  {statement}.\n{proof}");
         Ok(Theorem { name, text, needs, form, givens: self.rests_on.to_vec(), when })
@@ -178,15 +208,47 @@ impl At<'_, '_> {
 
     /// That a cited claim is true where it is defined, at a point of the set or of constants.
     fn follows(&self, i: usize, moving: bool, known: &Theorems) -> Result<String, Unchained> {
-        let symbols = &self.family.symbols;
         let sentence = said(self.place.document, i).ok_or(NotEmitted::Symbol)?;
         let (here, within, inside) = self.here();
-        let written = |v: usize| self.family.written(v);
-        let prose = Prose { name: &written, symbols };
         let mut script = String::new();
+        let along = |link| known.get(&(i, link)).is_some_and(|t| t.form.along.is_some());
+        let somewhere = !moving && (0..sentence.links.len()).any(along);
         if moving {
             let _ = write!(script, "intros {here} {} {inside}. ", within.join(" "));
+        } else if somewhere {
+            // What is said of constants at each point of the set holds, since it has points.
+            let near = self.slots.iter().position(|s| matches!(s, Slot::Near(_)));
+            let (Some(near), []) = (near, &within[..]) else {
+                return Err(Unchained::Limits);
+            };
+            if let Slot::Near(at) = &self.slots[near] {
+                let (name, set) = (&self.names[near], self.family.set());
+                let point = format!("near_point {} {set} {name}", side(at));
+                let _ = write!(script, "destruct ({point}) as [{here} {inside}]. ");
+            }
         }
+        self.said(&sentence, (i, moving || somewhere), known, &mut script)?;
+        Ok(script)
+    }
+
+    /// The same at a point that is there already.
+    fn follows_here(&self, i: usize, known: &Theorems) -> Result<String, Unchained> {
+        let sentence = said(self.place.document, i).ok_or(NotEmitted::Symbol)?;
+        let mut script = String::new();
+        self.said(&sentence, (i, true), known, &mut script)?;
+        Ok(script)
+    }
+
+    fn said(
+        &self,
+        sentence: &Sentence,
+        (i, moving): (usize, bool),
+        known: &Theorems,
+        script: &mut String,
+    ) -> Result<(), Unchained> {
+        let symbols = &self.family.symbols;
+        let written = |v: usize| self.family.written(v);
+        let prose = Prose { name: &written, symbols };
         let there = symbols.fresh("There");
         if !sentence.when.is_empty() {
             let _ = write!(script, "intro {there}. ");
@@ -203,7 +265,7 @@ impl At<'_, '_> {
         for (n, (link, r)) in relations.iter().enumerate() {
             let r: Relation = symbols.expanded([*r])?.remove(0);
             if !prose.defined(&r)?.is_empty() {
-                script += "intros _. ";
+                script.push_str("intros _. ");
             }
             let theorem = known.get(&(i, *link)).ok_or(Unchained::Limits)?;
             let when = (!sentence.when.is_empty()).then_some(there.as_str());
@@ -213,7 +275,7 @@ impl At<'_, '_> {
                 false => _ = write!(script, "split. {{ ends ({applied}). }} "),
             }
         }
-        Ok(script)
+        Ok(())
     }
 
     /// A theorem applied: as a whole, or at a point of the set or of constants, under conditions.
@@ -261,14 +323,35 @@ impl At<'_, '_> {
 
     /// The arguments of a theorem about points, at a point of the set or for constants alone.
     fn at_point(&self, theorem: &Theorem, moving: bool, out: &mut String) -> Result<(), Unchained> {
+        self.values(&theorem.form.symbols, moving, out)?;
+        for i in &theorem.givens {
+            let _ = write!(out, " {}", self.given_at(*i)?);
+        }
+        Ok(())
+    }
+
+    /// What a given says at a point of the set.
+    fn given_at(&self, statement: usize) -> Result<String, NotEmitted> {
+        let (i, (here, within, inside)) = (self.given(statement)?, self.here());
+        match self.name(&Slot::Everywhere(i)) {
+            Ok(name) => Ok(name),
+            Err(_) => {
+                let name = self.name(&Slot::Moving(i))?;
+                Ok(format!("({name} {here} {} {inside})", within.join(" ")))
+            }
+        }
+    }
+
+    /// The values of symbols at a point of the set, or of constants alone, and their ranges.
+    fn values(&self, of: &[usize], moving: bool, out: &mut String) -> Result<(), Unchained> {
         let (symbols, x) = (&self.family.symbols, self.family.x);
-        let (here, within, inside) = self.here();
+        let (here, within, _) = self.here();
         let point = format!("{here} {}", within.join(" "));
         let constant = |v: usize| self.family.is_constant(v);
-        if !moving && !theorem.form.symbols.iter().all(|v| constant(*v)) {
+        if !moving && !of.iter().all(|v| constant(*v)) {
             return Err(Unchained::Limits);
         }
-        for &v in &theorem.form.symbols {
+        for &v in of {
             let name = symbols.name(v);
             let _ = match (constant(v), v == x) {
                 (true, _) => write!(out, " {name}"),
@@ -276,7 +359,7 @@ impl At<'_, '_> {
                 _ => write!(out, " ({name} {here})"),
             };
         }
-        for &v in &theorem.form.symbols {
+        for &v in of {
             for end in 0..symbols.range(v).len() {
                 let term = match (constant(v), v == x) {
                     (true, _) => self.name(&Slot::Range(v, end))?,
@@ -285,14 +368,6 @@ impl At<'_, '_> {
                 };
                 let _ = write!(out, " {term}");
             }
-        }
-        for i in &theorem.givens {
-            let i = self.given(*i)?;
-            let term = match self.name(&Slot::Everywhere(i)) {
-                Ok(name) => name,
-                Err(_) => format!("({} {point} {inside})", self.name(&Slot::Moving(i))?),
-            };
-            let _ = write!(out, " {term}");
         }
         Ok(())
     }

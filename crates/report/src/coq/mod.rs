@@ -176,7 +176,7 @@ pub fn coq(report: &Report<'_>) -> File {
                     let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
                 }
             }
-            let follows = concludes(accepted.certificate.finding);
+            let follows = concludes(&accepted.certificate);
             let theorem = emitted.as_ref().ok().filter(|_| follows).map(|lemma| {
                 let rests_on = &report.audit.judgements[statement].rests_on;
                 let form = lemma.form.as_ref().ok_or(Unchained::Limits)?;
