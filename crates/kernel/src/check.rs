@@ -216,6 +216,9 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
             holds_at(&on_domain(conclusion.clone(), &goal.when), finding, point, fuel)
         }
         (Failure::Reaches(proofs), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
+            let subjects: Vec<_> = expressions(&goal.when, &[]).collect();
+            let scope = Scope::new(&domain.context, &subjects, fuel.clone())?;
+            applies(&scope, &goal.when)?;
             let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
             tends(zero, &goal.when, proofs)
         }
@@ -230,9 +233,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
             let both = [Link::Limit(claimed.clone()), Link::Limit(found)];
             let subjects: Vec<_> = expressions(&when, &both).collect();
             let scope = Scope::new(&domain.context, &subjects, fuel.clone())?;
-            let applies = scope.all(&when)?.iter().all(|p| p.value == Some(true));
-            let differ = differ(&scope, &claimed.to, target)?;
-            (differ && applies).then_some(()).ok_or(Rejection::NotAModel(None))
+            applies(&scope, &when)?;
+            differ(&scope, &claimed.to, target)?.then_some(()).ok_or(Rejection::NotAModel(None))
         }
         _ => Err(Rejection::WrongEvidence),
     }
@@ -276,6 +278,12 @@ fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Checked<Lim
         return Err(Rejection::OutsideDomain);
     }
     Ok(Limit { at: side.approach(), ..limit.clone() })
+}
+
+/// Checks that conditions on closed expressions are visibly true.
+fn applies(scope: &Scope<'_>, when: &[Relation]) -> Checked {
+    let holds = scope.all(when)?.iter().all(|p| p.value == Some(true));
+    holds.then_some(()).ok_or(Rejection::NotAModel(None))
 }
 
 /// Whether two closed targets are visibly different.

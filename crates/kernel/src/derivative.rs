@@ -6,6 +6,7 @@
 //! under the same conditions.
 
 use crate::normal::{either, everywhere};
+use crate::state::depends;
 use crate::{Atom, Checked, Expr, Fraction, Piece, Poly, Rejection, Rel, Relation, Scope, Sign};
 
 /// What is asked of an expression near a point.
@@ -136,6 +137,12 @@ impl Scope<'_> {
             Expr::Var(v) => match (self.context.value(*v), self.context.vars.get(*v)) {
                 // What is varied has no value.
                 (Some(_), _) if over.contains(v) => Err(Rejection::NotExplicit),
+                // Nor does a function of x vary with anything else, whatever stands for it.
+                (Some(value), Some(var))
+                    if over.iter().any(|x| var.of != Some(*x) && depends(self, value, *x)) =>
+                {
+                    Err(Rejection::NotExplicit)
+                }
                 (Some(value), _) => go(value),
                 (None, None) => Err(Rejection::UnknownSymbol),
                 (None, Some(var)) if var.of.is_some_and(|x| over.contains(&x)) => {

@@ -195,7 +195,7 @@ pub enum Place<'a> {
 }
 
 /// What is known at a place: the premises; for each premised limit what its variable stands for,
-/// the value or, along a germ on its side, the function; and `when`, unless it varies there.
+/// the value or, along a germ on its side, the function; and what of `when` does not vary there.
 ///
 /// # Errors
 /// [`Rejection::Budget`].
@@ -231,8 +231,7 @@ pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Checked<Vec
             None => nothing(),
         });
     }
-    let speaks = expressions(&goal.when, &[]).all(free);
-    let when = scope.all(goal.when.iter().filter(|_| speaks))?;
+    let when = scope.all(goal.when.iter().filter(|r| free(&r.lhs) && free(&r.rhs)))?;
     formulas.push(regions(when, |holds| holds == Some(true)));
     Ok(formulas)
 }
@@ -275,11 +274,8 @@ pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32)
         return Err(Rejection::NotConstant);
     }
     let lower = poly.terms().any(|(m, _)| crate::exponent(m, t) < order);
-    let mut powers = (0..).zip(poly.coefficients(t));
-    match powers.find(|(n, _)| *n == order) {
-        Some((_, coefficient)) if !lower => Ok(coefficient),
-        _ => Err(Rejection::WrongOrder),
-    }
+    let fits = !lower && order <= poly.degree(t);
+    fits.then(|| poly.coefficient(t, order)).ok_or(Rejection::WrongOrder)
 }
 
 /// The state in which the ends of a limit claim along x are compared: what is known of constants.

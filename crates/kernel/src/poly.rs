@@ -232,14 +232,26 @@ impl Poly {
         out
     }
 
+    /// Coefficient of vⁿ; free of v. However large n is, it takes no more room than the polynomial.
+    #[must_use]
+    pub fn coefficient(&self, v: usize, n: u32) -> Self {
+        let mut out = Self::default();
+        for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) == n) {
+            out.add_term(m.iter().copied().filter(|&(w, _)| w != v).collect(), c.clone());
+        }
+        out
+    }
+
     /// ∂p/∂v
     ///
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn derivative(&self, v: usize, fuel: &Fuel) -> Checked<Self> {
+        fuel.spend(u64::try_from(self.len()).unwrap_or(u64::MAX))?;
         let mut sum = Self::default();
-        for (n, c) in (0..).zip(self.coefficients(v)).skip(1) {
-            sum = sum.add(&c.mul(&Self::power(v, n - 1), fuel)?.scale(&n.into()));
+        for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) > 0) {
+            let lower = |&(w, n): &(usize, u32)| (w, if w == v { n - 1 } else { n });
+            sum.add_term(m.iter().map(lower).collect(), c * exponent(m, v));
         }
         Ok(sum)
     }
@@ -267,30 +279,17 @@ impl Poly {
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn remainder(&self, v: usize, equation: &Self, even: bool, fuel: &Fuel) -> Checked<Self> {
-        let lead = equation.coefficients(v).pop().unwrap_or_default();
         let degree = equation.degree(v);
+        let lead = equation.coefficient(v, degree);
         let (mut rest, mut odd) = (self.clone(), false);
         while degree > 0 && rest.degree(v) >= degree {
             // lead·p − top·vᵏ·equation loses the top power.
             let shift = Self::power(v, rest.degree(v) - degree);
-            let top = rest.coefficients(v).pop().unwrap_or_default().mul(&shift, fuel)?;
+            let top = rest.coefficient(v, rest.degree(v)).mul(&shift, fuel)?;
             rest = rest.mul(&lead, fuel)?.sub(&top.mul(equation, fuel)?);
             odd = !odd;
         }
         if even && odd { rest.mul(&lead, fuel) } else { Ok(rest) }
-    }
-
-    /// denⁿ·p(num/den) for v, with n the degree of p in v.
-    ///
-    /// # Errors
-    /// [`Rejection::Budget`].
-    pub fn compose(&self, v: usize, num: &Self, den: &Self, fuel: &Fuel) -> Checked<Self> {
-        let (mut sum, mut power) = (Self::default(), Self::one());
-        for c in self.coefficients(v).iter().rev() {
-            sum = sum.mul(num, fuel)?.add(&c.mul(&power, fuel)?);
-            power = power.mul(den, fuel)?;
-        }
-        Ok(sum)
     }
 }
 

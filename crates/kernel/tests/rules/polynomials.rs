@@ -1,0 +1,280 @@
+//! Polynomials and fractions against their values at rational points.
+
+use kane_kernel::{Fraction, Fuel, Poly, Rejection, descartes, exponent, sign, sign_at};
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+
+use crate::oracle::value;
+use crate::support::{Q, n, plenty, q, times, x, y};
+
+/// Some points of the plane.
+fn points() -> Vec<[Q; 2]> {
+    let some = [q(-2, 1), q(-1, 3), q(0, 1), q(1, 2), q(1, 1), q(5, 3), q(7, 1)];
+    some.iter().flat_map(|a| some.iter().map(|b| [a.clone(), b.clone()])).collect()
+}
+
+fn at<'a>(point: &'a [Q; 2]) -> impl Fn(usize) -> Q + 'a {
+    |v| point[v].clone()
+}
+
+/// Some polynomials in x and y.
+fn polynomials() -> Vec<Poly> {
+    let (x2, y3, xy) = (Poly::power(0, 2), Poly::power(1, 3), times(&x(), &y()));
+    vec![
+        n(0),
+        n(1),
+        n(-6),
+        x(),
+        y().scale(&(-3).into()),
+        x2.add(&xy).sub(&n(4)),
+        y3.scale(&2.into()).sub(&x()).add(&n(6)),
+        times(&x2, &y3).sub(&xy.scale(&9.into())).add(&x2.scale(&3.into())),
+    ]
+}
+
+#[test]
+fn sums_and_products_have_the_values_of_their_parts() {
+    for a in polynomials() {
+        for b in polynomials() {
+            let product = times(&a, &b);
+            for p in points() {
+                let (va, vb) = (value(&a, &at(&p)), value(&b, &at(&p)));
+                assert_eq!(value(&a.add(&b), &at(&p)), &va + &vb);
+                assert_eq!(value(&a.sub(&b), &at(&p)), &va - &vb);
+                assert_eq!(value(&product, &at(&p)), &va * &vb);
+                assert_eq!(value(&a.neg(), &at(&p)), -&va);
+                assert_eq!(value(&a.scale(&(-5).into()), &at(&p)), q(-5, 1) * &va);
+            }
+        }
+        assert!(a.sub(&a).is_empty() && a.scale(&0.into()).is_empty());
+        assert_eq!(a.sub(&a).len(), 0);
+    }
+}
+
+#[test]
+fn a_power_is_a_repeated_product() {
+    for a in polynomials() {
+        let mut product = n(1);
+        for exponent in 0..8 {
+            assert_eq!(a.pow(exponent, &plenty()), Ok(product.clone()), "{a:?}^{exponent}");
+            product = times(&product, &a);
+        }
+    }
+    assert_eq!(Poly::power(0, 0), n(1));
+    assert_eq!(Poly::power(1, 3), times(&y(), &times(&y(), &y())));
+    assert_eq!(n(0).pow(0, &plenty()), Ok(n(1)));
+}
+
+#[test]
+fn equal_polynomials_are_the_same_value() {
+    let (a, b) = (vec![(0, 1), (1, 2)], vec![(1, 2), (0, 1)]);
+    let term = |m: &[(usize, u32)]| Poly::term(m.to_vec(), BigInt::from(3));
+    assert_eq!(term(&a), term(&b), "in any order");
+    assert_eq!(term(&[(1, 1), (0, 1), (1, 1)]), term(&a), "repeated");
+    assert_eq!(term(&[(0, 1), (5, 0), (1, 2)]), term(&a), "a power 0");
+    assert_eq!(term(&[(4, 0)]).as_constant(), Some(3.into()));
+    assert!(Poly::term(a, BigInt::zero()).is_empty());
+    let mut sum = term(&b);
+    sum.add_term(vec![(1, 1), (0, 1), (1, 1)], BigInt::from(-3));
+    assert!(sum.is_empty() && sum == Poly::default());
+    assert_eq!(n(0).as_constant(), Some(BigInt::zero()));
+    assert_eq!(n(7).as_constant(), Some(7.into()));
+    assert_eq!(x().as_constant(), None);
+    assert_eq!(x().add(&n(7)).as_constant(), None);
+}
+
+#[test]
+fn degrees_and_variables_are_those_that_occur() {
+    let p = Poly::power(0, 2).add(&times(&x(), &Poly::power(1, 3)));
+    assert_eq!((p.degree(0), p.degree(1), p.degree(2)), (2, 3, 0));
+    assert_eq!(p.vars(), vec![0, 1]);
+    assert_eq!(times(&y(), &p).vars(), vec![0, 1]);
+    assert_eq!(exponent(&vec![(0, 2), (3, 1)], 3), 1);
+    assert_eq!(exponent(&vec![(0, 2), (3, 1)], 1), 0);
+    assert_eq!(n(-5).add(&x()).bits(), 3);
+    assert_eq!(n(0).degree(0), 0);
+}
+
+#[test]
+fn coefficients_make_up_the_polynomial_again() {
+    for p in polynomials() {
+        for v in [0, 1] {
+            let parts = p.coefficients(v);
+            let sum = parts.iter().zip(0..).map(|(c, i)| times(c, &Poly::power(v, i)));
+            assert_eq!(sum.fold(n(0), |sum, part| sum.add(&part)), p);
+            assert!(parts.iter().all(|c| c.degree(v) == 0));
+            assert_eq!(u32::try_from(parts.len()), Ok(p.degree(v) + 1));
+            for (c, i) in parts.iter().zip(0..) {
+                assert_eq!(p.coefficient(v, i), *c);
+            }
+        }
+        assert!(p.coefficient(0, 9).is_empty());
+    }
+    let some = [BigInt::from(4), 0.into(), (-3).into()];
+    assert_eq!(Poly::in_variable(1, &some).univariate(1), Some(some.to_vec()));
+    assert_eq!(x().add(&y()).univariate(1), None);
+    assert_eq!(n(3).univariate(1), Some(vec![3.into()]));
+}
+
+#[test]
+fn a_derivative_is_what_a_small_step_adds() {
+    // p(v + h) = p(v) + h·p′(v) + h²·(…): the coefficient of h.
+    let h = Poly::var(2);
+    for p in polynomials() {
+        for v in [0, 1] {
+            let step = Poly::var(v).add(&h);
+            let powers = (0..=p.degree(v))
+                .map(|k| times(&p.coefficient(v, k), &step.pow(k, &plenty()).expect("small")));
+            let moved = powers.fold(n(0), |sum, power| sum.add(&power));
+            assert_eq!(p.derivative(v, &plenty()), Ok(moved.coefficient(2, 1)), "{p:?} by {v}");
+        }
+        assert!(p.derivative(3, &plenty()).expect("small").is_empty());
+    }
+}
+
+#[test]
+fn a_remainder_keeps_values_where_the_equation_holds() {
+    // (y − 3)·x² = 4·(y − 3) has x = 2, and (y − 3)·x = y + 1 has x = (y + 1)/(y − 3).
+    let lead = y().sub(&n(3));
+    let square = times(&lead, &Poly::power(0, 2).sub(&n(4)));
+    let line = times(&lead, &x()).sub(&y()).sub(&n(1));
+    for (equation, root) in [
+        (&square, &(|_: &Q| q(2, 1)) as &dyn Fn(&Q) -> Q),
+        (&line, &|y: &Q| (y + Q::one()) / (y - q(3, 1))),
+    ] {
+        for p in polynomials() {
+            for even in [true, false] {
+                let rest = p.remainder(0, equation, even, &plenty()).expect("small");
+                assert!(rest.degree(0) < equation.degree(0));
+                for point in points() {
+                    let there = [root(&point[1]), point[1].clone()];
+                    let (had, has) = (value(&p, &at(&there)), value(&rest, &at(&there)));
+                    assert_eq!(had.is_zero(), has.is_zero(), "{p:?} at {there:?}");
+                    assert!(!even || had.is_positive() == has.is_positive(), "{p:?} at {there:?}");
+                }
+            }
+        }
+    }
+    let p = x().add(&y());
+    assert_eq!(p.remainder(0, &n(5), true, &plenty()), Ok(p));
+}
+
+#[test]
+fn the_content_is_positive_and_divides() {
+    let p = x().scale(&(-6).into()).add(&n(-4));
+    assert_eq!(p.primitive(), (2.into(), x().scale(&(-3).into()).add(&n(-2))));
+    assert_eq!(x().primitive(), (1.into(), x()));
+    assert_eq!(n(0).primitive(), (1.into(), n(0)));
+    assert_eq!(n(-4).primitive(), (4.into(), n(-1)));
+}
+
+#[test]
+fn powers_beyond_their_range_are_refused() {
+    let top = Poly::power(0, u32::MAX);
+    assert_eq!(top.mul(&x(), &plenty()), Err(Rejection::Budget));
+    assert!(top.mul(&y(), &plenty()).is_ok());
+}
+
+#[test]
+fn huge_powers_take_no_room() {
+    let p = Poly::power(0, u32::MAX).add(&x());
+    assert_eq!(p.coefficient(0, 1), n(1));
+    let slope = p.derivative(0, &plenty()).expect("two terms");
+    assert_eq!(slope, Poly::power(0, u32::MAX - 1).scale(&u32::MAX.into()).add(&n(1)));
+    let rule = x().sub(&y());
+    assert_eq!(p.remainder(0, &rule, true, &Fuel::new(1000)), Err(Rejection::Budget));
+}
+
+/// The value of a fraction, where it has one.
+fn ratio(f: &Fraction, point: &[Q; 2]) -> Option<Q> {
+    let den = value(&f.den, &at(point));
+    (!den.is_zero()).then(|| value(&f.num, &at(point)) / den)
+}
+
+#[test]
+fn fractions_have_the_values_of_their_parts() {
+    let some: Vec<Fraction> = vec![
+        Fraction::whole(x().sub(&n(1))),
+        Fraction::rational(&q(-3, 4)),
+        Fraction { num: y(), den: x() },
+        Fraction { num: x().add(&y()), den: y().sub(&n(2)) },
+        Fraction { num: n(3), den: x() },
+        Fraction { num: x(), den: n(-2) },
+    ];
+    let fuel = plenty();
+    for a in &some {
+        for b in &some {
+            let sum = a.add(b, &fuel).expect("small");
+            let product = a.mul(b, &fuel).expect("small");
+            let over = a.over(b, &fuel).expect("small");
+            for p in points() {
+                let Some((va, vb)) = ratio(a, &p).zip(ratio(b, &p)) else {
+                    continue;
+                };
+                assert_eq!(ratio(&sum, &p), Some(&va + &vb));
+                assert_eq!(ratio(&product, &p), Some(&va * &vb));
+                if !vb.is_zero() {
+                    assert_eq!(ratio(&over, &p), Some(&va / &vb));
+                }
+            }
+        }
+        for p in points() {
+            let Some(v) = ratio(a, &p) else {
+                continue;
+            };
+            assert_eq!(ratio(&a.neg(), &p), Some(-&v));
+            assert_eq!(ratio(&a.pow(3, &fuel).expect("small"), &p), Some(&v * &v * &v));
+            let signed = value(&a.sign_poly(&fuel).expect("small"), &at(&p));
+            assert_eq!(signed.is_positive(), v.is_positive());
+            assert_eq!(signed.is_negative(), v.is_negative());
+        }
+    }
+}
+
+/// Π (bᵢx − aᵢ) for roots aᵢ/bᵢ, times c.
+fn with_roots(c: i64, roots: &[Q]) -> Vec<BigInt> {
+    let factor = |r: &Q| Poly::in_variable(0, &[-r.numer(), r.denom().clone()]);
+    let product = roots.iter().map(factor).fold(n(c), |p, f| times(&p, &f));
+    product.univariate(0).expect("in x alone")
+}
+
+#[test]
+fn the_sign_of_a_value_is_exact() {
+    let roots = [q(-7, 2), q(1, 3), q(2, 1)];
+    for c in [2, -1] {
+        let p = with_roots(c, &roots);
+        for i in -30..30 {
+            let x = q(i, 6);
+            let product: Q = roots.iter().map(|r| &x - r).product::<Q>() * q(c, 1);
+            let wanted = i8::from(product.is_positive()) - i8::from(product.is_negative());
+            assert_eq!(sign_at(&p, &x), wanted, "{x}");
+        }
+    }
+    assert_eq!(sign_at(&[], &q(1, 2)), 0);
+    assert_eq!([-3, 0, 8].map(|c: i32| sign(&c.into())), [-1, 0, 1]);
+}
+
+#[test]
+fn descartes_counts_the_roots_of_what_has_only_real_ones() {
+    let fuel = plenty();
+    let ends: Vec<Q> = [-9, -7, -4, -1, 0, 1, 2, 3, 5, 8].iter().map(|i| q(*i, 2)).collect();
+    for roots in [
+        vec![q(-7, 2), q(0, 1), q(1, 1), q(1, 1), q(4, 3)],
+        vec![q(1, 3), q(2, 1)],
+        vec![q(-1, 5)],
+        vec![],
+    ] {
+        for c in [1, -3] {
+            let p = with_roots(c, &roots);
+            let count = |inside: &dyn Fn(&Q) -> bool| roots.iter().filter(|r| inside(r)).count();
+            for a in &ends {
+                for b in &ends {
+                    let between = count(&|r| r > a && r < b);
+                    assert_eq!(descartes(&p, a, b, &fuel), Ok(between), "{a} … {b}");
+                }
+            }
+        }
+    }
+    let p = with_roots(1, &[q(1, 3), q(2, 1)]);
+    assert_eq!(descartes(&p, &q(0, 1), &q(1, 1), &Fuel::new(8)), Err(Rejection::Budget));
+}
