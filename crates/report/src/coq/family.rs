@@ -21,6 +21,27 @@ pub(super) enum Role {
     Along,
 }
 
+/// A premise of a lemma about functions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// an end of the declared range of a constant
+    Range(usize, usize),
+    /// the hypothesis with this index, about constants
+    Everywhere(usize),
+    /// what the hypothesis with this index says of constants
+    Part(usize),
+    /// the claim's own conditions
+    When,
+    /// a limit of a hypothesis: its index, and that of the link
+    Limit(usize, usize),
+    /// that the set reaches up to a limit from this side
+    Near(Side),
+    /// the declared ranges of functions
+    Functions,
+    /// the hypothesis with this index, on the set
+    Moving(usize),
+}
+
 /// Where premises about functions are supposed to hold.
 pub(super) enum Setting {
     /// on a set of values of the variable that reaches up to the limits from these sides
@@ -238,22 +259,22 @@ impl<'a, 'g> Family<'a, 'g> {
         all.filter(|h| !h.sentence.links.is_empty()).collect()
     }
 
-    fn hypotheses(&self, roles: &[Role]) -> impl Iterator<Item = &Hypothesis> {
+    fn hypotheses(&self, roles: &[Role]) -> impl Iterator<Item = (usize, &Hypothesis)> {
         let roled = self.goal.hypotheses.iter().zip(&self.roles);
-        roled.filter(move |(_, r)| roles.contains(r)).map(|(h, _)| h)
+        roled.enumerate().filter(move |(_, (_, r))| roles.contains(r)).map(|(i, (h, _))| (i, h))
     }
 
     /// The name of the set on which premises hold.
-    fn set(&self) -> String {
+    pub(super) fn set(&self) -> String {
         self.fresh("domain")
     }
 
     /// Whether the lemma speaks of such a set.
-    fn has_set(&self, setting: &Setting) -> bool {
+    pub(super) fn has_set(&self, setting: &Setting) -> bool {
         let moving = || self.hypotheses(&[Role::Narrows, Role::Along]);
         let speaks = |h: &Hypothesis| h.sentence.relations().next().is_some();
         match setting {
-            Setting::Set { point, .. } => *point || moving().any(speaks),
+            Setting::Set { point, .. } => *point || moving().any(|(_, h)| speaks(h)),
             Setting::Narrowed => false,
         }
     }
@@ -268,27 +289,39 @@ impl<'a, 'g> Family<'a, 'g> {
         format!("forall {} : R, ", self.symbols.name(self.x))
     }
 
-    /// What is supposed, in words: of constants, and of functions on the domain.
-    fn supposed(&self, prose: &Prose<'_>, setting: &Setting) -> Result<Vec<String>, NotEmitted> {
+    /// What is supposed: of constants, and of functions on the domain; each premise in words.
+    pub(super) fn supposed(
+        &self,
+        prose: &Prose<'_>,
+        setting: &Setting,
+    ) -> Result<Vec<(Slot, String)>, NotEmitted> {
         let mut out = Vec::new();
-        for r in self.ranges(|v| self.is_constant(v)) {
-            out.push(prose.relation(&r)?);
+        for &v in self.symbols.order.iter().filter(|v| self.is_constant(**v)) {
+            for (end, r) in self.symbols.range(v).iter().enumerate() {
+                out.push((Slot::Range(v, end), prose.relation(r)?));
+            }
         }
-        for h in self.hypotheses(&[Role::Everywhere]).chain(&self.parts) {
-            out.extend(prose.hypothesis(h)?);
+        for (i, h) in self.hypotheses(&[Role::Everywhere]) {
+            out.extend(prose.hypothesis(h)?.map(|says| (Slot::Everywhere(i), says)));
+        }
+        for (i, h) in self.parts.iter().enumerate() {
+            out.extend(prose.hypothesis(h)?.map(|says| (Slot::Part(i), says)));
         }
         if self.always_when && !self.goal.when.is_empty() {
-            out.push(conj(&prose.flat(&self.symbols.expanded(&self.goal.when)?)?));
+            let when = prose.flat(&self.symbols.expanded(&self.goal.when)?)?;
+            out.push((Slot::When, conj(&when)));
         }
-        for (ss, f, v) in self.limits.iter().flatten() {
-            out.push(self.tends(prose, (f, &Target::Finite(v.clone()), ss))?);
+        for (slot, limit) in self.limit_slots().into_iter().zip(&self.limits) {
+            if let Some((ss, f, v)) = limit {
+                out.push((slot, self.tends(prose, (f, &Target::Finite(v.clone()), ss))?));
+            }
         }
         let mut moving = vec![Role::Along];
         if let Setting::Set { used, .. } = setting {
             moving.push(Role::Narrows);
             let says = format!("{} {}", self.set(), self.symbols.name(self.x));
             for side in used.iter().filter(|_| self.has_set(setting)) {
-                out.push(self.near(prose, side, &says)?);
+                out.push((Slot::Near(side.clone()), self.near(prose, side, &says)?));
             }
         }
         let functions = self.ranges(|v| v != self.x && !self.is_constant(v));
@@ -299,15 +332,28 @@ impl<'a, 'g> Family<'a, 'g> {
             for r in self.ranges(|v| v == self.x) {
                 within.push(prose.relation(&r)?);
             }
-            out.push(format!("{}{}", self.forall(), implied(&within, &conj(&says))));
+            let says = format!("{}{}", self.forall(), implied(&within, &conj(&says)));
+            out.push((Slot::Functions, says));
         }
         let domain = self.domain(prose, setting)?;
-        for h in self.hypotheses(&moving) {
+        for (i, h) in self.hypotheses(&moving) {
             if let Some(says) = prose.hypothesis(h)? {
-                out.push(format!("{}{}", self.forall(), implied(&domain, &grouped(&says))));
+                let says = format!("{}{}", self.forall(), implied(&domain, &grouped(&says)));
+                out.push((Slot::Moving(i), says));
             }
         }
         Ok(out)
+    }
+
+    /// The premised limits, by hypothesis and link.
+    fn limit_slots(&self) -> Vec<Slot> {
+        let mut out = Vec::new();
+        for (i, h) in self.goal.hypotheses.iter().enumerate() {
+            for (link, l) in h.sentence.links.iter().enumerate() {
+                out.extend(matches!(l, Link::Limit(_)).then_some(Slot::Limit(i, link)));
+            }
+        }
+        out
     }
 
     /// A limit of a claim, written out.
@@ -415,7 +461,7 @@ impl<'a, 'g> Family<'a, 'g> {
         if !kinds.is_empty() {
             text = format!("forall {},\n  ", kinds.join(" "));
         }
-        for premise in self.supposed(prose, setting)? {
+        for (_, premise) in self.supposed(prose, setting)? {
             let _ = write!(text, "{} ->\n  ", grouped_all(&premise));
         }
         Ok(text + says)

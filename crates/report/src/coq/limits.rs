@@ -8,6 +8,7 @@ use kane_kernel::{
 };
 
 use super::NotEmitted;
+use super::chain::{Along, Form};
 use super::family::{Claimed, Family, Setting, side};
 use super::prose::Prose;
 use super::reify::Symbols;
@@ -20,7 +21,7 @@ impl Family<'_, '_> {
         name: &str,
         limit: &Limit,
         proofs: &[SideProof],
-    ) -> Result<String, NotEmitted> {
+    ) -> Result<(String, Form), NotEmitted> {
         let state = constants(self.scope, self.goal, self.x)?;
         let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
         let written = |v: usize| self.written(v);
@@ -38,11 +39,12 @@ impl Family<'_, '_> {
             "limit_proved _ _ _ _ _ {} _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl",
             self.sets(&setting)
         );
-        Ok(format!(
+        let text = format!(
             "{}Definition proof_{name} : list (side * side_proof) :=\n  {parts}.\n{}",
             self.data(name, "Falsehood")?,
             self.lemma(name, &self.statement(&prose, &says, &setting)?, &by, &setting),
-        ))
+        );
+        Ok((text, self.form(&prose, setting)?))
     }
 
     /// A claim at each point, from a contradiction that may pass to limits.
@@ -51,7 +53,7 @@ impl Family<'_, '_> {
         name: &str,
         finding: Finding,
         proof: &Proof,
-    ) -> Result<String, NotEmitted> {
+    ) -> Result<(String, Form), NotEmitted> {
         let state = claim_state(self.scope, self.goal, finding)?;
         let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
         let script = writer.proof(&state, proof)?;
@@ -64,11 +66,21 @@ impl Family<'_, '_> {
             "point_proved _ _ _ {} _\n    (eq_refl true <: proves_point {arguments} = true)",
             self.sets(&setting)
         );
-        Ok(format!(
+        let text = format!(
             "{}Definition proof_{name} : proof :=\n  {script}.\n{}",
             self.data(name, &claim)?,
             self.lemma(name, &self.statement(&prose, &says, &setting)?, &by, &setting),
-        ))
+        );
+        Ok((text, self.form(&prose, setting)?))
+    }
+
+    /// How the lemma is applied.
+    fn form(&self, prose: &Prose<'_>, setting: Setting) -> Result<Form, NotEmitted> {
+        let slots = self.supposed(prose, &setting)?.into_iter().map(|s| s.0).collect();
+        let set = self.has_set(&setting);
+        let along = Some(Along { x: self.x, slots, set, always_when: self.always_when });
+        let symbols = self.symbols.order.clone();
+        Ok(Form { symbols, roots: Vec::new(), slopes: Vec::new(), along })
     }
 }
 

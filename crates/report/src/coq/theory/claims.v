@@ -131,6 +131,8 @@ Qed.
 Definition proves (g : goal) (p : proof) : bool := accepted g p && rootless_goal g.
 Theorem proved g p l : proves g p = true -> states g l.
 Proof. unfold proves. intro H. split_bools. apply proved_rooted with p; trivial. apply rootless_rooted_goal; trivial. Qed.
+(** The last part of a conjunction. *)
+Ltac ends H := first [exact H | ends constr:(proj2 H)].
 Ltac has_roots :=
   cbv beta iota zeta delta [rooted_goal rooted_all rooted_sentence rooted_conclusion rooted_rel rooted
     ranges premises conditions claim when links lhs rhs];

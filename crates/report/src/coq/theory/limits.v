@@ -56,6 +56,11 @@ Proof.
     replace x with (- / (/ - x)) by (rewrite Rinv_inv; ring). apply H. split; [apply Rinv_0_lt_compat; lra|].
     rewrite <- (Rinv_inv c). apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra|]. lra.
 Qed.
+(** Close to a point there are others. *)
+Lemma near_point s Q : near s Q -> exists x, Q x.
+Proof.
+  rewrite near_small. intros [d [D H]]. exists (germ_point s (d / 2)). apply H. lra.
+Qed.
 Lemma near_weaken s (P Q : R -> Prop) : near s P -> (forall x, P x -> Q x) -> near s Q.
 Proof. rewrite !near_small. intros H W. apply (small_weaken _ _ H). auto. Qed.
 
