@@ -255,7 +255,6 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
         match atom.sign {
             Sign::Zero => {
                 let others = atoms.iter().map(|a| a.poly.scale(&a.poly.primitive().0));
-                let others = others.filter(|o| o != p);
                 for m in vars.iter().map(|v| Poly::var(*v)).chain([n(1), n(2)]).chain(others) {
                     for m in [m.neg(), m] {
                         pool.push((times(p, &m), Summand::Equation(i, m)));
@@ -266,7 +265,10 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
                 pool.push((times(p, p), Summand::Term(term(1, n(1), vec![(i, 2)]))));
             }
             Sign::NonNegative | Sign::Positive => {
-                pool.push((p.clone(), Summand::Term(term(1, n(1), vec![(i, 1)]))));
+                for w in [1, 3] {
+                    let weighed = Summand::Term(term(w, n(1), vec![(i, 1)]));
+                    pool.push((p.scale(&w.into()), weighed));
+                }
                 for (j, other) in atoms.iter().enumerate().take(i) {
                     if other.sign.is_order() {
                         let factors = vec![(i, 1), (j, 1)];
