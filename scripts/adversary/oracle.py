@@ -53,8 +53,11 @@ class Judge:
             if link["verdict"] in ("refuted", "ill-defined") or (claim.shape == "not implied" and link["verdict"] == "proved"):
                 self.witness(claim, i, link, shown)
         if self.document.structures:
+            before = len(self.found)
             for s in self.document.structures:
                 self.in_structure(claim, shown, s)
+                if len(self.found) > before:
+                    break
         self.model(claim, shown)
 
     def concerns_limits(self, claim):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Random derivation documents against oracles that share nothing with the program.
 
+    python3 scripts/adversary/run.py --kane target/release/kane --found
     python3 scripts/adversary/run.py --kane target/release/kane --claims 10000
     python3 scripts/adversary/run.py --kane target/release/kane --claims 1000000 --jobs 2 --state long.json
 
@@ -41,14 +42,20 @@ FAMILIES = {
     "premised": chains.premised,
     "chains": chains.chains,
 }
-ROUND = ["identities", "inequalities", "piecewise", "roots", "contradictions", "traps", "slopes", "slopes", "limits", "limits", "premised", "premised", "chains", "chains", "chains"]
+# what a round consists of; the program takes much longer for limits than for points
+ROUND = (
+    ["identities"] * 4 + ["inequalities"] * 3 + ["piecewise"] * 4 + ["roots"] + ["contradictions"] * 4
+    + ["traps"] * 4 + ["slopes"] * 6 + ["limits"] * 2 + ["premised"] + ["chains"] * 3
+)  # fmt: skip
+HEAVY = ["limits"] * 3 + ["premised"] * 2 + ["chains"] * 4 + ["slopes"] * 2 + ["traps", "roots", "contradictions", "piecewise"]
 BATCH = 30  # documents a call of the program
 SLOW = 10.0  # seconds that no document may take
 
 
 def generate(seed, index, only=None):
     """The document of this number, its source of chance, and its text."""
-    family = only or ROUND[index % len(ROUND)]
+    mix = {None: ROUND, "heavy": HEAVY}.get(only) or [only]
+    family = mix[index % len(mix)]
     rng = random.Random(f"{seed}/{family}/{index}")
     document = FAMILIES[family](rng)
     return document, rng, document.text(f"{family} {seed}/{index}")
@@ -244,22 +251,45 @@ def jobs_of(args, done, claims):
         index += BATCH
 
 
+def found(kane):
+    """Documents of which a wrong verdict was found: each says in its first line what must not come back."""
+    bad = 0
+    for path in sorted(Path(__file__).resolve().parent.glob("found/*.md")):
+        first = path.read_text(encoding="utf-8").split("\n")[0]
+        forbidden = [part.split() for part in first.removeprefix("<!-- not:").removesuffix("-->").split(",")]
+        code, report, messages, _ = run_kane(kane, [str(path)])
+        if report is None:
+            print(f"{path.name}: exit {code}: {messages}")
+            bad += 1
+            continue
+        verdicts = {s["label"]: s["verdict"] for s in report[0]["statements"]}
+        for label, verdict in forbidden:
+            if verdicts[label] == verdict:
+                print(f"{path.name}: {label} is {verdict}")
+                bad += 1
+    print(f"wrong verdicts of old that came back: {bad}")
+    return 1 if bad else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kane", required=True, help="the program")
     parser.add_argument("--claims", type=int, default=10000)
     parser.add_argument("--seed", default="1")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--family", choices=sorted(FAMILIES))
+    parser.add_argument("--family", choices=sorted(FAMILIES) + ["heavy"], help="one family, or mostly functions and limits")
     parser.add_argument("--ask-every", type=int, default=10, help="put one of so many links to z3; 0 for none")
     parser.add_argument("--effort", type=int, default=1, help="how many points are tried")
     parser.add_argument("--state", help="a file in which a long run keeps where it is")
     parser.add_argument("--keep", help="a folder for documents with wrong verdicts")
+    parser.add_argument("--found", action="store_true", help="only the documents in which a verdict was wrong once")
     parser.add_argument("--show", type=int, help="print the document of this number and stop")
     args = parser.parse_args()
     if args.show is not None:
         print(generate(args.seed, args.show, args.family)[2])
         return 0
+    if args.found:
+        return found(args.kane)
     if args.ask_every and not solver.available():
         print("skipped: z3 is not installed, so nothing is put to it")
         args.ask_every = 0
