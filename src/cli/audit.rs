@@ -1,8 +1,7 @@
 //! `kane audit`: reads documents, judges them, prints the reports.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use kane::audit::{Audit, Body, Document, Options};
@@ -11,6 +10,7 @@ use kane::report::judges::Judge;
 use kane::report::{self, Picture, Report};
 
 use super::args::{AuditArgs, Format, JudgeName};
+use super::delivery::Written;
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, labels, output};
@@ -85,8 +85,9 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         Some(_) => explanations(&reports),
         None => print(&reports, args.format),
     };
-    let written = |dir: &Path| write(dir, &inputs, &reports);
-    if let Err(outcome) = deliver(args.out.as_deref(), written, shown) {
+    let paths: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+    let files = || Ok(files(&inputs, &reports));
+    if let Err(outcome) = deliver(args.out.as_deref(), &paths, files, shown) {
         return outcome;
     }
     match outcome(&reports) {
@@ -191,9 +192,9 @@ fn explanations(reports: &[Report<'_>]) -> String {
     each.collect::<Vec<_>>().join("\n")
 }
 
-/// Writes every report in every form, its claims for Coq, and each as a question for a solver.
-fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Result<()> {
-    fs::create_dir_all(dir)?;
+/// Every report in every form, its claims for Coq, and each as a question for a solver.
+fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
+    let mut files = Vec::new();
     for (input, report) in inputs.iter().zip(reports) {
         let forms = [
             ("html", report::html(report)),
@@ -202,17 +203,16 @@ fn write(dir: &Path, inputs: &[&Input], reports: &[Report<'_>]) -> std::io::Resu
             ("json", report::json(std::slice::from_ref(report))),
         ];
         for (ending, text) in forms {
-            output::to_file(&dir.join(format!("{}.{ending}", input.stem)), &text)?;
+            files.push(Written::new(format!("{}.{ending}", input.stem), text));
         }
         let claims = report::coq::coq(report).text();
-        output::to_file(&dir.join(format!("{}.v", library(&input.stem))), &claims)?;
-        let questions = dir.join(&input.stem);
-        fs::create_dir_all(&questions)?;
+        files.push(Written::question(format!("{}.v", library(&input.stem)), &claims));
         for (name, question) in report::smt::questions(report) {
-            output::to_file(&questions.join(format!("{name}.smt2")), &question.text)?;
+            let path = Path::new(&input.stem).join(format!("{name}.smt2"));
+            files.push(Written::question(path, &question.text));
         }
     }
-    Ok(())
+    files
 }
 
 /// A stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.

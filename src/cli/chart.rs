@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::io;
-use std::path::Path;
 
 use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
@@ -12,6 +11,7 @@ use kane::report::figures as drawn;
 use kane::report::growth::{self as size, GrowthReport};
 
 use super::args::{ChartArgs, Format};
+use super::delivery::Written;
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, output};
 
@@ -41,15 +41,13 @@ fn by_digit(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Out
         Format::Markdown => digits::markdown(&report),
         Format::Json => digits::json(&report),
     };
-    let files = |dir: &Path| {
+    let files = || {
         let picture = chart_picture(&report).map_err(io::Error::other)?;
-        write(
-            dir,
-            "chart",
-            [digits::markdown(&report), digits::json(&report), digits::csv(&report), picture],
-        )
+        let forms =
+            [digits::markdown(&report), digits::json(&report), digits::csv(&report), picture];
+        Ok(written("chart", forms))
     };
-    deliver(args.out.as_deref(), files, shown)
+    deliver(args.out.as_deref(), &[], files, shown)
 }
 
 /// How cost grows with size.
@@ -63,15 +61,12 @@ fn by_size(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Outc
         Format::Markdown => size::markdown(&report),
         Format::Json => size::json(&report),
     };
-    let files = |dir: &Path| {
+    let files = || {
         let picture = size::picture(&report).map_err(io::Error::other)?;
-        write(
-            dir,
-            "growth",
-            [size::markdown(&report), size::json(&report), size::csv(&report), picture],
-        )
+        let forms = [size::markdown(&report), size::json(&report), size::csv(&report), picture];
+        Ok(written("growth", forms))
     };
-    deliver(args.out.as_deref(), files, shown)
+    deliver(args.out.as_deref(), &[], files, shown)
 }
 
 /// What the laws say, drawn.
@@ -80,26 +75,23 @@ fn figures(args: &ChartArgs) -> Result<(), Outcome> {
     let figures = kane::figures::figures(&mut |done, all| progress.update(done, all));
     drop(progress);
     let figures = figures.map_err(|error| bad_input(&error.to_string()))?;
-    let files = |dir: &Path| {
-        fs::create_dir_all(dir)?;
+    let files = || {
+        let mut files = Vec::new();
         for figure in &figures {
             let picture = drawn::svg(figure).map_err(io::Error::other)?;
             for (ending, text) in [("svg", picture), ("csv", drawn::csv(figure))] {
-                output::to_file(&dir.join(format!("{}.{ending}", figure.stem)), &text)?;
+                files.push(Written::new(format!("{}.{ending}", figure.stem), text));
             }
         }
-        Ok(())
+        Ok(files)
     };
-    deliver(args.out.as_deref(), files, || drawn::text(&figures))
+    deliver(args.out.as_deref(), &[], files, || drawn::text(&figures))
 }
 
-/// Writes a chart in every form: Markdown, JSON, CSV and SVG.
-fn write(dir: &Path, stem: &str, forms: [String; 4]) -> io::Result<()> {
-    fs::create_dir_all(dir)?;
-    for (ending, text) in ["md", "json", "csv", "svg"].into_iter().zip(forms) {
-        output::to_file(&dir.join(format!("{stem}.{ending}")), &text)?;
-    }
-    Ok(())
+/// A chart in every form: Markdown, JSON, CSV and SVG.
+fn written(stem: &str, forms: [String; 4]) -> Vec<Written> {
+    let forms = ["md", "json", "csv", "svg"].into_iter().zip(forms);
+    forms.map(|(ending, text)| Written::new(format!("{stem}.{ending}"), text)).collect()
 }
 
 /// The processor as far as it says, how many there are, and how the program was compiled.

@@ -3,7 +3,6 @@
 mod file;
 mod flags;
 
-use std::fs;
 use std::path::Path;
 
 use kane::algebra::syntax::nearest;
@@ -15,6 +14,7 @@ use kane::report::collision::{self, Collision};
 use kane::scene::read::read as read_number;
 
 use super::args::{CollideArgs, Format};
+use super::delivery::Written;
 use super::input::quoted;
 use super::{Outcome, bad_input, deliver, output};
 
@@ -33,9 +33,9 @@ pub(super) fn run(args: &CollideArgs) -> Outcome {
         Format::Markdown => collision::markdown(&collision),
         Format::Json => collision::json(&collision),
     };
-    if let Err(outcome) =
-        deliver(args.out.as_deref(), |dir| write(dir, &stem(args), &collision), shown)
-    {
+    let inputs: Vec<&Path> = args.file.iter().map(AsRef::as_ref).collect();
+    let files = || Ok(files(&stem(args), &collision));
+    if let Err(outcome) = deliver(args.out.as_deref(), &inputs, files, shown) {
         return outcome;
     }
     if !collision.has_outcome() {
@@ -142,15 +142,12 @@ fn stem(args: &CollideArgs) -> String {
     stem.map_or_else(|| "collision".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// Writes the report in every form.
-fn write(dir: &Path, stem: &str, collision: &Collision) -> std::io::Result<()> {
-    fs::create_dir_all(dir)?;
-    for (ending, text) in [
+/// The report in every form.
+fn files(stem: &str, collision: &Collision) -> Vec<Written> {
+    let forms = [
         ("txt", collision::text(collision, Page::default())),
         ("md", collision::markdown(collision)),
         ("json", collision::json(collision)),
-    ] {
-        output::to_file(&dir.join(format!("{stem}.{ending}")), &text)?;
-    }
-    Ok(())
+    ];
+    forms.map(|(ending, text)| Written::new(format!("{stem}.{ending}"), text)).to_vec()
 }

@@ -1,8 +1,6 @@
 //! `kane laws`: every law against every property.
 
-use std::fs;
 use std::io;
-use std::path::Path;
 
 use kane::algebra::syntax::nearest;
 use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
@@ -11,6 +9,7 @@ use kane::report::Page;
 use kane::report::matrix::{MatrixReport, csv, explain, html, json, markdown, picture, text};
 
 use super::args::{Format, LawsArgs};
+use super::delivery::Written;
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, output};
 
@@ -31,7 +30,7 @@ pub(super) fn run(args: &LawsArgs) -> Outcome {
         (None, Format::Markdown) => markdown(&report),
         (None, Format::Json) => json(&report),
     };
-    if let Err(outcome) = deliver(args.out.as_deref(), |dir| write(dir, &report), shown) {
+    if let Err(outcome) = deliver(args.out.as_deref(), &[], || files(&report), shown) {
         return outcome;
     }
     outcome(&matrix)
@@ -94,9 +93,8 @@ fn explained(matrix: &Matrix) -> String {
 /// What each law says and how it is known, for the page.
 const LAWS: &str = include_str!("../../docs/laws.md");
 
-/// Writes the report in every form, and the picture with its data.
-fn write(dir: &Path, report: &MatrixReport<'_>) -> io::Result<()> {
-    fs::create_dir_all(dir)?;
+/// The report in every form, and the picture with its data.
+fn files(report: &MatrixReport<'_>) -> io::Result<Vec<Written>> {
     let forms = [
         ("laws.txt", text(report, Page::default())),
         ("laws.md", markdown(report)),
@@ -105,10 +103,7 @@ fn write(dir: &Path, report: &MatrixReport<'_>) -> io::Result<()> {
         ("matrix.svg", picture(report).map_err(io::Error::other)?),
         ("matrix.csv", csv(report)),
     ];
-    for (name, text) in forms {
-        output::to_file(&dir.join(name), &text)?;
-    }
-    Ok(())
+    Ok(forms.map(|(name, text)| Written::new(name, text)).to_vec())
 }
 
 #[cfg(test)]

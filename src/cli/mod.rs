@@ -4,6 +4,7 @@ mod args;
 mod audit;
 mod chart;
 mod collide;
+mod delivery;
 mod input;
 mod labels;
 mod laws;
@@ -19,6 +20,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use args::{Cli, Verb};
+use delivery::Written;
 
 /// How a run ends; the codes are the same for every verb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,19 +65,20 @@ fn bad_input(message: &str) -> Outcome {
     Outcome::BadInput
 }
 
-/// Ends a run that has a report: writes the forms that `--out` asks for, then prints.
+/// Ends a run that has a report: writes the forms that `--out` asks for, in place of no input, then prints.
 ///
 /// # Errors
 ///
 /// How the run ends if one of the two cannot be done, already reported on standard error.
 fn deliver(
     out: Option<&Path>,
-    write: impl FnOnce(&Path) -> io::Result<()>,
+    inputs: &[&Path],
+    files: impl FnOnce() -> io::Result<Vec<Written>>,
     shown: impl FnOnce() -> String,
 ) -> Result<(), Outcome> {
     if let Some(dir) = out {
-        write(dir)
-            .map_err(|error| bad_input(&format!("cannot write into {}: {error}", dir.display())))?;
+        let files = files().map_err(|error| bad_input(&error.to_string()))?;
+        delivery::write(dir, inputs, &files).map_err(|why| bad_input(&why.to_string()))?;
     }
     output::to_stdout(&shown()).map_err(|error| bad_input(&format!("cannot print: {error}")))
 }

@@ -1,8 +1,6 @@
 //! `kane scene`: the least model that answers a scene.
 
-use std::fs;
 use std::io;
-use std::path::Path;
 
 use kane::report::scene::{
     SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
@@ -11,6 +9,7 @@ use kane::report::scene::{
 use kane::scene::{Effort, Model, Verdict, answer, read};
 
 use super::args::{Format, SceneArgs};
+use super::delivery::Written;
 use super::input::quoted;
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, output};
@@ -58,8 +57,8 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
         Format::Markdown => markdown(&report),
         Format::Json => json(&report),
     };
-    let write = |dir: &Path| write(dir, &stem, &report, args.compare);
-    if let Err(outcome) = deliver(args.out.as_deref(), write, shown) {
+    let files = || files(&stem, &report, args.compare);
+    if let Err(outcome) = deliver(args.out.as_deref(), &[&args.file], files, shown) {
         return outcome;
     }
     let good = answer
@@ -69,26 +68,26 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
     if good { Outcome::AsExpected } else { Outcome::Unexpected }
 }
 
-/// Writes the report in every form.
-fn write(dir: &Path, stem: &str, report: &SceneReport<'_>, compare: bool) -> io::Result<()> {
-    fs::create_dir_all(dir)?;
-    let file =
-        |ending: &str, text: &str| output::to_file(&dir.join(format!("{stem}{ending}")), text);
-    file(".md", &markdown(report))?;
-    file(".json", &json(report))?;
-    file(".html", &html(report).map_err(io::Error::other)?)?;
-    file("-models.csv", &models_csv(report))?;
+/// The report in every form.
+fn files(stem: &str, report: &SceneReport<'_>, compare: bool) -> io::Result<Vec<Written>> {
+    let mut files = vec![
+        Written::new(format!("{stem}.md"), markdown(report)),
+        Written::new(format!("{stem}.json"), json(report)),
+        Written::new(format!("{stem}.html"), html(report).map_err(io::Error::other)?),
+        Written::new(format!("{stem}-models.csv"), models_csv(report)),
+    ];
     if report.answer.end.is_some() {
-        file("-states.csv", &states_csv(report))?;
+        files.push(Written::new(format!("{stem}-states.csv"), states_csv(report)));
     }
     if let Some(drawn) = picture(report).map_err(io::Error::other)? {
-        file(&format!("-{}.svg", drawn.name), &drawn.svg)?;
+        files.push(Written::picture(format!("{stem}-{}.svg", drawn.name), &drawn.svg));
     }
     if let Some(picture) = ledger_picture(report).map_err(io::Error::other)? {
-        file("-ledger.svg", &picture)?;
+        files.push(Written::picture(format!("{stem}-ledger.svg"), &picture));
     }
     if compare {
-        file("-compare.svg", &compare_picture(report).map_err(io::Error::other)?)?;
+        let picture = compare_picture(report).map_err(io::Error::other)?;
+        files.push(Written::picture(format!("{stem}-compare.svg"), &picture));
     }
-    Ok(())
+    Ok(files)
 }

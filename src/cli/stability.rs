@@ -1,6 +1,5 @@
 //! `kane stability`: where the formulas of a document fail in floating point.
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -8,6 +7,7 @@ use kane::measure;
 use kane::report::stability::{StabilityReport, csv, json, markdown, picture, text};
 
 use super::args::{Format, StabilityArgs};
+use super::delivery::Written;
 use super::input::{self, quoted};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, output};
@@ -46,22 +46,19 @@ pub(super) fn run(args: &StabilityArgs) -> Outcome {
         Format::Markdown => markdown(&report),
         Format::Json => json(&report),
     };
-    if let Err(outcome) =
-        deliver(args.out.as_deref(), |dir| write(dir, &input.stem, &report), shown)
-    {
+    let inputs: Vec<&Path> = files.iter().map(AsRef::as_ref).collect();
+    let written = || written(&input.stem, &report);
+    if let Err(outcome) = deliver(args.out.as_deref(), &inputs, written, shown) {
         return outcome;
     }
     if stability.subject.examined == 0 { Outcome::Nothing } else { Outcome::AsExpected }
 }
 
-/// Writes NAME-stability in every form.
-fn write(dir: &Path, stem: &str, report: &StabilityReport<'_>) -> io::Result<()> {
-    fs::create_dir_all(dir)?;
+/// NAME-stability in every form.
+fn written(stem: &str, report: &StabilityReport<'_>) -> io::Result<Vec<Written>> {
     let picture = picture(report).map_err(io::Error::other)?;
     let forms =
         [("md", markdown(report)), ("json", json(report)), ("csv", csv(report)), ("svg", picture)];
-    for (ending, text) in forms {
-        output::to_file(&dir.join(format!("{stem}-stability.{ending}")), &text)?;
-    }
-    Ok(())
+    let named = |(ending, text)| Written::new(format!("{stem}-stability.{ending}"), text);
+    Ok(forms.map(named).to_vec())
 }

@@ -35,10 +35,9 @@ pub fn z3(
                 continue;
             };
             match smt(accepted) {
-                Some(question) => questions.push(((statement, link), question)),
-                None => {
-                    let why = "it speaks of limits".to_owned();
-                    judge.answers.insert((statement, link), Answer::NotAsked(why));
+                Ok(question) => questions.push(((statement, link), question)),
+                Err(why) => {
+                    judge.answers.insert((statement, link), Answer::NotAsked(why.to_string()));
                 }
             }
         }

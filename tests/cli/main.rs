@@ -8,6 +8,7 @@ mod exits; // exit codes
 mod figures; // the figures, and the page that shows them
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
+mod hidden; // characters that are not seen reach nothing that is shown
 mod laws; // the matrix: exit codes, one cell in full, files
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled

@@ -101,7 +101,13 @@ fn given(r: Relation) -> Hypothesis {
 }
 
 fn goal(context: Context, hypotheses: Vec<Hypothesis>, when: Vec<Relation>, r: Relation) -> Goal {
-    Goal { context, hypotheses, when, conclusion: Conclusion::Link(Link::Relation(r)) }
+    Goal {
+        context,
+        hypotheses,
+        behind: Vec::new(),
+        when,
+        conclusion: Conclusion::Link(Link::Relation(r)),
+    }
 }
 
 /// Some statement about one to three symbols; nothing is known of it.

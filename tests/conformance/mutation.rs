@@ -43,7 +43,6 @@ pub(crate) enum Field<'a> {
     Evidence(&'a mut Evidence),
     Proof(&'a mut Proof),
     Index(&'a mut usize),
-    Maybe(&'a mut Option<usize>),
     Power(&'a mut u32),
     Poly(&'a mut Poly),
     Int(&'a mut BigInt),
@@ -93,7 +92,10 @@ pub(crate) fn walk(c: &mut Certificate, see: See<'_>) {
             see("Functions.failure", Field::Failure(&mut f.failure));
             match &mut f.failure {
                 Failure::At(p) => point(p, see),
-                Failure::Reaches(s) => side_proof(s, see),
+                Failure::Reaches(sides) => {
+                    see("Failure::Reaches", Field::List(sides));
+                    sides.iter_mut().for_each(|s| side_proof(s, see));
+                }
                 Failure::Limit { link, target, proof } => {
                     see("Failure::Limit.link", Field::Index(link));
                     see("Failure::Limit.target", Field::Target(target));
@@ -132,7 +134,15 @@ fn germ(g: &mut Germ, see: See<'_>) {
     see("Germ.radius.0", Field::Poly(&mut g.radius.0));
     see("Germ.radius.1", Field::Poly(&mut g.radius.1));
     proof("Germ.positive", &mut g.positive, see);
-    proof("Germ.inside", &mut g.inside, see);
+    see("Germ.inside", Field::List(&mut g.inside));
+    for inside in &mut g.inside {
+        see("Inside.values", Field::List(&mut inside.values));
+        for (v, e) in &mut inside.values {
+            see("Inside.values.0", Field::Index(v));
+            see("Inside.values.1", Field::Expr(e));
+        }
+        proof("Inside.proof", &mut inside.proof, see);
+    }
 }
 
 fn side_proof(s: &mut SideProof, see: See<'_>) {
@@ -163,30 +173,19 @@ fn cofactors(names: [&'static str; 3], list: &mut Vec<(usize, Poly)>, see: See<'
 fn proof(name: &'static str, p: &mut Proof, see: See<'_>) {
     see(name, Field::Proof(p));
     match p {
-        Proof::Absurd => {}
         Proof::Assume { formula, cases } => {
             see("Assume.formula", Field::Index(formula));
             see("Assume.cases", Field::List(cases));
             cases.iter_mut().for_each(|c| proof("Assume.cases[]", c, see));
         }
-        Proof::Split { poly, zero, positive, negative } => {
+        Proof::Split { poly, cases } => {
             see("Split.poly", Field::Poly(poly));
-            proof("Split.zero", zero, see);
-            proof("Split.positive", positive, see);
-            proof("Split.negative", negative, see);
-        }
-        Proof::Substitute { equation, var, lead, then } => {
-            see("Substitute.equation", Field::Index(equation));
-            see("Substitute.var", Field::Index(var));
-            let names = ["Substitute.lead", "Substitute.lead.0", "Substitute.lead.1"];
-            factors(names, lead, see);
-            proof("Substitute.then", then, see);
-        }
-        Proof::Cancel { atom, factors: list, quotient, then } => {
-            see("Cancel.atom", Field::Index(atom));
-            factors(["Cancel.factors", "Cancel.factors.0", "Cancel.factors.1"], list, see);
-            see("Cancel.quotient", Field::Poly(quotient));
-            proof("Cancel.then", then, see);
+            see("Split.cases", Field::List(cases));
+            for c in cases {
+                see("Case.opposite", Field::Flag(&mut c.opposite));
+                see("Case.sign", Field::Sign(&mut c.sign));
+                proof("Case.then", &mut c.then, see);
+            }
         }
         Proof::Positive { terms, cofactors: list } => {
             see("Positive.terms", Field::List(terms));
@@ -198,31 +197,6 @@ fn proof(name: &'static str, p: &mut Proof, see: See<'_>) {
             let names = ["Positive.cofactors", "Positive.cofactors.0", "Positive.cofactors.1"];
             cofactors(names, list, see);
         }
-        Proof::Orthant { atom, bounds } => {
-            see("Orthant.atom", Field::Index(atom));
-            see("Orthant.bounds", Field::List(bounds));
-            for (v, lower, upper) in bounds {
-                see("Orthant.bounds.0", Field::Index(v));
-                see("Orthant.bounds.1", Field::Maybe(lower));
-                see("Orthant.bounds.2", Field::Maybe(upper));
-            }
-        }
-        Proof::SignTable { var, bases, roots, atoms } => {
-            see("SignTable.var", Field::Index(var));
-            see("SignTable.bases", Field::List(bases));
-            for base in bases {
-                base.iter_mut().for_each(|c| see("SignTable.bases[]", Field::Int(c)));
-            }
-            see("SignTable.roots", Field::List(roots));
-            roots.iter_mut().for_each(|r| root(r, see));
-            see("SignTable.atoms", Field::List(atoms));
-            for (i, constant, powers) in atoms {
-                see("SignTable.atoms.0", Field::Index(i));
-                see("SignTable.atoms.1", Field::Ratio(constant));
-                see("SignTable.atoms.2", Field::List(powers));
-                powers.iter_mut().for_each(|n| see("SignTable.atoms.2[]", Field::Power(n)));
-            }
-        }
         Proof::Pass { germ: g, atom: Atom { poly, sign }, along, then } => {
             germ(g, see);
             see("Pass.atom.poly", Field::Poly(poly));
@@ -231,6 +205,11 @@ fn proof(name: &'static str, p: &mut Proof, see: See<'_>) {
             proof("Pass.then", then, see);
         }
     }
+}
+
+/// A sum without a summand, which proves nothing.
+fn nothing() -> Proof {
+    Proof::Positive { terms: Vec::new(), cofactors: Vec::new() }
 }
 
 /// All kinds of fields, as [`walk`] names them.
@@ -278,21 +257,10 @@ pub(crate) const KINDS: &[&str] = &[
     "Assume.cases",
     "Assume.cases[]",
     "Split.poly",
-    "Split.zero",
-    "Split.positive",
-    "Split.negative",
-    "Substitute.equation",
-    "Substitute.var",
-    "Substitute.lead",
-    "Substitute.lead.0",
-    "Substitute.lead.1",
-    "Substitute.then",
-    "Cancel.atom",
-    "Cancel.factors",
-    "Cancel.factors.0",
-    "Cancel.factors.1",
-    "Cancel.quotient",
-    "Cancel.then",
+    "Split.cases",
+    "Case.opposite",
+    "Case.sign",
+    "Case.then",
     "Positive.terms",
     "Term.weight",
     "Term.square",
@@ -302,20 +270,6 @@ pub(crate) const KINDS: &[&str] = &[
     "Positive.cofactors",
     "Positive.cofactors.0",
     "Positive.cofactors.1",
-    "Orthant.atom",
-    "Orthant.bounds",
-    "Orthant.bounds.0",
-    "Orthant.bounds.1",
-    "Orthant.bounds.2",
-    "SignTable.var",
-    "SignTable.bases",
-    "SignTable.bases[]",
-    "SignTable.roots",
-    "SignTable.atoms",
-    "SignTable.atoms.0",
-    "SignTable.atoms.1",
-    "SignTable.atoms.2",
-    "SignTable.atoms.2[]",
     "Pass.atom.poly",
     "Pass.atom.sign",
     "Pass.along",
@@ -375,7 +329,7 @@ fn change(field: Field<'_>, chance: &mut Chance) {
         }
         Field::Evidence(e) => {
             *e = match chance.below(4) {
-                0 => Evidence::Contradiction(Proof::Absurd),
+                0 => Evidence::Contradiction(nothing()),
                 1 => Evidence::Limit(Vec::new()),
                 2 => Evidence::Model(Model::Point(Point::default())),
                 _ => Evidence::Contradiction(Proof::Assume { formula: 0, cases: Vec::new() }),
@@ -383,19 +337,12 @@ fn change(field: Field<'_>, chance: &mut Chance) {
         }
         Field::Proof(p) => {
             *p = match chance.below(3) {
-                0 => Proof::Absurd,
-                1 => Proof::Assume { formula: chance.below(4), cases: vec![Proof::Absurd] },
-                _ => Proof::Positive { terms: Vec::new(), cofactors: Vec::new() },
+                0 => nothing(),
+                1 => Proof::Assume { formula: chance.below(4), cases: vec![nothing()] },
+                _ => Proof::Split { poly: Poly::one(), cases: Vec::new() },
             }
         }
         Field::Index(i) => *i = moved(*i, chance),
-        Field::Maybe(i) => {
-            *i = match *i {
-                Some(_) if chance.once_in(2) => None,
-                Some(i) => Some(moved(i, chance)),
-                None => Some(chance.below(6)),
-            }
-        }
         Field::Power(n) => {
             *n = match chance.below(3) {
                 0 => *n + 1,

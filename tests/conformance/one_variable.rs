@@ -100,6 +100,7 @@ fn statement(chance: &mut Chance) -> Goal {
     Goal {
         context: Context { vars, ..Context::default() },
         hypotheses: Vec::new(),
+        behind: Vec::new(),
         when,
         conclusion: Conclusion::Link(Link::Relation(claim)),
     }

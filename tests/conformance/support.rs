@@ -1,5 +1,6 @@
 //! What the suites share: deterministic chance, documents, goals, and how much to do.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -145,6 +146,20 @@ fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
     }
 }
 
+/// The givens on which the cited claims rest and which are not cited themselves.
+fn behind(document: &Document, claim: &Claim) -> Vec<Sentence> {
+    let (mut todo, mut rests) = (claim.from.clone(), BTreeSet::new());
+    while let Some(i) = todo.pop() {
+        match &document.statements[i].body {
+            Body::Given(_) => _ = rests.insert(i),
+            Body::Claim(cited) => todo.extend(&cited.from),
+            Body::Let(_) => {}
+        }
+    }
+    rests.retain(|i| !claim.from.contains(i));
+    rests.into_iter().filter_map(|i| Some(hypothesis(document, i)?.sentence)).collect()
+}
+
 /// The goals behind a document's claims: what each cites, its conditions, one link.
 pub(crate) fn cases(document: &Document) -> Vec<Case> {
     let mut out = Vec::new();
@@ -164,12 +179,14 @@ pub(crate) fn cases(document: &Document) -> Vec<Case> {
                 .into_iter()
                 .collect(),
         };
+        let behind = behind(document, claim);
         for (i, conclusion) in conclusions.into_iter().enumerate() {
             out.push(Case {
                 name: format!("{} {}.{i}", document.name, statement.label),
                 goal: Goal {
                     context: document.context.clone(),
                     hypotheses: hypotheses.clone(),
+                    behind: behind.clone(),
                     when: claim.when.clone(),
                     conclusion,
                 },

@@ -73,6 +73,7 @@ fn follows(
     let goal = Goal {
         context: context(),
         hypotheses: given(hypotheses),
+        behind: Vec::new(),
         when,
         conclusion: Conclusion::Link(Link::Relation(conclusion)),
     };

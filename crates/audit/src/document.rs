@@ -10,16 +10,17 @@ use crate::Verdict;
 /// A derivation document that was read without error.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// the file's name, as given
+    /// the file's name, as given, with what cannot be seen in it written out
     pub name: String,
-    /// the whole text
+    /// the whole text; a carriage return that ends a line by itself is a line feed in it
     pub text: String,
-    /// the first level-one heading, if any
+    /// the first level-one heading, if any, with what cannot be seen in it written out
     pub title: Option<String>,
     /// symbols and definitions
     pub context: Context,
     /// `let`, `given` and `claim` in the order of the text
     pub statements: Vec<Statement>,
+    pub(crate) digest: String,
 }
 
 /// One `let`, `given` or `claim`.
@@ -72,11 +73,16 @@ pub enum Content {
     NotImplied(usize),
 }
 
+/// The SHA-256 of these bytes as 64 hexadecimal digits.
+pub(crate) fn digest(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 impl Document {
-    /// The SHA-256 of the text as 64 hexadecimal digits, which `sha256sum` prints for the file, too.
+    /// The SHA-256 of the file as 64 hexadecimal digits, which `sha256sum` prints, too.
     #[must_use]
     pub fn sha256(&self) -> String {
-        Sha256::digest(&self.text).iter().map(|byte| format!("{byte:02x}")).collect()
+        self.digest.clone()
     }
 
     /// The statement's text as written, without its comment.

@@ -1,16 +1,16 @@
 //! Certificates in words: each step as a sentence that a person can check on paper.
 
-use kane_algebra::syntax::{Evaluator, Notation};
+use kane_algebra::syntax::{Evaluator, NoValue, Notation};
 use kane_kernel::{
-    Atom, Certificate, Conclusion, Evidence, Expr, Failure, Finding, Fuel, Functions, Goal, Link,
-    Model, Point, Poly, Proof, Scope, Side, SideProof, Sign, State, Target, claim_state, constants,
-    premised, scope, sides,
+    Atom, Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Poly,
+    Proof, Scope, Side, Sign, State, Target, claim_state, constants, premised, scope, sides,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::Step;
+use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
 use crate::prove::expression;
 
 type Q = BigRational;
@@ -30,23 +30,23 @@ pub(crate) struct Told {
     pub(crate) used: Vec<usize>,
 }
 
-/// Tells an accepted certificate of a goal whose hypotheses have these labels.
-pub(crate) fn certificate(goal: &Goal, certificate: &Certificate, labels: &[&str]) -> Told {
+/// Tells the grounds of an accepted finding about a goal whose hypotheses have these labels.
+pub(crate) fn grounds(goal: &Goal, finding: Finding, grounds: &Grounds, labels: &[&str]) -> Told {
     let mut teller =
         Teller { goal, labels, steps: Vec::new(), used: Vec::new(), rules: Rules::default() };
     let reason = match scope(goal, Fuel::new(FUEL)) {
         Err(_) => "accepted".to_string(),
-        Ok(scope) => match &certificate.evidence {
-            Evidence::Contradiction(proof) => {
-                if let Ok(state) = claim_state(&scope, goal, certificate.finding) {
-                    teller.open(certificate.finding);
-                    teller.walk(&state, proof, 1);
+        Ok(scope) => match grounds {
+            Grounds::Contradiction(course) => {
+                if let Ok(state) = claim_state(&scope, goal, finding) {
+                    teller.open(finding);
+                    teller.course(&state, course, 1);
                 }
-                teller.rules.sentence(certificate.finding)
+                teller.rules.sentence(finding)
             }
-            Evidence::Limit(proofs) => teller.limit(&scope, proofs),
-            Evidence::Model(Model::Point(point)) => teller.point(certificate.finding, point),
-            Evidence::Model(Model::Functions(f)) => teller.functions(certificate.finding, f),
+            Grounds::Limit(arguments) => teller.limit(&scope, arguments),
+            Grounds::Model(Model::Point(point)) => teller.point(finding, point),
+            Grounds::Model(Model::Functions(f)) => teller.functions(finding, f),
         },
     };
     let Teller { steps, mut used, .. } = teller;
@@ -237,17 +237,17 @@ impl Teller<'_> {
         "the claim fails".to_string()
     }
 
-    fn walk(&mut self, state: &State<'_, '_>, proof: &Proof, depth: usize) {
+    fn walk(&mut self, state: &State<'_, '_>, argument: &Argument, depth: usize) {
         let scope = state.scope;
-        match proof {
-            Proof::Absurd => {
-                let text = match state.atoms.iter().find(|a| a.decided() == Some(false)) {
+        match argument {
+            Argument::Absurd(i) => {
+                let text = match state.atoms.get(*i) {
                     Some(a) => format!("{} is false.", self.atom(scope, a)),
                     None => "Contradiction.".to_string(),
                 };
                 self.say(depth, text);
             }
-            Proof::Assume { formula, cases } => {
+            Argument::Assume { formula, cases } => {
                 let what = self.formula(*formula);
                 let Ok(states) = state.assume(*formula) else {
                     return;
@@ -267,21 +267,13 @@ impl Teller<'_> {
                     self.walk(next, then, depth + 2);
                 }
             }
-            Proof::Split { poly, zero, positive, negative } => {
-                self.rules.splits += 1;
-                let shown = self.poly(scope, poly);
-                self.say(depth, format!("Distinguish the sign of {shown}:"));
-                let cases = [
-                    (" = 0", Atom::new(poly.clone(), Sign::Zero), zero),
-                    (" > 0", Atom::new(poly.clone(), Sign::Positive), positive),
-                    (" < 0", Atom::new(poly.neg(), Sign::Positive), negative),
-                ];
-                for (sign, atom, then) in cases {
-                    self.say(depth + 1, format!("{shown}{sign}:"));
-                    self.walk(&state.with(atom), then, depth + 2);
-                }
+            Argument::Split { poly, zero, positive, negative } => {
+                let cases = [&**zero, positive, negative];
+                self.split(state, poly, depth, &mut |teller, state, i| {
+                    teller.walk(state, cases[i], depth + 2);
+                });
             }
-            Proof::Substitute { equation, var, lead, then } => {
+            Argument::Substitute { equation, var, lead, then } => {
                 let Ok(next) = state.substitute(*equation, *var, lead) else {
                     return;
                 };
@@ -324,7 +316,7 @@ impl Teller<'_> {
                 }
                 self.walk(&next, then, depth);
             }
-            Proof::Cancel { atom, factors, quotient, then } => {
+            Argument::Cancel { atom, factors, quotient, then } => {
                 let Ok(next) = state.cancel(*atom, factors, quotient) else {
                     return;
                 };
@@ -344,7 +336,7 @@ impl Teller<'_> {
                 self.say(depth, text);
                 self.walk(&next, then, depth);
             }
-            Proof::Positive { terms, cofactors } => {
+            Argument::Positive { terms, cofactors } => {
                 self.rules.sums = true;
                 let mut parts = Vec::new();
                 for t in terms {
@@ -376,7 +368,7 @@ impl Teller<'_> {
                 );
                 self.say(depth, text);
             }
-            Proof::Orthant { atom, bounds } => {
+            Argument::Orthant { atom, bounds } => {
                 self.rules.signs = true;
                 let shown: Vec<String> = bounds
                     .iter()
@@ -391,7 +383,7 @@ impl Teller<'_> {
                 );
                 self.say(depth, text);
             }
-            Proof::SignTable { var, roots, atoms, .. } => {
+            Argument::SignTable { var, roots, atoms, .. } => {
                 let name = self.name(scope, *var);
                 let shown: Vec<String> =
                     atoms.iter().map(|(i, ..)| self.atom(scope, &state.atoms[*i])).collect();
@@ -412,24 +404,70 @@ impl Teller<'_> {
                     self.rules.tables.push(name);
                 }
             }
-            Proof::Pass { germ, atom, along, then } => {
-                self.rules.limits = true;
-                let (Ok(at), Ok(zero)) = (state.along(germ), state.at_zero(germ, atom)) else {
-                    return;
-                };
-                let text = format!(
-                    "Along {} for small t > 0: {}. (Square brackets stand for a quantity that has a limit.)",
-                    self.side(&germ.side),
-                    self.atom(scope, atom)
-                );
-                self.say(depth, text);
-                self.say(depth + 1, "Otherwise:".to_string());
-                self.walk(&at.with(atom.not()), along, depth + 2);
-                let text = format!("In the limit t = 0: {}.", self.atom(scope, &zero));
-                self.say(depth, text);
-                self.walk(&state.with(zero), then, depth);
+        }
+    }
+
+    /// The three signs of a polynomial: zero, positive, negative.
+    fn split<'s, 'g>(
+        &mut self,
+        state: &State<'s, 'g>,
+        poly: &Poly,
+        depth: usize,
+        then: &mut dyn FnMut(&mut Self, &State<'s, 'g>, usize),
+    ) {
+        self.rules.splits += 1;
+        let shown = self.poly(state.scope, poly);
+        self.say(depth, format!("Distinguish the sign of {shown}:"));
+        let cases = [
+            (" = 0", Atom::new(poly.clone(), Sign::Zero)),
+            (" > 0", Atom::new(poly.clone(), Sign::Positive)),
+            (" < 0", Atom::new(poly.neg(), Sign::Positive)),
+        ];
+        for (i, (sign, atom)) in cases.into_iter().enumerate() {
+            self.say(depth + 1, format!("{shown}{sign}:"));
+            then(self, &state.with(atom), i);
+        }
+    }
+
+    fn course(&mut self, state: &State<'_, '_>, course: &Course, depth: usize) {
+        match course {
+            Course::After(passages, then) => self.passages(state, passages, then, depth),
+            Course::Split { poly, zero, positive, negative } => {
+                let cases = [&**zero, positive, negative];
+                self.split(state, poly, depth, &mut |teller, state, i| {
+                    teller.course(state, cases[i], depth + 2);
+                });
             }
         }
+    }
+
+    /// Passages to limits, and what follows.
+    fn passages(
+        &mut self,
+        state: &State<'_, '_>,
+        passages: &[Passage],
+        then: &Argument,
+        depth: usize,
+    ) {
+        let scope = state.scope;
+        let Some((Passage { germ, atom, along }, rest)) = passages.split_first() else {
+            return self.walk(state, then, depth);
+        };
+        self.rules.limits = true;
+        let (Ok(at), Ok(zero)) = (state.along_unproved(germ), state.at_zero(germ, atom)) else {
+            return;
+        };
+        let text = format!(
+            "Along {} for small t > 0: {}. (Square brackets stand for a quantity that has a limit.)",
+            self.side(&germ.side),
+            self.atom(scope, atom)
+        );
+        self.say(depth, text);
+        self.say(depth + 1, "Otherwise:".to_string());
+        self.walk(&at.with(atom.not()), along, depth + 2);
+        let text = format!("In the limit t = 0: {}.", self.atom(scope, &zero));
+        self.say(depth, text);
+        self.passages(&state.with(zero), rest, then, depth);
     }
 
     fn side(&self, side: &Side) -> String {
@@ -444,12 +482,12 @@ impl Teller<'_> {
         }
     }
 
-    fn limit(&mut self, scope: &Scope<'_>, proofs: &[SideProof]) -> String {
+    fn limit(&mut self, scope: &Scope<'_>, arguments: &[SideArgument]) -> String {
         let Conclusion::Link(Link::Limit(limit)) = &self.goal.conclusion else {
             return "accepted".to_string();
         };
         let mut reason = String::new();
-        for (side, proof) in sides(scope, limit).iter().zip(proofs) {
+        for (side, proof) in sides(scope, limit).iter().zip(arguments) {
             let (num, den) = (self.poly(scope, &proof.num), self.poly(scope, &proof.den));
             let f = limit.expr.plain(&self.goal.context);
             let ratio = if den == "1" { num.clone() } else { format!("({num})/({den})") };
@@ -506,29 +544,26 @@ impl Teller<'_> {
             })
             .collect();
         let mut evaluator = Evaluator::new(&goal.context, &values);
-        let mut sides = |link: &Link| -> Option<String> {
+        // premises are defined; it is the claim that may not be
+        let mut sides = |link: &Link, undefined: bool| -> Option<String> {
             let Link::Relation(r) = link else {
                 return None;
             };
-            let mut side = |e: &Expr| match evaluator.value(e) {
-                Ok(q) => short(&q),
-                Err(why) => why.to_string(),
-            };
-            let (a, b) = (side(&r.lhs), side(&r.rhs));
-            Some(match finding {
-                Finding::IllDefined => format!(
-                    "{} is undefined ({})",
-                    r.plain(&goal.context),
-                    if a.parse::<Q>().is_err() { a } else { b }
-                ),
-                _ => format!("left side {a}, right side {b}"),
-            })
+            let (a, b) = (evaluator.value(&r.lhs), evaluator.value(&r.rhs));
+            let mut faults = [&a, &b].into_iter().filter_map(|side| side.as_ref().err());
+            let why = faults.find(|why| !matches!(why, NoValue::Irrational)).filter(|_| undefined);
+            if let Some(why) = why {
+                return Some(format!("{} is undefined ({why})", r.plain(&goal.context)));
+            }
+            let shown =
+                |side: &Result<Q, NoValue>| side.as_ref().map_or_else(ToString::to_string, short);
+            Some(format!("left side {}, right side {}", shown(&a), shown(&b)))
         };
         let mut told = String::new();
         if rational {
             for (h, label) in goal.hypotheses.iter().zip(self.labels) {
                 for link in &h.sentence.links {
-                    if let Some(text) = sides(link) {
+                    if let Some(text) = sides(link, false) {
                         self.steps.push(Step { depth: 1, text: format!("{label}: {text}") });
                     }
                 }
@@ -539,7 +574,7 @@ impl Teller<'_> {
                 Conclusion::Contradiction => &[],
             };
             for link in conclusion {
-                if let Some(text) = sides(link) {
+                if let Some(text) = sides(link, finding == Finding::IllDefined) {
                     self.steps.push(Step { depth: 1, text: format!("the claim: {text}") });
                     told = text;
                 }

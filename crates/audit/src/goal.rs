@@ -4,7 +4,7 @@ use kane_kernel::{
     Certificate, Checked, Evidence, Expr, Finding, Fuel, Goal, Model, Point, check, digest,
 };
 
-use crate::prove::{Budget, Prover};
+use crate::prove::{Budget, Decided, Prover};
 
 /// The certificates that the kernel accepted for a goal.
 #[derive(Clone, Debug)]
@@ -30,7 +30,8 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
         finding: Finding::Consistent,
         evidence: Evidence::Model(m),
     };
-    Findings { decided: found.decided, model: found.model.map(model), reason: found.reason }
+    let decided = found.decided.map(|d| d.certificate);
+    Findings { decided, model: found.model.map(model), reason: found.reason }
 }
 
 /// Looks for a proof of a goal alone, not for witnesses: the certificate that the kernel accepted.
@@ -38,6 +39,11 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
 /// # Errors
 /// Why there is none, in words.
 pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Certificate, String> {
+    proof(goal, budget).map(|d| d.certificate)
+}
+
+/// The same with what the certificate was written out from.
+pub(crate) fn proof(goal: &Goal, budget: Budget) -> Result<Decided, String> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
     let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
@@ -60,6 +66,11 @@ pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Certificate> {
 /// accepted.
 #[must_use]
 pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Certificate> {
+    witness(goal, budget).map(|d| d.certificate)
+}
+
+/// The same with the point beside it.
+pub(crate) fn witness(goal: &Goal, budget: Budget) -> Option<Decided> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
     let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };

@@ -3,14 +3,14 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use kane_algebra::syntax::Notation;
+use kane_algebra::syntax::{Notation, moving};
 use kane_kernel::{
     Conclusion, Context, Definition, Evidence, Expr, Finding, Goal, Hypothesis, Link, Model,
-    Sentence, Target,
+    Sentence, Side, Target,
 };
 
 use crate::explain;
-use crate::prove::{Budget, Prover, Verdicts};
+use crate::prove::{Budget, Decided, Prover, Verdicts};
 use crate::{Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
 
 /// What to judge, and with how much effort.
@@ -186,8 +186,10 @@ fn judge(
         claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect();
     let hypotheses: Vec<Hypothesis> =
         cited.iter().filter_map(|&i| hypothesis(document, i)).collect();
-    let behind = rests_on.iter().filter(|i| !cited.contains(i));
-    let mut behind: Vec<Hypothesis> = behind.filter_map(|&i| hypothesis(document, i)).collect();
+    let further: Vec<usize> = rests_on.iter().copied().filter(|i| !cited.contains(i)).collect();
+    let mut behind: Vec<Hypothesis> =
+        further.iter().filter_map(|&i| hypothesis(document, i)).collect();
+    let ranged: Vec<Sentence> = behind.iter().map(|h| h.sentence.clone()).collect();
     if !of_limits(claim, &hypotheses) {
         // A point can be held against premises at a point only.
         behind.retain(|h| !h.sentence.links.iter().any(|l| matches!(l, Link::Limit(_))));
@@ -218,14 +220,21 @@ fn judge(
     let mut links = Vec::new();
     let (mut model, mut vacuous) = (None, false);
     for (conclusion, text, latex) in conclusions {
+        let along = hypotheses.iter().map(|h| &h.sentence.links[..]).chain([conclusion.links()]);
+        let limits = along.flatten().any(|l| matches!(l, Link::Limit(_)));
         let mut goal = Goal {
             context: Context { vars: document.context.vars.clone(), ..Context::default() },
             hypotheses: hypotheses.clone(),
+            behind: if limits { ranged.clone() } else { Vec::new() },
             when: claim.when.clone(),
             conclusion,
         };
         goal.context.lets = needed_lets(document, &goal, &behind, &claim.by);
-        let resting = Goal { hypotheses: [&hypotheses[..], &behind[..]].concat(), ..goal.clone() };
+        let resting = Goal {
+            hypotheses: [&hypotheses[..], &behind[..]].concat(),
+            behind: Vec::new(),
+            ..goal.clone()
+        };
         let prover = Prover {
             budget: options.budget,
             by: &claim.by,
@@ -234,8 +243,11 @@ fn judge(
             resting: &resting,
         };
         // The hypotheses are the same for all links: whether they can hold is found once.
-        let found = prover.judge(&goal, links.is_empty() || vacuous);
-        vacuous |= matches!(&found.decided, Some(c) if c.finding == Finding::Vacuous);
+        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
+        if let Some((side, given)) = &found.unreached {
+            found.reason = unreached(document, claim, done, side, given);
+        }
+        vacuous |= matches!(&found.decided, Some(d) if d.certificate.finding == Finding::Vacuous);
         if model.is_none() {
             model = found.model.as_ref().map(|m| explain::model(&goal, m));
         }
@@ -250,6 +262,39 @@ fn judge(
         rests_on,
         model,
         expect: claim.expect,
+    }
+}
+
+/// That a given was not shown to hold near a limit, and through which citation a claim rests on it.
+fn unreached(
+    document: &Document,
+    claim: &Claim,
+    done: &[Judgement],
+    side: &Side,
+    given: &Sentence,
+) -> String {
+    let label = |i: usize| &document.statements[i].label;
+    let is_it = |i: &usize| matches!(&document.statements[*i].body, Body::Given(s) if s == given);
+    let near = moving(side.var, &side.approach(), &document.context);
+    let cited = claim.from.iter().copied();
+    let (through, given) = match cited.clone().find(is_it) {
+        Some(given) => (None, Some(given)),
+        None => {
+            let rests = |i: &usize| done[*i].rests_on.iter().any(is_it);
+            let through = cited.clone().find(rests);
+            (through, through.and_then(|i| done[i].rests_on.iter().copied().find(is_it)))
+        }
+    };
+    match (through, given) {
+        (Some(through), Some(given)) => format!(
+            "{} rests on {}, which was not shown to be able to hold as {near}",
+            label(through),
+            label(given)
+        ),
+        (None, Some(given)) => {
+            format!("{} was not shown to be able to hold as {near}", label(given))
+        }
+        (_, None) => format!("a premise was not shown to be able to hold as {near}"),
     }
 }
 
@@ -278,7 +323,7 @@ fn link_judgement(
     text: String,
     latex: String,
 ) -> LinkJudgement {
-    let verdict = match found.decided.as_ref().map(|c| c.finding) {
+    let verdict = match found.decided.as_ref().map(|d| d.certificate.finding) {
         Some(Finding::Proved) => Verdict::Proved,
         Some(Finding::Refuted) => Verdict::Refuted,
         Some(Finding::IllDefined) => Verdict::IllDefined,
@@ -287,9 +332,9 @@ fn link_judgement(
     };
     let labels: Vec<&str> = cited.iter().map(|&i| document.statements[i].label.as_str()).collect();
     let (reason, steps, used) = match &found.decided {
-        Some(certificate) => {
+        Some(Decided { certificate, grounds }) => {
             let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
-            let told = explain::certificate(whose, certificate, &labels);
+            let told = explain::grounds(whose, certificate.finding, grounds, &labels);
             let holds = matches!(certificate.evidence, Evidence::Model(_))
                 .then(|| also_holds(goal, resting, certificate))
                 .flatten();
@@ -302,7 +347,7 @@ fn link_judgement(
         }
         None => (found.reason, Vec::new(), Vec::new()),
     };
-    let accepted = found.decided.as_ref().map(|certificate| {
+    let accepted = found.decided.as_ref().map(|Decided { certificate, .. }| {
         let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
         Rc::new(Accepted { goal: whose.clone(), certificate: certificate.clone() })
     });
@@ -311,7 +356,9 @@ fn link_judgement(
         latex,
         verdict,
         reason,
-        certificate: found.decided.as_ref().map(|c| format!("{:032x}", kane_kernel::digest(c))),
+        certificate: accepted
+            .as_ref()
+            .map(|a| format!("{:032x}", kane_kernel::digest(&a.certificate))),
         used,
         steps,
         cost: found.cost,

@@ -1,6 +1,7 @@
 //! Reads derivation documents and judges their statements.
 #![deny(clippy::float_arithmetic)]
 
+mod argument;
 mod document;
 mod explain;
 mod goal;
@@ -10,6 +11,7 @@ mod prove;
 mod reader;
 mod verdict;
 
+pub use argument::contradicts_bounds;
 pub use document::*;
 pub use goal::{Findings, find_witness, judge_goal, prove_goal, refute_goal};
 pub use judge::{Options, audit};

@@ -1,7 +1,8 @@
 //! From a Markdown document to statements, or to the list of everything wrong with it.
 //!
 //! Fenced blocks tagged `kane` hold statements. A statement begins at the margin of its block and
-//! goes on over the indented lines that follow; `#` starts a comment; the clauses of a claim come
+//! goes on over the indented lines that follow; `#` starts a comment, which ends with its line; a line
+//! ends at LF, CR or CRLF; the clauses of a claim come
 //! in the order `as`, `when`, `from`, `by`, `expect`. Three decisions that the language page leaves
 //! open:
 //!
@@ -16,13 +17,18 @@ mod diagnostic;
 mod label;
 mod statement;
 mod symbol;
+mod tie;
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
-use kane_algebra::syntax::{Scope, Symbol, canonical_name, nearest};
+use kane_algebra::syntax::{
+    Scope, Symbol, canonical_name, is_control, is_hidden, nearest, visible,
+};
 
 use crate::Document;
+use crate::document::digest;
 use citation::Draft;
 use diagnostic::Lines;
 
@@ -51,11 +57,13 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         return Err(vec![Diagnostic::at_start(name, message)]);
     }
     let text = match std::str::from_utf8(bytes) {
-        Ok(text) => text,
+        Ok(text) => lines_ended_by_line_feeds(text),
         Err(error) => return Err(vec![not_utf8(name, bytes, error.valid_up_to())]),
     };
+    let text = text.as_ref();
     let mut reader = Reader::default();
     let blocks = blocks::find(text, &mut reader.faults);
+    reader.refuse_hidden(&blocks.code);
     let mut lines = Lines::new(text);
     for (count, span) in blocks.statements.into_iter().enumerate() {
         if count == MAX_STATEMENTS {
@@ -76,19 +84,32 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
     }
     if reader.faults.is_empty() {
         return Ok(Document {
-            name: name.to_owned(),
+            name: visible(name).into_owned(),
             text: text.to_owned(),
-            title: blocks.title,
+            title: blocks.title.map(|title| visible(&title).into_owned()),
             context: reader.scope.into_context(),
             statements,
+            digest: digest(bytes),
         });
     }
     Err(reader.diagnostics(name, text))
 }
 
+/// The text with a line feed in place of each carriage return that no line feed follows, so that all
+/// of the reader agrees on where lines end. No byte moves.
+fn lines_ended_by_line_feeds(text: &str) -> Cow<'_, str> {
+    let lone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
+    if !text.match_indices('\r').any(|(at, _)| lone(at)) {
+        return Cow::Borrowed(text);
+    }
+    let ended = |(at, c): (usize, char)| if c == '\r' && lone(at) { '\n' } else { c };
+    Cow::Owned(text.char_indices().map(ended).collect())
+}
+
 fn not_utf8(name: &str, bytes: &[u8], valid: usize) -> Diagnostic {
     let mut text = String::from_utf8_lossy(bytes.get(..valid).unwrap_or_default()).into_owned();
     text.push(char::REPLACEMENT_CHARACTER);
+    let text = lines_ended_by_line_feeds(&text);
     let fault = Fault::new(valid..valid + 1, "the file is not UTF-8".to_owned());
     Diagnostic::new(name, &text, &mut Lines::new(&text), fault)
 }
@@ -128,6 +149,17 @@ struct Reader {
 }
 
 impl Reader {
+    /// Notes each character of the blocks that cannot be seen: in a label or a comment it could make
+    /// a report say what the auditor does not.
+    fn refuse_hidden(&mut self, code: &str) {
+        let hidden = code.char_indices().filter(|(_, c)| is_hidden(*c)).take(MAX_FAULTS);
+        for (at, c) in hidden {
+            let kind = if is_control(c) { "control" } else { "invisible" };
+            let message = format!("{kind} character U+{:04X} among statements", u32::from(c));
+            self.faults.push(Fault::new(at..at + c.len_utf8(), message));
+        }
+    }
+
     fn diagnostics(mut self, name: &str, text: &str) -> Vec<Diagnostic> {
         let mut faults = std::mem::take(&mut self.faults);
         faults.sort_by_key(|fault| (fault.span.start, fault.span.end));

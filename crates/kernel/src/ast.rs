@@ -191,6 +191,9 @@ pub struct Goal {
     pub context: Context,
     /// cited premises
     pub hypotheses: Vec<Hypothesis>,
+    /// givens on which cited claims rest and which are not cited themselves: no premises, but along
+    /// a limit the variable has to stay in the range of each
+    pub behind: Vec<Sentence>,
     /// the claim's own conditions
     pub when: Vec<Relation>,
     /// one link of the claim
@@ -237,6 +240,17 @@ impl Expr {
     }
 }
 
+impl Relation {
+    /// The sides, the one first that is greater if an inequality holds.
+    #[must_use]
+    pub fn greater_first(&self) -> (&Expr, &Expr) {
+        match self.rel {
+            Rel::Lt | Rel::Le => (&self.rhs, &self.lhs),
+            Rel::Eq | Rel::Ne | Rel::Gt | Rel::Ge => (&self.lhs, &self.rhs),
+        }
+    }
+}
+
 impl Context {
     /// The expression that stands for a symbol, if one does.
     #[must_use]
@@ -246,6 +260,13 @@ impl Context {
 }
 
 impl Sentence {
+    /// The relations of it that are wanted, under its conditions.
+    #[must_use]
+    pub fn only(&self, wanted: impl Fn(&Relation) -> bool) -> Self {
+        let links = self.relations().filter(|r| wanted(r)).cloned().map(Link::Relation);
+        Self { when: self.when.clone(), links: links.collect() }
+    }
+
     /// Its links that are relations.
     pub fn relations(&self) -> impl Iterator<Item = &Relation> {
         self.links.iter().filter_map(|l| match l {

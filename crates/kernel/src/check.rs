@@ -3,12 +3,12 @@
 use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 
-use crate::limit::{Place, constants, narrows, premises, sides};
+use crate::limit::{Place, constants, is_explicit, narrowing, premises, sides};
 use crate::model::satisfies;
 use crate::{
     Bound, Cases, Certificate, Checked, Conclusion, Context, Evidence, Expr, Failure, Finding,
-    Fuel, Functions, Goal, Hypothesis, Limit, Link, Model, Point, Proof, Rejection, Rel, Relation,
-    Scope, Sentence, SideProof, State, Target, expressions,
+    Fuel, Functions, Goal, Hypothesis, Limit, Link, Model, Passages, Point, Proof, Rejection, Rel,
+    Relation, Scope, Sentence, SideProof, State, Target, expressions,
 };
 
 /// Checks a certificate against the goal that it is for, within the budget.
@@ -19,6 +19,7 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Checked {
     if certificate.goal != digest(goal) || !goal.context.values.is_empty() {
         return Err(Rejection::OtherGoal);
     }
+    crate::door::enter(goal, certificate)?;
     let finding = certificate.finding;
     match (&certificate.evidence, &goal.conclusion) {
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(limit)))
@@ -109,7 +110,12 @@ pub fn point_state<'s, 'g>(
     let mut formulas = premises(scope, goal, Place::Point)?;
     formulas.extend(failure);
     let (atoms, formulas) = (scope.ranges(), Rc::new(formulas));
-    Ok(State { scope, goal, atoms, formulas, reaching: false, on_germ: false })
+    // Without a limit statements speak of one point, and behind a claim nothing is owed.
+    let passages = match limits(goal).next() {
+        Some(_) => Passages::Anywhere,
+        None => Passages::Nowhere,
+    };
+    Ok(State { scope, goal, atoms, formulas, reaching: false, passages })
 }
 
 /// Checks that no point satisfies what a finding denies.
@@ -145,7 +151,12 @@ fn limits(goal: &Goal) -> impl Iterator<Item = &Limit> {
 /// Checks one limit from all its sides.
 fn limit_holds(goal: &Goal, limit: &Limit, proofs: &[SideProof], fuel: &Fuel) -> Checked {
     let scope = scope(goal, fuel.clone())?;
-    let (state, sides) = (constants(&scope, goal, limit.var)?, sides(&scope, limit));
+    // With explicit functions there is nothing that a passage could add.
+    let mut state = constants(&scope, goal, limit.var)?;
+    if !goal.context.values.is_empty() {
+        state.passages = Passages::Nowhere;
+    }
+    let sides = sides(&scope, limit);
     if sides.is_empty() || sides.len() != proofs.len() {
         return Err(Rejection::OutsideDomain);
     }
@@ -161,13 +172,17 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
     if !f.values.iter().map(|(v, _)| v).eq(others) || limits(goal).any(|l| l.var != f.var) {
         return Err(Rejection::NotConstant);
     }
-    if f.values.iter().any(|(v, e)| !is_explicit(e, f.var, vars[*v].of == Some(f.var))) {
+    let explicit = |v: usize, e: &Expr| {
+        let of_x = vars.get(v).is_some_and(|var| var.of == Some(f.var));
+        is_explicit(e, &|w| of_x && w == f.var)
+    };
+    if f.values.iter().any(|(v, e)| !explicit(*v, e)) {
         return Err(Rejection::NotConstant);
     }
     if f.premises.len() != goal.hypotheses.len() || f.ranges.len() != f.values.len() {
         return Err(Rejection::CaseCount(goal.hypotheses.len(), f.premises.len()));
     }
-    // Premises about x alone narrow its domain; all others are proved on that domain.
+    // What premises say of x alone narrows its domain; they are proved on that domain.
     let domain = on_functions(&outer, goal, f.var, &f.values);
     let on_domain =
         |conclusion, when: &[Relation]| Goal { conclusion, when: when.to_vec(), ..domain.clone() };
@@ -176,7 +191,8 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         let goal = on_domain(Conclusion::NotImplied(h.sentence.clone()), &[]);
         let scope = scope(&goal, fuel.clone())?;
         let fails = scope.premise(&h.sentence, h.given, false)?;
-        point_state(&scope, &goal, Some(fails))?.refute(proof)
+        let passages = Passages::Nowhere;
+        State { passages, ..point_state(&scope, &goal, Some(fails))? }.refute(proof)
     };
     let tends = |l: Limit, when: &[Relation], proofs: &[SideProof]| {
         limit_holds(&on_domain(Conclusion::Link(Link::Limit(l.clone())), when), &l, proofs, fuel)
@@ -185,9 +201,6 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         holds(&range_premise(&goal.context, *v), proof)?;
     }
     for (h, (proof, limits)) in goal.hypotheses.iter().zip(&f.premises) {
-        if narrows(&outer, &h.sentence, f.var) {
-            continue;
-        }
         holds(h, proof)?;
         let wanted = h.sentence.limits().count();
         if wanted != limits.len() {
@@ -202,9 +215,9 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         (Failure::At(point), conclusion, _) => {
             holds_at(&on_domain(conclusion.clone(), &goal.when), finding, point, fuel)
         }
-        (Failure::Reaches(proof), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
+        (Failure::Reaches(proofs), Conclusion::Link(Link::Limit(l)), Finding::Consistent) => {
             let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
-            tends(one_sided(&outer, &zero, proof)?, &goal.when, std::slice::from_ref(proof))
+            tends(zero, &goal.when, proofs)
         }
         (Failure::Limit { link, target, proof }, Conclusion::Link(_), Finding::Refuted)
         | (Failure::Limit { link, target, proof }, Conclusion::NotImplied(_), Finding::Proved) => {
@@ -226,13 +239,17 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
 }
 
 /// What is left of a goal with explicit functions of x for its symbols: no condition, nothing
-/// claimed, and only those of its premises that narrow the domain of x.
+/// claimed, and of its premises what narrows the domain of x.
 #[must_use]
 pub fn on_functions(scope: &Scope<'_>, goal: &Goal, x: usize, values: &[(usize, Expr)]) -> Goal {
-    let narrowing = goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x));
+    let narrowed = goal.hypotheses.iter().filter_map(|h| {
+        let sentence = narrowing(scope, h, x);
+        (!sentence.links.is_empty()).then_some(Hypothesis { sentence, given: true })
+    });
     Goal {
         context: Context { values: values.to_vec(), ..goal.context.clone() },
-        hypotheses: narrowing.cloned().collect(),
+        hypotheses: narrowed.collect(),
+        behind: Vec::new(),
         when: Vec::new(),
         conclusion: Conclusion::Contradiction,
     }
@@ -268,16 +285,6 @@ fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Checked<bool> 
     };
     let equal = scope.relation(&Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() })?;
     Ok(equal.iter().all(|p| p.value != Some(true)))
-}
-
-/// Whether an expression mentions nothing but numbers and, if allowed, x.
-fn is_explicit(e: &Expr, x: usize, allowed: bool) -> bool {
-    let fits = match e {
-        Expr::Var(v) | Expr::Deriv(_, v) => *v == x && allowed,
-        Expr::Let(_) => false,
-        _ => true,
-    };
-    fits && e.children().into_iter().all(|part| is_explicit(part, x, allowed))
 }
 
 /// Digest of a goal or a certificate: 128-bit FNV-1a of its parts. A name, not a safeguard: the

@@ -8,6 +8,7 @@
 mod ast;
 mod check;
 mod derivative;
+mod door;
 mod limit;
 mod model;
 mod normal;
@@ -19,11 +20,13 @@ mod univariate;
 
 pub use ast::*;
 pub use check::{check, claim_state, digest, on_functions, point_state, range_premise, scope};
-pub use derivative::derivative;
-pub use limit::{Place, constants, differs, leaves, misses, narrows, premised, premises, sides};
+pub use limit::{
+    Place, constants, differs, inside_goal, inside_state, misses, narrowing, owed, premised,
+    premises, sides,
+};
 pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
 pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
 pub use proof::*;
 pub use rejection::{Checked, Rejection};
-pub use state::State;
+pub use state::{Passages, State};
 pub use univariate::{descartes, sign, sign_at};

@@ -5,8 +5,9 @@ use std::rc::Rc;
 use crate::normal::regions;
 use crate::state::{depends, varies};
 use crate::{
-    Approach, Atom, Atoms, Bound, Cases, Checked, Expr, Fuel, Goal, Limit, Piece, Poly, Rejection,
-    Scope, Sentence, Side, SideProof, Sign, State, Target, expressions,
+    Approach, Atom, Atoms, Bound, Cases, Checked, Conclusion, Context, Expr, Fuel, Germ, Goal,
+    Hypothesis, Limit, Passages, Piece, Poly, Rejection, Relation, Scope, Sentence, Side,
+    SideProof, Sign, State, Target, expressions, point_state, range_premise,
 };
 
 impl Side {
@@ -81,27 +82,105 @@ fn value<'g>(scope: &Scope<'_>, s: &Sentence, l: &'g Limit) -> Option<&'g Expr> 
     (!around.any(|e| depends(scope, e, l.var))).then_some(value)
 }
 
-/// Whether a premise speaks of x without any function of x: it narrows the domain of x.
+/// What a given says of x without any function of x: so it narrows the domain of x. A cited claim
+/// does not.
 #[must_use]
-pub fn narrows(scope: &Scope<'_>, s: &Sentence, x: usize) -> bool {
-    s.limits().next().is_none()
-        && expressions(&s.when, &s.links).any(|e| depends(scope, e, x))
-        && !expressions(&s.when, &s.links).any(|e| varies(scope, e, x))
+pub fn narrowing(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
+    let s = &h.sentence;
+    let sides =
+        |r: &Relation| [&r.lhs, &r.rhs].map(|e| (depends(scope, e, x), varies(scope, e, x)));
+    let speaks = |r: &Relation| sides(r).iter().any(|(depends, _)| *depends);
+    let plainly = |r: &Relation| !sides(r).iter().any(|(_, varies)| *varies);
+    let conditioned = s.when.iter().any(speaks);
+    let plain = s.when.iter().all(plainly);
+    s.only(|r| h.given && plain && plainly(r) && (conditioned || speaks(r)))
 }
 
-/// Formulas that hold where a germ leaves the narrowed domain: what is known of constants, and one
-/// of the narrowing premises fails.
+/// What a premise says of constants while x varies: the items of a given's list that are free of x;
+/// a cited claim as a whole, or nothing.
+fn of_constants(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
+    let free = |r: &Relation| [&r.lhs, &r.rhs].iter().all(|e| !depends(scope, e, x));
+    let s = &h.sentence;
+    let whole = s.when.iter().all(free) && (h.given || s.relations().all(free));
+    match whole {
+        true => s.only(free),
+        false => Sentence { when: Vec::new(), links: Vec::new() },
+    }
+}
+
+/// The givens, cited or behind, in whose range a germ on this side has to lie: those whose
+/// relations depend on the variable. If it is taken for granted that the claimed limit is reached
+/// from this side, the cited ones are not among them.
+#[must_use]
+pub fn owed<'g>(state: &State<'_, 'g>, side: &Side) -> Vec<&'g Sentence> {
+    let cited = state.goal.hypotheses.iter().filter(|h| h.given && !state.reaches(side));
+    let all = cited.map(|h| &h.sentence).chain(&state.goal.behind);
+    let relations = |s: &'g Sentence| s.when.iter().chain(s.relations());
+    let speaks = |r: &Relation| [&r.lhs, &r.rhs].iter().any(|e| depends(state.scope, e, side.var));
+    all.filter(|s| relations(s).any(speaks)).collect()
+}
+
+/// The question whether a given holds along a germ for explicit functions of its variable: those in
+/// place, what is known of constants as premises, and the given with the ranges of the functions.
 ///
 /// # Errors
-/// [`Rejection::Budget`].
-pub fn leaves(scope: &Scope<'_>, goal: &Goal, x: usize) -> Checked<Vec<Cases>> {
-    let mut formulas = premises(scope, goal, Place::Constants(x))?;
-    let mut outside = Cases::new();
-    for h in goal.hypotheses.iter().filter(|h| narrows(scope, &h.sentence, x)) {
-        outside.extend(scope.premise(&h.sentence, h.given, false)?);
+/// [`Rejection::WrongEvidence`] if a value is not one of a function of x in x and constants.
+pub fn inside_goal(
+    state: &State<'_, '_>,
+    side: &Side,
+    given: &Sentence,
+    values: &[(usize, Expr)],
+) -> Checked<Goal> {
+    let (goal, x) = (state.goal, side.var);
+    for (i, (v, e)) in values.iter().enumerate() {
+        let of_x = goal.context.vars.get(*v).is_some_and(|var| var.of == Some(x));
+        let twice = values[..i].iter().any(|(w, _)| w == v);
+        if !of_x || twice || !is_explicit(e, &|w| w == x || state.is_constant(w, x)) {
+            return Err(Rejection::WrongEvidence);
+        }
     }
-    formulas.push(outside);
-    Ok(formulas)
+    let constant =
+        |h: &Hypothesis| Hypothesis { sentence: of_constants(state.scope, h, x), given: h.given };
+    let free = |r: &&Relation| [&r.lhs, &r.rhs].iter().all(|e| !depends(state.scope, e, x));
+    Ok(Goal {
+        context: Context { values: values.to_vec(), ..goal.context.clone() },
+        hypotheses: goal.hypotheses.iter().map(constant).collect(),
+        behind: Vec::new(),
+        when: goal.when.iter().filter(free).cloned().collect(),
+        conclusion: Conclusion::NotImplied(given.only(|_| true)),
+    })
+}
+
+/// The state of such a question along the germ: the given fails, or a value is undefined or out of
+/// the range of its function.
+///
+/// # Errors
+/// [`Rejection::Budget`]; as [`State::along`].
+pub fn inside_state<'s, 'g>(
+    state: &State<'_, '_>,
+    germ: &Germ,
+    scope: &'s Scope<'g>,
+    goal: &'g Goal,
+) -> Checked<State<'s, 'g>> {
+    let Conclusion::NotImplied(given) = &goal.conclusion else {
+        return Err(Rejection::WrongEvidence);
+    };
+    let mut fails = scope.premise(given, true, false)?;
+    for (v, _) in &goal.context.values {
+        fails.extend(scope.premise(&range_premise(&goal.context, *v).sentence, true, false)?);
+    }
+    let inside = point_state(scope, goal, Some(fails))?;
+    Ok(State { atoms: state.atoms_along(germ, scope)?, passages: Passages::Nowhere, ..inside })
+}
+
+/// Whether an expression mentions nothing but numbers and allowed symbols.
+pub(crate) fn is_explicit(e: &Expr, allowed: &dyn Fn(usize) -> bool) -> bool {
+    let fits = match e {
+        Expr::Var(v) | Expr::Deriv(_, v) => allowed(*v),
+        Expr::Let(_) => false,
+        _ => true,
+    };
+    fits && e.children().into_iter().all(|part| is_explicit(part, allowed))
 }
 
 /// Where premises are read.
@@ -130,9 +209,10 @@ pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Checked<Vec
     let nothing = || vec![Atoms::new()];
     let mut formulas = Vec::new();
     for h in &goal.hypotheses {
-        let mut relations = h.sentence.when.iter().chain(h.sentence.relations());
-        let speaks = side.is_some() || relations.all(|r| free(&r.lhs) && free(&r.rhs));
-        formulas.push(if speaks { scope.premise(&h.sentence, h.given, true)? } else { nothing() });
+        formulas.push(match place {
+            Place::Constants(x) => scope.premise(&of_constants(scope, h, x), h.given, true)?,
+            Place::Point | Place::Germ(_) => scope.premise(&h.sentence, h.given, true)?,
+        });
     }
     for (z, (s, l)) in (scope.germ() + 1..).zip(premised(goal)) {
         let end = value(scope, s, l).filter(|_| expressions(&s.when, &[]).all(free));
@@ -209,7 +289,8 @@ pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32)
 pub fn constants<'s, 'g>(scope: &'s Scope<'g>, goal: &'g Goal, x: usize) -> Checked<State<'s, 'g>> {
     let formulas = Rc::new(premises(scope, goal, Place::Constants(x))?);
     let atoms = Atoms::new();
-    let mut state = State { scope, goal, atoms, formulas, reaching: false, on_germ: false };
+    let passages = Passages::Along(x);
+    let mut state = State { scope, goal, atoms, formulas, reaching: false, passages };
     let constants = scope.mentioned.iter().filter(|v| state.is_constant(**v, x));
     state.atoms = constants.flat_map(|v| scope.range(*v)).collect();
     Ok(state)

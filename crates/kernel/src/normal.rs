@@ -7,6 +7,7 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::derivative::{Kind, Locals};
 use crate::{
     Bound, Checked, Context, Expr, Fraction, Fuel, Poly, Rejection, Rel, Relation, Sentence, sign,
 };
@@ -95,12 +96,12 @@ pub struct Piece<T = Fraction> {
 }
 
 /// What has one value at all points.
-fn everywhere<T>(value: Option<T>) -> Vec<Piece<T>> {
+pub(crate) fn everywhere<T>(value: Option<T>) -> Vec<Piece<T>> {
     vec![Piece { atoms: Vec::new(), value }]
 }
 
 /// One value where an atom holds, another where it does not.
-fn either<T>(atom: Atom, holds: Option<T>, fails: Option<T>) -> Vec<Piece<T>> {
+pub(crate) fn either<T>(atom: Atom, holds: Option<T>, fails: Option<T>) -> Vec<Piece<T>> {
     let not = vec![atom.not()];
     vec![Piece { atoms: vec![atom], value: holds }, Piece { atoms: not, value: fails }]
 }
@@ -125,6 +126,8 @@ pub struct Scope<'c> {
     pub mentioned: BTreeSet<usize>,
     roots: Vec<&'c Expr>,
     lets: RefCell<BTreeMap<usize, Vec<Piece>>>,
+    /// the definitions near a point, by what is varied and what is asked
+    pub(crate) near_lets: RefCell<BTreeMap<(usize, Vec<usize>, Kind), Locals>>,
 }
 
 impl<'c> Scope<'c> {
@@ -157,7 +160,8 @@ impl<'c> Scope<'c> {
             }
             todo.extend(e.children());
         }
-        let scope = Self { context, fuel, mentioned, roots, lets: RefCell::default() };
+        let (lets, near_lets) = (RefCell::default(), RefCell::default());
+        let scope = Self { context, fuel, mentioned, roots, lets, near_lets };
         // In order of definition, so that no definition recurses into another's body.
         for i in needed {
             let pieces = scope.pieces(&context.lets[i].body)?;
@@ -220,18 +224,16 @@ impl<'c> Scope<'c> {
             Expr::Sub(a, b) => self.both(a, b, |x, y| total(x.add(&y.neg(), fuel)?)),
             Expr::Mul(a, b) => self.both(a, b, |x, y| total(x.mul(y, fuel)?)),
             Expr::Div(a, b) => self.both(a, b, |x, y| {
-                let quotient =
-                    Fraction { num: x.num.mul(&y.den, fuel)?, den: x.den.mul(&y.num, fuel)? };
-                Ok(either(Atom::new(y.num.clone(), Sign::NonZero), Some(quotient), None))
+                let by = Atom::new(y.num.clone(), Sign::NonZero);
+                Ok(either(by, Some(x.over(y, fuel)?), None))
             }),
             Expr::Pow(a, n) if *n < 0 => {
                 let power = Expr::Pow(a.clone(), n.checked_neg().ok_or(Rejection::Budget)?);
                 self.pieces(&Expr::Div(Expr::int(1).into(), power.into()))
             }
-            Expr::Pow(a, n) => self.each(&self.pieces(a)?, |x| {
-                let n = n.unsigned_abs();
-                total(Fraction { num: x.num.pow(n, fuel)?, den: x.den.pow(n, fuel)? })
-            }),
+            Expr::Pow(a, n) => {
+                self.each(&self.pieces(a)?, |x| total(x.pow(n.unsigned_abs(), fuel)?))
+            }
             // The cases of `Expr::as_cases`, with each operand normalised once.
             Expr::Abs(a) => self.each(&self.pieces(a)?, |x| {
                 let atom = Atom::new(x.sign_poly(fuel)?, Sign::NonNegative);
@@ -244,21 +246,10 @@ impl<'c> Scope<'c> {
                 Ok(either(atom, Some(x.clone()), Some(y.clone())))
             }),
             Expr::Sqrt(a) => {
-                let position = self.roots.iter().position(|r| *r == e);
-                let s = self.context.vars.len() + position.ok_or(Rejection::UnknownSymbol)?;
-                self.each(&self.pieces(a)?, |x| {
-                    let real = Atom::new(x.sign_poly(fuel)?, Sign::NonNegative);
-                    let square = Poly::power(s, 2).mul(&x.den, fuel)?.sub(&x.num);
-                    let mut pieces = either(real, Some(Fraction::whole(Poly::var(s))), None);
-                    pieces[0].atoms.push(Atom::new(Poly::var(s), Sign::NonNegative));
-                    pieces[0].atoms.push(Atom::new(square, Sign::Zero));
-                    Ok(pieces)
-                })
+                let s = self.root_variable(e)?;
+                self.each(&self.pieces(a)?, |x| self.root_pieces(s, x, Sign::NonNegative))
             }
-            Expr::Deriv(f, x) => {
-                let slope = self.pieces(&crate::derivative(self.context, f, *x, fuel)?)?;
-                self.each(&self.pieces(f)?, |_| Ok(slope.clone()))
-            }
+            Expr::Deriv(f, x) => self.slopes(f, *x),
             Expr::Cases(branches, otherwise) => {
                 let last = otherwise.as_ref().map(|body| self.pieces(body)).transpose()?;
                 let mut rest = last.unwrap_or_else(|| everywhere(None));
@@ -271,6 +262,22 @@ impl<'c> Scope<'c> {
                 Ok(rest)
             }
         }
+    }
+
+    /// The variable that stands for a root.
+    pub(crate) fn root_variable(&self, root: &Expr) -> Checked<usize> {
+        let position = self.roots.iter().position(|r| *r == root);
+        Ok(self.context.vars.len() + position.ok_or(Rejection::UnknownSymbol)?)
+    }
+
+    /// The root s of a fraction, where that has the sign; elsewhere undefined.
+    pub(crate) fn root_pieces(&self, s: usize, x: &Fraction, sign: Sign) -> Checked<Vec<Piece>> {
+        let real = Atom::new(x.sign_poly(&self.fuel)?, sign);
+        let square = Poly::power(s, 2).mul(&x.den, &self.fuel)?.sub(&x.num);
+        let mut pieces = either(real, Some(Fraction::whole(Poly::var(s))), None);
+        pieces[0].atoms.push(Atom::new(Poly::var(s), Sign::NonNegative));
+        pieces[0].atoms.push(Atom::new(square, Sign::Zero));
+        Ok(pieces)
     }
 
     /// Goes on where there is a value; regions that are visibly empty are left out.
@@ -310,17 +317,20 @@ impl<'c> Scope<'c> {
     /// # Errors
     /// As [`Scope::pieces`].
     pub fn relation(&self, r: &Relation) -> Checked<Vec<Piece<bool>>> {
-        let swap = matches!(r.rel, Rel::Lt | Rel::Le);
-        let (a, b) = if swap { (&r.rhs, &r.lhs) } else { (&r.lhs, &r.rhs) };
-        self.both(a, b, |x, y| {
+        let (left, right) = r.greater_first();
+        self.both(left, right, |x, y| {
             let gap = x.add(&y.neg(), &self.fuel)?;
-            let atom = match r.rel {
-                Rel::Eq => Atom::new(gap.num, Sign::Zero),
-                Rel::Ne => Atom::new(gap.num, Sign::NonZero),
-                Rel::Lt | Rel::Gt => Atom::new(gap.sign_poly(&self.fuel)?, Sign::Positive),
-                Rel::Le | Rel::Ge => Atom::new(gap.sign_poly(&self.fuel)?, Sign::NonNegative),
-            };
-            Ok(either(atom, Some(true), Some(false)))
+            Ok(either(self.condition(r.rel, &gap)?, Some(true), Some(false)))
+        })
+    }
+
+    /// When a relation holds, from the greater side less the other.
+    pub(crate) fn condition(&self, rel: Rel, gap: &Fraction) -> Checked<Atom> {
+        Ok(match rel {
+            Rel::Eq => Atom::new(gap.num.clone(), Sign::Zero),
+            Rel::Ne => Atom::new(gap.num.clone(), Sign::NonZero),
+            Rel::Lt | Rel::Gt => Atom::new(gap.sign_poly(&self.fuel)?, Sign::Positive),
+            Rel::Le | Rel::Ge => Atom::new(gap.sign_poly(&self.fuel)?, Sign::NonNegative),
         })
     }
 

@@ -75,7 +75,7 @@ impl Poly {
         powers.fold(Self::default(), |sum, power| sum.add(&power))
     }
 
-    /// c·m, the zero polynomial if c = 0. The monomial must be ascending in its variables.
+    /// c·m, the zero polynomial if c = 0; the monomial in any order.
     #[must_use]
     pub fn term(m: Monomial, c: BigInt) -> Self {
         let mut p = Self::default();
@@ -88,7 +88,7 @@ impl Poly {
         if c.is_zero() {
             return;
         }
-        match Rc::make_mut(&mut self.0).entry(m) {
+        match Rc::make_mut(&mut self.0).entry(canonical(m)) {
             Entry::Vacant(e) => {
                 e.insert(c);
             }
@@ -153,10 +153,15 @@ impl Poly {
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (m, c) in other.terms() {
-            sum.add_term(m.clone(), c.clone());
-        }
+        sum.add_all(other);
         sum
+    }
+
+    /// Adds another polynomial in place.
+    pub fn add_all(&mut self, other: &Self) {
+        for (m, c) in other.terms() {
+            self.add_term(m.clone(), c.clone());
+        }
     }
 
     /// Difference.
@@ -227,6 +232,18 @@ impl Poly {
         out
     }
 
+    /// ∂p/∂v
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn derivative(&self, v: usize, fuel: &Fuel) -> Checked<Self> {
+        let mut sum = Self::default();
+        for (n, c) in (0..).zip(self.coefficients(v)).skip(1) {
+            sum = sum.add(&c.mul(&Self::power(v, n - 1), fuel)?.scale(&n.into()));
+        }
+        Ok(sum)
+    }
+
     /// Splits off the largest non-negative integer that divides all coefficients: (content, rest).
     #[must_use]
     pub fn primitive(&self) -> (BigInt, Self) {
@@ -275,6 +292,21 @@ impl Poly {
         }
         Ok(sum)
     }
+}
+
+/// A monomial with each variable once, ascending, and no power 0.
+fn canonical(mut m: Monomial) -> Monomial {
+    if m.windows(2).any(|w| w[0].0 >= w[1].0) || m.iter().any(|p| p.1 == 0) {
+        m.sort_unstable();
+        // What a caller adds up beyond the range of powers stays a monomial, if another one.
+        m.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            kept.1 = if same { kept.1.saturating_add(next.1) } else { kept.1 };
+            same
+        });
+        m.retain(|p| p.1 > 0);
+    }
+    m
 }
 
 /// Exponent of v in m.
@@ -342,6 +374,22 @@ impl Fraction {
     /// [`Rejection::Budget`].
     pub fn mul(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
         Ok(Self { num: self.num.mul(&o.num, fuel)?, den: self.den.mul(&o.den, fuel)? })
+    }
+
+    /// Quotient; the other must not be zero.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn over(&self, o: &Self, fuel: &Fuel) -> Checked<Self> {
+        Ok(Self { num: self.num.mul(&o.den, fuel)?, den: self.den.mul(&o.num, fuel)? })
+    }
+
+    /// Power.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn pow(&self, n: u32, fuel: &Fuel) -> Checked<Self> {
+        Ok(Self { num: self.num.pow(n, fuel)?, den: self.den.pow(n, fuel)? })
     }
 
     /// A polynomial with the sign of the fraction wherever the denominator is not zero.

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::{Atom, Expr, Poly, Target};
+use crate::{Atom, Expr, Poly, Sign, Target};
 
 /// What is found about a goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -45,8 +45,6 @@ pub enum Evidence {
 /// Shows that the atoms collected so far, with formulas not yet assumed, have no common point.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Proof {
-    /// An atom is a constant and false.
-    Absurd,
     /// A formula is a disjunction: one proof a case.
     Assume {
         /// index of the formula
@@ -54,39 +52,12 @@ pub enum Proof {
         /// proofs, in the order of its cases
         cases: Vec<Proof>,
     },
-    /// The sign of a polynomial is one of three.
+    /// The sign of a polynomial is one of three: cases that between them admit each.
     Split {
         /// the polynomial
         poly: Poly,
-        /// proof if it is 0
-        zero: Box<Proof>,
-        /// proof if it is > 0
-        positive: Box<Proof>,
-        /// proof if it is < 0
-        negative: Box<Proof>,
-    },
-    /// An equation D·vⁿ + … = 0 with D a product of factors known not to vanish reduces the
-    /// degree in v of all other atoms below n; if n = 1, v is gone, and the equation too.
-    Substitute {
-        /// index of the equation
-        equation: usize,
-        /// v
-        var: usize,
-        /// indices of atoms > 0 or ≠ 0, with powers, whose product is ±D; none if D is a constant
-        lead: Vec<(usize, u32)>,
-        /// the rest
-        then: Box<Proof>,
-    },
-    /// Divides an atom by factors that are known not to vanish.
-    Cancel {
-        /// index of the atom
-        atom: usize,
-        /// indices of atoms > 0 or ≠ 0, with powers (even ones for ≠ 0 below an inequality)
-        factors: Vec<(usize, u32)>,
-        /// what is left, up to a positive factor
-        quotient: Poly,
-        /// the rest
-        then: Box<Proof>,
+        /// cases, which may overlap
+        cases: Vec<Case>,
     },
     /// Σ weightⱼ·squareⱼ²·Π known + Σ cofactorᵢ·equationᵢ = 0 with one summand visibly positive.
     Positive {
@@ -94,24 +65,6 @@ pub enum Proof {
         terms: Vec<Term>,
         /// indices of equations and their cofactors
         cofactors: Vec<(usize, Poly)>,
-    },
-    /// Bounds lᵢ ≤ xᵢ ≤ uᵢ mapped onto the orthant give an atom's polynomial the wrong sign.
-    Orthant {
-        /// index of the atom
-        atom: usize,
-        /// for each variable of it: indices of atoms for its lower and upper bound
-        bounds: Vec<(usize, Option<usize>, Option<usize>)>,
-    },
-    /// Atoms in one variable: on no cell of the line do they all hold.
-    SignTable {
-        /// the variable
-        var: usize,
-        /// polynomials without common or repeated roots
-        bases: Vec<Vec<BigInt>>,
-        /// all their roots, ascending
-        roots: Vec<Root>,
-        /// atoms used, each as constant · Π baseᵢ^eᵢ
-        atoms: Vec<(usize, BigRational, Vec<u32>)>,
     },
     /// What holds for all small t > 0 holds in the limit (Zero and NonNegative survive).
     Pass {
@@ -124,6 +77,17 @@ pub enum Proof {
         /// the rest, with the atom at t = 0
         then: Box<Proof>,
     },
+}
+
+/// A case of a [`Proof::Split`]: the polynomial, or its opposite, has this sign.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Case {
+    /// whether it is said of the opposite
+    pub opposite: bool,
+    /// the sign
+    pub sign: Sign,
+    /// proof with this atom
+    pub then: Proof,
 }
 
 /// weight · square² · Π factors, a summand known to be ≥ 0.
@@ -168,8 +132,17 @@ pub struct Germ {
     pub radius: (Poly, Poly),
     /// proof that both are positive (its last formula: one of them is not)
     pub positive: Box<Proof>,
-    /// proof that the premises about x alone hold along the germ: it lies in the narrowed domain
-    pub inside: Box<Proof>,
+    /// that it lies in the range of each given that [`crate::owed`] names
+    pub inside: Vec<Inside>,
+}
+
+/// Shows that a given can hold at each point along a germ.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Inside {
+    /// functions of x, as expressions in x and constants
+    pub values: Vec<(usize, Expr)>,
+    /// proof that with them the given holds (its last formula: it fails, or a value does)
+    pub proof: Proof,
 }
 
 /// Proof of a limit f → L from one side: den·f = num along the germ, and both ends at t = 0.
@@ -228,8 +201,8 @@ pub struct Functions {
 pub enum Failure {
     /// at a point x (where nothing has to fail for mere consistency)
     At(Point),
-    /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along a side
-    Reaches(SideProof),
+    /// nothing fails, and the domain reaches the limit of a limit claim: 0 → 0 along each side
+    Reaches(Vec<SideProof>),
     /// the limit at this link is another one, as proved from one of its sides
     Limit {
         /// index of the link in a sentence; 0 for a single link

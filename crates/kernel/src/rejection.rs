@@ -10,14 +10,16 @@ pub enum Rejection {
     Budget,
     /// the certificate names another goal
     OtherGoal,
+    /// a rational number is not in lowest terms with a positive denominator
+    NotCanonical,
     /// evidence of this kind cannot show this finding
     WrongEvidence,
     /// a limit is judged by functions, not by a point
     NeedsFunctions,
-    /// no atom is a false constant
-    NotAbsurd,
     /// cases, proofs: their numbers differ
     CaseCount(usize, usize),
+    /// the cases of a sign do not admit all three
+    SignLeftOut,
     /// no atom with this index
     NoSuchAtom(usize),
     /// no formula with this index
@@ -30,14 +32,8 @@ pub enum Rejection {
     NotAnEquation(usize),
     /// no summand is visibly positive, or one may be negative
     NotPositive,
-    /// the atom with this index is no bound of the variable
-    NotABound(usize),
-    /// the coefficients do not have the sign that contradicts the atom
-    WrongSign,
     /// Descartes' rule does not confirm the stated roots
     RootCount,
-    /// on some cell of the line all atoms hold
-    OpenCell,
     /// the germ does not lie in the domain
     OutsideDomain,
     /// something that varies stands where only constants may

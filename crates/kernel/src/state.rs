@@ -3,15 +3,37 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Signed;
 
-use crate::limit::{Place, leaves, premises, sides, start};
+use crate::limit::{Place, inside_goal, inside_state, owed, premises, sides, start};
 use crate::{
-    Atom, Atoms, Cases, Checked, Conclusion, Expr, Fuel, Germ, Goal, Link, Poly, Proof, Rejection,
-    Root, Scope, Side, Sign, Term, descartes, sign, sign_at,
+    Atom, Atoms, Case, Cases, Checked, Conclusion, Expr, Germ, Goal, Link, Poly, Proof, Rejection,
+    Root, Scope, Side, Sign, Term, scope,
 };
+
+/// Along which variables something may be passed to a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passages {
+    /// along any: at a point where the premises hold
+    Anywhere,
+    /// along this one: among what is constant while it varies
+    Along(usize),
+    /// along none: not along a germ, where a premised limit's variable stands for the function; not
+    /// for explicit functions; not where no limit is spoken of, and statements speak of one point
+    Nowhere,
+}
+
+impl Passages {
+    /// Whether along x.
+    #[must_use]
+    pub fn allow(self, x: usize) -> bool {
+        match self {
+            Self::Anywhere => true,
+            Self::Along(along) => along == x,
+            Self::Nowhere => false,
+        }
+    }
+}
 
 /// What is known at a point: atoms, and formulas of which one case each holds there.
 #[derive(Clone, Debug)]
@@ -26,9 +48,8 @@ pub struct State<'s, 'g> {
     pub formulas: Rc<Vec<Cases>>,
     /// whether it is being refuted that the domain, as the premises narrow it, reaches a limit
     pub reaching: bool,
-    /// whether this is a state along a germ: there a premised limit's variable stands for the
-    /// function, so nothing may be passed to its limit
-    pub on_germ: bool,
+    /// where something may be passed to a limit
+    pub passages: Passages,
 }
 
 impl<'s, 'g> State<'s, 'g> {
@@ -39,10 +60,6 @@ impl<'s, 'g> State<'s, 'g> {
     pub fn refute(&self, proof: &Proof) -> Checked {
         self.scope.fuel.spend(1)?;
         match proof {
-            Proof::Absurd => {
-                let absurd = self.atoms.iter().any(|a| a.decided() == Some(false));
-                absurd.then_some(()).ok_or(Rejection::NotAbsurd)
-            }
             Proof::Assume { formula, cases } => {
                 let states = self.assume(*formula)?;
                 if states.len() != cases.len() {
@@ -50,24 +67,21 @@ impl<'s, 'g> State<'s, 'g> {
                 }
                 states.iter().zip(cases).try_for_each(|(s, p)| s.refute(p))
             }
-            Proof::Split { poly, zero, positive, negative } => {
-                let with = |sign, p: Poly| self.with(Atom::new(p, sign));
-                with(Sign::Zero, poly.clone()).refute(zero)?;
-                with(Sign::Positive, poly.clone()).refute(positive)?;
-                with(Sign::Positive, poly.neg()).refute(negative)
-            }
-            Proof::Substitute { equation, var, lead, then } => {
-                self.substitute(*equation, *var, lead)?.refute(then)
-            }
-            Proof::Cancel { atom, factors, quotient, then } => {
-                self.cancel(*atom, factors, quotient)?.refute(then)
+            Proof::Split { poly, cases } => {
+                let sided = |c: &Case, s: i8| if c.opposite { -s } else { s };
+                let admitted = |s: i8| cases.iter().any(|c| c.sign.admits(sided(c, s)));
+                if ![-1, 0, 1].into_iter().all(admitted) {
+                    return Err(Rejection::SignLeftOut);
+                }
+                cases.iter().try_for_each(|c| {
+                    let side = if c.opposite { poly.neg() } else { poly.clone() };
+                    self.with(Atom::new(side, c.sign)).refute(&c.then)
+                })
             }
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
-            Proof::Orthant { atom, bounds } => self.orthant(*atom, bounds),
-            Proof::SignTable { var, bases, roots, atoms } => {
-                self.sign_table(*var, bases, roots, atoms)
+            Proof::Pass { germ, .. } if !self.passages.allow(germ.side.var) => {
+                Err(Rejection::OutsideDomain)
             }
-            Proof::Pass { .. } if self.on_germ => Err(Rejection::OutsideDomain),
             Proof::Pass { germ, atom, along, then } => {
                 self.along(germ)?.with(atom.not()).refute(along)?;
                 self.with(self.at_zero(germ, atom)?).refute(then)
@@ -103,68 +117,6 @@ impl<'s, 'g> State<'s, 'g> {
         Ok(cases.iter().map(next).collect())
     }
 
-    /// Reduces all other atoms by an equation, as polynomials in a variable; one that is linear in
-    /// it eliminates it, and goes.
-    ///
-    /// # Errors
-    /// [`Rejection`] if it is no such equation or its leading coefficient may vanish.
-    pub fn substitute(&self, equation: usize, var: usize, lead: &[(usize, u32)]) -> Checked<Self> {
-        let eq = self.atom(equation)?;
-        let degree = eq.poly.degree(var);
-        if eq.sign != Sign::Zero || degree == 0 {
-            return Err(Rejection::NotAnEquation(equation));
-        }
-        // The sign of the leading coefficient decides whether odd powers of it may stand below an
-        // inequality.
-        let nonzero = |sign, _| matches!(sign, Sign::Positive | Sign::NonZero);
-        let want = self.product(lead, nonzero)?.primitive().1;
-        let have = eq.poly.coefficients(var).pop().unwrap_or_default().primitive().1;
-        let flip = have == want.neg();
-        if !(flip || have == want) {
-            return Err(Rejection::MayVanish);
-        }
-        let even = |&(i, n): &(usize, u32)| n % 2 == 0 || self.atoms[i].sign == Sign::Positive;
-        let positive = lead.iter().all(even);
-        let rule = if flip { eq.poly.neg() } else { eq.poly.clone() };
-        let mut next = self.clone();
-        for (i, atom) in next.atoms.iter_mut().enumerate() {
-            if i == equation {
-                continue;
-            }
-            let even = atom.sign.is_order() && !positive;
-            let rest = atom.poly.remainder(var, &rule, even, &self.scope.fuel)?;
-            *atom = Atom::new(rest.primitive().1, atom.sign);
-        }
-        if degree == 1 {
-            next.atoms[equation].poly = Poly::default();
-        }
-        Ok(next)
-    }
-
-    /// Divides an atom by factors that do not vanish.
-    ///
-    /// # Errors
-    /// [`Rejection`] if a factor may vanish or the product does not give back the atom.
-    pub fn cancel(&self, atom: usize, factors: &[(usize, u32)], quotient: &Poly) -> Checked<Self> {
-        let old = self.atom(atom)?;
-        if factors.iter().any(|f| f.0 == atom) {
-            return Err(Rejection::MayVanish);
-        }
-        let allowed = |sign, even| match sign {
-            Sign::Positive => true,
-            Sign::NonZero => even || !old.sign.is_order(),
-            Sign::Zero | Sign::NonNegative => false,
-        };
-        let product = self.product(factors, allowed)?.mul(quotient, &self.scope.fuel)?;
-        // Equal up to a positive rational factor.
-        if product.primitive().1 != old.poly.primitive().1 {
-            return Err(Rejection::NotAnIdentity);
-        }
-        let mut next = self.clone();
-        next.atoms[atom].poly = quotient.clone();
-        Ok(next)
-    }
-
     /// Product of powers of atoms whose sign, with an even power or not, is allowed.
     fn product(
         &self,
@@ -191,13 +143,13 @@ impl<'s, 'g> State<'s, 'g> {
             if equation.sign != Sign::Zero {
                 return Err(Rejection::NotAnEquation(*i));
             }
-            sum = sum.add(&equation.poly.mul(cofactor, fuel)?);
+            sum.add_all(&equation.poly.mul(cofactor, fuel)?);
         }
         for t in terms {
             let allowed = |sign: Sign, even| sign.is_order() || (sign == Sign::NonZero && even);
             let known = self.product(&t.factors, allowed)?;
             let square = t.square.mul(&t.square, fuel)?;
-            sum = sum.add(&square.mul(&known, fuel)?.scale(&t.weight));
+            sum.add_all(&square.mul(&known, fuel)?.scale(&t.weight));
             if !t.weight.is_positive() {
                 return Err(Rejection::NotPositive);
             }
@@ -209,101 +161,6 @@ impl<'s, 'g> State<'s, 'g> {
             return Err(Rejection::NotAnIdentity);
         }
         strict.then_some(()).ok_or(Rejection::NotPositive)
-    }
-
-    fn orthant(&self, atom: usize, bounds: &[(usize, Option<usize>, Option<usize>)]) -> Checked {
-        let fuel = &self.scope.fuel;
-        let target = self.atom(atom)?;
-        let mut p = target.poly.clone();
-        // For each variable: its degree, and which ends of [0, ∞] belong to the region.
-        let mut ends = Vec::new();
-        for (i, &(v, lower, upper)) in bounds.iter().enumerate() {
-            if bounds[..i].iter().any(|b| b.0 == v) {
-                return Err(Rejection::NotABound(atom));
-            }
-            let lower = lower.map(|i| self.bound(i, v, 1)).transpose()?;
-            let upper = upper.map(|i| self.bound(i, v, -1)).transpose()?;
-            let degree = p.degree(v);
-            // v = (a + b·y)/den with y ≥ 0 and den > 0.
-            let line = |a: BigInt, b: BigInt| Poly::in_variable(v, &[a, b]);
-            let (num, den) = match (lower, upper) {
-                (Some((l, open)), None) => {
-                    ends.push((v, degree, !open, false));
-                    (line(l.numer().clone(), l.denom().clone()), Poly::constant(l.denom().clone()))
-                }
-                (None, Some((u, open))) => {
-                    ends.push((v, degree, !open, false));
-                    (line(u.numer().clone(), -u.denom()), Poly::constant(u.denom().clone()))
-                }
-                (Some((l, open_l)), Some((u, open_u))) => {
-                    ends.push((v, degree, !open_l, !open_u));
-                    let scale = l.denom() * u.denom();
-                    let num = line(l.numer() * u.denom(), u.numer() * l.denom());
-                    (num, line(scale.clone(), scale))
-                }
-                (None, None) => return Err(Rejection::NotABound(atom)),
-            };
-            p = p.compose(v, &num, &den, fuel)?;
-        }
-        if p.vars().iter().any(|v| !bounds.iter().any(|b| b.0 == *v)) {
-            return Err(Rejection::NotABound(atom));
-        }
-        let side = |positive: bool| p.terms().all(|(_, c)| c.is_positive() == positive);
-        let contradicts = match target.sign {
-            Sign::Positive => side(false),
-            Sign::NonNegative => side(false) && survives(&p, &ends, fuel)?,
-            Sign::Zero => (side(false) || side(true)) && survives(&p, &ends, fuel)?,
-            Sign::NonZero => p.is_empty(),
-        };
-        contradicts.then_some(()).ok_or(Rejection::WrongSign)
-    }
-
-    /// Reads atom i as a lower (side 1) or upper (side −1) bound of v: its value, and if it is open.
-    fn bound(&self, i: usize, v: usize, side: i8) -> Checked<(BigRational, bool)> {
-        let atom = self.atom(i)?;
-        match (atom.poly.univariate(v).as_deref(), atom.sign.is_order()) {
-            (Some([c, k]), true) if sign(k) == side => {
-                Ok((BigRational::new(-c, k.clone()), atom.sign == Sign::Positive))
-            }
-            _ => Err(Rejection::NotABound(i)),
-        }
-    }
-
-    fn sign_table(
-        &self,
-        var: usize,
-        bases: &[Vec<BigInt>],
-        roots: &[Root],
-        atoms: &[(usize, BigRational, Vec<u32>)],
-    ) -> Checked {
-        let fuel = &self.scope.fuel;
-        for (i, constant, powers) in atoms {
-            let mut product = Poly::constant(constant.numer().clone());
-            for (base, n) in bases.iter().zip(powers) {
-                let power = Poly::in_variable(var, base).pow(*n, fuel)?;
-                product = product.mul(&power, fuel)?;
-            }
-            // A rational number as it is made has a positive denominator.
-            let whole = self.atom(*i)?.poly.scale(constant.denom());
-            if !constant.denom().is_positive() || product != whole || powers.len() != bases.len() {
-                return Err(Rejection::NotAnIdentity);
-            }
-        }
-        for signs in cells(bases, roots, fuel)? {
-            let admitted = |(i, constant, powers): &(usize, BigRational, Vec<u32>)| {
-                let power = |(s, n): (&i8, &u32)| match n {
-                    0 => 1,
-                    n if n % 2 == 0 => s * s,
-                    _ => *s,
-                };
-                let factors: i8 = signs.iter().zip(powers).map(power).product();
-                self.atoms[*i].sign.admits(sign(constant.numer()) * factors)
-            };
-            if atoms.iter().all(admitted) {
-                return Err(Rejection::OpenCell);
-            }
-        }
-        Ok(())
     }
 
     /// Whether a variable keeps its value while x varies.
@@ -318,25 +175,30 @@ impl<'s, 'g> State<'s, 'g> {
     /// [`Rejection`] if the side does not lie in the domain or the radius may not be positive.
     pub fn along(&self, germ: &Germ) -> Checked<Self> {
         let along = self.along_unproved(germ)?;
-        if !self.reaches(&germ.side) {
-            let leaves = leaves(self.scope, self.goal, germ.side.var)?;
-            Self { formulas: Rc::new(leaves), ..along.clone() }.refute(&germ.inside)?;
+        let owed = owed(self, &germ.side);
+        if owed.len() != germ.inside.len() {
+            return Err(Rejection::CaseCount(owed.len(), germ.inside.len()));
+        }
+        for (given, inside) in owed.into_iter().zip(&germ.inside) {
+            let goal = inside_goal(self, &germ.side, given, &inside.values)?;
+            let scope = scope(&goal, self.scope.fuel.clone())?;
+            inside_state(self, germ, &scope, &goal)?.refute(&inside.proof)?;
         }
         Ok(along)
     }
 
-    /// Whether the state takes for granted that the domain reaches the limit from this side: it is
-    /// the only side of a limit claim whose vacuity is to be shown.
+    /// Whether the state takes for granted that the cited givens let the variable reach the limit
+    /// from this side: it is one of the sides of a limit claim whose vacuity is to be shown.
     #[must_use]
     pub fn reaches(&self, side: &Side) -> bool {
         let claimed = match &self.goal.conclusion {
             Conclusion::Link(Link::Limit(l)) if self.reaching => sides(self.scope, l),
             _ => Vec::new(),
         };
-        claimed[..] == [side.clone()]
+        claimed.contains(side)
     }
 
-    /// The state along a germ, without the proof that the germ lies in the narrowed domain: for
+    /// The state along a germ, without the proof that the germ lies in the range of the givens: for
     /// those who look for that proof.
     ///
     /// # Errors
@@ -352,19 +214,25 @@ impl<'s, 'g> State<'s, 'g> {
         }
         let positive = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
         self.with_cases(vec![positive(num), positive(den)]).refute(&germ.positive)?;
-        let t = self.scope.germ();
-        let gap = num.sub(&den.mul(&Poly::var(t), &self.scope.fuel)?);
-        let mut atoms = self.scope.ranges();
-        if !self.scope.mentioned.contains(&x) {
-            atoms.extend(self.scope.range(x));
+        let atoms = self.atoms_along(germ, self.scope)?;
+        let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
+        Ok(Self { atoms, formulas, passages: Passages::Nowhere, ..self.clone() })
+    }
+
+    /// The conditions along a germ of a scope with the same constants: ranges, what is known of
+    /// constants here, 0 < t < radius, and x.
+    pub(crate) fn atoms_along(&self, germ: &Germ, scope: &Scope<'_>) -> Checked<Atoms> {
+        let (x, t, (num, den)) = (germ.side.var, scope.germ(), &germ.radius);
+        let mut atoms = scope.ranges();
+        if !scope.mentioned.contains(&x) {
+            atoms.extend(scope.range(x));
         }
         let constant = |a: &&Atom| a.poly.vars().iter().all(|&v| self.is_constant(v, x));
         atoms.extend(self.atoms.iter().filter(constant).cloned());
         atoms.push(Atom::new(Poly::var(t), Sign::Positive));
-        atoms.push(Atom::new(gap, Sign::Positive));
-        atoms.push(germ.side.binding(t, &self.scope.fuel)?);
-        let formulas = Rc::new(premises(self.scope, self.goal, Place::Germ(&germ.side))?);
-        Ok(Self { atoms, formulas, on_germ: true, ..self.clone() })
+        atoms.push(Atom::new(num.sub(&den.mul(&Poly::var(t), &scope.fuel)?), Sign::Positive));
+        atoms.push(germ.side.binding(t, &scope.fuel)?);
+        Ok(atoms)
     }
 
     /// The atom that an atom along the germ leaves behind at t = 0.
@@ -377,59 +245,6 @@ impl<'s, 'g> State<'s, 'g> {
         }
         Ok(Atom::new(start(self, &germ.side, &atom.poly, 0)?, atom.sign))
     }
-}
-
-/// Whether some term of a polynomial whose terms have one sign is not zero on each face of the
-/// orthant: for each variable its degree there, and whether 0 and ∞ belong to the region.
-fn survives(p: &Poly, ends: &[(usize, u32, bool, bool)], fuel: &Fuel) -> Checked<bool> {
-    fuel.spend(1 + u64::try_from(p.len()).unwrap_or(u64::MAX))?;
-    let Some((&(v, degree, low, high), rest)) = ends.split_first() else {
-        return Ok(!p.is_empty());
-    };
-    let face = |n: u32| (0..).zip(p.coefficients(v)).find(|(i, _)| *i == n).unwrap_or_default().1;
-    Ok(survives(p, rest, fuel)?
-        && (!low || survives(&face(0), rest, fuel)?)
-        && (!high || survives(&face(degree), rest, fuel)?))
-}
-
-/// The sign vectors of the bases on all cells of the line: gaps and roots, from left to right. An
-/// isolating interval has no cells of its own but the root: off it, it continues the gaps.
-fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Checked<Vec<Vec<i8>>> {
-    let mut out = Vec::new();
-    let mut left: Option<&BigRational> = None;
-    for root in roots.iter().map(Some).chain([None]) {
-        // The gap between two roots.
-        let right = root.map(|r| &r.lo);
-        let inside = match (left, right) {
-            (Some(a), Some(b)) if a > b => return Err(Rejection::RootCount),
-            (Some(a), Some(b)) => (a + b) / BigRational::from_integer(2.into()),
-            (Some(a), None) => a + BigRational::one(),
-            (None, Some(b)) => b - BigRational::one(),
-            (None, None) => BigRational::zero(),
-        };
-        for p in bases {
-            if descartes(p, left, right, fuel)? != 0 {
-                return Err(Rejection::RootCount);
-            }
-        }
-        out.push(bases.iter().map(|p| sign_at(p, &inside)).collect());
-        // The root that follows.
-        let Some(root) = root else {
-            break;
-        };
-        let mut signs = Vec::new();
-        for p in bases {
-            let ends = [sign_at(p, &root.lo), sign_at(p, &root.hi)];
-            signs.push(match descartes(p, Some(&root.lo), Some(&root.hi), fuel)? {
-                0 if root.is_exact() || !ends.contains(&0) => ends[0],
-                1 if *p == root.poly && !ends.contains(&0) => 0,
-                _ => return Err(Rejection::RootCount),
-            });
-        }
-        out.push(signs);
-        left = Some(&root.hi);
-    }
-    Ok(out)
 }
 
 impl Root {

@@ -1,5 +1,6 @@
 //! What every report for programs has: what it is, what wrote it, and the line feed at its end.
 
+use kane_algebra::syntax::is_hidden;
 use serde::Serialize;
 
 /// The name and the version of a report's format.
@@ -16,10 +17,19 @@ pub(crate) struct Program {
     version: &'static str,
 }
 
-/// A report for programs as text, ended by a line feed.
+/// A report for programs as text, ended by a line feed. What cannot be seen is escaped.
 pub(crate) fn written(report: &impl Serialize) -> String {
-    let mut out = serde_json::to_string_pretty(report)
+    let json = serde_json::to_string_pretty(report)
         .expect("numbers, strings, lists and maps with string keys always serialise");
+    let mut out = String::with_capacity(json.len() + 1);
+    for c in json.chars() {
+        if is_hidden(c) {
+            let mut units = [0; 2];
+            out.extend(c.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")));
+        } else {
+            out.push(c);
+        }
+    }
     out.push('\n');
     out
 }

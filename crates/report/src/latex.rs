@@ -215,9 +215,8 @@ fn escape(text: &str) -> String {
             '>' => out.push_str("$>$"),
             '|' => out.push_str("$|$"),
             '"' => out.push_str("''"),
-            '\n' => out.push(' '),
-            c if c.is_ascii_control() => {}
-            c if c.is_ascii() => out.push(c),
+            '\n' | '\t' => out.push(' '),
+            c if c.is_ascii() && !c.is_ascii_control() => out.push(c),
             c => out.push_str(&beyond_ascii(c)),
         }
     }
@@ -266,6 +265,7 @@ mod tests {
     fn no_character_of_a_text_becomes_a_command() {
         assert_eq!(escape(r"a_b \x {50%} #1 & $"), r"a\_b \textbackslash{}x \{50\%\} \#1 \& \$");
         assert_eq!(escape("μ ≤ é 漢"), "$\\mu$ $\\le$ é [U+6F22]");
+        assert_eq!(escape("a\u{1b}[8m\tb\u{9b}"), "a[U+001B][8m b[U+009B]");
         assert_eq!(escape("1234567890123"), "123456789012\\allowbreak{}3");
     }
 }

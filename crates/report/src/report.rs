@@ -1,6 +1,6 @@
 //! What is shown of an audit.
 
-use kane_algebra::syntax::{Notation as _, latex_name};
+use kane_algebra::syntax::{Notation as _, latex_name, visible};
 use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
 use kane_kernel::{Context, Sentence};
 
@@ -37,7 +37,7 @@ impl<'a> Report<'a> {
         Self {
             audit,
             shown: (0..audit.document.statements.len()).collect(),
-            command: command.into(),
+            command: visible(&command.into()).into_owned(),
             pictures: &[],
             judges: &[],
         }

@@ -1,20 +1,26 @@
-//! SMT-LIB: the opposite of a claim as polynomial conditions, for solvers that decide them.
+//! SMT-LIB: the opposite of a claim, for solvers that decide such conditions over the real numbers.
 //!
-//! Denominators are cleared, and every condition under which something is defined is asserted
-//! beside it. A proved claim's conditions have no common point: the answer should be `unsat`. For a
-//! refuted one the witness is asserted too: `sat`.
+//! The question is written from the statement as it was read: premises that are defined and true,
+//! cited claims that are true where they are defined, and a conclusion that is not. What an
+//! expression is, where it is defined and what its derivatives are is said here, and nothing is
+//! taken from the kernel but the statement and the witness. A proved claim's conditions have no
+//! common point: the answer should be `unsat`. For a refuted one the witness is asserted too: `sat`.
 
+mod slope;
+mod term;
+
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use kane_audit::Accepted;
 use kane_kernel::{
-    Atom, Certificate, Conclusion, Evidence, Finding, Fuel, Link, Model, Point, Poly, Scope, Sign,
-    claim_state, premised, scope,
+    Certificate, Conclusion, Evidence, Expr, Finding, Goal, Link, Model, Point, Relation,
+    expressions, premised,
 };
-use num_bigint::BigInt;
-use num_traits::{One, Signed};
 
 use crate::Report;
+pub use term::NotPut;
+use term::{Terms, any, integer, rational, root_name, times};
 
 /// A question to a solver.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,44 +31,110 @@ pub struct Question {
     pub satisfiable: bool,
 }
 
-/// The question that a finding answers; `None` if it speaks of limits.
-#[must_use]
-pub fn smt(accepted: &Accepted) -> Option<Question> {
+/// The question that a finding answers.
+///
+/// # Errors
+/// [`NotPut`]: why there is none.
+pub fn smt(accepted: &Accepted) -> Result<Question, NotPut> {
     let (goal, Certificate { finding, evidence, .. }) = (&accepted.goal, &accepted.certificate);
     let limit = matches!(goal.conclusion, Conclusion::Link(Link::Limit(_)));
     if limit || premised(goal).next().is_some() {
-        return None;
+        return Err(NotPut::Limits);
     }
-    let scope = scope(goal, Fuel::new(u64::MAX)).ok()?;
-    let state = claim_state(&scope, goal, *finding).ok()?;
     let point = match evidence {
         Evidence::Contradiction(_) => None,
         Evidence::Model(Model::Point(point)) => Some(point),
-        Evidence::Model(Model::Functions(_)) | Evidence::Limit(_) => return None,
+        Evidence::Model(Model::Functions(_)) | Evidence::Limit(_) => return Err(NotPut::Limits),
     };
-    let names = Names { scope: &scope };
+    let terms = Terms::new(&goal.context);
+    let mut asserted = Vec::new();
+    for h in &goal.hypotheses {
+        let truth = terms.sentence(&h.sentence)?;
+        asserted.push(any(&truth, |v| v.unwrap_or(!h.given)));
+    }
+    asserted.push(any(&terms.relations(&goal.when)?, |v| *v == Some(true)));
+    asserted.extend(failure(&terms, goal, *finding)?);
     let mut text = "(set-logic QF_NRA)\n".to_owned();
-    let roots = goal.context.vars.len()..scope.germ();
-    for v in scope.mentioned.iter().copied().chain(roots) {
-        let _ = writeln!(text, "(declare-const {} Real)", names.of(v));
+    for v in mentioned(goal) {
+        let _ = writeln!(text, "(declare-const {} Real)\n{}", terms.symbol(v), terms.range(v));
     }
-    for atom in &state.atoms {
-        let _ = writeln!(text, "(assert {})", names.atom(atom));
+    for i in 0..terms.roots.borrow().len() {
+        let _ = writeln!(text, "(declare-const {} Real)", root_name(i));
     }
-    for cases in state.formulas.iter() {
-        let all: Vec<String> = cases.iter().map(|c| names.all(c)).collect();
-        match all.as_slice() {
-            [one] if one == "true" => {}
-            [one] => _ = writeln!(text, "(assert {one})"),
-            many => _ = writeln!(text, "(assert (or false {}))", many.join(" ")),
-        }
+    text = text.replace("\n\n", "\n") + &terms.named.borrow().concat();
+    for condition in asserted.iter().filter(|c| *c != "true") {
+        let _ = writeln!(text, "(assert {condition})");
     }
     if let Some(point) = point {
-        text.push_str(&names.point(point));
+        text.push_str(&witness(&terms, goal, point));
     }
     text.push_str("(check-sat)\n");
     let satisfiable = point.is_some() && *finding != Finding::Vacuous;
-    Some(Question { text, satisfiable })
+    Ok(Question { text, satisfiable })
+}
+
+/// How the conclusion fails.
+fn failure(terms: &Terms<'_>, goal: &Goal, finding: Finding) -> Result<Option<String>, NotPut> {
+    let relation = |r: &Relation, wanted: fn(&Option<bool>) -> bool| {
+        Ok::<_, NotPut>(Some(any(&terms.relation(r)?, wanted)))
+    };
+    match (&goal.conclusion, finding) {
+        (_, Finding::Vacuous | Finding::Consistent) | (Conclusion::Contradiction, _) => Ok(None),
+        (Conclusion::Link(Link::Relation(r)), Finding::Proved) => relation(r, |v| *v != Some(true)),
+        (Conclusion::Link(Link::Relation(r)), Finding::Refuted) => {
+            relation(r, |v| *v == Some(false))
+        }
+        (Conclusion::Link(Link::Relation(r)), Finding::IllDefined) => relation(r, Option::is_none),
+        (Conclusion::NotImplied(s), _) if s.limits().next().is_none() => {
+            Ok(Some(any(&terms.sentence(s)?, |v| *v != Some(true))))
+        }
+        _ => Err(NotPut::Limits),
+    }
+}
+
+/// The symbols of a goal, definitions followed.
+fn mentioned(goal: &Goal) -> BTreeSet<usize> {
+    let context = &goal.context;
+    let (mut out, mut seen) = (BTreeSet::new(), BTreeSet::new());
+    let sentences = goal.hypotheses.iter().map(|h| &h.sentence);
+    let mut todo: Vec<&Expr> = sentences
+        .flat_map(|s| expressions(&s.when, &s.links))
+        .chain(expressions(&goal.when, &[]))
+        .chain(expressions(goal.conclusion.when(), goal.conclusion.links()))
+        .collect();
+    while let Some(e) = todo.pop() {
+        match e {
+            Expr::Var(v) | Expr::Deriv(_, v) if *v < context.vars.len() => _ = out.insert(*v),
+            Expr::Let(i) if seen.insert(*i) => todo.extend(context.lets.get(*i).map(|l| &l.body)),
+            _ => {}
+        }
+        todo.extend(e.children());
+    }
+    out
+}
+
+/// The coordinates of a witness, with the number in which they are polynomials. Roots follow from
+/// the symbols.
+fn witness(terms: &Terms<'_>, goal: &Goal, point: &Point) -> String {
+    let term = |c: String, n: usize| (0..n).fold(c, |product, _| times(&product, "theta"));
+    let sum = |parts: Vec<String>| match parts.as_slice() {
+        [] => "0".to_owned(),
+        [one] => one.clone(),
+        many => format!("(+ {})", many.join(" ")),
+    };
+    let mut text = String::new();
+    if let Some(root) = &point.generator {
+        let parts = root.poly.iter().enumerate().map(|(n, c)| term(integer(c), n)).collect();
+        let _ = writeln!(text, "(declare-const theta Real)\n(assert (= {} 0))", sum(parts));
+        let (lo, hi) = (rational(&root.lo), rational(&root.hi));
+        let _ = writeln!(text, "(assert (< {lo} theta {hi}))");
+    }
+    let known = mentioned(goal);
+    for (v, cs) in point.values.iter().filter(|(v, _)| known.contains(v)) {
+        let parts = cs.iter().enumerate().map(|(n, c)| term(rational(c), n)).collect();
+        let _ = writeln!(text, "(assert (= {} {}))", terms.symbol(*v), sum(parts));
+    }
+    text
 }
 
 /// The questions to all links that a report shows, each with a name for its file.
@@ -72,7 +144,7 @@ pub fn questions(report: &Report<'_>) -> Vec<(String, Question)> {
     for &statement in &report.shown {
         let links = &report.audit.judgements[statement].links;
         for (link, judged) in links.iter().enumerate() {
-            let Some(question) = judged.accepted.as_deref().and_then(smt) else {
+            let Some(question) = judged.accepted.as_deref().and_then(|a| smt(a).ok()) else {
                 continue;
             };
             let mut name = crate::coq::link_name(
@@ -86,91 +158,4 @@ pub fn questions(report: &Report<'_>) -> Vec<(String, Question)> {
         }
     }
     out
-}
-
-struct Names<'s, 'g> {
-    scope: &'s Scope<'g>,
-}
-
-impl Names<'_, '_> {
-    fn of(&self, v: usize) -> String {
-        match self.scope.context.vars.get(v) {
-            Some(var) => format!("|{}|", var.name),
-            None => format!("|root {}|", v - self.scope.context.vars.len() + 1),
-        }
-    }
-
-    fn poly(&self, p: &Poly) -> String {
-        let term = |m: &kane_kernel::Monomial, c: &BigInt| {
-            let mut factors = Vec::new();
-            if !c.is_one() || m.is_empty() {
-                factors.push(integer(c));
-            }
-            for &(v, n) in m {
-                factors.extend((0..n).map(|_| self.of(v)));
-            }
-            operation("*", &factors, "1")
-        };
-        let terms: Vec<String> = p.terms().map(|(m, c)| term(m, c)).collect();
-        operation("+", &terms, "0")
-    }
-
-    fn atom(&self, a: &Atom) -> String {
-        let p = self.poly(&a.poly);
-        match a.sign {
-            Sign::Zero => format!("(= {p} 0)"),
-            Sign::NonZero => format!("(not (= {p} 0))"),
-            Sign::NonNegative => format!("(>= {p} 0)"),
-            Sign::Positive => format!("(> {p} 0)"),
-        }
-    }
-
-    fn all(&self, atoms: &[Atom]) -> String {
-        operation("and", &atoms.iter().map(|a| self.atom(a)).collect::<Vec<_>>(), "true")
-    }
-
-    /// The coordinates of a witness, with the number in which they are polynomials.
-    fn point(&self, point: &Point) -> String {
-        let fraction = |q: &num_rational::BigRational| match q.denom().is_one() {
-            true => integer(q.numer()),
-            false => format!("(/ {} {})", integer(q.numer()), q.denom()),
-        };
-        let power = |n: usize| vec!["theta".to_owned(); n];
-        let mut text = String::new();
-        if let Some(root) = &point.generator {
-            let terms = root.poly.iter().enumerate();
-            let terms: Vec<String> = terms
-                .map(|(n, c)| operation("*", &[vec![integer(c)], power(n)].concat(), "1"))
-                .collect();
-            let _ = writeln!(text, "(declare-const theta Real)");
-            let _ = writeln!(text, "(assert (= {} 0))", operation("+", &terms, "0"));
-            let (lo, hi) = (fraction(&root.lo), fraction(&root.hi));
-            let _ = writeln!(text, "(assert (< {lo} theta {hi}))");
-        }
-        for (v, cs) in &point.values {
-            let known = self.scope.mentioned.contains(v) || self.scope.root(*v).is_some();
-            if !known {
-                continue;
-            }
-            let terms = cs.iter().enumerate();
-            let terms: Vec<String> = terms
-                .map(|(n, c)| operation("*", &[vec![fraction(c)], power(n)].concat(), "1"))
-                .collect();
-            let value = operation("+", &terms, "0");
-            let _ = writeln!(text, "(assert (= {} {value}))", self.of(*v));
-        }
-        text
-    }
-}
-
-fn integer(c: &BigInt) -> String {
-    if c.is_negative() { format!("(- {})", c.magnitude()) } else { c.to_string() }
-}
-
-fn operation(operator: &str, parts: &[String], empty: &str) -> String {
-    match parts {
-        [] => empty.to_owned(),
-        [one] => one.clone(),
-        many => format!("({operator} {})", many.join(" ")),
-    }
 }

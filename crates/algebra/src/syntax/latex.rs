@@ -72,6 +72,21 @@ fn number(value: &BigRational) -> String {
     }
 }
 
+/// Whether an exponent would seem to belong to the end of this base alone: to a prime, to what a Δ or
+/// d stands before, or to the arguments of a function.
+fn seems_shorter(base: &Expr, latex: &str) -> bool {
+    let differential = |rest: &str| rest.starts_with(|c: char| c.is_ascii_uppercase());
+    match base {
+        Expr::Min(..) | Expr::Max(..) => true,
+        Expr::Var(_) | Expr::Let(_) => {
+            latex.ends_with('\'')
+                || latex.starts_with("\\Delta ")
+                || latex.strip_prefix('d').is_some_and(differential)
+        }
+        _ => false,
+    }
+}
+
 struct Writer<'a> {
     context: &'a Context,
 }
@@ -81,8 +96,9 @@ impl Writer<'_> {
     fn expr(&self, e: &Expr, least: Level) -> String {
         let bare = self.bare(e);
         let loose = match e {
-            // a fraction holds together by itself, but an exponent would seem to belong to its top
-            Expr::Div(..) => least > Level::Power,
+            // a fraction holds together by itself, but an exponent would seem to belong to its top;
+            // behind a derivative it would seem to belong to what is differentiated
+            Expr::Div(..) | Expr::Deriv(..) => least > Level::Power,
             _ => level(e) < least,
         };
         if loose { format!("\\left({bare}\\right)") } else { bare }
@@ -93,13 +109,18 @@ impl Writer<'_> {
             Expr::Num(value) => number(value),
             Expr::Var(index) => latex_name(var_name(*index, self.context)),
             Expr::Let(index) => latex_name(let_name(*index, self.context)),
-            Expr::Neg(a) => format!("-{}", self.expr(a, Level::Product)),
+            Expr::Neg(a) => format!("-{}", self.operand(a, Level::Product)),
             Expr::Add(a, b) => self.pair(a, "+", b),
             Expr::Sub(a, b) => self.pair(a, "-", b),
             Expr::Mul(a, b) => self.product(a, b),
             Expr::Div(a, b) => format!("\\frac{{{}}}{{{}}}", self.free(a), self.free(b)),
             Expr::Pow(a, exponent) => {
-                format!("{}^{{{exponent}}}", self.expr(a, Level::Atom))
+                let base = self.operand(a, Level::Atom);
+                if seems_shorter(a, &base) {
+                    format!("\\left({base}\\right)^{{{exponent}}}")
+                } else {
+                    format!("{base}^{{{exponent}}}")
+                }
             }
             Expr::Abs(a) => format!("\\left|{}\\right|", self.free(a)),
             Expr::Sqrt(a) => format!("\\sqrt{{{}}}", self.free(a)),
@@ -119,15 +140,37 @@ impl Writer<'_> {
     }
 
     fn pair(&self, a: &Expr, operator: &str, b: &Expr) -> String {
-        format!("{} {operator} {}", self.expr(a, Level::Sum), self.expr(b, Level::Product))
+        format!("{} {operator} {}", self.operand(a, Level::Sum), self.operand(b, Level::Product))
+    }
+
+    /// A part of a larger expression. What follows `cases` would seem to belong to its last row.
+    fn operand(&self, e: &Expr, least: Level) -> String {
+        match e {
+            Expr::Cases(..) => format!("\\left({}\\right)", self.bare(e)),
+            _ => self.expr(e, least),
+        }
     }
 
     fn product(&self, a: &Expr, b: &Expr) -> String {
-        let left = self.expr(a, Level::Product);
-        let right = self.expr(b, Level::Power);
-        // juxtaposed digits would read as one number
-        let dot = right.starts_with(|c: char| c.is_ascii_digit())
-            || (right.starts_with("\\frac") && left.ends_with(|c: char| c.is_ascii_digit()));
+        let left = self.operand(a, Level::Product);
+        let right = self.operand(b, Level::Power);
+        let last = match a {
+            Expr::Mul(_, last) => last,
+            only => only,
+        };
+        let is_function = |v: &usize| self.context.vars.get(*v).is_some_and(|v| v.of.is_some());
+        let dot = match last {
+            // what follows a derivative would seem to be differentiated, too
+            Expr::Deriv(..) => true,
+            // a function before parentheses would seem to be applied
+            Expr::Var(v) if is_function(v) && right.starts_with("\\left(") => true,
+            // juxtaposed digits would read as one number, a difference of E as the product Δ·E
+            _ => {
+                right.starts_with(|c: char| c.is_ascii_digit())
+                    || (right.starts_with("\\frac") && left.ends_with(|c: char| c.is_ascii_digit()))
+                    || left.ends_with("\\Delta")
+            }
+        };
         format!("{left} {}{right}", if dot { "\\cdot " } else { "" })
     }
 

@@ -106,7 +106,7 @@ fn skip_blank(text: &str, from: usize) -> usize {
         if !trimmed.starts_with('#') {
             return at;
         }
-        at += trimmed.find('\n').unwrap_or(trimmed.len());
+        at += trimmed.find(['\n', '\r']).unwrap_or(trimmed.len());
     }
 }
 

@@ -12,13 +12,15 @@
 //!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
 //! ```
 //!
-//! There is no implicit product. A `#` starts a comment, and white space never matters. A name is
+//! There is no implicit product. A `#` starts a comment, which ends with its line (at LF, CR or
+//! CRLF), and white space never matters. A name is
 //! a Latin or Greek letter followed by letters, digits, `_` and primes; a Greek letter equals its
 //! spelled-out name, a subscript digit the digit.
 
 mod coq;
 mod error;
 mod eval;
+mod hidden;
 mod jet;
 mod latex;
 mod lexer;
@@ -27,6 +29,7 @@ mod names;
 mod number;
 mod parser;
 mod plain;
+mod rebuild;
 mod scope;
 mod suggest;
 mod words;
@@ -34,6 +37,7 @@ mod words;
 pub use coq::{coq, coq_relation};
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, NoValue, eval, holds};
+pub use hidden::{is_control, is_hidden, printable, visible};
 pub use lexer::Token;
 pub use links::Endpoint;
 pub use names::{RESERVED, canonical_name, greek_letter, latex_name};
@@ -42,6 +46,7 @@ pub use parser::{
     MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING, Parser, parse_expr,
     parse_relations, parse_sentence,
 };
-pub use plain::Notation;
+pub use plain::{Notation, moving};
+pub use rebuild::rebuild;
 pub use scope::{DeclareError, Scope, Symbol};
 pub use suggest::nearest;

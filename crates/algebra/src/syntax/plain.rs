@@ -183,14 +183,20 @@ fn tends(limit: &Limit, context: &Context) -> String {
 }
 
 fn motion(limit: &Limit, context: &Context) -> String {
-    let point = match &limit.at {
+    moving(limit.var, &limit.at, context)
+}
+
+/// How a limit variable moves: `x -> 0+`.
+#[must_use]
+pub fn moving(var: usize, at: &Approach, context: &Context) -> String {
+    let point = match at {
         Approach::To(a) => a.to_string(),
         Approach::Above(a) => format!("{a}+"),
         Approach::Below(a) => format!("{a}-"),
         Approach::PlusInf => "oo".to_owned(),
         Approach::MinusInf => "-oo".to_owned(),
     };
-    format!("{} -> {point}", var_name(limit.var, context))
+    format!("{} -> {point}", var_name(var, context))
 }
 
 pub(crate) fn var_name(index: usize, context: &Context) -> &str {

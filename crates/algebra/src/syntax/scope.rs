@@ -6,7 +6,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
-use super::names::{RESERVED, canonical_name};
+use super::names::{RESERVED, canonical_name, latex_name};
 
 /// Nodes that all visits of a scope may see together. Definitions that share others can make
 /// every visit as long as the document.
@@ -35,6 +35,14 @@ pub enum DeclareError {
         /// what it stands for already
         first: Symbol,
     },
+    /// another name looks the same in print, as `v_x0` and `vx0` do
+    #[error("`{name}` and `{other}` look the same in print")]
+    Alike {
+        /// the name
+        name: String,
+        /// the one that is there already
+        other: String,
+    },
 }
 
 /// The symbols and definitions known so far, by name.
@@ -42,6 +50,8 @@ pub enum DeclareError {
 pub struct Scope {
     context: Context,
     names: HashMap<String, Symbol>,
+    /// each name as it was written, by what it looks like in print
+    typeset: HashMap<String, String>,
     /// height of each definition, those that it uses expanded
     heights: Vec<usize>,
     /// nodes visited so far
@@ -68,6 +78,7 @@ impl Scope {
 
     fn enter(&mut self, name: &str, symbol: Symbol) {
         self.names.entry(canonical_name(name).into_owned()).or_insert(symbol);
+        self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
     }
 
     /// The symbols and definitions.
@@ -99,14 +110,19 @@ impl Scope {
         }
         match self.resolve(name) {
             Some(first) => Err(DeclareError::Redeclared { name: name.to_owned(), first }),
-            None => Ok(()),
+            None => match self.typeset.get(&latex_name(name)) {
+                Some(other) => {
+                    Err(DeclareError::Alike { name: name.to_owned(), other: other.clone() })
+                }
+                None => Ok(()),
+            },
         }
     }
 
     /// Declares a symbol and returns its index.
     ///
     /// # Errors
-    /// When the name is reserved or taken.
+    /// When the name is reserved or taken, or looks like another one in print.
     pub fn declare(&mut self, var: Var) -> Result<usize, DeclareError> {
         self.check_free(&var.name)?;
         let index = self.context.vars.len();
@@ -118,7 +134,7 @@ impl Scope {
     /// Adds a definition and returns its index.
     ///
     /// # Errors
-    /// When the name is reserved or taken.
+    /// When the name is reserved or taken, or looks like another one in print.
     pub fn define(&mut self, name: &str, body: Expr) -> Result<usize, DeclareError> {
         self.check_free(name)?;
         let index = self.context.lets.len();

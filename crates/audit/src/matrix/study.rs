@@ -6,8 +6,8 @@ use std::rc::Rc;
 
 use kane_impact::{Contact, Frame, ImpactLaw, Outcome};
 use kane_kernel::{
-    Certificate, Conclusion, Context, Evidence, Goal, Link, Model, Point, Rel, Relation,
-    Root as KernelRoot, digest,
+    Certificate, Conclusion, Context, Goal, Link, Model, Point, Rel, Relation, Root as KernelRoot,
+    digest,
 };
 use kane_number::{Algebraic, Rational};
 use num_traits::{One as _, Zero as _};
@@ -17,7 +17,10 @@ use super::property::Demand;
 use super::sample::algebraic;
 use super::setting::{ROOTS, Setting, Symbolic};
 use super::visible::{Condition, Ranges};
-use crate::{Budget, Step, explain, find_witness, prove_goal, refute_goal};
+use crate::argument::Grounds;
+use crate::goal::{proof, witness};
+use crate::prove::Decided;
+use crate::{Budget, Step, explain, refute_goal};
 
 /// What the search for one proof may take: the goals are small, and many.
 const BUDGET: Budget = Budget {
@@ -36,7 +39,7 @@ const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };
 pub(crate) struct Memo(RefCell<BTreeMap<(u128, Search), Answer>>);
 
 /// A certificate that the kernel accepted, or why there is none.
-type Answer = Result<Certificate, String>;
+type Answer = Result<Decided, String>;
 
 /// What is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,9 +56,9 @@ impl Memo {
             return known.clone();
         }
         let answer = match search {
-            Search::Proof => prove_goal(goal, BUDGET),
-            Search::ThoroughProof => prove_goal(goal, THOROUGH),
-            Search::Witness => find_witness(goal, BUDGET).ok_or_else(String::new),
+            Search::Proof => proof(goal, BUDGET),
+            Search::ThoroughProof => proof(goal, THOROUGH),
+            Search::Witness => witness(goal, BUDGET).ok_or_else(String::new),
         };
         self.0.borrow_mut().insert(key, answer.clone());
         answer
@@ -77,6 +80,8 @@ pub struct Part {
     pub goal: Goal,
     /// what the kernel accepted
     pub certificate: Certificate,
+    /// what it was written out from
+    grounds: Grounds,
 }
 
 impl Part {
@@ -84,7 +89,7 @@ impl Part {
     #[must_use]
     pub fn told(&self) -> (String, Vec<Step>) {
         let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
-        let told = explain::certificate(&self.goal, &self.certificate, &labels);
+        let told = explain::grounds(&self.goal, self.certificate.finding, &self.grounds, &labels);
         (told.reason, told.steps)
     }
 
@@ -132,6 +137,7 @@ pub(crate) struct Question<'a> {
 impl Question<'_> {
     pub(crate) fn goal(&self) -> Goal {
         Goal {
+            behind: Vec::new(),
             context: self.context.clone(),
             hypotheses: self.premises.iter().map(|p| p.hypothesis.clone()).collect(),
             when: self.when.clone(),
@@ -152,7 +158,7 @@ impl Question<'_> {
         .prove()
     }
 
-    fn part(&self, goal: Goal, certificate: Certificate) -> Part {
+    fn part(&self, goal: Goal, Decided { certificate, grounds }: Decided) -> Part {
         Part {
             setting: self.setting,
             regime: self.regime.clone(),
@@ -160,39 +166,41 @@ impl Question<'_> {
             labels: self.premises.iter().map(|p| p.label.clone()).collect(),
             goal,
             certificate,
+            grounds,
         }
     }
 
     /// A proof that the kernel accepted.
     pub(crate) fn prove(&self) -> Result<Part, String> {
         let goal = self.goal();
-        let certificate = self.memo.answer(&goal, Search::Proof)?;
-        Ok(self.part(goal, certificate))
+        let decided = self.memo.answer(&goal, Search::Proof)?;
+        Ok(self.part(goal, decided))
     }
 
     /// The same with more patience.
     pub(crate) fn prove_patiently(&self) -> Result<Part, String> {
         self.prove().or_else(|_| {
             let goal = self.goal();
-            let certificate = self.memo.answer(&goal, Search::ThoroughProof)?;
-            Ok(self.part(goal, certificate))
+            let decided = self.memo.answer(&goal, Search::ThoroughProof)?;
+            Ok(self.part(goal, decided))
         })
     }
 
     /// A point that the search finds and the kernel accepts.
     pub(crate) fn search(&self) -> Option<(Part, Point)> {
         let goal = self.goal();
-        let certificate = self.memo.answer(&goal, Search::Witness).ok()?;
-        let Evidence::Model(Model::Point(point)) = &certificate.evidence else { return None };
+        let decided = self.memo.answer(&goal, Search::Witness).ok()?;
+        let Grounds::Model(Model::Point(point)) = &decided.grounds else { return None };
         let point = point.clone();
-        Some((self.part(goal, certificate), point))
+        Some((self.part(goal, decided), point))
     }
 
     /// A witness that the kernel accepted.
     pub(crate) fn refute(&self, point: Point) -> Result<Part, String> {
         let goal = self.goal();
+        let grounds = Grounds::Model(Model::Point(point.clone()));
         let certificate = refute_goal(&goal, point).map_err(|why| why.to_string())?;
-        Ok(self.part(goal, certificate))
+        Ok(self.part(goal, Decided { certificate, grounds }))
     }
 }
 

@@ -4,11 +4,12 @@
 //! is left may have coefficients of one sign where it had none before; else the next premise is
 //! tried on it. Pólya's idea, with the premises for simplices.
 
-use kane_kernel::{Atom, Fuel, Poly, Proof, Sign, State, Term};
+use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
 use super::search::Factors;
+use crate::argument::{Argument, Rules};
 
 /// Terms of a polynomial beyond which an expansion is given up.
 const MAX_TERMS: usize = 400;
@@ -32,14 +33,14 @@ struct Known<'a> {
 }
 
 /// One of the last atoms contradicts the others.
-pub(crate) fn expansion(state: &State<'_, '_>) -> Option<Proof> {
+pub(crate) fn expansion(state: &State<'_, '_>) -> Option<Argument> {
     let order = |i: &usize| state.atoms[*i].sign.is_order() && state.atoms[*i].decided().is_none();
     let targets =
         (0..state.atoms.len()).rev().filter(order).filter(|&i| state.atoms[i].poly.len() > 1);
     targets.take(3).find_map(|target| contradicted(state, target))
 }
 
-fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Proof> {
+fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Argument> {
     let atoms = &state.atoms;
     let usable =
         |i: &usize| *i != target && atoms[*i].sign.is_order() && atoms[*i].decided().is_none();
@@ -71,8 +72,8 @@ fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Proof> {
     all.extend(terms);
     let terms =
         all.into_iter().map(|(weight, factors)| Term { weight, square: Poly::one(), factors });
-    let proof = Proof::Positive { terms: terms.collect(), cofactors: Vec::new() };
-    state.refute(&proof).is_ok().then_some(proof)
+    let proof = Argument::Positive { terms: terms.collect(), cofactors: Vec::new() };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 impl Known<'_> {

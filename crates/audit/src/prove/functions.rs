@@ -5,7 +5,7 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Place, Poly, Proof, State, Target, claim_state, constants, narrows, on_functions,
+    Limit, Link, Passages, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
     point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
@@ -13,6 +13,7 @@ use num_traits::{One, Zero};
 
 use super::limits;
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::{expand, side_proof};
 
 type Q = BigRational;
 
@@ -43,7 +44,7 @@ pub(crate) fn model(
         atoms,
         formulas: Rc::new(formulas[..count].to_vec()),
         reaching: false,
-        on_germ: false,
+        passages: Passages::Anywhere,
     };
     let fixed: Vec<usize> = by.iter().map(|b| b.0).chain([x]).collect();
     let may = |v: usize, _: &Poly| !fixed.contains(&v) && v < goal.context.vars.len();
@@ -65,7 +66,7 @@ pub(crate) fn model(
         values.extend(free.iter().copied().zip(choice));
         // A quotient may have poles where the premises are silent: there any value will do.
         for total in [false, true] {
-            let values = determined(&state, x, values.clone(), &trail, total);
+            let values = determined(&state, (x, &[]), values.clone(), &trail, total);
             let found = values.and_then(|mut v| {
                 v.retain(|(symbol, _)| scope.mentioned.contains(symbol));
                 certified(goal, finding, x, v, effort)
@@ -240,9 +241,9 @@ pub(crate) fn ratio(num: &Poly, den: &Poly) -> Expr {
 }
 
 /// Values for the symbols that the premises determine, from those of the free ones.
-fn determined(
+pub(crate) fn determined(
     state: &State<'_, '_>,
-    x: usize,
+    (x, constants): (usize, &[usize]),
     mut values: Vec<(usize, Expr)>,
     trail: &[Elimination],
     total: bool,
@@ -262,7 +263,8 @@ fn determined(
     };
     let mut known: Vec<(usize, Option<Fraction>)> =
         values.iter().map(|(v, e)| (*v, fraction(e))).collect();
-    known.push((x, Some(Fraction::whole(Poly::var(x)))));
+    let symbols = std::iter::once(&x).chain(constants);
+    known.extend(symbols.map(|v| (*v, Some(Fraction::whole(Poly::var(*v))))));
     let value = |p: &Poly, known: &[(usize, Option<Fraction>)]| -> Option<Fraction> {
         let mut sum = Fraction::rational(&Q::zero());
         for (m, c) in p.terms() {
@@ -337,20 +339,19 @@ fn certified(
         let fails = scope.premise(&h.sentence, h.given, false).ok()?;
         let state = point_state(&scope, &goal, Some(fails)).ok()?;
         match Search::new(effort.steps, &any, false).solve(&state) {
-            Outcome::Closed(proof) => Some(proof),
+            Outcome::Closed(argument) => expand(&state, &argument).ok(),
             _ => None,
         }
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-        limits::prove(&goal, l, effort.steps, effort.fuel)
+        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel)?;
+        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let state = constants(&scope, &goal, l.var).ok()?;
+        arguments.iter().map(|a| side_proof(&state, l, a).ok()).collect::<Option<Vec<_>>>()
     };
     let mut premises = Vec::new();
     for h in &goal.hypotheses {
-        if narrows(&outer, &h.sentence, x) {
-            premises.push((Proof::Absurd, Vec::new()));
-            continue;
-        }
         let proof = premise(h)?;
         let proofs: Option<Vec<_>> = h.sentence.limits().map(limit).collect();
         premises.push((proof, proofs?));
@@ -404,7 +405,8 @@ fn failure(
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
             let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
-            let proof = limits::one_side(&state, &found, &side, effort.steps)?;
+            let argument = limits::one_side(&state, &found, &side, effort.steps)?;
+            let proof = side_proof(&state, &found, &argument).ok()?;
             return Some(Failure::Limit { link: index, target, proof });
         }
         return None;
@@ -417,9 +419,11 @@ fn failure(
             let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), goal.when.clone());
             let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
             let state = constants(&scope, &goal, l.var).ok()?;
-            limits::one_side(&state, &trivial, &side, effort.steps)
+            let argument = limits::one_side(&state, &trivial, &side, effort.steps)?;
+            side_proof(&state, &trivial, &argument).ok()
         };
-        return sides(&outer, &zero).into_iter().find_map(reaches).map(Failure::Reaches);
+        let proofs: Option<Vec<_>> = sides(&outer, &zero).into_iter().map(reaches).collect();
+        return proofs.map(Failure::Reaches);
     }
     let conclusion = match finding {
         Finding::Consistent => Conclusion::Contradiction,

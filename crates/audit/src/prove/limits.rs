@@ -2,14 +2,15 @@
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Proof, Rejection, Side, SideProof, Sign, State,
-    Target, constants, differs, exponent, leaves, misses, premised, sides,
+    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Rejection, Side, Sign, State, Target, constants,
+    differs, exponent, misses, premised, sides,
 };
 use num_bigint::BigInt;
-use num_traits::One;
 use std::rc::Rc;
 
+use super::germs::Germs;
 use super::search::{Elimination, Outcome, Search};
+use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
 #[derive(Clone, Debug)]
@@ -17,83 +18,6 @@ pub(crate) struct Found {
     pub(crate) num: Poly,
     pub(crate) den: Poly,
     pub(crate) order: u32,
-}
-
-/// Radii to try, for constants c around and a leading coefficient D that must not vanish.
-#[derive(Clone, Debug)]
-enum Radius {
-    /// 1/2ᵏ
-    Fixed(u32),
-    /// 1/(2ᵏ·(1 + Σc²))
-    Constants(u32),
-    /// D²/((1 + D²)·2ᵏ·(1 + Σc²))
-    Lead(Poly, u32),
-}
-
-const RADII: [Radius; 6] = [
-    Radius::Fixed(0),
-    Radius::Constants(1),
-    Radius::Fixed(3),
-    Radius::Fixed(7),
-    Radius::Constants(7),
-    Radius::Fixed(20),
-];
-
-impl Radius {
-    /// Numerator and denominator; `None` if it is none of its own.
-    fn fraction(&self, state: &State<'_, '_>, x: usize) -> Option<(Poly, Poly)> {
-        let power = |k: u32| BigInt::one() << k;
-        let mut size = Poly::one();
-        for &v in &state.scope.mentioned {
-            if state.is_constant(v, x) {
-                size.add_term(vec![(v, 2)], BigInt::one());
-            }
-        }
-        match self {
-            Self::Fixed(k) => Some((Poly::one(), Poly::constant(power(*k)))),
-            Self::Constants(k) => {
-                (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k))))
-            }
-            Self::Lead(d, k) => {
-                let fuel = &state.scope.fuel;
-                let square = d.mul(d, fuel).ok()?;
-                let den = square.add(&Poly::one()).mul(&size, fuel).ok()?.scale(&power(*k));
-                Some((square, den))
-            }
-        }
-    }
-}
-
-/// A germ of such a radius inside the narrowed domain, if it visibly is.
-fn germ(state: &State<'_, '_>, side: &Side, radius: &Radius, steps: u64) -> Option<Germ> {
-    let (num, den) = radius.fraction(state, side.var)?;
-    let any = |_: usize, _: &Poly| true;
-    let mut positive = state.clone();
-    let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-    let vanishing = vec![not(&num), not(&den)];
-    positive.formulas = Rc::new([&state.formulas[..], &[vanishing]].concat());
-    let Outcome::Closed(proof) = Search::new(steps, &any, false).solve(&positive) else {
-        return None;
-    };
-    let mut germ = Germ {
-        side: side.clone(),
-        radius: (num, den),
-        positive: Box::new(proof),
-        inside: Box::new(Proof::Absurd),
-    };
-    if state.reaches(side) {
-        return Some(germ);
-    }
-    let mut along = state.along_unproved(&germ).ok()?;
-    along.formulas = Rc::new(leaves(state.scope, state.goal, side.var).ok()?);
-    let may = varies(state, side.var);
-    match Search::new(steps, &may, false).solve(&along) {
-        Outcome::Closed(proof) => {
-            germ.inside = Box::new(proof);
-            Some(germ)
-        }
-        _ => None,
-    }
 }
 
 /// Whether a variable may go along a germ in x: functions of x, x itself, and constants that an
@@ -139,24 +63,20 @@ pub(crate) fn substituted(
     Ok(cancelled(&num, &den))
 }
 
-/// Constants' state of a limit claim, after what premised limits add; and the steps to wrap.
-type Pass = (Germ, Atom, Proof);
-
 /// What the premised limits on the given sides imply for constants: one atom a pass.
 pub(crate) fn passes<'s, 'g>(
     state: &State<'s, 'g>,
     sides: &[Side],
     steps: u64,
-) -> (State<'s, 'g>, Vec<Pass>) {
+) -> (State<'s, 'g>, Vec<Passage>) {
     let (mut state, mut found) = (state.clone(), Vec::new());
     for _ in 0..3 {
         let before = found.len();
         for side in sides {
-            let found_germ = RADII.iter().find_map(|r| germ(&state, side, r, steps));
-            let Some(germ) = found_germ else {
+            let Some(germ) = Germs::new(&state, side, steps).all().next() else {
                 continue;
             };
-            let Ok(along) = state.along(&germ) else {
+            let Ok(along) = state.along_unproved(&germ) else {
                 continue;
             };
             let may = varies(&state, side.var);
@@ -164,9 +84,9 @@ pub(crate) fn passes<'s, 'g>(
             search.proofs = false;
             // A germ on which nothing can hold: the premises pin x.
             let nothing = Atom::new(Poly::one(), Sign::Zero);
-            if let Outcome::Closed(proof) = search.solve(&along) {
+            if let Outcome::Closed(proof) = search.solve(&along.with(nothing.not())) {
                 state = state.with(nothing.clone());
-                found.push((germ, nothing, proof));
+                found.push(Passage { germ, atom: nothing, along: proof });
                 return (state, found);
             }
             let Some((rest, _)) = search.reduced(&along) else {
@@ -192,7 +112,7 @@ pub(crate) fn passes<'s, 'g>(
                 }
                 if let Outcome::Closed(proof) = search.solve(&along.with(atom.not())) {
                     state = state.with(at_zero);
-                    found.push((germ.clone(), atom, proof));
+                    found.push(Passage { germ: germ.clone(), atom, along: proof });
                 }
             }
         }
@@ -201,16 +121,6 @@ pub(crate) fn passes<'s, 'g>(
         }
     }
     (state, found)
-}
-
-/// Wraps a proof in the passes that it rests on.
-pub(crate) fn wrap(passes: Vec<Pass>, proof: Proof) -> Proof {
-    passes.into_iter().rev().fold(proof, |then, (germ, atom, along)| Proof::Pass {
-        germ,
-        atom,
-        along: Box::new(along),
-        then: Box::new(then),
-    })
 }
 
 /// All sides from which limits are premised.
@@ -226,44 +136,43 @@ pub(crate) fn premised_sides(state: &State<'_, '_>, goal: &Goal) -> Vec<Side> {
     out
 }
 
-/// What an expression tends to, read off a germ without proof.
-fn found(
-    state: &State<'_, '_>,
-    limit: &Limit,
-    side: &Side,
+/// What an expression tends to, read off germs without proof.
+fn found<'a>(
+    state: &'a State<'_, '_>,
+    limit: &'a Limit,
+    germs: &'a Germs<'_, '_, '_>,
     steps: u64,
-    radius: &Radius,
-) -> Vec<(Germ, Found)> {
+) -> impl Iterator<Item = (Germ, Found)> {
+    germs.all().flat_map(move |germ| {
+        let found = read_off(state, limit, &germ, steps);
+        found.into_iter().map(move |found| (germ.clone(), found))
+    })
+}
+
+fn read_off(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> Vec<Found> {
     let mut out = Vec::new();
-    if let Some(germ) = germ(state, side, radius, steps) {
-        let Ok(along) = state.along(&germ) else {
-            return out;
+    let (Ok(along), Ok(pieces)) = (state.along_unproved(germ), state.scope.pieces(&limit.expr))
+    else {
+        return out;
+    };
+    let may = varies(state, germ.side.var);
+    let search = Search::new(steps, &may, false);
+    for piece in pieces {
+        let Some(value) = &piece.value else {
+            continue;
         };
-        let may = varies(state, side.var);
-        let search = Search::new(steps, &may, false);
-        let Ok(pieces) = state.scope.pieces(&limit.expr) else {
-            return out;
+        let Some((rest, trail)) = search.reduced(&along.with_cases(vec![piece.atoms])) else {
+            continue;
         };
-        for piece in pieces {
-            let Some(value) = &piece.value else {
-                continue;
-            };
-            let mut state = along.clone();
-            let formulas = [&state.formulas[..], &[vec![piece.atoms.clone()]]].concat();
-            state.formulas = Rc::new(formulas);
-            let Some((rest, trail)) = search.reduced(&state) else {
-                continue;
-            };
-            if super::tactics::quick(&rest).is_some() {
-                continue;
-            }
-            let Ok((num, den)) = substituted(&state, value, &trail) else {
-                continue;
-            };
-            let t = state.scope.germ();
-            let order = den.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
-            out.push((germ.clone(), Found { num, den, order }));
+        if super::tactics::quick(&rest).is_some() {
+            continue;
         }
+        let Ok((num, den)) = substituted(&along, value, &trail) else {
+            continue;
+        };
+        let t = state.scope.germ();
+        let order = den.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
+        out.push(Found { num, den, order });
     }
     out
 }
@@ -274,10 +183,11 @@ pub(crate) fn one_side(
     limit: &Limit,
     side: &Side,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
-    for (at, found) in RADII.iter().flat_map(|r| found(state, limit, side, steps, r)) {
+    let germs = Germs::new(state, side, steps);
+    for (at, found) in found(state, limit, &germs, steps) {
         if let Some(proof) = along(state, limit, side, at, &found, steps) {
             return Some(proof);
         }
@@ -287,8 +197,9 @@ pub(crate) fn one_side(
             continue;
         }
         tried.push(start.clone());
-        let at = germ(state, side, &Radius::Lead(start, 1), steps);
-        if let Some(proof) = at.and_then(|g| along(state, limit, side, g, &found, steps)) {
+        if let Some(proof) =
+            germs.with_lead(start).and_then(|g| along(state, limit, side, g, &found, steps))
+        {
             return Some(proof);
         }
     }
@@ -303,7 +214,7 @@ fn along(
     germ: Germ,
     found: &Found,
     steps: u64,
-) -> Option<SideProof> {
+) -> Option<SideArgument> {
     let any = |_: usize, _: &Poly| true;
     let parts = (&found.num, &found.den, found.order);
     let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
@@ -312,25 +223,30 @@ fn along(
     let Outcome::Closed(at_zero) = Search::new(steps, &any, false).solve(&at_zero) else {
         return None;
     };
-    let mut along = state.along(&germ).ok()?;
+    let mut along = state.along_unproved(&germ).ok()?;
     let cases = differs(state.scope, &limit.expr, (&found.num, &found.den)).ok()?;
     along.formulas = with(&along, cases);
     let may = varies(state, side.var);
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
         return None;
     };
-    Some(SideProof {
+    Some(SideArgument {
         germ,
         num: found.num.clone(),
         den: found.den.clone(),
         order: found.order,
-        along: Box::new(along),
-        at_zero: Box::new(at_zero),
+        along,
+        at_zero,
     })
 }
 
 /// A proof of a limit from all its sides.
-pub(crate) fn prove(goal: &Goal, limit: &Limit, steps: u64, fuel: u64) -> Option<Vec<SideProof>> {
+pub(crate) fn prove(
+    goal: &Goal,
+    limit: &Limit,
+    steps: u64,
+    fuel: u64,
+) -> Option<Vec<SideArgument>> {
     let scope = kane_kernel::scope(goal, kane_kernel::Fuel::new(fuel)).ok()?;
     let state = constants(&scope, goal, limit.var).ok()?;
     let sides = sides(&scope, limit);
@@ -349,7 +265,7 @@ pub(crate) fn value(
 ) -> Option<Target> {
     use num_rational::BigRational as Q;
     use num_traits::{Signed, Zero};
-    for (_, found) in RADII.iter().flat_map(|r| found(state, limit, side, steps, r)) {
+    for (_, found) in found(state, limit, &Germs::new(state, side, steps), steps) {
         let t = state.scope.germ();
         let at_zero = |p: &Poly, order: u32| -> Option<BigInt> {
             let mut sum = BigInt::zero();

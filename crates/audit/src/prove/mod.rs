@@ -3,7 +3,9 @@
 
 mod expansion;
 mod functions;
+mod germs;
 mod limits;
+mod ranges;
 mod sample;
 mod search;
 mod tactics;
@@ -11,11 +13,18 @@ mod tactics;
 use std::cell::RefCell;
 
 use kane_kernel::{
-    Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link, Model,
-    Rejection, check, claim_state, digest, premised, scope, sides,
+    Atom, Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Functions, Goal, Limit, Link,
+    Model, Poly, Rejection, Sentence, Side, Sign, State, check, claim_state, constants, digest,
+    premised, scope, sides,
 };
 
+use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
+
+/// Case distinctions on constants before what limits say of them is given up.
+const PASS_SPLITS: u32 = 2;
+
 use functions::Effort;
+use germs::Germs;
 use search::{Outcome, Search};
 
 pub(crate) use functions::expression;
@@ -50,17 +59,26 @@ impl Default for Budget {
     }
 }
 
+/// A certificate that the kernel accepted, and what it was written out from.
+#[derive(Clone, Debug)]
+pub(crate) struct Decided {
+    pub(crate) certificate: Certificate,
+    pub(crate) grounds: Grounds,
+}
+
 /// What was found about a goal.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Verdicts {
-    /// accepted certificates; at most one that decides
-    pub(crate) decided: Option<Certificate>,
+    /// what decides, if anything does
+    pub(crate) decided: Option<Decided>,
     /// a model of the hypotheses, accepted too
     pub(crate) model: Option<Model>,
     /// why nothing decides
     pub(crate) reason: String,
     /// search steps spent
     pub(crate) cost: u64,
+    /// a side of a limit, and a given that was not shown to hold near it
+    pub(crate) unreached: Option<(Side, Sentence)>,
 }
 
 /// A question to the search and the budget for it.
@@ -90,13 +108,36 @@ impl Prover<'_> {
         &self,
         goal: &Goal,
         finding: Finding,
-        evidence: Evidence,
+        grounds: &Grounds,
     ) -> Result<Certificate, String> {
+        let evidence = self.evidence(goal, finding, grounds);
+        let evidence =
+            evidence.map_err(|why| format!("an argument was found but does not hold: {why:?}"))?;
         let certificate = Certificate { goal: digest(goal), finding, evidence };
         match check(goal, &certificate, Fuel::new(self.budget.check)) {
             Ok(()) => Ok(certificate),
             Err(why) => Err(format!("a certificate was found but not accepted: {why}")),
         }
+    }
+
+    /// Grounds written out in the rules of the kernel.
+    fn evidence(&self, goal: &Goal, finding: Finding, grounds: &Grounds) -> Result<Evidence, Flaw> {
+        let fuel = Fuel::new(self.budget.check);
+        Ok(match (grounds, &goal.conclusion) {
+            (Grounds::Model(model), _) => Evidence::Model(model.clone()),
+            (Grounds::Contradiction(course), _) => {
+                let scope = scope(goal, fuel)?;
+                let state = claim_state(&scope, goal, finding)?;
+                Evidence::Contradiction(contradiction(&state, course)?)
+            }
+            (Grounds::Limit(arguments), Conclusion::Link(Link::Limit(l))) => {
+                let scope = scope(goal, fuel)?;
+                let state = constants(&scope, goal, l.var)?;
+                let proofs = arguments.iter().map(|a| side_proof(&state, l, a));
+                Evidence::Limit(proofs.collect::<Result<_, _>>()?)
+            }
+            (Grounds::Limit(_), _) => return Err(Rejection::WrongEvidence.into()),
+        })
     }
 
     /// Judges a goal; with `doubt`, also whether its hypotheses can hold at all.
@@ -116,16 +157,10 @@ impl Prover<'_> {
         out
     }
 
-    fn decide(
-        &self,
-        goal: &Goal,
-        finding: Finding,
-        evidence: Evidence,
-        out: &mut Verdicts,
-    ) -> bool {
-        match self.accept(goal, finding, evidence) {
+    fn decide(&self, goal: &Goal, finding: Finding, grounds: Grounds, out: &mut Verdicts) -> bool {
+        match self.accept(goal, finding, &grounds) {
             Ok(certificate) => {
-                out.decided = Some(certificate);
+                out.decided = Some(Decided { certificate, grounds });
                 true
             }
             Err(why) => {
@@ -135,8 +170,23 @@ impl Prover<'_> {
         }
     }
 
+    /// Searches for a contradiction in the state of a finding.
+    fn closed(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> Option<Grounds> {
+        match self.search(goal, finding, false, out) {
+            (Some(course), _) => Some(Grounds::Contradiction(course)),
+            (None, _) => None,
+        }
+    }
+
     /// Searches the state of a finding, premised limits passed first.
-    fn search(&self, goal: &Goal, finding: Finding, models: bool, out: &mut Verdicts) -> Outcome {
+    fn search(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        models: bool,
+        out: &mut Verdicts,
+    ) -> (Option<Course>, Outcome) {
+        let open = (None, Outcome::Open);
         // Premises beyond the cited ones only guide to better points: a little search is enough.
         let guide = models && goal.hypotheses.len() > self.cited;
         let (steps, fuel) = if guide {
@@ -145,7 +195,7 @@ impl Prover<'_> {
             (self.budget.steps, self.budget.fuel)
         };
         let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
-            return Outcome::Open;
+            return open;
         };
         let state = match claim_state(&scope, goal, finding) {
             Ok(state) => state,
@@ -153,7 +203,7 @@ impl Prover<'_> {
                 if why == Rejection::Budget && !guide {
                     out.reason = unfit(&why);
                 }
-                return Outcome::Open;
+                return open;
             }
         };
         let mut germs = limits::premised_sides(&state, goal);
@@ -162,7 +212,8 @@ impl Prover<'_> {
                 sides(&scope, l).into_iter().filter(|s| !germs.contains(s)).collect::<Vec<_>>(),
             );
         }
-        let any = |_: usize, _: &kane_kernel::Poly| true;
+        germs.retain(|side| state.passages.allow(side.var));
+        let any = |_: usize, _: &Poly| true;
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.products = self.budget.products;
@@ -174,21 +225,48 @@ impl Prover<'_> {
         search.proofs = !models;
         // Without the limits first: most claims do not need them.
         let mut outcome = search.solve(&state);
+        let mut course = None;
         if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
-            let (state, found) = limits::passes(&state, &germs, self.budget.steps);
-            if !found.is_empty() {
-                let search = Search::new(self.budget.steps, &any, false);
-                outcome = match search.solve(&state) {
-                    Outcome::Closed(proof) => Outcome::Closed(limits::wrap(found, proof)),
-                    other => other,
-                };
-            }
+            course = self.passed(&state, &germs, PASS_SPLITS);
         }
         out.cost += steps - search.left();
         if !guide && scope.fuel.spend(1).is_err() {
             out.reason = format!("neither proof nor witness within {fuel} coefficient operations");
         }
-        outcome
+        if let Outcome::Closed(argument) = outcome {
+            course = Some(Course::After(Vec::new(), argument));
+            outcome = Outcome::Open;
+        }
+        (course, outcome)
+    }
+
+    /// The search after what limits say of constants; by cases, if a given can hold near a limit
+    /// only where some constant does not vanish.
+    fn passed(&self, state: &State<'_, '_>, germs: &[Side], splits: u32) -> Option<Course> {
+        let any = |_: usize, _: &Poly| true;
+        let (next, found) = limits::passes(state, germs, self.budget.steps);
+        if !found.is_empty()
+            && let Outcome::Closed(proof) = Search::new(self.budget.steps, &any, false).solve(&next)
+        {
+            return Some(Course::After(found, proof));
+        }
+        let splits = splits.checked_sub(1)?;
+        let lead = germs.iter().find_map(|side| {
+            Germs::new(state, side, self.budget.steps).leads().into_iter().next()
+        })?;
+        let case = |sign, poly: Poly| {
+            let state = state.with(Atom::new(poly, sign));
+            match Search::new(self.budget.steps / 8, &any, false).solve(&state) {
+                Outcome::Closed(argument) => Some(Course::After(Vec::new(), argument)),
+                _ => self.passed(&state, germs, splits),
+            }
+        };
+        Some(Course::Split {
+            zero: case(Sign::Zero, lead.clone())?.into(),
+            positive: case(Sign::Positive, lead.clone())?.into(),
+            negative: case(Sign::Positive, lead.neg())?.into(),
+            poly: lead,
+        })
     }
 
     /// A model of a finding: a point, or functions where limits are involved.
@@ -201,7 +279,7 @@ impl Prover<'_> {
     ) -> Option<Model> {
         match limit_variable(goal, finding) {
             None => match self.search(goal, finding, true, out) {
-                Outcome::Model(point) => Some(Model::Point(point)),
+                (_, Outcome::Model(point)) => Some(Model::Point(point)),
                 _ => None,
             },
             Some(x) => functions::model(goal, finding, x, self.by, self.effort(candidates))
@@ -214,7 +292,7 @@ impl Prover<'_> {
         for source in [self.resting, goal] {
             if let Some(model) = self.model(source, finding, self.candidates(source, goal), out) {
                 let model = restricted(model, goal, source);
-                if self.decide(goal, finding, Evidence::Model(model), out) {
+                if self.decide(goal, finding, Grounds::Model(model), out) {
                     return true;
                 }
             }
@@ -234,8 +312,8 @@ impl Prover<'_> {
     fn remembered(&self, goal: &Goal) -> Option<Model> {
         let earlier = self.earlier.borrow();
         let holds = |model: &&Model| {
-            let evidence = Evidence::Model((*model).clone());
-            self.accept(goal, Finding::Consistent, evidence).is_ok()
+            let grounds = Grounds::Model((*model).clone());
+            self.accept(goal, Finding::Consistent, &grounds).is_ok()
         };
         earlier.iter().rev().take(4).find(holds).cloned()
     }
@@ -248,32 +326,24 @@ impl Prover<'_> {
         }
         let found = self.model(goal, Finding::Consistent, self.budget.functions / 4, out);
         if let Some(model) = found {
-            let evidence = Evidence::Model(model.clone());
-            if self.accept(goal, Finding::Consistent, evidence).is_ok() {
+            let grounds = Grounds::Model(model.clone());
+            if self.accept(goal, Finding::Consistent, &grounds).is_ok() {
                 self.earlier.borrow_mut().push(model.clone());
                 out.model = Some(model);
                 return false;
             }
         }
-        // A limit claim is vacuous also if the givens far behind it pin its variable.
-        let source = if matches!(goal.conclusion, Conclusion::Link(Link::Limit(_))) {
-            self.resting
-        } else {
-            goal
-        };
-        match self.search(source, Finding::Vacuous, false, out) {
-            Outcome::Closed(proof) => {
-                self.decide(source, Finding::Vacuous, Evidence::Contradiction(proof), out)
-            }
-            _ => false,
+        match self.closed(goal, Finding::Vacuous, out) {
+            Some(grounds) => self.decide(goal, Finding::Vacuous, grounds, out),
+            None => false,
         }
     }
 
     /// Looks for a proof of a pointwise goal, and for nothing else.
     pub(crate) fn prove(&self, goal: &Goal) -> Verdicts {
         let mut out = Verdicts::default();
-        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, &mut out) {
-            self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), &mut out);
+        if let Some(grounds) = self.closed(goal, Finding::Proved, &mut out) {
+            self.decide(goal, Finding::Proved, grounds, &mut out);
         }
         if out.decided.is_none() && out.reason.is_empty() {
             out.reason = format!("no proof within {} steps", self.budget.steps);
@@ -290,14 +360,10 @@ impl Prover<'_> {
 
     fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {
         if goal.conclusion == Conclusion::Contradiction {
-            match self.search(goal, Finding::Proved, false, out) {
-                Outcome::Closed(proof) => {
-                    self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out);
-                }
-                _ => {
-                    self.witness(goal, Finding::Refuted, out);
-                }
-            }
+            match self.closed(goal, Finding::Proved, out) {
+                Some(grounds) => self.decide(goal, Finding::Proved, grounds, out),
+                None => self.witness(goal, Finding::Refuted, out),
+            };
             return;
         }
         if doubt && self.consistent(goal, out) {
@@ -308,14 +374,14 @@ impl Prover<'_> {
                 return;
             }
             if !speaks_of_limits(&goal.conclusion)
-                && let Outcome::Closed(proof) = self.search(goal, Finding::Refuted, false, out)
+                && let Some(grounds) = self.closed(goal, Finding::Refuted, out)
             {
-                self.decide(goal, Finding::Refuted, Evidence::Contradiction(proof), out);
+                self.decide(goal, Finding::Refuted, grounds, out);
             }
             return;
         }
-        if let Outcome::Closed(proof) = self.search(goal, Finding::Proved, false, out)
-            && self.decide(goal, Finding::Proved, Evidence::Contradiction(proof), out)
+        if let Some(grounds) = self.closed(goal, Finding::Proved, out)
+            && self.decide(goal, Finding::Proved, grounds, out)
         {
             return;
         }
@@ -328,12 +394,24 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(proofs) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
-            && self.decide(goal, Finding::Proved, Evidence::Limit(proofs), out)
+        if let Some(arguments) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
+            && self.decide(goal, Finding::Proved, Grounds::Limit(arguments), out)
         {
             return;
         }
-        self.witness(goal, Finding::Refuted, out);
+        if !self.witness(goal, Finding::Refuted, out) {
+            out.unreached = self.unreached(goal, limit);
+        }
+    }
+
+    /// A side of a limit claim, and a given on which it rests that was not shown to hold near it.
+    fn unreached(&self, goal: &Goal, limit: &Limit) -> Option<(Side, Sentence)> {
+        let scope = scope(goal, self.fuel()).ok()?;
+        let state = constants(&scope, goal, limit.var).ok()?;
+        sides(&scope, limit).into_iter().find_map(|side| {
+            let given = Germs::new(&state, &side, self.budget.steps).unreached()?.clone();
+            Some((side, given))
+        })
     }
 }
 
@@ -427,4 +505,16 @@ fn restricted(model: Model, goal: &Goal, source: &Goal) -> Model {
 
 fn goal_roots(goal: &Goal) -> usize {
     scope(goal, Fuel::new(1_000_000)).map_or(0, |s| s.germ() - goal.context.vars.len())
+}
+
+/// A contradiction in a state, if a small search finds one.
+#[cfg(test)]
+pub(crate) fn closed(state: &kane_kernel::State<'_, '_>) -> Option<crate::argument::Argument> {
+    let any = |_: usize, _: &kane_kernel::Poly| true;
+    let mut search = Search::new(60, &any, false);
+    search.ideals = true;
+    match search.solve(state) {
+        Outcome::Closed(argument) => Some(argument),
+        _ => None,
+    }
 }

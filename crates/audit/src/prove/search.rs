@@ -3,11 +3,12 @@
 use std::cell::Cell;
 
 use kane_algebra::ring::{common_sign, content_in, exact_quotient};
-use kane_kernel::{Atom, Point, Poly, Proof, Sign, State};
+use kane_kernel::{Atom, Point, Poly, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::{expansion, tactics};
+use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
 
@@ -15,7 +16,7 @@ type Q = BigRational;
 #[derive(Clone, Debug)]
 pub(crate) enum Outcome {
     /// no point satisfies the state
-    Closed(Proof),
+    Closed(Argument),
     /// this point does
     Model(Point),
     /// neither was found
@@ -44,14 +45,14 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    pub(crate) fn wrap(self, then: Proof) -> Proof {
+    pub(crate) fn wrap(self, then: Argument) -> Argument {
         let then = Box::new(then);
         match self {
             Self::Cancel { atom, factors, quotient } => {
-                Proof::Cancel { atom, factors, quotient, then }
+                Argument::Cancel { atom, factors, quotient, then }
             }
             Self::Substitute { equation, var, lead } => {
-                Proof::Substitute { equation, var, lead, then }
+                Argument::Substitute { equation, var, lead, then }
             }
         }
     }
@@ -197,7 +198,7 @@ impl<'a> Search<'a> {
             let fresh = state.atoms.len();
             let next =
                 |s: &State<'_, '_>| self.run(s, &since(s, fresh), pending.clone(), trail, splits);
-            return all(states.iter().map(next), |cases| Proof::Assume { formula, cases });
+            return all(states.iter().map(next), |cases| Argument::Assume { formula, cases });
         }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
@@ -239,9 +240,11 @@ impl<'a> Search<'a> {
         ];
         all(signs.iter().map(|(s, p)| branch(*s, p)), |proofs| {
             let mut proofs = proofs.into_iter().map(Box::new);
-            let mut next = || proofs.next().unwrap_or_else(|| Box::new(Proof::Absurd));
+            // One argument a branch; what is missing would be no argument.
+            let mut next =
+                || proofs.next().unwrap_or_else(|| Box::new(Argument::Absurd(usize::MAX)));
             let (positive, zero, negative) = (next(), next(), next());
-            Proof::Split { poly, zero, positive, negative }
+            Argument::Split { poly, zero, positive, negative }
         })
     }
 
@@ -432,7 +435,7 @@ impl<'a> Search<'a> {
     }
 
     /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
-    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Proof> {
+    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Argument> {
         if let Some(proof) = tactics::quick(state) {
             return Some(proof);
         }
@@ -483,7 +486,7 @@ impl<'a> Search<'a> {
         };
         let step = Step::Substitute { equation, var: v, lead: Vec::new() };
         let zero = Box::new(step.wrap(inner));
-        Some(Proof::Split { poly, zero, positive, negative })
+        Some(Argument::Split { poly, zero, positive, negative })
     }
 }
 
@@ -499,7 +502,10 @@ fn changed(before: &State<'_, '_>, after: &State<'_, '_>) -> Vec<bool> {
 }
 
 /// Closed if all are closed; the first model otherwise.
-fn all(outcomes: impl Iterator<Item = Outcome>, wrap: impl FnOnce(Vec<Proof>) -> Proof) -> Outcome {
+fn all(
+    outcomes: impl Iterator<Item = Outcome>,
+    wrap: impl FnOnce(Vec<Argument>) -> Argument,
+) -> Outcome {
     let (mut proofs, mut open) = (Vec::new(), false);
     for outcome in outcomes {
         match outcome {

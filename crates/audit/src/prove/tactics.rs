@@ -6,12 +6,13 @@ use kane_algebra::linear_program::{feasible, whole};
 use kane_algebra::point::specialised;
 use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Atom, Monomial, Poly, Proof, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::search::Factors;
+use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
 
@@ -20,14 +21,14 @@ fn order(sign: Sign) -> bool {
 }
 
 /// A state that is visibly contradictory: false constants, atoms against each other, wrong signs.
-pub(crate) fn quick(state: &State<'_, '_>) -> Option<Proof> {
+pub(crate) fn quick(state: &State<'_, '_>) -> Option<Argument> {
     quick_among(state, &vec![true; state.atoms.len()])
 }
 
 /// The same, if only these atoms are new.
-pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
-    if state.atoms.iter().any(|a| a.decided() == Some(false)) {
-        return Some(Proof::Absurd);
+pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
+    if let Some(i) = state.atoms.iter().position(|a| a.decided() == Some(false)) {
+        return Some(Argument::Absurd(i));
     }
     let undecided = |i: &usize| fresh[*i] && state.atoms[*i].decided().is_none();
     conflict(state, fresh).or_else(|| multiple_of_equation(state, fresh)).or_else(|| {
@@ -36,7 +37,7 @@ pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof
 }
 
 /// Two or three atoms about the same polynomial that cannot all hold.
-fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
+fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
     let keyed: Vec<(Poly, bool, BigInt, Sign)> = state
         .atoms
         .iter()
@@ -68,11 +69,11 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
                     let opposed =
                         vec![term(&b.2, vec![factor(i, 1)]), term(&a.2, vec![factor(j, 1)])];
                     if x == Sign::Positive || y == Sign::Positive {
-                        Some(Proof::Positive { terms: opposed, cofactors: Vec::new() })
+                        Some(Argument::Positive { terms: opposed, cofactors: Vec::new() })
                     } else {
                         // ≥ and ≤ leave only 0, which a third atom may exclude.
                         let third = keyed.iter().position(|c| c.0 == b.0 && c.3 == Sign::NonZero);
-                        third.map(|k| Proof::Positive {
+                        third.map(|k| Argument::Positive {
                             terms: vec![
                                 term(
                                     &(&keyed[k].2 * &keyed[k].2),
@@ -95,7 +96,7 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
 }
 
 /// An atom that must not vanish but is a multiple of an equation.
-fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> {
+fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
     for (j, eq) in state.atoms.iter().enumerate() {
         if eq.sign != Sign::Zero || eq.poly.as_constant().is_some() {
             continue;
@@ -122,8 +123,8 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> 
             }
             let weight = ratio.denom().clone();
             let term = Term { weight, square: Poly::one(), factors: vec![(i, power)] };
-            let proof = Proof::Positive { terms: vec![term], cofactors: vec![(j, cofactor)] };
-            if state.refute(&proof).is_ok() {
+            let proof = Argument::Positive { terms: vec![term], cofactors: vec![(j, cofactor)] };
+            if state.closes(&proof).is_ok() {
                 return Some(proof);
             }
         }
@@ -132,11 +133,11 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Proof> 
 }
 
 /// Equation i divided by the non-vanishing atom j that it is a multiple of.
-fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
+fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
     let quotient = exact_quotient(&state.atoms[i].poly, &state.atoms[j].poly)?;
-    let proof =
-        Proof::Cancel { atom: i, factors: vec![(j, 1)], quotient, then: Box::new(Proof::Absurd) };
-    state.refute(&proof).is_ok().then_some(proof)
+    let then = Box::new(Argument::Absurd(i));
+    let proof = Argument::Cancel { atom: i, factors: vec![(j, 1)], quotient, then };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// Indices of the tightest lower and upper bounds of a variable.
@@ -177,7 +178,7 @@ pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
 }
 
 /// Atom i contradicts the bounds of its variables, seen from the signs of coefficients.
-pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Proof> {
+pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     let atom = &state.atoms[i];
     if atom.sign == Sign::NonZero || atom.poly.len() > 3000 {
         return None;
@@ -197,8 +198,8 @@ pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Proof> {
         }
         if bounds.iter().all(|b| b.1.is_some() || b.2.is_some()) {
             let may_fit = !mixed_at_ends(state, atom, &bounds);
-            let proof = Proof::Orthant { atom: i, bounds };
-            if may_fit && state.refute(&proof).is_ok() {
+            let proof = Argument::Orthant { atom: i, bounds };
+            if may_fit && state.closes(&proof).is_ok() {
                 return Some(proof);
             }
         }
@@ -231,7 +232,7 @@ fn mixed_at_ends(
 }
 
 /// Atom i is a sum of monomials of the wrong sign: even powers, and variables bounded by zero.
-fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Proof> {
+fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     let atom = &state.atoms[i];
     let half_line = |v: usize| {
         state.atoms.iter().enumerate().find_map(|(j, a)| {
@@ -275,13 +276,13 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Proof> {
         }
         let proof = if atom.sign == Sign::Zero {
             let cofactor = Poly::constant(if sign > 0 { -&scale } else { scale.clone() });
-            Proof::Positive { terms, cofactors: vec![(i, cofactor)] }
+            Argument::Positive { terms, cofactors: vec![(i, cofactor)] }
         } else {
             scale = BigInt::one();
             terms.push(Term { weight: scale, square: Poly::one(), factors: vec![(i, 1)] });
-            Proof::Positive { terms, cofactors: Vec::new() }
+            Argument::Positive { terms, cofactors: Vec::new() }
         };
-        if state.refute(&proof).is_ok() {
+        if state.closes(&proof).is_ok() {
             return Some(proof);
         }
     }
@@ -289,7 +290,7 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Proof> {
 }
 
 /// A target divided by a premise, target = q·h + r with q < 0 and r ≤ 0 visibly: a contradiction.
-pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Proof> {
+pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Argument> {
     for (i, target) in state.atoms.iter().enumerate().rev() {
         if !order(target.sign) || target.poly.len() < 2 {
             continue;
@@ -306,7 +307,7 @@ pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Proof> {
     None
 }
 
-fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
+fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
     let (target, h) = (&state.atoms[i], &state.atoms[j]);
     if target.poly.len() > 80 || h.poly.len() > 16 {
         return None;
@@ -335,24 +336,26 @@ fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Proof> {
     let one = BigInt::one();
     let both = vec![term(&scale, vec![(i, 1)]), term(&one, vec![(end, 1), (j, 1)])];
     let then = if r.is_empty() {
-        Proof::Positive { terms: both, cofactors: Vec::new() }
+        Argument::Positive { terms: both, cofactors: Vec::new() }
     } else {
-        let vanishing =
-            Proof::Positive { terms: both.clone(), cofactors: vec![(end + 1, Poly::one().neg())] };
+        let vanishing = Argument::Positive {
+            terms: both.clone(),
+            cofactors: vec![(end + 1, Poly::one().neg())],
+        };
         let zero = match refuted(&negative, &r, Sign::Zero) {
             Some(proof) => proof,
             None => Box::new(vanishing),
         };
         let terms = [&both[..], &[term(&one, vec![(end + 1, 1)])]].concat();
-        Proof::Split {
+        Argument::Split {
             zero,
             positive: refuted(&negative, &r, Sign::Positive)?,
-            negative: Box::new(Proof::Positive { terms, cofactors: Vec::new() }),
+            negative: Box::new(Argument::Positive { terms, cofactors: Vec::new() }),
             poly: r,
         }
     };
-    let proof = Proof::Split { poly: q, zero, positive, negative: Box::new(then) };
-    state.refute(&proof).is_ok().then_some(proof)
+    let proof = Argument::Split { poly: q, zero, positive, negative: Box::new(then) };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// Atoms in the variable v alone: the sign table of the line, with the atoms' indices.
@@ -400,7 +403,7 @@ fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
 }
 
 /// The sign table of v as a proof, if no cell is open.
-pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Proof> {
+pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
     let (table, indices) = line(state, v)?;
     if open_cell(state, &table, &indices).is_some() {
         return None;
@@ -410,12 +413,12 @@ pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Proof> {
         .zip(&table.factored)
         .map(|(i, (c, powers))| (*i, c.clone(), powers.clone()))
         .collect();
-    let proof = Proof::SignTable { var: v, bases: table.bases, roots: table.roots, atoms };
-    state.refute(&proof).is_ok().then_some(proof)
+    let proof = Argument::SignTable { var: v, bases: table.bases, roots: table.roots, atoms };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// A linear combination of the atoms themselves (Farkas 1902), in any number of variables.
-pub(crate) fn combination(state: &State<'_, '_>) -> Option<Proof> {
+pub(crate) fn combination(state: &State<'_, '_>) -> Option<Argument> {
     let live = |i: &usize| state.atoms[*i].decided().is_none() && state.atoms[*i].poly.len() <= 200;
     let known: Vec<usize> =
         (0..state.atoms.len()).filter(live).filter(|&i| order(state.atoms[i].sign)).collect();
@@ -464,13 +467,13 @@ pub(crate) fn combination(state: &State<'_, '_>) -> Option<Proof> {
         .map(|(i, w)| (*i, Poly::constant(&w[0] - &w[1])))
         .filter(|(_, p)| !p.is_empty())
         .collect();
-    let proof = Proof::Positive { terms, cofactors };
-    state.refute(&proof).is_ok().then_some(proof)
+    let proof = Argument::Positive { terms, cofactors };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// Linear programming over products of atoms and squares of binomials (Handelman 1988; diagonally
 /// dominant sums of squares). Small systems only.
-pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
+pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
     let fuel = &state.scope.fuel;
     let live: Vec<usize> =
         (0..state.atoms.len()).filter(|&i| state.atoms[i].decided().is_none()).collect();
@@ -628,12 +631,12 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Proof> {
         .filter(|(_, w)| w.is_positive())
         .map(|((i, m, _), w)| (i, m.scale(w)))
         .collect();
-    let proof = Proof::Positive { terms, cofactors };
-    state.refute(&proof).is_ok().then_some(proof)
+    let proof = Argument::Positive { terms, cofactors };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// 1, or a product of atoms that do not vanish, in the ideal of the equations.
-pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
+pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Argument> {
     let equations: Vec<usize> = (0..state.atoms.len())
         .filter(|&i| state.atoms[i].sign == Sign::Zero && state.atoms[i].decided().is_none())
         .collect();
@@ -672,8 +675,8 @@ pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Proof> {
             .map(|(i, c)| Some((i, c.mul(&product.neg(), &state.scope.fuel).ok()?)))
             .collect::<Option<Vec<_>>>()?;
         let term = Term { weight: common, square: Poly::one(), factors: square };
-        let scaled = Proof::Positive { terms: vec![term], cofactors };
-        if state.refute(&scaled).is_ok() {
+        let scaled = Argument::Positive { terms: vec![term], cofactors };
+        if state.closes(&scaled).is_ok() {
             return Some(scaled);
         }
     }

@@ -1,10 +1,11 @@
 //! What statements cite: labels become indices, and what cannot be cited is refused.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::HashSet;
 use std::ops::Range;
 
-use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Target};
+use kane_kernel::{Expr, Link, Relation, Sentence};
 
+use super::tie::Ties;
 use super::{Fault, MAX_FAULTS, Reader, label};
 use crate::{Body, Claim, Content, Statement, Verdict};
 
@@ -61,8 +62,10 @@ impl Reader {
     /// The finished statements, once all labels are known; faults are noted.
     pub(super) fn resolve(&mut self) -> Vec<Statement> {
         let mut faults = Vec::new();
-        let resolved: Vec<Resolved> =
-            (0..self.drafts.len()).map(|index| self.citations(index, &mut faults)).collect();
+        let mut ties = Ties::new(&self.scope, &self.drafts);
+        let resolved: Vec<Resolved> = (0..self.drafts.len())
+            .map(|index| self.citations(index, &mut ties, &mut faults))
+            .collect();
         self.faults.extend(faults);
         let drafts = std::mem::take(&mut self.drafts);
         drafts
@@ -72,22 +75,21 @@ impl Reader {
             .collect()
     }
 
-    fn citations(&self, index: usize, faults: &mut Vec<Fault>) -> Resolved {
+    fn citations(&self, index: usize, ties: &mut Ties<'_>, faults: &mut Vec<Fault>) -> Resolved {
         let Some(DraftBody::Claim(claim)) = self.drafts.get(index).map(|draft| &draft.body) else {
             return Resolved::default();
         };
         let mut resolved = Resolved::default();
         let mut seen = HashSet::new();
-        let mut derivatives = None;
+        let mut cites = Vec::new();
         for cited in &claim.from {
             if faults.len() > MAX_FAULTS {
                 break;
             }
             match self.cite(index, cited) {
                 Ok(premise) if seen.insert(premise) => {
-                    let derivatives = derivatives.get_or_insert_with(|| self.derivatives(claim));
-                    faults.extend(self.tie(derivatives, premise, cited));
                     resolved.from.push(premise);
+                    cites.push((premise, cited));
                 }
                 Ok(_) => {}
                 Err(fault) => faults.push(fault),
@@ -103,6 +105,7 @@ impl Reader {
                 Err(fault) => faults.push(fault),
             }
         }
+        faults.extend(ties.find(index, &cites, resolved.target));
         resolved
     }
 
@@ -139,76 +142,6 @@ impl Reader {
                 .with_note("it is a `contradiction` or a `not implied`")),
             _ => Ok(premise),
         }
-    }
-
-    /// The derivatives in a claim: variable, and the other symbols of what is differentiated.
-    fn derivatives(&self, claim: &DraftClaim) -> Vec<(usize, BTreeSet<usize>)> {
-        let mut found = Vec::new();
-        let DraftContent::Links(links) = &claim.content else {
-            return found;
-        };
-        let sides = links.iter().flat_map(|(link, _)| sides_of(link));
-        let when = claim.when.iter().flat_map(|r| [&r.lhs, &r.rhs]);
-        for side in sides.chain(when) {
-            self.scope.visit(side, &mut |node| {
-                if let Expr::Deriv(f, x) = node {
-                    let mut others = self.scope.symbols(f);
-                    others.remove(x);
-                    found.push((*x, others));
-                }
-            });
-        }
-        found
-    }
-
-    /// The fault that an equation ties a symbol to the variable of differentiation.
-    fn tie(
-        &self,
-        derivatives: &[(usize, BTreeSet<usize>)],
-        premise: usize,
-        cited: &Cited,
-    ) -> Option<Fault> {
-        if derivatives.is_empty() {
-            return None;
-        }
-        let links: Vec<&Link> = match &self.drafts.get(premise)?.body {
-            DraftBody::Given(sentence) => sentence.links.iter().collect(),
-            DraftBody::Claim(DraftClaim { content: DraftContent::Links(links), .. }) => {
-                links.iter().map(|(link, _)| link).collect()
-            }
-            _ => return None,
-        };
-        let vars = &self.scope.context().vars;
-        for link in links {
-            let Link::Relation(relation) = link else {
-                continue;
-            };
-            if relation.rel != Rel::Eq {
-                continue;
-            }
-            let mut symbols = self.scope.symbols(&relation.lhs);
-            symbols.extend(self.scope.symbols(&relation.rhs));
-            for (x, others) in derivatives {
-                let tied = others.intersection(&symbols).next();
-                if let (true, Some(y)) = (symbols.contains(x), tied) {
-                    let (x, y) = (&vars.get(*x)?.name, &vars.get(*y)?.name);
-                    let message = format!("`{}` ties `{y}` to `{x}`", cited.label);
-                    let note = format!("a derivative by `{x}` in this claim holds `{y}` fixed");
-                    return Some(Fault::new(cited.span.clone(), message).with_note(note));
-                }
-            }
-        }
-        None
-    }
-}
-
-fn sides_of(link: &Link) -> Vec<&Expr> {
-    match link {
-        Link::Relation(relation) => vec![&relation.lhs, &relation.rhs],
-        Link::Limit(limit) => match &limit.to {
-            Target::Finite(value) => vec![&limit.expr, value],
-            Target::PlusInf | Target::MinusInf => vec![&limit.expr],
-        },
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
+use kane_algebra::syntax::{is_hidden, visible};
+
 use super::Fault;
 
 /// Characters of a line that are shown at most.
@@ -86,8 +88,12 @@ impl Diagnostic {
 
 impl Excerpt {
     fn new(before: &str, after: &str, width: usize) -> Self {
-        // tabs and other control characters would put the caret out of place
-        let printable = |c: char| if c.is_control() { ' ' } else { c };
+        // tabs and what cannot be seen would put the caret out of place, or more
+        let printable = |c: char| match c {
+            _ if is_hidden(c) => char::REPLACEMENT_CHARACTER,
+            _ if c.is_control() => ' ',
+            _ => c,
+        };
         let kept = WINDOW / 2;
         let cut = before.char_indices().rev().nth(kept - 1);
         let cut = cut.map_or(0, |(cut, _)| cut);
@@ -108,10 +114,10 @@ impl Excerpt {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "error: {}", self.message)?;
+        writeln!(f, "error: {}", shown(&self.message))?;
         let number = self.line.to_string();
         let margin = " ".repeat(number.len());
-        writeln!(f, "{margin}--> {}:{}:{}", self.file, self.line, self.column)?;
+        writeln!(f, "{margin}--> {}:{}:{}", visible(&self.file), self.line, self.column)?;
         if self.excerpt != Excerpt::default() {
             let indent = " ".repeat(self.excerpt.caret);
             let carets = "^".repeat(self.excerpt.width);
@@ -120,10 +126,15 @@ impl fmt::Display for Diagnostic {
             writeln!(f, "{margin} | {indent}{carets}")?;
         }
         if let Some(note) = &self.note {
-            writeln!(f, "{margin} = {note}")?;
+            writeln!(f, "{margin} = {}", shown(note))?;
         }
         Ok(())
     }
+}
+
+/// The lines of a message with what cannot be seen written out.
+fn shown(message: &str) -> String {
+    message.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
 /// The nearest character boundary at or before `at`.

@@ -17,7 +17,8 @@ pub(super) fn key(label: &str) -> String {
 pub(super) fn length(text: &str) -> Option<usize> {
     let end = if text.starts_with('(') {
         let inner = text.get(1..)?;
-        let close = inner.find(['(', ')', '\n'])?;
+        // a comment may begin here, too
+        let close = inner.find(['(', ')', '#', '\n', '\r'])?;
         if !inner.get(close..)?.starts_with(')') || inner.get(..close)?.trim().is_empty() {
             return None;
         }

@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use kane_kernel::{
-    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrows, premised,
-    sides,
+    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrowing,
+    premised, sides,
 };
 
 use super::NotEmitted;
@@ -76,7 +76,7 @@ impl<'a, 'g> Family<'a, 'g> {
             let all = family.symbols.expanded(s.when.iter().chain(s.relations()))?;
             family.roles.push(if family.free_all(&all) {
                 Role::Everywhere
-            } else if narrows(scope, s, x) {
+            } else if narrowing(scope, h, x).links.len() == s.links.len() {
                 Role::Narrows
             } else {
                 Role::Along

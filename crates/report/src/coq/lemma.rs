@@ -129,6 +129,16 @@ fn binders(symbols: &Symbols<'_>) -> (String, String) {
     }
 }
 
+/// What stands behind the symbols in the list of values: roots and derivatives, their names and what
+/// is known of each.
+fn behind(symbols: &Symbols<'_>) -> Result<(Vec<String>, Vec<String>), NotEmitted> {
+    let prose = Prose { name: &|v| symbols.name(v), symbols };
+    let (mut names, mut known) = symbols.roots(&prose)?;
+    names.extend(symbols.slope_names());
+    known.extend(prose.slopes_known()?);
+    Ok((names, known.into_iter().map(|k| format!("({k}) ->\n  ")).collect()))
+}
+
 fn proved(
     name: &str,
     scope: &Scope<'_>,
@@ -141,27 +151,25 @@ fn proved(
     let script = Writer { symbols: &symbols, sides: None }.proof(&state, proof)?;
     let (data, text) = statement(name, &symbols, goal, finding)?;
     let (forall, names) = binders(&symbols);
-    let (roots, given) = symbols.roots(&Prose { name: &|v| symbols.name(v), symbols: &symbols })?;
+    let (behind, known) = behind(&symbols)?;
     let mut values: Vec<String> = symbols.order.iter().map(|v| symbols.name(*v)).collect();
-    values.extend(roots.iter().cloned());
+    values.extend(behind.iter().cloned());
     let list = format!("[{}]", values.join("; "));
     let intros = if names.is_empty() { String::new() } else { format!("intros {names}. ") };
-    let (forall, text, by) = if roots.is_empty() {
+    let (forall, text, by) = if behind.is_empty() {
         let by = format!(
             "{intros}exact (proved goal_{name} proof_{name} {list}\n    \
              (eq_refl true <: proves goal_{name} proof_{name} = true))."
         );
         (forall, text, by)
     } else {
-        let numbered: Vec<String> = (0..roots.len()).map(|i| format!("Root{i}")).collect();
-        let given: Vec<String> = given.iter().map(|g| format!("({g}) ->\n  ")).collect();
         let by = format!(
             "intros {names} {} {}. refine (proved_rooted goal_{name} proof_{name} {list}\n    \
              (eq_refl true <: accepted goal_{name} proof_{name} = true) _). unfold goal_{name}. has_roots.",
-            roots.join(" "),
-            numbered.join(" ")
+            behind.join(" "),
+            symbols.known(known.len()).join(" ")
         );
-        (format!("forall {names} {} : R,\n  ", roots.join(" ")), given.concat() + &text, by)
+        (format!("forall {names} {} : R,\n  ", behind.join(" ")), known.concat() + &text, by)
     };
     Ok(format!(
         "{data}Definition proof_{name} : proof :=\n  {script}.\n\
@@ -181,16 +189,41 @@ fn refuted(
         return Err(NotEmitted::Step("a point at a square root"));
     }
     let (data, text) = statement(name, &symbols, goal, finding)?;
-    let (forall, _) = binders(&symbols);
+    let (mut forall, names) = binders(&symbols);
     let Witness { data: witness, values } =
         witness(&symbols, &claim_state(scope, goal, finding)?, point)?;
     let at = |t: &str| values.iter().map(|v| format!(" (at_ {t} {v})")).collect::<String>();
+    let (behind, known) = behind(&symbols)?;
+    if !behind.is_empty() {
+        forall = format!("forall {names} {} : R,\n  {}", behind.join(" "), known.concat());
+    }
     let proof = match &point.generator {
-        None => format!(
+        None if behind.is_empty() => format!(
             "exact (refuted goal_{name} witness_{name}\n    \
              (eq_refl true <: refutes goal_{name} witness_{name} = true) (H{})).",
             at("0")
         ),
+        None => {
+            let values: Vec<String> = values.iter().map(|v| format!("at_ 0 {v}")).collect();
+            let exist = symbols.slopes_exist(&format!("[{}]", values.join("; ")))?;
+            let (slopes, shown) = (symbols.numbered("s", exist.len()), symbols.known(exist.len()));
+            let found = exist.iter().zip(slopes.iter().zip(&shown));
+            let found: Vec<String> =
+                found.map(|(e, (s, k))| format!("destruct ({e}) as [{s} {k}].\n  ")).collect();
+            format!(
+                "{}refine (refuted_rooted goal_{name} witness_{name} [{}]\n    \
+                 (eq_refl true <: refutes_rooted goal_{name} witness_{name} = true) _ (H{} {} {})).\n  \
+                 unfold goal_{name}. has_roots.",
+                found.concat(),
+                slopes.join("; "),
+                at("0"),
+                slopes.join(" "),
+                shown.join(" ")
+            )
+        }
+        Some(_) if !behind.is_empty() => {
+            return Err(NotEmitted::Step("a derivative at an algebraic number"));
+        }
         Some(_) => format!(
             "destruct (refuted_root goal_{name} witness_{name}\n    \
              (eq_refl true <: refutes_at_root goal_{name} witness_{name} = true)) as [t N].\n  \

@@ -9,7 +9,6 @@
 //!
 //! What a lemma cannot say is not emitted, with the reason in the file.
 
-mod bounds;
 mod family;
 mod functions;
 mod lemma;
@@ -17,7 +16,7 @@ mod limits;
 mod prose;
 mod reify;
 mod script;
-mod table;
+mod slopes;
 mod theory;
 mod witness;
 
@@ -27,7 +26,8 @@ use std::fmt::Write as _;
 use kane_kernel::Rejection;
 
 use crate::Report;
-use theory::{Part, theory};
+use reify::OWN;
+use theory::{Part, has_word, theory};
 
 /// Why a certificate is not turned into a lemma.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -127,7 +127,8 @@ pub fn coq(report: &Report<'_>) -> File {
                 continue;
             };
             let mut name = link_name(&said.label, (link, links.len()));
-            while !names.insert(name.clone()) {
+            let taken = |name: &str| OWN.iter().any(|own| has_word(&format!("{own}{name}")));
+            while taken(&name) || !names.insert(name.clone()) {
                 name.push('\'');
             }
             let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);

@@ -1,11 +1,12 @@
 //! Goals as the propositions that people read.
 
 use kane_algebra::syntax::{coq, coq_relation};
-use kane_kernel::{Expr, Fuel, Hypothesis, Relation, Sentence, derivative};
+use kane_kernel::{Expr, Hypothesis, Relation, Sentence};
 use num_traits::Zero;
 
 use super::NotEmitted;
 use super::reify::{Symbols, rebuild};
+use super::slopes::Slope;
 
 /// Propositions as people read them.
 pub(super) struct Prose<'a> {
@@ -20,13 +21,10 @@ impl Prose<'_> {
         Ok(coq(&self.slopes(e)?, self.name))
     }
 
-    /// Derivatives as the expressions that they are, square roots by their names.
+    /// Derivatives and square roots by their names.
     fn slopes(&self, e: &Expr) -> Result<Expr, NotEmitted> {
         rebuild(e, &mut |part| match part {
-            Expr::Deriv(f, x) => {
-                let slope = derivative(self.symbols.context, f, *x, &Fuel::new(u64::MAX))?;
-                Ok(Some(self.slopes(&self.symbols.expand(&slope)?)?))
-            }
+            Expr::Deriv(f, x) => Ok(Some(Expr::Var(self.symbols.slope(f, *x)?))),
             Expr::Sqrt(_) => {
                 let root = self.symbols.roots.iter().find(|(_, r)| r == part);
                 Ok(root.map(|(v, _)| Expr::Var(*v)))
@@ -86,9 +84,8 @@ impl Prose<'_> {
                 out = rest;
             }
             Expr::Deriv(f, x) => {
-                out.extend(self.conditions(f)?);
-                let slope = derivative(self.symbols.context, f, *x, &Fuel::new(u64::MAX))?;
-                out.extend(self.conditions(&self.symbols.expand(&slope)?)?);
+                let slope = Slope::of(f, *x)?;
+                out = self.near_conditions(&slope.f, slope.x, true)?;
             }
             other => {
                 for part in other.children() {

@@ -1,15 +1,17 @@
 //! Expressions and goals as data of the Coq file.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use kane_kernel::{
-    Context, Expr, Fuel, Monomial, Poly, Rel, Relation, Scope, Sentence, Target, derivative,
-};
+use kane_algebra::syntax::canonical_name;
+use kane_kernel::{Context, Expr, Monomial, Poly, Rel, Relation, Scope, Sentence, Target};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::NotEmitted;
 use super::prose::Prose;
+use super::slopes::{FIRST, Slope};
+use super::theory::has_word;
 
 /// Definitions inside definitions, followed at most this deep.
 const MAX_DEPTH: usize = 64;
@@ -24,6 +26,8 @@ pub(super) struct Symbols<'a> {
     pub(super) roots: Vec<(usize, Expr)>,
     /// numbers of t and of the limits, which come before them in polynomials
     pub(super) offset: usize,
+    /// derivatives, as they are met; `None` where there may be none
+    pub(super) slopes: Option<RefCell<Vec<Slope>>>,
     names: BTreeMap<usize, String>,
     positions: BTreeMap<usize, usize>,
     /// the kernel's number of t
@@ -31,9 +35,9 @@ pub(super) struct Symbols<'a> {
 }
 
 impl<'a> Symbols<'a> {
-    /// The symbols that a goal mentions.
+    /// The symbols that a goal at a point mentions; it may mention derivatives.
     pub(super) fn new(scope: &Scope<'a>, offset: usize) -> Result<Self, NotEmitted> {
-        Self::with(scope, offset, None)
+        Ok(Self { slopes: Some(RefCell::default()), ..Self::with(scope, offset, None)? })
     }
 
     /// The symbols that a goal mentions, and one more behind them.
@@ -67,12 +71,35 @@ impl<'a> Symbols<'a> {
         roots.sort_by_key(|(_, e)| size(e));
         let listed = order.iter().copied().chain(roots.iter().map(|r| r.0));
         let positions = listed.enumerate().map(|(i, v)| (v, i)).collect();
-        Ok(Self { context, order, roots, offset, names, positions, germ: scope.germ() })
+        let (slopes, germ) = (None, scope.germ());
+        Ok(Self { context, order, roots, offset, slopes, names, positions, germ })
     }
 
     /// The name of a symbol.
     pub(super) fn name(&self, v: usize) -> String {
-        self.names.get(&v).cloned().unwrap_or_else(|| "0".to_owned())
+        match v.checked_sub(FIRST) {
+            Some(i) => self.fresh(&integer_name("slope", i)),
+            None => self.names.get(&v).cloned().unwrap_or_else(|| "0".to_owned()),
+        }
+    }
+
+    /// Names for some of a kind that no symbol has.
+    pub(super) fn numbered(&self, name: &str, count: usize) -> Vec<String> {
+        (0..count).map(|i| self.fresh(&format!("{name}{i}"))).collect()
+    }
+
+    /// Names for what is known of roots and derivatives.
+    pub(super) fn known(&self, count: usize) -> Vec<String> {
+        self.numbered("Known", count)
+    }
+
+    /// A name that no symbol has.
+    pub(super) fn fresh(&self, name: &str) -> String {
+        let mut name = name.to_owned();
+        while self.names.values().any(|n| *n == name) {
+            name.push('\'');
+        }
+        name
     }
 
     /// The place of a symbol in the list of values.
@@ -157,10 +184,7 @@ impl<'a> Symbols<'a> {
                 }
                 Ok(rest)
             }
-            Expr::Deriv(f, x) => {
-                let slope = derivative(self.context, f, *x, &Fuel::new(u64::MAX))?;
-                two("Slope", f, &self.expand(&slope)?)
-            }
+            Expr::Deriv(f, x) => self.slope_data(self.slope(f, *x)?),
             Expr::Let(_) => Err(NotEmitted::Symbol),
         }
     }
@@ -246,6 +270,11 @@ pub(super) fn integer(c: &BigInt) -> String {
     if c.sign() == num_bigint::Sign::Minus { format!("({c})") } else { c.to_string() }
 }
 
+/// A name, with a number if it is not the first.
+pub(super) fn integer_name(name: &str, i: usize) -> String {
+    if i == 0 { name.to_owned() } else { format!("{name}_{}", i + 1) }
+}
+
 /// Natural numbers as a list.
 fn nats(ns: &[u32]) -> String {
     if ns.is_empty() { "[]".to_owned() } else { format!("[{}]%nat", join(ns, "; ")) }
@@ -320,22 +349,121 @@ pub(super) fn rebuild(
     })
 }
 
-/// Words that Coq or the file's beginning keeps for itself.
-const KEPT: [&str; 40] = [
-    "as", "at", "cofix", "else", "end", "exists", "exists2", "fix", "for", "forall", "fun", "if",
-    "IF", "in", "let", "match", "mod", "Prop", "return", "Set", "then", "Type", "using", "where",
-    "with", "SProp", "by", "R", "IZR", "Rabs", "Rmin", "Rmax", "sqrt", "O", "S", "I", "not", "or",
-    "and", "eq",
+/// Words that Coq keeps for itself, or that stand in lemmas and proofs beside the symbols. Those of the
+/// theory are kept, too.
+const KEPT: [&str; 71] = [
+    "as",
+    "at",
+    "by",
+    "cofix",
+    "else",
+    "end",
+    "exists",
+    "exists2",
+    "fix",
+    "for",
+    "forall",
+    "fun",
+    "if",
+    "IF",
+    "in",
+    "lazymatch",
+    "let",
+    "match",
+    "mod",
+    "multimatch",
+    "Prop",
+    "quot",
+    "rem",
+    "return",
+    "Set",
+    "SProp",
+    "then",
+    "Type",
+    "using",
+    "where",
+    "with",
+    "Axiom",
+    "CoFixpoint",
+    "Definition",
+    "Fixpoint",
+    "Hypothesis",
+    "Parameter",
+    "Theorem",
+    "Variable",
+    "R",
+    "IZR",
+    "Rabs",
+    "Rmin",
+    "Rmax",
+    "Rinv",
+    "Rlt_dec",
+    "Rle_dec",
+    "Rgt_dec",
+    "Rge_dec",
+    "Req_EM_T",
+    "sqrt",
+    "pow",
+    "O",
+    "S",
+    "I",
+    "H",
+    "not",
+    "or",
+    "and",
+    "eq",
+    "eq_refl",
+    "true",
+    "false",
+    "True",
+    "False",
+    "epsilon",
+    "delta",
+    "level",
+    "bound",
+    "Root",
+    "div",
 ];
 
-/// A name as Coq takes it.
+/// What the names of a file's own definitions begin with.
+pub(super) const OWN: [&str; 7] =
+    ["goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
+
+/// A name as Coq takes it, and as nothing else in the file is called.
 pub(super) fn identifier(name: &str) -> String {
-    let mut out: String = name
+    let mut out: String = canonical_name(name)
         .chars()
-        .map(|c| if c.is_alphanumeric() || c == '_' || c == '\'' { c } else { '_' })
+        .map(|c| if c.is_ascii_alphanumeric() || c == '_' || c == '\'' { c } else { '_' })
         .collect();
-    if KEPT.contains(&out.as_str()) || out.is_empty() {
+    if OWN.iter().any(|own| out.starts_with(own)) {
+        out.insert_str(0, "v_");
+    }
+    while KEPT.contains(&out.as_str()) || has_word(&out) || out.is_empty() {
         out.push('_');
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_the_file_uses_are_renamed_and_others_are_not() {
+        for kept in ["x", "k", "alpha", "v_x0'", "Delta_e", "slip", "x_", "kW", "i_x"] {
+            assert_eq!(identifier(kept), kept);
+        }
+        assert_eq!(identifier("μ′"), "mu'");
+        for (name, other) in [
+            ("epsilon", "epsilon_"),
+            ("ε", "epsilon_"),
+            ("true", "true_"),
+            ("proved", "proved_"),
+            ("Rlt_dec", "Rlt_dec_"),
+            ("goal_x", "v_goal_x"),
+            ("Root0", "v_Root0"),
+        ] {
+            assert_eq!(identifier(name), other);
+        }
+    }
 }

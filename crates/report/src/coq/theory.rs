@@ -1,5 +1,8 @@
 //! The theory at the beginning of a file: rules of proof, and their soundness proved in Coq itself.
 
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
 /// A part of the theory, which rests on those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
@@ -13,10 +16,13 @@ pub(super) enum Part {
     Functions,
 }
 
-const POINTS: [&str; 7] = [
+const POINTS: [&str; 10] = [
     include_str!("theory/polynomials.v"),
     include_str!("theory/conditions.v"),
     include_str!("theory/expressions.v"),
+    include_str!("theory/near.v"),
+    include_str!("theory/derivatives.v"),
+    include_str!("theory/regions.v"),
     include_str!("theory/sentences.v"),
     include_str!("theory/rules.v"),
     include_str!("theory/germs.v"),
@@ -47,13 +53,24 @@ pub(super) fn theory(needed: &[Part]) -> String {
     texts.join("\n")
 }
 
+/// Whether the theory, in any of its parts, uses this word. Words of one letter are names of what it
+/// binds for itself.
+pub(super) fn has_word(word: &str) -> bool {
+    static WORDS: OnceLock<HashSet<&str>> = OnceLock::new();
+    let apart = |c: char| !(c.is_alphanumeric() || c == '_' || c == '\'');
+    let words = WORDS.get_or_init(|| {
+        let parts = POINTS.iter().chain(&WITNESSES).chain(&LIMITS).chain(&FUNCTIONS);
+        parts.flat_map(|text| text.split(apart)).filter(|word| word.len() > 1).collect()
+    });
+    words.contains(word)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// What prints lemmas, and so names definitions of the theory.
-    const PRINTERS: [&str; 10] = [
-        include_str!("bounds.rs"),
+    const PRINTERS: [&str; 9] = [
         include_str!("family.rs"),
         include_str!("functions.rs"),
         include_str!("lemma.rs"),
@@ -61,7 +78,7 @@ mod tests {
         include_str!("prose.rs"),
         include_str!("reify.rs"),
         include_str!("script.rs"),
-        include_str!("table.rs"),
+        include_str!("slopes.rs"),
         include_str!("witness.rs"),
     ];
 

@@ -1,10 +1,11 @@
 //! Points as witnesses: their coordinates, and how each condition follows at an algebraic number.
 
-use kane_kernel::{Atom, Atoms, Point, Poly, Root, Sign, State, sign_at};
+use kane_audit::contradicts_bounds;
+use kane_kernel::{Atom, Atoms, Fuel, Point, Poly, Root, Sign, State, sign_at};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Signed};
 
 use super::NotEmitted;
 use super::reify::{Symbols, integer, join};
@@ -113,18 +114,26 @@ impl At<'_> {
         atoms.push(line(-root.lo.numer(), root.lo.denom().clone()));
         atoms.push(line(root.hi.numer().clone(), -root.hi.denom()));
         atoms.push(atom.not());
-        let mut state = State { atoms, ..self.state.clone() };
-        for (i, (v, _)) in self.fixed.iter().enumerate() {
-            state = state.substitute(i, *v, &[])?;
+        // Coq does the same, one after the other.
+        let modulus = (theta, atoms[n].poly.clone());
+        for (v, rule) in self.fixed.iter().chain([&modulus]) {
+            let rule = match rule.coefficients(*v).pop().and_then(|c| c.as_constant()) {
+                Some(c) if c.is_negative() => rule.neg(),
+                _ => rule.clone(),
+            };
+            let rest = atoms[n + 3].poly.remainder(*v, &rule, false, &Fuel::new(u64::MAX))?;
+            atoms[n + 3].poly = rest.primitive().1;
         }
-        let mut atoms = state.substitute(n, theta, &[])?.atoms;
+        let state = State { atoms, ..self.state.clone() };
+        let atoms = &state.atoms;
         match atoms[n + 3].decided() {
             Some(false) => Ok("Absurd".to_owned()),
             Some(true) => Err(NotEmitted::Step("an atom that fails")),
             None => {
-                let writer = Writer { symbols: self.symbols, sides: None };
                 let bounds = [(theta, Some(n + 1), Some(n + 2))];
-                super::bounds::refute(&writer, &mut atoms, n + 3, &bounds)
+                let proof = contradicts_bounds(&state, n + 3, &bounds)
+                    .ok_or(NotEmitted::Step("coefficients of two signs"))?;
+                Writer { symbols: self.symbols, sides: None }.proof(&state, &proof)
             }
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! A page is one file. Its policy forbids it to load anything, so opening it tells nobody.
 
+use kane_algebra::syntax::printable;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A page around its content.
@@ -71,7 +72,7 @@ impl Frame<'_> {
                 }
             }
         };
-        let mut page = page.into_string();
+        let mut page = printable(&page.into_string()).into_owned();
         page.push('\n');
         page
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use kane_algebra::syntax::visible;
 use kane_number::Rational;
 use serde::Deserialize;
 use toml::Spanned;
@@ -69,6 +70,7 @@ fn read(source: Source<'_>) -> Result<Scene, Fault> {
             .as_deref()
             .unwrap_or(source.name)
             .split_whitespace()
+            .map(visible)
             .collect::<Vec<_>>()
             .join(" "),
         until: match (&file.until, &setup) {

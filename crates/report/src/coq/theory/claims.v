@@ -21,8 +21,8 @@ Fixpoint rootless (e : expr) : bool :=
   match e with
   | Num _ _ | Var _ | Undefined => true
   | Neg a | Pow a _ | Abs a => rootless a
-  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b | Slope a b => rootless a && rootless b
-  | Root _ _ => false
+  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b => rootless a && rootless b
+  | Root _ _ | Deriv _ _ _ _ => false
   | If x _ y a b => rootless x && rootless y && rootless a && rootless b
   end.
 Definition rootless_rel (r : relation) := rootless (lhs r) && rootless (rhs r).
@@ -38,7 +38,7 @@ Definition rooted_goal (l : list R) (g : goal) : Prop :=
   rooted_all l (conditions g) /\ rooted_conclusion l (claim g).
 Ltac split_bools := repeat match goal with H : _ && _ = true |- _ => apply andb_true_iff in H as [? ?] end.
 Lemma rootless_rooted l e : rootless e = true -> rooted l e.
-Proof. induction e; simpl; intro H; split_bools; auto. discriminate. Qed.
+Proof. induction e; simpl; intro H; split_bools; auto; discriminate. Qed.
 Lemma rootless_rooted_rel l r : rootless_rel r = true -> rooted_rel l r.
 Proof. unfold rootless_rel. intro H. split_bools. split; apply rootless_rooted; trivial. Qed.
 Lemma rootless_rooted_all l rs : forallb rootless_rel rs = true -> rooted_all l rs.
@@ -105,7 +105,7 @@ Proof.
   intros [[|]|]; simpl; intuition congruence.
 Qed.
 
-Definition depth : nat := 400.
+Definition depth : nat := 4000.
 Definition point_state (off : nat) (g : goal) : atoms * list cases :=
   (range_atoms off (ranges g),
    formulas off (premises g) ++ [where_all off (conditions g)] ++ failure off (claim g)).
@@ -135,5 +135,7 @@ Ltac has_roots := unfold rooted_goal, rooted_all, rooted_sentence, rooted_conclu
   repeat match goal with
   | |- _ /\ _ => split | |- True => exact I | |- Forall _ [] => apply Forall_nil
   | |- Forall _ (_ :: _) => apply Forall_cons | |- _ -> _ => assumption
+  | |- (_ < _)%nat => apply Nat.ltb_lt; reflexivity
   | |- rooted _ _ => progress cbn [lhs rhs rooted]
+  | H : _ |- _ => exact H
   end.

@@ -10,7 +10,7 @@ Inductive expr :=
 | Abs (a : expr) | Min (a b : expr) | Max (a b : expr)
 | Root (i : nat) (a : expr)
 | If (l : expr) (r : rel) (m a b : expr)
-| Slope (a d : expr)
+| Deriv (j i n : nat) (f : expr)
 | Undefined.
 Record relation := Rel { lhs : expr; comparison : rel; rhs : expr }.
 
@@ -37,7 +37,7 @@ Fixpoint ev (l : list R) (e : expr) : R :=
   | Abs a => Rabs (ev l a) | Min a b => Rmin (ev l a) (ev l b) | Max a b => Rmax (ev l a) (ev l b)
   | Root i _ => nth i l 0
   | If x r y a b => choose r (ev l x) (ev l y) (ev l a) (ev l b)
-  | Slope _ d => ev l d
+  | Deriv j _ _ _ => nth j l 0
   | Undefined => 0
   end.
 Fixpoint conj (l : list Prop) : Prop :=
@@ -47,17 +47,53 @@ Definition branch (p : Prop) (l : list Prop) : list Prop :=
   match l with [] => [] | _ => [p -> conj l] end.
 Definition divides (l : list R) (b : expr) (v : R) : list Prop :=
   match b with Num (Zpos _) _ | Num (Zneg _) _ => [] | _ => [v <> 0] end.
+(** Another value in the list. *)
+Fixpoint upd (i : nat) (x : R) (l : list R) : list R :=
+  match l, i with [], _ => [] | _ :: l, O => x :: l | y :: l, S i => y :: upd i x l end.
+Fixpoint mentions (i : nat) (e : expr) : bool :=
+  match e with
+  | Num _ _ | Undefined => false
+  | Var k => Nat.eqb i k
+  | Neg a | Pow a _ | Abs a => mentions i a
+  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b => mentions i a || mentions i b
+  | Root _ _ | Deriv _ _ _ _ => true
+  | If x _ y a b => mentions i x || mentions i y || mentions i a || mentions i b
+  end.
+(** The conditions under which an expression is differentiable by symbol [i], or at least continuous
+    in it: no choice changes near the point. Absolute values, minima and maxima that are to be
+    differentiated are written as choices. *)
+Fixpoint near_conds (smooth : bool) (i : nat) (l : list R) (e : expr) : list Prop :=
+  match e with
+  | Num _ _ | Var _ => []
+  | Neg a | Pow a _ => near_conds smooth i l a
+  | Add a b | Sub a b | Mul a b => near_conds smooth i l a ++ near_conds smooth i l b
+  | Div a b => near_conds smooth i l a ++ near_conds smooth i l b ++ divides l b (ev l b)
+  | Abs a => if smooth then [False] else near_conds smooth i l a
+  | Min a b | Max a b => if smooth then [False] else near_conds smooth i l a ++ near_conds smooth i l b
+  | If x r y a b => near_conds false i l x ++ near_conds false i l y ++
+      (if mentions i x || mentions i y then [ev l x <> ev l y] else []) ++
+      branch (related r (ev l x) (ev l y)) (near_conds smooth i l a) ++
+      branch (~ related r (ev l x) (ev l y)) (near_conds smooth i l b)
+  | Root _ _ | Deriv _ _ _ _ | Undefined => [False]
+  end.
+(** [v] is the derivative of [F] at [a], or a further one. *)
+Fixpoint derives (n : nat) (F : R -> R) (a v : R) : Prop :=
+  match n with
+  | O => derivable_pt_lim F a v
+  | S n => exists (G : R -> R) (d : R), 0 < d /\ (forall x, Rabs (x - a) < d -> derivable_pt_lim F x (G x)) /\ derives n G a v
+  end.
 (** The conditions under which an expression is defined; a number other than 0 divides. *)
 Fixpoint conds (l : list R) (e : expr) : list Prop :=
   match e with
   | Num _ _ | Var _ => []
   | Neg a | Pow a _ | Abs a => conds l a
-  | Add a b | Sub a b | Mul a b | Min a b | Max a b | Slope a b => conds l a ++ conds l b
+  | Add a b | Sub a b | Mul a b | Min a b | Max a b => conds l a ++ conds l b
   | Div a b => conds l a ++ conds l b ++ divides l b (ev l b)
   | Root _ a => conds l a ++ [0 <= ev l a]
   | If x r y a b => conds l x ++ conds l y ++
       branch (related r (ev l x) (ev l y)) (conds l a) ++
       branch (~ related r (ev l x) (ev l y)) (conds l b)
+  | Deriv _ i _ f => near_conds true i l f
   | Undefined => [False]
   end.
 Definition total (l : list R) (e : expr) : Prop := conj (conds l e).
@@ -86,6 +122,55 @@ Definition compared (r : rel) (ps qs : pieces frac) : pieces bool :=
   end.
 Definition value (x : frac) : pieces frac := everywhere (Some x).
 
+(** What an expression is near a point, in a variable [v]. *)
+Definition steadily (r : rel) (x y : frac) : pieces bool :=
+  let gap := match r with Lt | Le => fadd y (fneg x) | _ => fadd x (fneg y) end in
+  let (more, less) := match r with Eq => (false, false) | Ne => (true, true) | _ => (true, false) end in
+  [([A (sign_poly gap) SP], Some more); ([A (pneg (sign_poly gap)) SP], Some less); ([A (fst gap) SZ], None)].
+Definition steadily_compared (varies : bool) (r : rel) (ps qs : pieces frac) : pieces bool :=
+  let test := if varies then steadily r else compare r in
+  match r with
+  | Lt | Le => both qs ps (fun y x => test x y) | _ => both ps qs test
+  end.
+Fixpoint near_regions (smooth : bool) (off i : nat) (e : expr) : pieces frac :=
+  let go := near_regions smooth off i in
+  match e with
+  | Num n d => value (pconst n, pconst (Zpos d))
+  | Var k => value (pvar (off + k), pone)
+  | Neg a => each (go a) (fun x => value (fneg x))
+  | Add a b => both (go a) (go b) (fun x y => value (fadd x y))
+  | Sub a b => both (go a) (go b) (fun x y => value (fadd x (fneg y)))
+  | Mul a b => both (go a) (go b) (fun x y => value (fmul x y))
+  | Div a b => both (go a) (go b) (fun x y =>
+      either (A (fst y) SNZ) (Some (pmul (fst x) (snd y), pmul (snd x) (fst y))) None)
+  | Pow a n => each (go a) (fun x => value (ppow (fst x) n, ppow (snd x) n))
+  | Abs a => if smooth then everywhere None else
+      each (go a) (fun x => either (A (sign_poly x) SNN) (Some x) (Some (fneg x)))
+  | Min a b => if smooth then everywhere None else both (go a) (go b) (fun x y =>
+      either (A (sign_poly (fadd y (fneg x))) SNN) (Some x) (Some y))
+  | Max a b => if smooth then everywhere None else both (go a) (go b) (fun x y =>
+      either (A (sign_poly (fadd x (fneg y))) SNN) (Some x) (Some y))
+  | If x r y a b =>
+      each (steadily_compared (mentions i x || mentions i y) r (near_regions false off i x) (near_regions false off i y))
+        (fun t : bool => if t then go a else go b)
+  | Root _ _ | Deriv _ _ _ _ | Undefined => everywhere None
+  end.
+(** The derivative of a polynomial by a variable, and of a fraction. *)
+Fixpoint lessen (v : nat) (m : mono) : mono :=
+  match v, m with _, [] => [] | O, n :: m => pred n :: m | S v, n :: m => n :: lessen v m end.
+Fixpoint pderiv (v : nat) (p : poly) : poly :=
+  match p with
+  | [] => []
+  | (m, c) :: p => padd (pscale (Z.of_nat (nth v m 0%nat)) [(trim (lessen v m), c)]) (pderiv v p)
+  end.
+Definition slope (v : nat) (x : frac) : frac :=
+  match as_const (snd x) with
+  | Some _ => (pderiv v (fst x), snd x)
+  | None => (psub (pmul (pderiv v (fst x)) (snd x)) (pmul (fst x) (pderiv v (snd x))), pmul (snd x) (snd x))
+  end.
+Fixpoint slopes (n v : nat) (x : frac) : frac :=
+  match n with O => slope v x | S n => slopes n v (slope v x) end.
+
 (** [off] variables come before those of expressions: t and limits. *)
 Fixpoint regions (off : nat) (e : expr) : pieces frac :=
   match e with
@@ -110,7 +195,7 @@ Fixpoint regions (off : nat) (e : expr) : pieces frac :=
   | If x r y a b =>
       each (compared r (regions off x) (regions off y))
         (fun t : bool => if t then regions off a else regions off b)
-  | Slope a d => each (regions off a) (fun _ => regions off d)
+  | Deriv _ i n f => each (near_regions true off i f) (fun x => value (slopes n (off + i) x))
   | Undefined => everywhere None
   end.
 Definition truth (off : nat) (r : relation) : pieces bool :=
@@ -156,6 +241,22 @@ Lemma stands_neg e u x : stands e u x -> stands e (- u) (fneg x).
 Proof. intros [D N]. unfold stands; simpl. rewrite peval_neg, <- N. split; trivial. ring. Qed.
 Lemma stands_sub e u v x y : stands e u x -> stands e v y -> stands e (u - v) (fadd x (fneg y)).
 Proof. intros. apply stands_add; trivial. apply stands_neg; trivial. Qed.
+Lemma stands_mul e u v x y : stands e u x -> stands e v y -> stands e (u * v) (fmul x y).
+Proof.
+  intros [D N] [F G]. unfold stands; simpl; rewrite !peval_mul, <- N, <- G.
+  split; [apply Rmult_integral_contrapositive; auto|ring].
+Qed.
+Lemma stands_div e u v x y : stands e u x -> stands e v y -> v <> 0 ->
+  stands e (u / v) (pmul (fst x) (snd y), pmul (snd x) (fst y)).
+Proof.
+  intros [D N] [F G] V. unfold stands; simpl; rewrite !peval_mul, <- N, <- G.
+  split; [repeat apply Rmult_integral_contrapositive_currified; trivial|field; trivial].
+Qed.
+Lemma stands_pow e u x n : stands e u x -> stands e (u ^ n) (ppow (fst x) n, ppow (snd x) n).
+Proof.
+  intros [D N]. unfold stands; simpl. rewrite !peval_pow, <- N.
+  split; [apply pow_nonzero; trivial|rewrite Rpow_mult_distr; trivial].
+Qed.
 Lemma stands_sign e v x : stands e v x -> exists k, 0 < k /\ peval e (sign_poly x) = k * v.
 Proof.
   intros [D N]. unfold sign_poly. destruct (as_const (snd x)) as [c|] eqn:E.
@@ -192,14 +293,16 @@ Qed.
 
 (** The list of values of an expression's variables, inside the values of all variables. *)
 Definition agrees (off : nat) (e : nat -> R) (l : list R) : Prop := forall i, e (off + i)%nat = nth i l 0.
-(** Variables of square roots have their values. *)
+(** Variables of square roots and of derivatives have their values. *)
 Fixpoint rooted (l : list R) (e : expr) : Prop :=
   match e with
   | Num _ _ | Var _ | Undefined => True
   | Neg a | Pow a _ | Abs a => rooted l a
-  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b | Slope a b => rooted l a /\ rooted l b
+  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b => rooted l a /\ rooted l b
   | Root i a => (0 <= ev l a -> 0 <= nth i l 0 /\ nth i l 0 * nth i l 0 = ev l a) /\ rooted l a
   | If x _ y a b => rooted l x /\ rooted l y /\ rooted l a /\ rooted l b
+  | Deriv j i n f => (i < length l)%nat /\
+      arrow (near_conds true i l f) (derives n (fun x => ev (upd i x l) f) (nth i l 0) (nth j l 0))
   end.
 Definition is_value (e : nat -> R) (l : list R) (a : expr) (x : option frac) : Prop :=
   match x with Some x => total l a /\ stands e (ev l a) x | None => ~ total l a end.
@@ -244,116 +347,3 @@ Proof.
   intros P Q C N. eapply spec_both; [exact P|exact Q| | |]; simpl; intros; try tauto. apply N; trivial.
 Qed.
 
-Lemma regions_spec off e l a : agrees off e l -> rooted l a -> spec e (regions off a) (is_value e l a).
-Proof.
-  intro AG. induction a; simpl; intro RT;
-    repeat match goal with H : _ /\ _ |- _ => destruct H end;
-    repeat match goal with H : ?P -> spec _ _ _, G : ?P |- _ => specialize (H G) end.
-  - apply spec_everywhere. split; [exact I|apply stands_num].
-  - apply spec_everywhere. split; [exact I|]. cbn [ev]. rewrite <- AG. apply stands_var.
-  - apply spec_each with (is_value e l a); trivial. intros x [C S]. apply spec_everywhere.
-    split; [trivial|apply stands_neg; trivial].
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C S] [D T]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
-    rewrite conj_app. split; [tauto|]. apply stands_add; trivial.
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C S] [D T]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
-    rewrite conj_app. split; [tauto|]. apply stands_sub; trivial.
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C [D N]] [F [G M]]; apply spec_everywhere. unfold is_value, total; cbn [conds ev].
-    rewrite conj_app. split; [tauto|].
-    unfold stands; simpl; rewrite !peval_mul, <- N, <- M.
-    split; [apply Rmult_integral_contrapositive; auto|ring].
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C [D N]] [F [G M]]. apply spec_either; unfold holds; simpl; intro Q0; unfold is_value, total; cbn [conds ev]; rewrite !conj_app.
-    + assert (V : ev l a2 <> 0) by (intro V; apply Q0; rewrite <- M, V; ring).
-      rewrite divides_spec. split; [tauto|]. unfold stands; simpl; rewrite !peval_mul, <- N, <- M.
-      split; [repeat apply Rmult_integral_contrapositive_currified; trivial|field; trivial].
-    + rewrite divides_spec. intros [_ [_ V]]. apply Q0. rewrite <- M. apply Rmult_integral_contrapositive_currified; trivial.
-  - apply spec_each with (is_value e l a); trivial. intros x [C [D N]]. apply spec_everywhere.
-    split; [trivial|]. unfold stands; simpl. rewrite !peval_pow, <- N.
-    split; [apply pow_nonzero; trivial|rewrite Rpow_mult_distr; trivial].
-  - apply spec_each with (is_value e l a); trivial. intros x [C S].
-    pose proof (stands_sign _ _ _ S) as [k [K SK]]. destruct (pos_mult k (ev l a) K) as [_ P].
-    apply spec_either; unfold holds; simpl; rewrite SK, P; intro Q0; (split; [trivial|]); simpl.
-    + rewrite Rabs_pos_eq; trivial.
-    + rewrite Rabs_left by lra. apply stands_neg; trivial.
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C S] [D T].
-    pose proof (stands_sign _ _ _ (stands_sub _ _ _ _ _ T S)) as [k [K SK]].
-    destruct (pos_mult k (ev l a2 - ev l a1) K) as [_ P].
-    apply spec_either; unfold holds; simpl; rewrite SK, P; intro Q0;
-      unfold is_value, total; cbn [conds ev]; rewrite conj_app; (split; [tauto|]).
-    + rewrite Rmin_left by lra; trivial.
-    + rewrite Rmin_right by lra; trivial.
-  - apply spec_operands with a1 a2; trivial; unfold total; cbn [conds]; [rewrite !conj_app; tauto|].
-
-    intros x y [C S] [D T].
-    pose proof (stands_sign _ _ _ (stands_sub _ _ _ _ _ S T)) as [k [K SK]].
-    destruct (pos_mult k (ev l a1 - ev l a2) K) as [_ P].
-    apply spec_either; unfold holds; simpl; rewrite SK, P; intro Q0;
-      unfold is_value, total; cbn [conds ev]; rewrite conj_app; (split; [tauto|]).
-    + rewrite Rmax_left by lra; trivial.
-    + rewrite Rmax_right by lra; trivial.
-  - apply spec_each with (is_value e l a); trivial.
-    { unfold is_value, total; cbn [conds]; rewrite conj_app; tauto. }
-    intros x [C S]. pose proof (stands_sign _ _ _ S) as [k [K SK]]. destruct (pos_mult k (ev l a) K) as [_ P].
-    assert (E : peval e (pvar (off + i)) = nth i l 0) by (rewrite peval_var, AG; trivial).
-    match goal with H : 0 <= ev l a -> _ |- _ => rename H into SQ end.
-    assert (Q : 0 <= ev l a ->
-      peval e (psub (pmul (pmul (pvar (off + i)) (pvar (off + i))) (snd x)) (fst x)) = 0).
-    { intro Q. rewrite peval_sub, !peval_mul, E, (proj2 (SQ Q)). destruct S as [_ N]. lra. }
-    split.
-    + intros p [<-|[<-|[]]] Q0; cbn [fst snd] in *.
-      * apply Forall_cons_iff in Q0 as [H1 H2]. unfold holds in H1; cbn [asign apoly] in H1. rewrite SK, P in H1.
-        unfold is_value, total; cbn [conds]. rewrite conj_app. split; [simpl; tauto|].
-        cbn [ev]. rewrite <- AG. apply stands_var.
-      * apply Forall_cons_iff in Q0 as [H1 H2]. apply anot_holds in H1. unfold holds in H1; cbn [asign apoly] in H1.
-        rewrite SK, P in H1. unfold is_value, total; cbn [conds]; rewrite conj_app; simpl; tauto.
-    + destruct (Rle_dec 0 (ev l a)) as [Q0|Q0].
-      * eexists; split; [left; reflexivity|].
-        cbn [fst]. repeat apply Forall_cons; try apply Forall_nil; unfold holds; cbn [asign apoly].
-        -- rewrite SK, P; trivial.
-        -- rewrite E; apply SQ; trivial.
-        -- apply Q; trivial.
-      * eexists; split; [right; left; reflexivity|].
-        cbn [fst]. repeat apply Forall_cons; try apply Forall_nil. apply anot_holds. unfold holds; cbn [asign apoly].
-        rewrite SK, P; trivial.
-  - apply spec_each with (fun b => match b with
-      | Some true => total l a1 /\ total l a2 /\ related r (ev l a1) (ev l a2)
-      | Some false => total l a1 /\ total l a2 /\ ~ related r (ev l a1) (ev l a2)
-      | None => ~ (total l a1 /\ total l a2) end).
-    + apply compared_spec; trivial.
-    + unfold is_value, total; cbn [conds]; rewrite !conj_app; tauto.
-    + destruct (choose_spec r (ev l a1) (ev l a2) (ev l a3) (ev l a4)) as [Y N].
-      intros [|] [C [D T]]; [specialize (Y T)|specialize (N T)].
-      * eapply spec_weaken; [eassumption|].
-        intros [x|]; unfold is_value, total; cbn [conds ev]; rewrite ?Y, !conj_app, !conj_branch; tauto.
-      * eapply spec_weaken; [eassumption|].
-        intros [x|]; unfold is_value, total; cbn [conds ev]; rewrite ?N, !conj_app, !conj_branch; tauto.
-  - apply spec_each with (is_value e l a1); trivial.
-    + unfold is_value, total; cbn [conds]; rewrite conj_app; tauto.
-    + intros x [C S]. eapply spec_weaken; [eassumption|].
-      intros [y|]; unfold is_value, total; cbn [conds ev]; rewrite conj_app; tauto.
-  - apply spec_everywhere. unfold is_value, total; simpl; tauto.
-Qed.
-
-Definition defined_rel (l : list R) (r : relation) : Prop := total l (lhs r) /\ total l (rhs r).
-Definition says (l : list R) (r : relation) : Prop := related (comparison r) (ev l (lhs r)) (ev l (rhs r)).
-Definition rooted_rel (l : list R) (r : relation) : Prop := rooted l (lhs r) /\ rooted l (rhs r).
-Definition is_truth (l : list R) (r : relation) (b : option bool) : Prop :=
-  match b with
-  | Some true => defined_rel l r /\ says l r | Some false => defined_rel l r /\ ~ says l r
-  | None => ~ defined_rel l r
-  end.
-Lemma truth_spec off e l r : agrees off e l -> rooted_rel l r -> spec e (truth off r) (is_truth l r).
-Proof.
-  intros AG [X Y]. unfold truth. eapply spec_weaken.
-  - apply compared_spec; apply regions_spec; eassumption.
-  - unfold is_truth, defined_rel, says. intros [[|]|]; tauto.
-Qed.

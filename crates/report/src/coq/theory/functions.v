@@ -13,7 +13,7 @@ Fixpoint subst (es : list expr) (e : expr) : expr :=
   | Min a b => Min (subst es a) (subst es b) | Max a b => Max (subst es a) (subst es b)
   | Root i a => Root i (subst es a)
   | If x r y a b => If (subst es x) r (subst es y) (subst es a) (subst es b)
-  | Slope a d => Slope (subst es a) (subst es d)
+  | Deriv _ _ _ _ => Undefined
   | Undefined => Undefined
   end.
 Definition subst_rel es r := Rel (subst es (lhs r)) (comparison r) (subst es (rhs r)).
@@ -29,8 +29,8 @@ Fixpoint only (ok : nat -> bool) (e : expr) : bool :=
   | Num _ _ | Undefined => true
   | Var i => ok i
   | Neg a | Pow a _ | Abs a => only ok a
-  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b | Slope a b => only ok a && only ok b
-  | Root _ _ => false
+  | Add a b | Sub a b | Mul a b | Div a b | Min a b | Max a b => only ok a && only ok b
+  | Root _ _ | Deriv _ _ _ _ => false
   | If x _ y a b => only ok x && only ok y && only ok a && only ok b
   end.
 Definition only_rel ok r := only ok (lhs r) && only ok (rhs r).

@@ -206,17 +206,14 @@ End Met.
 Definition refutes_point (g : family) (F : functions) (used : list side) (w : witness) : bool :=
   let es := exprs F in
   meets g F used && Nat.eqb (length (coordinates w)) 1 &&
-  match theta w with None => true | _ => false end &&
   forallb (only_rel (fun _ => true)) (conditions (body g)) && only_conclusion (fun _ => true) (claim (body g)) &&
-  refuted_by (at_point_of g F true (if always_when g then [] else map (subst_rel es) (conditions (body g)))
+  refutes (at_point_of g F true (if always_when g then [] else map (subst_rel es) (conditions (body g)))
     (subst_conclusion es (claim (body g)))) w.
 Theorem point_refuted g F used w : refutes_point g F used w = true -> ~ states_point g (along (exprs F)).
 Proof.
   unfold refutes_point. cbv zeta. intros C S. split_bools.
   match goal with G : meets _ _ _ = true |- _ => rename G into M end.
-  match goal with G : match theta w with None => _ | _ => _ end = true |- _ => rename G into Th end.
-  match goal with G : refuted_by _ _ = true |- _ => apply (refuted_there _ w 0 G) end.
-  { destruct (theta w); [discriminate|]. constructor. }
+  match goal with G : refutes _ _ = true |- _ => apply (refuted _ w G) end.
   match goal with G : Nat.eqb (length _) 1 = true |- _ => apply Nat.eqb_eq in G; rename G into L end.
   assert (P : exists x, place w 0 = [x]).
   { unfold place. destruct (coordinates w) as [|c [|d cs]]; try discriminate. eexists; reflexivity. }

@@ -122,7 +122,7 @@ Proof.
     forall fuel fs st p env, germs pc env -> refute pc fuel fs st p = true -> all_hold env st -> some_cases env fs -> False).
   2: { apply G. right. intros. eapply (G None); [left; trivial|exact I|eassumption..]. }
   clear pc. intros pc HN. induction fuel as [|fuel IH]; [discriminate|].
-  intros fs st p env GS. destruct p as [|formula each_case|q z pos neg|equation var0 lead rest|a by_ quotient rest|terms cofactors
+  intros fs st p env GS. destruct p as [|formula each_case|q each|equation var0 lead rest|terms cofactors
     |s num0 den positive inside a along rest]; cbn [refute]; intros C H F.
   - apply existsb_exists in C as [a [I D]]. destruct (decided a) as [[|]|] eqn:E; try discriminate.
     pose proof (all_in _ _ _ H I) as K. apply (decided_holds env) in E. rewrite E in K; discriminate.
@@ -136,13 +136,17 @@ Proof.
     destruct I as [->|I].
     + apply (IH _ _ _ env GS C); trivial. apply Forall_app; split; trivial.
     + apply (IHc ps D). exists a; split; trivial.
-  - apply andb_true_iff in C as [C N]. apply andb_true_iff in C as [Z P].
-    assert (W : forall a, holds env a -> all_hold env (st ++ [a])).
-    { intros. apply Forall_app; split; trivial. apply Forall_cons; [trivial|apply Forall_nil]. }
-    destruct (Rtotal_order (peval env q) 0) as [L|[L|L]].
-    + apply (IH _ _ _ env GS N); trivial. apply W. unfold holds; simpl. rewrite peval_neg; lra.
-    + apply (IH _ _ _ env GS Z); trivial. apply W. trivial.
-    + apply (IH _ _ _ env GS P); trivial. apply W. unfold holds; simpl; lra.
+  - apply andb_true_iff in C as [V C]. rewrite forallb_forall in V, C.
+    assert (K : exists v, In v [-1; 0; 1]%Z /\
+      ((v = -1)%Z /\ peval env q < 0 \/ v = 0%Z /\ peval env q = 0 \/ v = 1%Z /\ 0 < peval env q)).
+    { destruct (Rtotal_order (peval env q) 0) as [L|[L|L]].
+      - exists (-1)%Z. split; [left; trivial|tauto].
+      - exists 0%Z. split; [right; left; trivial|tauto].
+      - exists 1%Z. split; [right; right; left; trivial|]. right; right. split; trivial. }
+    destruct K as [v [I K]]. specialize (V v I). unfold admitted in V.
+    apply existsb_exists in V as [[[o s] p] [J M]]. cbn [fst snd] in M.
+    apply (IH _ _ _ env GS (C _ J)); trivial. cbn [fst snd]. apply Forall_app; split; trivial.
+    apply Forall_cons; [|apply Forall_nil]. apply sided_holds with v; trivial.
   - apply andb_true_iff in C as [C R]. apply andb_true_iff in C as [C L]. apply andb_true_iff in C as [S X].
     destruct (asign (nth_atom st equation)) eqn:Sg; try discriminate.
     apply peqb_eq in L.
@@ -160,23 +164,6 @@ Proof.
     apply (IH _ _ _ env GS R); trivial. apply mapi_holds; trivial. intros i a Ha.
     destruct (Nat.eqb i equation); [|apply reduce_holds; trivial].
     destruct (Nat.eqb _ 1); trivial. reflexivity.
-  - apply andb_true_iff in C as [C R]. apply andb_true_iff in C as [Fs Q]. apply peqb_eq in Q.
-    pose proof (nth_holds env st a H) as K.
-    destruct (prim_eval env (pmul (product st by_) quotient)) as [g [Gp Ge]].
-    destruct (prim_eval env (apoly (nth_atom st a))) as [h [Hp He]].
-    rewrite peval_mul, Q in Ge.
-    assert (V : peval env (apoly (nth_atom st a)) = h / g * peval env (product st by_) * peval env quotient).
-    { rewrite He. replace (h / g * peval env (product st by_) * peval env quotient)
-        with (h / g * (peval env (product st by_) * peval env quotient)) by ring. rewrite Ge. field; lra. }
-    assert (HG : 0 < h / g) by (apply Rdiv_lt_0_compat; trivial).
-    apply (IH _ _ _ env GS R); trivial. apply mapi_holds; trivial. intros i b Hb.
-    destruct (Nat.eqb i a); trivial. unfold holds in *; cbn [asign apoly].
-    destruct (asign (nth_atom st a)); cbn [is_order] in Fs; rewrite V in K.
-    + pose proof (product_nonzero env st by_ H Fs). apply Rmult_integral in K as [K|K]; trivial.
-      apply Rmult_integral in K as [K|K]; [lra|tauto].
-    + intro Z; apply K; rewrite Z; ring.
-    + pose proof (product_positive env st by_ H Fs). apply pos_mult in K; trivial. apply Rmult_lt_0_compat; trivial.
-    + pose proof (product_positive env st by_ H Fs). apply pos_mult in K; trivial. apply Rmult_lt_0_compat; trivial.
   - apply andb_true_iff in C as [C S]. apply andb_true_iff in C as [C X]. apply andb_true_iff in C as [T0 E0].
     set (w := fun t => IZR (weight t) * (peval env (square t) * peval env (square t) * peval env (product st (factors t)))).
     assert (W : forall t, In t terms -> 0 <= w t).

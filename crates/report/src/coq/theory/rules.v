@@ -7,9 +7,8 @@ Definition q_ (n : Z) (d : positive) : Z * positive := (n, d).
 Inductive proof :=
 | Absurd
 | Assume (formula : nat) (each_case : list proof)
-| Split (p : poly) (zero positive negative : proof)
+| Split (p : poly) (each_side : list (bool * sign * proof))
 | Substitute (equation var : nat) (lead : list (nat * nat)) (rest : proof)
-| Cancel (a : nat) (by_ : list (nat * nat)) (quotient : poly) (rest : proof)
 | Positive (terms : list term) (cofactors : list (nat * poly))
 | Pass (s : side) (num den : poly) (positive inside : proof) (a : atom) (along rest : proof).
 
@@ -73,6 +72,11 @@ Definition germ_atoms (pc : passing) (s : side) (num den : poly) (st : atoms) : 
   ranges_along pc ++ filter (fun a => mentions_only (constants pc) (apoly a)) st ++
   [A (pvar 0) SP; A (psub num (pmul den (pvar 0))) SP; binding (var pc) s].
 
+(** A polynomial or its opposite, and which of its signs -1, 0 and 1 have a case. *)
+Definition sided (opposite : bool) (q : poly) : poly := if opposite then pneg q else q.
+Definition admitted (each : list (bool * sign * proof)) (v : Z) : bool :=
+  existsb (fun c : bool * sign * proof => admits (snd (fst c)) (if fst (fst c) then Z.opp v else v)) each.
+
 Fixpoint refute (pc : option passing) (fuel : nat) (fs : list cases) (st : atoms) (p : proof) : bool :=
   match fuel with O => false | S fuel =>
   match p with
@@ -82,9 +86,9 @@ Fixpoint refute (pc : option passing) (fuel : nat) (fs : list cases) (st : atoms
      | [], [] => true
      | c :: cs, p :: ps => refute pc fuel fs (st ++ c) p && go cs ps
      | _, _ => false end) (nth f fs [[]]) ps
-  | Split q z pos neg =>
-    refute pc fuel fs (st ++ [A q SZ]) z && refute pc fuel fs (st ++ [A q SP]) pos &&
-    refute pc fuel fs (st ++ [A (pneg q) SP]) neg
+  | Split q each =>
+    forallb (admitted each) [-1; 0; 1]%Z &&
+    forallb (fun c : bool * sign * proof => refute pc fuel fs (st ++ [A (sided (fst (fst c)) q) (snd (fst c))]) (snd c)) each
   | Substitute i v lead rest =>
     let eq := nth_atom st i in
     let want := prim (product st lead) in
@@ -97,11 +101,6 @@ Fixpoint refute (pc : option passing) (fuel : nat) (fs : list cases) (st : atoms
     refute pc fuel fs (mapi (fun j a =>
       if Nat.eqb j i then (if Nat.eqb (degree v (apoly eq)) 1 then A [] SZ else a)
       else reduce v rule l pos a) 0 st) rest
-  | Cancel i by_ q rest =>
-    let a := nth_atom st i in
-    forallb (if is_order (asign a) then positive_factor st else nonzero_factor st) by_ &&
-    peqb (prim (pmul (product st by_) q)) (prim (apoly a)) &&
-    refute pc fuel fs (mapi (fun j b => if Nat.eqb j i then A q (asign a) else b) 0 st) rest
   | Positive ts cs =>
     forallb (fun t => Z.ltb 0 (weight t) && forallb (nonnegative_factor st) (factors t)) ts &&
     forallb (fun c => match asign (nth_atom st (fst c)) with SZ => true | _ => false end) cs &&
@@ -221,6 +220,13 @@ Proof.
   - apply Rmult_integral_contrapositive_currified; trivial.
   - apply Rmult_le_pos; trivial. apply Rlt_le; auto.
   - apply Rmult_lt_0_compat; auto.
+Qed.
+Lemma sided_holds e q (o : bool) s v : (v = -1)%Z /\ peval e q < 0 \/ v = 0%Z /\ peval e q = 0 \/ v = 1%Z /\ 0 < peval e q ->
+  admits s (if o then Z.opp v else v) = true -> holds e (A (sided o q) s).
+Proof.
+  intros H M. unfold holds, sided; cbn [asign apoly].
+  destruct o; rewrite ?peval_neg; destruct H as [[-> H]|[[-> H]|[-> H]]]; destruct s;
+    cbn in M; try discriminate; first [lra | intro; lra].
 Qed.
 Lemma mapi_holds e f (l : atoms) : (forall i a, holds e a -> holds e (f i a)) ->
   forall i, all_hold e l -> all_hold e (mapi f i l).

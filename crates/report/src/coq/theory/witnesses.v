@@ -44,7 +44,6 @@ Definition root_exists (r : option root) : bool :=
 Definition satisfied (w : witness) (fs : list cases) : bool :=
   forallb (existsb (forallb (follows w))) fs.
 Definition refuted_by (g : goal) (w : witness) : bool :=
-  rootless_goal g &&
   satisfied w (map (fun r => where_all 1 [r]) (ranges g) ++ snd (point_state 1 g)).
 
 Lemma entails_sound st a p e : entails st a p = true -> all_hold e st -> holds e a.
@@ -109,18 +108,18 @@ Proof.
     replace (IZR c / IZR (Zpos d) * IZR (Zpos d)) with (IZR c) in * by (field; lra). lra.
 Qed.
 Definition place (w : witness) (t : R) : list R := map (fun c => at_ t (fst c) (snd c)) (coordinates w).
-Lemma witness_holds w t : (forall e : nat -> R, e 0%nat = t -> all_hold e (root_atoms (theta w))) ->
-  all_hold (values (t :: place w t)) (witness_atoms w).
+Lemma witness_holds w t more : (forall e : nat -> R, e 0%nat = t -> all_hold e (root_atoms (theta w))) ->
+  all_hold (values (t :: place w t ++ more)) (witness_atoms w).
 Proof.
   intro T. apply Forall_app; split; [|apply T; trivial].
-  set (e := values (t :: place w t)).
-  assert (G : forall i cs, (forall j, e (S (i + j)) = nth j (map (fun c => at_ t (fst c) (snd c)) cs) 0) ->
+  set (e := values (t :: place w t ++ more)).
+  assert (G : forall i cs, (forall j, (j < length cs)%nat -> e (S (i + j)) = nth j (map (fun c => at_ t (fst c) (snd c)) cs) 0) ->
     all_hold e (mapi (fun i c => fixes (S i) (fst c) (snd c)) i cs)).
   { intros i cs; revert i; induction cs as [|c cs IH]; intros i E; simpl; [constructor|].
     apply Forall_cons.
-    - apply fixes_holds. specialize (E 0%nat). rewrite Nat.add_0_r in E. exact E.
-    - apply IH. intro j. specialize (E (S j)). rewrite <- plus_n_Sm in E. exact E. }
-  apply G. intro j. trivial.
+    - apply fixes_holds. specialize (E 0%nat (Nat.lt_0_succ _)). rewrite Nat.add_0_r in E. exact E.
+    - apply IH. intros j J. specialize (E (S j) (proj1 (Nat.succ_lt_mono _ _) J)). rewrite <- plus_n_Sm in E. exact E. }
+  apply G. intros j J. unfold e, values. cbn [nth Nat.add]. apply app_nth1. unfold place. rewrite map_length. trivial.
 Qed.
 Lemma satisfied_sound w fs e : satisfied w fs = true -> all_hold e (witness_atoms w) -> some_cases e fs.
 Proof.
@@ -131,14 +130,13 @@ Proof.
   apply existsb_exists in C as [a [J L]]. exists a; split; trivial. rewrite forallb_forall in L.
   apply Forall_forall. auto.
 Qed.
-Lemma refuted_there g w t : refuted_by g w = true ->
-  (forall e : nat -> R, e 0%nat = t -> all_hold e (root_atoms (theta w))) -> ~ states g (place w t).
+Lemma refuted_there g w t more : refuted_by g w = true -> rooted_goal (place w t ++ more) g ->
+  (forall e : nat -> R, e 0%nat = t -> all_hold e (root_atoms (theta w))) -> ~ states g (place w t ++ more).
 Proof.
-  unfold refuted_by. intros C T0. split_bools. pose proof (witness_holds w t T0) as T.
-  set (l := place w t) in *. set (e := values (t :: l)) in *.
+  unfold refuted_by. intros C [RR [RP [RC RL]]] T0. pose proof (witness_holds w t more T0) as T.
+  set (l := place w t ++ more) in *. set (e := values (t :: l)) in *.
   assert (AG : agrees 1 e l) by (intro; trivial).
-  match goal with H : satisfied _ _ = true |- _ => pose proof (satisfied_sound _ _ e H T) as F end.
-  match goal with H : rootless_goal g = true |- _ => destruct (rootless_rooted_goal l g H) as [RR [RP [RC RL]]] end.
+  pose proof (satisfied_sound _ _ e C T) as F.
   cbn [snd point_state] in F. unfold some_cases in F. apply Forall_app in F as [FR F].
   apply Forall_app in F as [FP F]. apply Forall_app in F as [FC FF].
   unfold states. rewrite imply_all, arrow_imp. intro S.
@@ -152,18 +150,29 @@ Proof.
       apply FP. unfold formulas. apply in_map_iff. eauto.
   - apply (where_all_spec 1 e l _ AG RC). inversion FC; trivial.
 Qed.
-(** A point with rational coordinates. *)
-Definition refutes (g : goal) (w : witness) : bool :=
+Lemma place_only g w t : rootless_goal g = true -> refuted_by g w = true ->
+  (forall e : nat -> R, e 0%nat = t -> all_hold e (root_atoms (theta w))) -> ~ states g (place w t).
+Proof.
+  intros RG C T. rewrite <- (app_nil_r (place w t)). apply refuted_there; trivial. apply rootless_rooted_goal; trivial.
+Qed.
+(** A point with rational coordinates; what stands behind them are roots and derivatives. *)
+Definition refutes_rooted (g : goal) (w : witness) : bool :=
   refuted_by g w && match theta w with None => true | _ => false end.
+Theorem refuted_rooted g w more : refutes_rooted g w = true -> rooted_goal (place w 0 ++ more) g ->
+  ~ states g (place w 0 ++ more).
+Proof.
+  unfold refutes_rooted. intros C RG. split_bools. apply refuted_there; trivial. destruct (theta w); [discriminate|]. constructor.
+Qed.
+Definition refutes (g : goal) (w : witness) : bool := rootless_goal g && refutes_rooted g w.
 Theorem refuted g w : refutes g w = true ->
   ~ states g (place w 0).
 Proof.
-  unfold refutes. intro C. split_bools. apply refuted_there; trivial. destruct (theta w); [discriminate|]. constructor.
+  unfold refutes, refutes_rooted. intro C. split_bools. apply place_only; trivial. destruct (theta w); [discriminate|]. constructor.
 Qed.
 (** A point at an algebraic number, which exists by the intermediate value theorem. *)
-Definition refutes_at_root (g : goal) (w : witness) : bool := refuted_by g w && root_exists (theta w).
+Definition refutes_at_root (g : goal) (w : witness) : bool := rootless_goal g && refuted_by g w && root_exists (theta w).
 Theorem refuted_root g w : refutes_at_root g w = true -> exists t, ~ states g (place w t).
 Proof.
   unfold refutes_at_root. intro C. split_bools. match goal with H : root_exists _ = true |- _ => destruct (root_found _ H) as [t T] end.
-  exists t. apply refuted_there; trivial.
+  exists t. apply place_only; trivial.
 Qed.

@@ -1,0 +1,359 @@
+//! Symbols that equations tie to the variable of a derivative, which would hold them fixed.
+//!
+//! The equations of a claim's premises and conditions are taken together: y = z and z = x² tie y to x.
+//! Two sides each of which is at most the other are equal. What the equations pin to one value, such
+//! as m in m = 2, ties nothing to anything.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::ops::Range;
+use std::rc::Rc;
+
+use kane_algebra::rational_function::RationalFunction;
+use kane_algebra::syntax::Scope;
+use kane_kernel::{Expr, Link, Rel, Relation, Target};
+use num_traits::Signed as _;
+
+use super::Fault;
+use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
+
+/// Inequalities of a claim above which no two are compared: each then counts as an equation.
+const MAX_INEQUALITIES: usize = 100;
+
+/// What differentiates, and the symbols that it holds fixed.
+type Derivative = (usize, BTreeSet<usize>);
+
+/// An equation, or one side at most the other, as a difference.
+#[derive(Debug)]
+struct Difference {
+    lower: Expr,
+    upper: Expr,
+    is_equation: bool,
+    /// upper − lower, if it can be written out
+    value: Option<RationalFunction>,
+    symbols: BTreeSet<usize>,
+}
+
+/// Finds ties, and remembers what it has found in statements.
+#[derive(Debug)]
+pub(super) struct Ties<'a> {
+    scope: &'a Scope,
+    drafts: &'a [Draft],
+    /// by statement
+    derivatives: HashMap<usize, Rc<Vec<Derivative>>>,
+    relations: HashMap<usize, Rc<Vec<Rc<Difference>>>>,
+}
+
+/// An equation and what states it: cited statements, or the claim's own conditions.
+struct Equation {
+    symbols: BTreeSet<usize>,
+    cited: Vec<Option<usize>>,
+}
+
+impl<'a> Ties<'a> {
+    pub(super) fn new(scope: &'a Scope, drafts: &'a [Draft]) -> Self {
+        Self { scope, drafts, derivatives: HashMap::new(), relations: HashMap::new() }
+    }
+
+    /// The fault that the premises of a claim, each at its place in the list, or its conditions tie a
+    /// symbol to the variable of a derivative in it, in one of them, or in what does not follow.
+    pub(super) fn find(
+        &mut self,
+        index: usize,
+        premises: &[(usize, &Cited)],
+        target: Option<usize>,
+    ) -> Option<Fault> {
+        let statements = || premises.iter().map(|(premise, _)| *premise).chain(target);
+        let mut derivatives: Vec<(Derivative, usize)> = Vec::new();
+        for statement in [index].into_iter().chain(statements()) {
+            let found = self.derivatives_of(statement);
+            derivatives.extend(found.iter().map(|derivative| (derivative.clone(), statement)));
+        }
+        if derivatives.is_empty() {
+            return None;
+        }
+        let mut relations = Vec::new();
+        for (place, (premise, _)) in premises.iter().enumerate() {
+            let said = self.relations_of(*premise);
+            relations.extend(said.iter().map(|difference| (difference.clone(), Some(place))));
+        }
+        let own = self.claim(index)?;
+        let of_target = target.map(|target| when_of(&self.drafts.get(target)?.body));
+        for relation in own.when.iter().chain(of_target.flatten().unwrap_or_default()) {
+            relations.extend(self.differences(relation).into_iter().map(|d| (Rc::new(d), None)));
+        }
+        let equations = equations(&relations);
+        let (symbol, chain, (x, place)) = derivatives.iter().find_map(|((x, others), place)| {
+            let (y, chain) = chain(&equations, *x, others)?;
+            Some((y, chain, (*x, *place)))
+        })?;
+        Some(self.fault(index, premises, (symbol, x), &chain, place))
+    }
+
+    fn claim(&self, index: usize) -> Option<&'a DraftClaim> {
+        match &self.drafts.get(index)?.body {
+            DraftBody::Claim(claim) => Some(claim),
+            _ => None,
+        }
+    }
+
+    fn fault(
+        &self,
+        index: usize,
+        premises: &[(usize, &Cited)],
+        (y, x): (usize, usize),
+        chain: &[Option<usize>],
+        place: usize,
+    ) -> Fault {
+        let name = |v: usize| self.scope.context().vars.get(v).map_or("?", |var| &var.name);
+        let (x, y) = (name(x), name(y));
+        let own = |draft: &Draft| draft.label_span.clone();
+        let mut span: Range<usize> = self.drafts.get(index).map(own).unwrap_or_default();
+        let mut labels: Vec<String> = Vec::new();
+        for link in chain {
+            let cited = link.and_then(|place| premises.get(place)).map(|(_, cited)| cited);
+            if let Some(cited) = cited {
+                span = cited.span.clone();
+            }
+            let label = cited.map_or("its `when`".to_owned(), |cited| format!("`{}`", cited.label));
+            if !labels.contains(&label) {
+                labels.push(label);
+            }
+        }
+        let message = match labels.as_slice() {
+            [one] => format!("{one} ties `{y}` to `{x}`"),
+            several => format!("{} together tie `{y}` to `{x}`", several.join(", ")),
+        };
+        let where_it_is = match self.drafts.get(place) {
+            Some(draft) if place != index => format!("`{}`", draft.label),
+            _ => "this claim".to_owned(),
+        };
+        let note = format!("a derivative by `{x}` in {where_it_is} holds `{y}` fixed");
+        Fault::new(span, message).with_note(note)
+    }
+
+    fn derivatives_of(&mut self, index: usize) -> Rc<Vec<Derivative>> {
+        if let Some(known) = self.derivatives.get(&index) {
+            return known.clone();
+        }
+        let mut found = Vec::new();
+        let body = self.drafts.get(index).map(|draft| &draft.body);
+        for side in body.map(sides).unwrap_or_default() {
+            self.scope.visit(side, &mut |node| {
+                if let Expr::Deriv(f, x) = node {
+                    let mut others = self.scope.symbols(f);
+                    others.remove(x);
+                    found.push((*x, others));
+                }
+            });
+        }
+        let found = Rc::new(found);
+        self.derivatives.insert(index, found.clone());
+        found
+    }
+
+    fn relations_of(&mut self, index: usize) -> Rc<Vec<Rc<Difference>>> {
+        if let Some(known) = self.relations.get(&index) {
+            return known.clone();
+        }
+        let body = self.drafts.get(index).map(|draft| &draft.body);
+        let relations = body.map(relations).unwrap_or_default();
+        let found = relations.into_iter().filter_map(|r| self.differences(r)).map(Rc::new);
+        let found = Rc::new(found.collect::<Vec<_>>());
+        self.relations.insert(index, found.clone());
+        found
+    }
+
+    /// What an equation or an inequality that is not strict says; nothing if it is an identity.
+    fn differences(&self, relation: &Relation) -> Option<Difference> {
+        let (lower, upper) = match relation.rel {
+            Rel::Eq | Rel::Le => (&relation.lhs, &relation.rhs),
+            Rel::Ge => (&relation.rhs, &relation.lhs),
+            Rel::Ne | Rel::Lt | Rel::Gt => return None,
+        };
+        let difference = Expr::Sub(upper.clone().into(), lower.clone().into());
+        let value = RationalFunction::from_expr(&difference, self.scope.context()).ok();
+        let symbols = match &value {
+            Some(value) => value.fraction().0.vars().into_iter().collect(),
+            None => self.scope.symbols(&difference),
+        };
+        let is_equation = relation.rel == Rel::Eq;
+        let (lower, upper) = (lower.clone(), upper.clone());
+        Some(Difference { lower, upper, is_equation, value, symbols })
+    }
+}
+
+impl Difference {
+    /// Whether the two say the opposite of each other, up to a positive factor, so that together they
+    /// are an equation.
+    fn opposes(&self, other: &Self) -> bool {
+        match (&self.value, &other.value) {
+            (Some(a), Some(b)) if self.symbols == other.symbols && !b.is_zero() => {
+                let ratio = a.clone() / b;
+                ratio.as_constant().is_some_and(|ratio| ratio.is_negative())
+            }
+            (None, None) => self.lower == other.upper && self.upper == other.lower,
+            _ => false,
+        }
+    }
+}
+
+/// A relation, and the place of what states it.
+type Stated = (Rc<Difference>, Option<usize>);
+
+/// The equations among the relations, with the inequalities that make one when taken together.
+fn equations(relations: &[Stated]) -> Vec<Equation> {
+    let inequalities: Vec<_> = relations.iter().filter(|(d, _)| !d.is_equation).collect();
+    let all = inequalities.len() > MAX_INEQUALITIES;
+    let opposite = |d: &Difference| inequalities.iter().find(|(other, _)| d.opposes(other));
+    let sides = if all { Sides::default() } else { Sides::of(relations) };
+    let mut equations = Vec::new();
+    for (d, cited) in relations {
+        let mut cited = vec![*cited];
+        if !d.is_equation && !all {
+            match opposite(d) {
+                Some((_, other)) => cited.push(*other),
+                None if sides.lead(&d.upper, &d.lower) => {}
+                None => continue,
+            }
+        }
+        equations.push(Equation { symbols: d.symbols.clone(), cited });
+    }
+    equations
+}
+
+/// The sides of relations, each with those that are at least as great.
+#[derive(Default)]
+struct Sides<'d>(HashMap<&'d Expr, Vec<&'d Expr>>);
+
+impl<'d> Sides<'d> {
+    fn of(relations: &'d [Stated]) -> Self {
+        let mut greater: HashMap<&Expr, Vec<&Expr>> = HashMap::new();
+        for (d, _) in relations {
+            greater.entry(&d.lower).or_default().push(&d.upper);
+            if d.is_equation {
+                greater.entry(&d.upper).or_default().push(&d.lower);
+            }
+        }
+        Self(greater)
+    }
+
+    /// Whether a ≤ … ≤ b leads from the one to the other.
+    fn lead(&self, from: &'d Expr, to: &Expr) -> bool {
+        let mut seen = HashSet::from([from]);
+        let mut next = vec![from];
+        while let Some(side) = next.pop() {
+            if side == to {
+                return true;
+            }
+            let greater = self.0.get(side).map_or(&[][..], Vec::as_slice);
+            next.extend(greater.iter().filter(|side| seen.insert(**side)));
+        }
+        false
+    }
+}
+
+/// The first of the symbols that a chain of equations ties to x, and the chain from it to x.
+fn chain(
+    equations: &[Equation],
+    x: usize,
+    others: &BTreeSet<usize>,
+) -> Option<(usize, Vec<Option<usize>>)> {
+    let direct = equations.iter().filter(|e| e.symbols.contains(&x));
+    for equation in direct {
+        if let Some(y) = others.intersection(&equation.symbols).next() {
+            return Some((*y, equation.cited.clone()));
+        }
+    }
+    let pinned = pinned(equations, x);
+    // by symbol: the equation that ties it, and to which symbol
+    let mut tied: BTreeMap<usize, (&Equation, usize)> = BTreeMap::new();
+    let mut used = vec![false; equations.len()];
+    let mut reached = vec![x];
+    let mut next = 0;
+    while let Some(&from) = reached.get(next) {
+        next += 1;
+        for (equation, used) in equations.iter().zip(&mut used) {
+            if *used || !equation.symbols.contains(&from) {
+                continue;
+            }
+            *used = true;
+            for &y in equation.symbols.iter().filter(|y| !pinned.contains(*y)) {
+                if y != x && !tied.contains_key(&y) {
+                    tied.insert(y, (equation, from));
+                    reached.push(y);
+                }
+            }
+        }
+    }
+    let y = *others.iter().find(|y| tied.contains_key(*y))?;
+    let mut links = Vec::new();
+    let mut at = y;
+    while let Some((equation, to)) = tied.get(&at) {
+        links.extend(&equation.cited);
+        at = *to;
+    }
+    Some((y, links))
+}
+
+/// The symbols that equations without x pin: an equation in which all but one are pinned pins that one.
+fn pinned(equations: &[Equation], x: usize) -> BTreeSet<usize> {
+    let mut pinned = BTreeSet::new();
+    loop {
+        let before = pinned.len();
+        for equation in equations.iter().filter(|e| !e.symbols.contains(&x)) {
+            let mut open = equation.symbols.difference(&pinned);
+            if let (Some(&last), None) = (open.next(), open.next()) {
+                pinned.insert(last);
+            }
+        }
+        if pinned.len() == before {
+            return pinned;
+        }
+    }
+}
+
+fn links(body: &DraftBody) -> Vec<&Link> {
+    match body {
+        DraftBody::Given(sentence) => sentence.links.iter().collect(),
+        DraftBody::Claim(DraftClaim { content: DraftContent::Links(links), .. }) => {
+            links.iter().map(|(link, _)| link).collect()
+        }
+        DraftBody::Claim(_) | DraftBody::Let(_) | DraftBody::Broken => Vec::new(),
+    }
+}
+
+fn when_of(body: &DraftBody) -> Option<&[Relation]> {
+    match body {
+        DraftBody::Given(sentence) => Some(&sentence.when),
+        DraftBody::Claim(claim) => Some(&claim.when),
+        DraftBody::Let(_) | DraftBody::Broken => None,
+    }
+}
+
+/// The relations that a statement says or sets as conditions.
+fn relations(body: &DraftBody) -> Vec<&Relation> {
+    let said = links(body).into_iter().filter_map(|link| match link {
+        Link::Relation(relation) => Some(relation),
+        Link::Limit(_) => None,
+    });
+    said.chain(when_of(body).unwrap_or_default()).collect()
+}
+
+/// All expressions of a statement.
+fn sides(body: &DraftBody) -> Vec<&Expr> {
+    let mut sides = Vec::new();
+    for link in links(body) {
+        match link {
+            Link::Relation(relation) => sides.extend([&relation.lhs, &relation.rhs]),
+            Link::Limit(limit) => {
+                sides.push(&limit.expr);
+                if let Target::Finite(value) = &limit.to {
+                    sides.push(value);
+                }
+            }
+        }
+    }
+    let when = when_of(body).unwrap_or_default();
+    sides.extend(when.iter().flat_map(|relation| [&relation.lhs, &relation.rhs]));
+    sides
+}

@@ -1,0 +1,373 @@
+"""Documents: symbols, definitions and statements, read from the text."""
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache, cached_property
+
+from .blocks import statements
+from .errors import Rejected, Unreadable
+from .expressions import RESERVED, Reader, parts, symbols_in
+
+VERDICTS = ("proved", "refuted", "ill-defined", "vacuous", "unsupported", "undecided")
+
+
+@dataclass
+class Symbol:
+    """What a name stands for: an unknown, or a definition."""
+
+    name: str
+    argument: str = None  # of which variable it is a function
+    lower: tuple = None  # (rational, whether the bound is strict)
+    upper: tuple = None
+    body: tuple = None  # of a definition
+
+
+@dataclass(eq=False)
+class Statement:
+    """A `given`, a `claim`, or the label of a definition."""
+
+    kind: str
+    label: str
+    items: list = field(default_factory=list)  # (relation, left, right) or ("->", f, L)
+    form: str = "relations"  # or "contradiction", "not implied"
+    other: "Statement" = None  # what is not implied
+    variable: str = None  # of its limits
+    at: Fraction = None  # None is infinity
+    sides: tuple = ()  # True is from above, and oo
+    when: tuple = ()
+    cited: list = field(default_factory=list)
+    expect: str = None
+
+    @cached_property
+    def relations(self):
+        return tuple(item for item in self.items if item[0] != "->")
+
+    @cached_property
+    def limits(self):
+        return [item for item in self.items if item[0] == "->"]
+
+    def expressions(self):
+        """All expressions that it consists of."""
+        for _, left, right in (*self.items, *self.when):
+            yield left
+            if isinstance(right, tuple):
+                yield right
+
+
+class Document:
+    """All that a document says."""
+
+    def __init__(self, text):
+        self.symbols, self.statements, self.claims = {}, {}, []
+        self.mentions = {}
+        for statement in statements(text):
+            self.read(Reader(statement, self))
+
+    def use(self, name, reader):
+        """The expression that a name stands for."""
+        symbol = self.symbols.get(name) or reader.fail("unknown symbol")
+        return ("def" if symbol.body else "sym", name)
+
+    def is_plain(self, name):
+        """Is it a variable that is neither a function nor defined?"""
+        symbol = self.symbols.get(name)
+        return symbol is not None and symbol.argument is None and symbol.body is None
+
+    def expression(self, text):
+        """Reads an expression from the certificate."""
+        try:
+            reader = Reader(text, self)
+            expression = reader.sum()
+            reader.done()
+        except Unreadable as reason:
+            raise Rejected(str(reason)) from None
+        return expression
+
+    def mentioned(self, expression):
+        """The unknowns in an expression, definitions followed."""
+        known = self.mentions.get(id(expression))
+        if known is None:
+            names, found = set(), set()
+            symbols_in(expression, names)
+            for name in names:
+                body = self.symbols[name].body
+                found |= self.mentioned(body) if body else {name}
+            known = self.mentions[id(expression)] = (frozenset(found), expression)
+        return known[0]
+
+    def roots(self, expression, found, seen):
+        """Adds the radicands of all roots, definitions followed."""
+        if expression[0] == "sqrt":
+            found.add(expression[1])
+        if expression[0] == "def" and expression[1] not in seen:
+            seen.add(expression[1])
+            self.roots(self.symbols[expression[1]].body, found, seen)
+        for part in parts(expression):
+            self.roots(part, found, seen)
+
+    def varies(self, names, variable):
+        """Does one of these unknowns vary with the variable?"""
+        return any(name == variable or self.symbols[name].argument == variable for name in names)
+
+    def depends(self, expression, variable):
+        """Does an expression depend on the variable?"""
+        return self.varies(self.mentioned(expression), variable)
+
+    def declare(self, symbol):
+        if symbol.name in self.symbols:
+            raise Unreadable(f"`{symbol.name}` is already declared")
+        self.symbols[symbol.name] = symbol
+
+    def add(self, statement):
+        if statement.label in self.statements:
+            raise Unreadable(f"duplicate label `{statement.label}`")
+        self.statements[statement.label] = statement
+
+    def cite(self, reader):
+        label = reader.label()
+        return self.statements.get(label) or reader.fail(f"undeclared label `{label}`")
+
+    def read(self, reader):
+        """Reads one statement."""
+        if reader.take("var"):
+            self.read_symbol(reader)
+            while reader.take(","):
+                self.read_symbol(reader)
+        elif reader.take("let"):
+            self.read_definition(reader)
+        elif kind := reader.take("given", "claim"):
+            self.read_statement(kind, reader)
+        else:
+            reader.fail("a statement begins with `var`, `let`, `given` or `claim`")
+        reader.done()
+
+    def read_symbol(self, reader):
+        """Reads a name with its bounds on either side."""
+        symbol, sides, signs = None, [], []
+        while True:
+            if reader.kind == "name" and reader.word not in RESERVED:
+                if symbol:
+                    reader.fail("bounds are rational constants")
+                symbol = Symbol(reader.name())
+                sides.append(None)
+                if reader.take("("):
+                    symbol.argument = reader.name()
+                    reader.expect(")")
+                    if not self.is_plain(symbol.argument):
+                        reader.fail("a function is one of a plain variable")
+            else:
+                sides.append(self.bound(reader))
+            sign = reader.take("<", "<=", ">", ">=")
+            if not sign:
+                break
+            signs.append(sign)
+        if not symbol or len(sides) > 3 or (len(sides) == 3 and sides[1] is not None):
+            reader.fail("expected a name with bounds")
+        for number, sign in enumerate(signs):
+            left = sides[number] is None
+            bound = sides[number + 1] if left else sides[number]
+            key = "upper" if left == (sign[0] == "<") else "lower"
+            if getattr(symbol, key):
+                reader.fail("a bound is given twice")
+            setattr(symbol, key, (bound, len(sign) == 1))
+        self.check_range(symbol, reader)
+        self.declare(symbol)
+
+    def check_range(self, symbol, reader):
+        """A range has points, and an infinite bound is none."""
+        for key, infinite in (("lower", "-oo"), ("upper", "oo")):
+            bound = getattr(symbol, key)
+            if bound and isinstance(bound[0], str):
+                if bound != (infinite, True):
+                    reader.fail(f"the domain of `{symbol.name}` is empty")
+                setattr(symbol, key, None)
+        if symbol.lower and symbol.upper:
+            (low, open_low), (high, open_high) = symbol.lower, symbol.upper
+            if low > high or (low == high and (open_low or open_high)):
+                reader.fail(f"the domain of `{symbol.name}` is empty")
+
+    def bound(self, reader):
+        """Reads a rational constant, or an infinite one."""
+        if infinite := self.infinite(reader):
+            return infinite
+        return rational(reader.sum(), reader)
+
+    def infinite(self, reader):
+        """Reads `oo` or `-oo`, if one is there."""
+        before = reader.at, reader.start, reader.kind, reader.word
+        minus = reader.take("-")
+        if reader.take("oo"):
+            return "-oo" if minus else "oo"
+        reader.at, reader.start, reader.kind, reader.word = before
+        return None
+
+    def read_definition(self, reader):
+        start = reader.at, reader.start, reader.kind, reader.word
+        label = reader.label()
+        if reader.kind == "sign" and reader.word == ":=":
+            reader.at, reader.start, reader.kind, reader.word = start
+            label = None
+        name = reader.name()
+        reader.expect(":=")
+        self.add(Statement("let", label or name))
+        body = reader.sum()
+        self.declare(Symbol(name, body=body))
+
+    def read_statement(self, kind, reader):
+        label = reader.label()
+        reader.expect(":")
+        statement = Statement(kind, label)
+        if kind == "claim" and reader.take("contradiction"):
+            statement.form = "contradiction"
+        elif kind == "claim" and reader.take("not"):
+            reader.expect("implied")
+            statement.form, statement.other = "not implied", self.cite(reader)
+            if statement.other.kind == "let" or statement.other.form != "relations":
+                reader.fail("this states nothing")
+        else:
+            self.read_items(statement, reader)
+        if statement.limits:
+            self.read_limit_point(statement, reader)
+        if reader.take("when"):
+            statement.when = reader.relations()
+        if kind == "claim":
+            self.read_support(statement, reader)
+        self.check(statement, reader)
+        self.add(statement)
+        if kind == "claim":
+            self.claims.append(statement)
+
+    def read_items(self, statement, reader):
+        while True:
+            left = reader.sum()
+            if reader.take("->"):
+                statement.items.append(("->", left, self.infinite(reader) or reader.sum()))
+            else:
+                statement.items += reader.chain(left)
+            if not reader.take(","):
+                return
+
+    def read_limit_point(self, statement, reader):
+        reader.expect("as")
+        statement.variable = variable = reader.name()
+        if not self.is_plain(variable):
+            reader.fail("the variable of a limit is a plain variable")
+        reader.expect("->")
+        symbol = self.symbols[variable]
+        infinite = self.infinite(reader)
+        if infinite:
+            meant = (infinite == "oo",)
+        else:
+            point = reader.product()
+            statement.at = rational(point, reader)
+            side = reader.take("+", "-")
+            meant = (True, False) if side is None else (side == "+",)
+        statement.sides = tuple(side for side in meant if allows(symbol, statement.at, side))
+        if not statement.sides:
+            reader.fail(f"the domain of `{variable}` does not reach this point")
+
+    def read_support(self, statement, reader):
+        if reader.take("from"):
+            while True:
+                cited = self.cite(reader)
+                if cited.form != "relations":
+                    reader.fail("this states nothing that could be used")
+                if cited.kind != "let" and cited not in statement.cited:
+                    statement.cited.append(cited)
+                if not reader.take(","):
+                    break
+        if statement.form == "not implied" and reader.take("by"):
+            while True:
+                reader.name()
+                reader.expect(":=")
+                reader.sum()
+                if not reader.take(","):
+                    break
+        if reader.take("expect"):
+            statement.expect = reader.label()
+            if statement.expect not in VERDICTS:
+                reader.fail("there is no such verdict")
+
+    def check(self, statement, reader):
+        """What has no meaning is an error."""
+        variable = statement.variable
+        for _, _, limit in statement.limits:
+            if isinstance(limit, tuple) and self.depends(limit, variable):
+                reader.fail(f"the limit must be free of `{variable}`")
+        for _, left, right in statement.when if variable else ():
+            if self.depends(left, variable) or self.depends(right, variable):
+                reader.fail(f"the `when` of a limit must be free of `{variable}`")
+        ties, seen = cache(lambda: tied(self, statement)), set()
+        for expression in statement.expressions():
+            self.check_derivatives(expression, (), ties, seen, reader)
+
+    def check_derivatives(self, expression, variables, ties, seen, reader):
+        """What is differentiated is explicit, and nothing in it is tied to the variable."""
+        kind, name = expression[:2]
+        if kind == "d":
+            variables = (*variables, expression[2])
+        elif kind == "sym":
+            for variable in variables:
+                if self.symbols[name].argument == variable:
+                    reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
+                if name != variable and ties()(name) == ties()(variable):
+                    reader.fail(f"a premise ties `{name}` to `{variable}`")
+        elif kind == "def" and (name, variables) not in seen:
+            seen.add((name, variables))
+            self.check_derivatives(self.symbols[name].body, variables, ties, seen, reader)
+        for part in parts(expression):
+            self.check_derivatives(part, variables, ties, seen, reader)
+
+
+def tied(document, statement):
+    """Which unknowns the equations in the premises tie to one another, taken together."""
+    group = {}
+
+    def leader(name):
+        while name in group:
+            name = group[name]
+        return name
+
+    relations = [*statement.when]
+    for cited in statement.cited:
+        relations += [*cited.relations, *cited.when]
+    weak = {(a, b) if sign == "<=" else (b, a) for sign, a, b in relations if sign in ("<=", ">=")}
+    for sign, left, right in relations:
+        if sign == "=" or (sign in ("<=", ">=") and {(left, right), (right, left)} <= weak):
+            first, *others = sorted(document.mentioned(left) | document.mentioned(right)) or [None]
+            for name in others:
+                if leader(name) != leader(first):
+                    group[leader(name)] = leader(first)
+    return leader
+
+
+def allows(symbol, at, above):
+    """Do the bounds of a symbol allow a side of a point?"""
+    low, high = symbol.lower, symbol.upper
+    if at is None:
+        return (high if above else low) is None
+    if above:
+        return (low is None or low[0] <= at) and (high is None or at < high[0])
+    return (low is None or low[0] < at) and (high is None or at <= high[0])
+
+
+def rational(expression, reader):
+    """The value of an expression of numbers alone."""
+    kind = expression[0]
+    if kind == "num":
+        return Fraction(expression[1], expression[2])
+    if kind in ("neg", "add", "sub", "mul", "div", "pow"):
+        values = [rational(part, reader) for part in parts(expression)]
+        if kind == "neg":
+            return -values[0]
+        if kind == "add":
+            return values[0] + values[1]
+        if kind == "sub":
+            return values[0] - values[1]
+        if kind == "mul":
+            return values[0] * values[1]
+        if kind == "div" and values[1]:
+            return values[0] / values[1]
+        if kind == "pow" and abs(expression[2]) < 1000 and (values[0] or expression[2] >= 0):
+            return values[0] ** expression[2]
+    return reader.fail("expected a rational number")

@@ -1,0 +1,203 @@
+"""Goals and their states: which obligations follow from a statement (section 5)."""
+
+from dataclasses import dataclass
+from functools import cache
+
+from .errors import demand
+from .pieces import Pieces
+from .polynomial import ONE, Ring, add, constant, multiply, negative
+
+HERE = [()]  # one empty region
+
+
+@dataclass
+class State:
+    """Conditions and formulas; a formula is called for its cases."""
+
+    conditions: list
+    formulas: list
+
+
+def regions(pieces, *truths):
+    """The regions of pieces with one of some values."""
+    return [region for region, value in pieces if value in truths]
+
+
+def times_number(p, number):
+    return multiply(p, constant(number))
+
+
+class Goal:
+    """What a link of a claim asks for."""
+
+    def __init__(self, document, claim, link, finding, premises, roots):
+        self.document, self.claim = document, claim
+        self.vacuous = finding == "vacuous"
+        self.link = link
+        self.cited = list(claim.cited)
+        self.behind = [
+            given for given in rests_on(document, claim.cited) if given not in self.cited
+        ]
+        if premises == "all":
+            self.cited, self.behind = self.cited + self.behind, []
+        aims = [claim.other] if claim.other else []
+        self.has_limits = any(s.limits for s in self.cited + aims) or self.is_limit
+        if not self.has_limits:
+            self.behind = []
+        self.limits = [
+            (f"lim:{n}", statement, item)
+            for n, (statement, item) in enumerate(
+                (statement, item) for statement in self.cited for item in statement.limits
+            )
+        ]
+        expressions = [e for s in (*self.cited, *self.behind, *aims) for e in s.expressions()]
+        for _, left, right in (*claim.when, *([link] if link else [])):
+            expressions += [left, right] if isinstance(right, tuple) else [left]
+        mentioned = set().union(*map(document.mentioned, expressions))
+        self.mentioned = [name for name in document.symbols if name in mentioned]
+        self.roots = self.read_roots(roots, expressions)
+        self.ring = Ring([
+            *(s.name for s in document.symbols.values() if not s.body),
+            *self.roots.values(), "t:", *(name for name, _, _ in self.limits),
+        ])
+        self.pieces = Pieces(document, self.ring, self.roots)
+
+    @property
+    def is_limit(self):
+        return self.link is not None and self.link[0] == "->"
+
+    def read_roots(self, texts, expressions):
+        """The variable of each root, by its radicand."""
+        found, needed = {}, set()
+        for number, text in enumerate(texts):
+            root = self.document.expression(text)
+            demand(root[0] == "sqrt" and root[1] not in found, "the list of roots is not well formed")
+            found[root[1]] = f"sqrt:{number}"
+        seen = set()
+        for expression in expressions:
+            self.document.roots(expression, needed, seen)
+        demand(needed <= set(found), "a root is not in the list")
+        return found
+
+    def range_of(self, name):
+        """The conditions of the bounds of a symbol."""
+        symbol, variable = self.document.symbols[name], self.ring.variable(name)
+        found = []
+        if symbol.lower:
+            bound, strict = symbol.lower
+            p = add(times_number(variable, bound.denominator), constant(-bound.numerator))
+            found.append(self.ring.condition(p, ">0" if strict else ">=0"))
+        if symbol.upper:
+            bound, strict = symbol.upper
+            p = add(times_number(variable, -bound.denominator), constant(bound.numerator))
+            found.append(self.ring.condition(p, ">0" if strict else ">=0"))
+        return found
+
+    def ranges(self, names):
+        return [condition for name in names for condition in self.range_of(name)]
+
+    def holds(self, statement, relations=None):
+        """The cases in which a cited statement holds."""
+        relations = statement.relations if relations is None else relations
+        truths = (True,) if statement.kind == "given" else (True, None)
+        return regions(self.pieces.statement(relations, statement.when), *truths)
+
+    def fails(self, statement, pieces=None, kind="given"):
+        """The cases in which a statement fails."""
+        found = (pieces or self.pieces).statement(statement.relations, statement.when)
+        return regions(found, *((False, None) if kind == "given" else (False,)))
+
+    def counts(self, statement, item, variable):
+        """Is the value of a premised limit one of constants (of either limit)?"""
+        limit, variables = item[2], {statement.variable, variable or statement.variable}
+        return isinstance(limit, tuple) and not any(
+            self.document.depends(expression, x)
+            for expression in (limit, *(side for _, *sides in statement.when for side in sides))
+            for x in variables
+        )
+
+    def limit_values(self, variable=None):
+        """Formulas: for each premised limit, that its variable is its value (5.2)."""
+        return [
+            cache(lambda n=name, s=statement, i=item: self.bound_to(n, i[2], s))
+            if self.counts(statement, item, variable)
+            else lambda: HERE
+            for name, statement, item in self.limits
+        ]
+
+    def bound_to(self, name, expression, statement):
+        """Where `when` holds, an expression is defined and a variable is its value."""
+        found, variable = [], self.ring.variable(name)
+        values = self.pieces.pieces(expression)
+        for region, truth in self.pieces.truth(statement.when):
+            if truth is not True:
+                found.append(region)
+                continue
+            for region, value in self.pieces.go_on([(region, True)], lambda _: values):
+                if value is not None:
+                    gap = add(multiply(variable, value[1]), negative(value[0]))
+                    found.append((*region, self.ring.condition(gap, "=0")))
+        return found
+
+    def failure(self, finding):
+        """Formulas: how the conclusion fails, if there is one."""
+        if self.claim.form == "contradiction" or finding in ("vacuous", "consistent"):
+            return []
+        if self.claim.form == "not implied":
+            return [cache(lambda: self.fails(self.claim.other))]
+        truths = {"proved": (False, None), "refuted": (False,), "ill-defined": (None,)}[finding]
+        return [cache(lambda: regions(self.pieces.truth([self.link]), *truths))]
+
+    def at_point(self, finding):
+        """The state at a point."""
+        formulas = [cache(lambda s=s: self.holds(s)) for s in self.cited]
+        formulas += self.limit_values()
+        formulas.append(cache(lambda: regions(self.pieces.truth(self.claim.when), True)))
+        return State(self.ranges(self.mentioned), formulas + self.failure(finding))
+
+    def depends(self, relation, variable):
+        """Does a relation depend on the variable of a limit?"""
+        return any(self.document.depends(side, variable) for side in relation[1:])
+
+    def of_constants(self, statement, variable):
+        """What a cited statement says of constants."""
+        if any(self.depends(relation, variable) for relation in statement.when):
+            return HERE
+        items = [r for r in statement.relations if not self.depends(r, variable)]
+        if statement.kind == "claim" and any(
+            self.document.varies(self.document.mentioned(e), variable)
+            for e in statement.expressions()
+        ):
+            return HERE
+        return self.holds(statement, items)
+
+    def when_of_constants(self, variable):
+        conditions = [r for r in self.claim.when if not self.depends(r, variable)]
+        return regions(self.pieces.truth(conditions), True)
+
+    def cited_constants(self, variable):
+        """Formulas: what each cited statement says of constants."""
+        return [cache(lambda s=s: self.of_constants(s, variable)) for s in self.cited]
+
+    def constants(self, variable):
+        """The state of constants of a limit in a variable."""
+        names = [n for n in self.mentioned if not self.document.varies((n,), variable)]
+        formulas = self.cited_constants(variable) + self.limit_values(variable)
+        formulas.append(cache(lambda: self.when_of_constants(variable)))
+        return State(self.ranges(names), formulas)
+
+
+def rests_on(document, cited):
+    """The `given`s on which cited claims rest, in the order of the document."""
+    found, todo, seen = set(), [s for s in cited if s.kind == "claim"], set()
+    while todo:
+        claim = todo.pop()
+        if claim.label in seen:
+            continue
+        seen.add(claim.label)
+        for statement in claim.cited:
+            if statement.kind == "given":
+                found.add(statement.label)
+            else:
+                todo.append(statement)
+    return [s for s in document.statements.values() if s.label in found]

@@ -1,0 +1,87 @@
+"""Which verdict the evidence supports, claim by claim."""
+
+from .errors import Rejected, demand
+from .evidence import keys, listed, text
+from .functions import Functions
+from .goal import Goal
+from .limits import prove_link
+from .point import check_point
+from .proof import ANY, Proof
+
+WORST = ("vacuous", "ill-defined", "refuted", "undecided", "proved")
+PROVED_BY = {  # form of a claim -> finding -> how it is shown
+    "relation": {
+        "proved": "proof", "vacuous": "proof", "refuted": "witness", "ill-defined": "witness",
+        "consistent": "witness",
+    },
+    "limit": {"proved": "sides", "vacuous": "proof", "refuted": "witness", "consistent": "witness"},
+    "contradiction": {"proved": "proof", "refuted": "witness"},
+    "not implied": {
+        "proved": "witness", "refuted": "proof", "vacuous": "proof", "consistent": "witness",
+    },
+}
+
+
+def check_link(document, claim, item, link):
+    """Checks the evidence of one link; returns what it is found to be."""
+    demand(isinstance(link, dict) and "finding" in link, "a finding is expected")
+    if link["finding"] is None:
+        keys(link, "finding")
+        return "undecided"
+    finding, premises, roots, evidence = keys(link, "finding", "premises", "roots", "evidence")
+    form = claim.form
+    if form == "relations":
+        form = "limit" if item[0] == "->" else "relation"
+    shown_by = PROVED_BY[form].get(text(finding))
+    demand(shown_by, "there is no such finding for this kind of claim")
+    demand(premises in ("cited", "all"), "the premises are the cited ones, or all")
+    demand(premises == "cited" or shown_by == "witness", "a proof has no more premises")
+    goal = Goal(document, claim, item, finding, premises, [text(r) for r in listed(roots)])
+    proof = Proof(goal)
+    demand(isinstance(evidence, dict) and len(evidence) == 1, "one piece of evidence is expected")
+    ((kind, content),) = evidence.items()
+    if shown_by == "proof":
+        demand(kind == "proof", "a proof is expected")
+        refutes = form == "not implied" and finding == "refuted"
+        demand(not (refutes and claim.other.limits), "no proof shows that a limit is implied")
+        state = goal.at_point(finding)
+        proof.check(content, state.conditions, state.formulas, ANY)
+    elif shown_by == "sides":
+        demand(kind == "sides", "a proof of each side is expected")
+        prove_link(proof, content)
+    elif goal.has_limits:
+        demand(kind == "functions", "a witness by functions is expected")
+        Functions(proof, content).check(finding)
+    else:
+        demand(kind == "point", "a point is expected")
+        state = goal.at_point(finding)
+        check_point(goal, content, goal.mentioned, state.conditions, state.formulas)
+    return "undecided" if finding == "consistent" else finding
+
+
+def check_claim(document, claim, entry, verdicts, report):
+    """Checks an entry for a claim; returns the verdict, and whether all was accepted."""
+    label, verdict, links = keys(entry, "label", "verdict", "links")
+    demand(label == claim.label, f"the label is not `{claim.label}`")
+    items = claim.items or [None]
+    found, good = [], True
+    for number, (item, link) in enumerate(zip(items, listed(links, len(items))), 1):
+        try:
+            found.append(check_link(document, claim, item, link))
+            report(f"yes  {label} link {number}: {found[-1]}")
+        except Rejected as reason:
+            found.append("undecided")
+            good = False
+            report(f"NO   {label} link {number}: {reason}")
+        except (RecursionError, MemoryError):
+            found.append("undecided")
+            good = False
+            report(f"NO   {label} link {number}: the evidence is too deep or too large")
+    supported = min(found, key=WORST.index)
+    cites = [s.label for s in claim.cited if s.kind == "claim" and verdicts[s.label] != "proved"]
+    if cites:
+        supported = "unsupported"
+    if verdict != supported:
+        good = False
+        report(f"NO   {label}: called {verdict}, found {supported}")
+    return supported, good

@@ -1,0 +1,113 @@
+//! What is shown says what was judged: no character that a terminal obeys, or that nobody sees, gets
+//! through to a report or a message.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{kane, scratch};
+
+/// Erases the line, goes back to its start, conceals what follows; one character for the first two;
+/// turns the order; stops it.
+const NASTY: &str = "\u{1b}[2K\u{1b}[1G proved \u{1b}[8m\u{9b}31m\u{202e}\u{7}\u{8}\u{2066}";
+
+fn is_forbidden(c: char) -> bool {
+    (c.is_control() && !matches!(c, '\n' | '\t'))
+        || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+fn assert_clean(what: &str, text: &str) {
+    let found = text.chars().find(|c| is_forbidden(*c));
+    assert_eq!(found, None, "{what}: {text:?}");
+}
+
+fn write(path: &Path, text: &str) -> String {
+    fs::write(path, text).expect("the scratch directory is writable");
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+/// Every file below.
+fn files(dir: &Path) -> Vec<std::path::PathBuf> {
+    let entries = fs::read_dir(dir).expect("it was made").map(|e| e.expect("readable").path());
+    let nested = entries.map(|path| if path.is_dir() { files(&path) } else { vec![path] });
+    nested.flatten().collect()
+}
+
+#[test]
+fn prose_titles_and_file_names_are_shown_with_their_control_characters_written_out() {
+    let dir = scratch("hidden");
+    let statements =
+        "```kane\nvar x > 0\ngiven g: x > 1\nclaim a: x > 0 from g\nclaim b: x > 2\n```";
+    let text = format!(
+        "# T{NASTY}\n\n## H{NASTY} $x{NASTY}$\n\nProse{NASTY} `code{NASTY}` [l{NASTY}](http://a/{NASTY})\n\n{statements}\n"
+    );
+    let name = dir.join("n\u{1b}[2K\u{202e}.md");
+    let document = write(&name, &text);
+    for arguments in [
+        vec!["audit", &document],
+        vec!["audit", &document, "--format", "markdown"],
+        vec!["audit", &document, "--format", "json"],
+        vec!["audit", &document, "--explain", "b"],
+        vec!["stability", &document],
+        vec!["audit", &document, "--only", NASTY],
+    ] {
+        let run = kane(&arguments);
+        assert_clean(&format!("{arguments:?}"), &(run.stdout + &run.stderr));
+    }
+    let out = dir.join("out");
+    let run = kane(&["audit", &document, "--out", out.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let written = files(&out);
+    assert_eq!(written.len(), 7, "{written:?}");
+    for path in &written {
+        assert_clean(&path.display().to_string(), &fs::read_to_string(path).expect("UTF-8"));
+    }
+    let page = written.iter().find(|path| path.extension().is_some_and(|e| e == "html"));
+    let page = fs::read_to_string(page.expect("it was written")).expect("UTF-8");
+    assert!(
+        page.contains(r"T\u{1b}[2K\u{1b}[1G proved \u{1b}[8m\u{9b}31m\u{202e}"),
+        "in its title"
+    );
+    assert!(page.contains(r"Prose\u{1b}[2K"), "and in its prose");
+}
+
+#[test]
+fn a_label_or_a_comment_with_a_control_character_is_an_error_with_its_place() {
+    let dir = scratch("hidden-label");
+    for (name, statement, place) in [
+        ("label", "claim (\u{1b}[2K\r  proved  \u{1b}[8m): x = x + 1 expect refuted", ":5:8"),
+        ("comment", "claim a: x = x # \u{1b}[8m", ":5:18"),
+        ("order", "claim (a\u{202e}b): x = x", ":5:9"),
+        ("width", "claim a\u{200b}b: x = x", ":5:8"),
+        ("escape", "claim a: x = \u{9b}8m x", ":5:14"),
+    ] {
+        let text = format!("# T\n\n```kane\nvar x\n{statement}\n```\n");
+        let document = write(&dir.join(format!("{name}.md")), &text);
+        let run = kane(&["audit", &document]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{name}");
+        assert!(run.stderr.contains("character U+"), "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(&format!("{name}.md{place}")), "{name}: {}", run.stderr);
+        assert_clean(name, &run.stderr);
+    }
+}
+
+#[test]
+fn the_title_of_a_scene_cannot_speak_for_the_program() {
+    let dir = scratch("hidden-scene");
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scenes/rest.toml");
+    let text = fs::read_to_string(root).expect("it is committed");
+    let title = text.lines().find(|line| line.starts_with("title")).expect("it has a title");
+    let nasty = title.replacen('"', "\"\\u001b[2K\\u202e\\u009b8m", 1);
+    let scene = write(&dir.join("scene.toml"), &text.replace(title, &nasty));
+    let out = dir.join("out");
+    let run = kane(&["scene", &scene, "--out", out.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains(r"\u{1b}[2K\u{202e}\u{9b}8m"), "{}", run.stdout);
+    assert_clean("standard output", &run.stdout);
+    for path in files(&out) {
+        assert_clean(&path.display().to_string(), &fs::read_to_string(path).expect("UTF-8"));
+    }
+    let broken = write(&dir.join("broken.toml"), "\u{1b}[2K = 1\n");
+    let run = kane(&["scene", &broken]);
+    assert_eq!(run.code, 2);
+    assert_clean("standard error", &run.stderr);
+}
