@@ -10,6 +10,7 @@ from fractions import Fraction
 from math import sqrt
 from pathlib import Path
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from algebraic import Alg, Costly, root_of, sign, square_root  # noqa: E402
