@@ -115,6 +115,10 @@ def substitute(e, table):
     return (kind,) + tuple(substitute(c, table) for c in e[1:])
 
 
+def literal_zero(e):
+    return e == ZERO or (e[0] == "neg" and literal_zero(e[1]))
+
+
 def tame(e):
     """Division by a literal zero is an error of a document, not a question; so it is disguised."""
     kind = e[0]
@@ -125,11 +129,11 @@ def tame(e):
         return ("cases", branches, None if e[2] is None else tame(e[2]))
     if kind in ("^", "d"):
         a = tame(e[1])
-        if kind == "^" and e[2] < 0 and a == ZERO:
+        if kind == "^" and e[2] < 0 and literal_zero(a):
             a = sub(ONE, ONE)
         return (kind, a, e[2])
     parts = tuple(tame(c) for c in e[1:])
-    if kind == "/" and parts[1] == ZERO:
+    if kind == "/" and literal_zero(parts[1]):
         parts = (parts[0], sub(ONE, ONE))
     return (kind,) + parts
 

@@ -50,7 +50,8 @@ class Judge:
         if pointwise and verdicts & {"proved", "vacuous", "refuted"}:
             self.at_points(claim, shown)
         for i, link in enumerate(shown["links"]):
-            if link["verdict"] in ("refuted", "ill-defined") or (claim.shape == "not implied" and link["verdict"] == "proved"):
+            shows = ("proved",) if claim.shape == "not implied" else ("refuted", "ill-defined")
+            if link["verdict"] in shows:
                 self.witness(claim, i, link, shown)
         if self.document.structures:
             before = len(self.found)
