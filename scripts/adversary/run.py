@@ -3,7 +3,7 @@
 
     python3 scripts/adversary/run.py --kane target/release/kane --found
     python3 scripts/adversary/run.py --kane target/release/kane --claims 10000
-    python3 scripts/adversary/run.py --kane target/release/kane --claims 1000000 --jobs 2 --state long.json
+    python3 scripts/adversary/run.py --kane target/release/kane --claims 1000000 --jobs 2 --mix long --state long.json
 
 Ends with 0 if no verdict was wrong and the program never failed, else with 1. With `--state` the run
 can be stopped and goes on where it was.
@@ -43,20 +43,25 @@ FAMILIES = {
     "premised": chains.premised,
     "chains": chains.chains,
 }
-# what a round consists of; the program takes much longer for limits than for points
-ROUND = (
-    ["identities"] * 4 + ["inequalities"] * 3 + ["piecewise"] * 4 + ["roots"] + ["contradictions"] * 4
-    + ["traps"] * 4 + ["slopes"] * 6 + ["limits"] * 2 + ["premised"] + ["chains"] * 3
-)  # fmt: skip
-HEAVY = ["limits"] * 3 + ["premised"] * 2 + ["chains"] * 4 + ["slopes"] * 2 + ["traps", "roots", "contradictions", "piecewise"]
+# What a round consists of. The program takes much longer for functions and limits than for points, so
+# the gate has fewer of them, and the long run more.
+MIXES = {
+    "gate": ["identities"] * 10 + ["inequalities"] * 8 + ["piecewise"] * 10 + ["roots"] + ["contradictions"] * 10
+    + ["traps"] * 10 + ["slopes"] * 8 + ["limits"] * 2 + ["premised"] + ["chains"] * 3,
+    "long": ["identities"] * 3 + ["inequalities"] * 3 + ["piecewise"] * 4 + ["roots"] + ["contradictions"] * 4
+    + ["traps"] * 5 + ["slopes"] * 6 + ["limits"] * 2 + ["premised"] * 2 + ["chains"] * 4,
+    "far": ["limits"] * 3 + ["premised"] * 2 + ["chains"] * 4 + ["slopes"] * 2,
+}  # fmt: skip
+MIXES |= {name: [name] for name in FAMILIES}
 BATCH = 30  # documents a call of the program
 SLOW = 10.0  # seconds that no document may take
 
 
-def generate(seed, index, only=None):
+def generate(seed, index, mix):
     """The document of this number, its source of chance, and its text."""
-    mix = {None: ROUND, "heavy": HEAVY}.get(only) or [only]
-    family = mix[index % len(mix)]
+    round_ = MIXES[mix]
+    # the order in a round is mixed, so that a short run has something of everything
+    family = round_[index * 37 % len(round_)]
     rng = random.Random(f"{seed}/{family}/{index}")
     document = FAMILIES[family](rng)
     return document, rng, document.text(f"{family} {seed}/{index}")
@@ -117,10 +122,10 @@ class Tally:
 
 def judge_batch(job):
     """Generates, runs and judges the documents of one batch."""
-    kane, seed, indices, only, ask_every, effort = job
+    kane, seed, indices, mix, ask_every, effort = job
     tally = Tally()
     began = time.process_time()
-    made = [(i, *generate(seed, i, only)) for i in indices]
+    made = [(i, *generate(seed, i, mix)) for i in indices]
     tally.seconds["generating"] += time.process_time() - began
     with tempfile.TemporaryDirectory() as folder:
         files = []
@@ -215,11 +220,11 @@ def small_document(document, label, text):
     return "\n".join(lines)
 
 
-def keep_wrong(folder, wrong, only):
+def keep_wrong(folder, wrong, mix):
     """Writes each wrong document, whole and cut down to what the claim depends on."""
     os.makedirs(folder, exist_ok=True)
     for kind, family, seed, i, label, message in wrong:
-        document, _, text = generate(seed, i, only)
+        document, _, text = generate(seed, i, mix)
         name = f"{family}-{seed}-{i}-{label}"
         Path(folder, name + ".md").write_text(text, encoding="utf-8")
         small = small_document(document, label, text)
@@ -250,7 +255,7 @@ def jobs_of(args, done, claims):
     """Batches from where the run was, without end; about 20 claims a document."""
     index = done
     while True:
-        yield (args.kane, args.seed, list(range(index, index + BATCH)), args.family, args.ask_every, args.effort)
+        yield (args.kane, args.seed, list(range(index, index + BATCH)), args.mix, args.ask_every, args.effort)
         index += BATCH
 
 
@@ -280,7 +285,7 @@ def main():
     parser.add_argument("--claims", type=int, default=10000)
     parser.add_argument("--seed", default="1")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--family", choices=sorted(FAMILIES) + ["heavy"], help="one family, or mostly functions and limits")
+    parser.add_argument("--mix", choices=sorted(MIXES), default="gate", help="which families, or only one")
     parser.add_argument("--ask-every", type=int, default=10, help="put one of so many links to z3; 0 for none")
     parser.add_argument("--effort", type=int, default=1, help="how many points are tried")
     parser.add_argument("--state", help="a file in which a long run keeps where it is")
@@ -289,7 +294,7 @@ def main():
     parser.add_argument("--show", type=int, help="print the document of this number and stop")
     args = parser.parse_args()
     if args.show is not None:
-        print(generate(args.seed, args.show, args.family)[2])
+        print(generate(args.seed, args.show, args.mix)[2])
         return 0
     if args.found:
         return found(args.kane)
@@ -299,7 +304,7 @@ def main():
     tally, done = Tally(), 0
     if args.state and os.path.exists(args.state):
         kept = json.loads(Path(args.state).read_text())
-        if kept["seed"] != args.seed or kept["family"] != args.family:
+        if kept["seed"] != args.seed or kept["mix"] != args.mix:
             sys.exit(f"{args.state} is of another run")
         tally, done = Tally.from_json(kept["tally"]), kept["done"]
     began, before = time.monotonic(), tally.claims
@@ -308,9 +313,9 @@ def main():
     def finished(tallied, last):
         tally.add(tallied)
         if args.keep and tallied.wrong:
-            keep_wrong(args.keep, tallied.wrong, args.family)
+            keep_wrong(args.keep, tallied.wrong, args.mix)
         if args.state:
-            text = json.dumps({"seed": args.seed, "family": args.family, "done": last + 1, "tally": tally.as_json()})
+            text = json.dumps({"seed": args.seed, "mix": args.mix, "done": last + 1, "tally": tally.as_json()})
             Path(args.state + ".new").write_text(text)
             os.replace(args.state + ".new", args.state)
             speed = (tally.claims - before) / (time.monotonic() - began)
