@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from chance import nonzero, positive, small
 from document import Document, Limit, Structure
-from expr import ONE, ZERO, add, cases, div, mul, num, power, sub, substitute, var
+from expr import ONE, ZERO, add, cases, div, mul, num, power, sub, substitute, symbols, var
 from limits import reachable, start
 from point import Ambiguous, Undefined
 from structure import given_true, lies_in_domain, limit_of, sides
@@ -108,6 +108,8 @@ def world(family, rng):
     make_structures(w, written)
     if not d.structures:
         return None
+    if rng.random() < 0.3:
+        ratio(w)
     for entry in pending:
         state_law(w, entry)
     return w
@@ -144,6 +146,14 @@ def make_structures(w, written):
         s = Structure(w.x, constants, written)
         if lies_in_domain(d, s):
             d.structures.append(s)
+
+
+def ratio(w):
+    """Now and then what claims speak of has a name of its own."""
+    rng, x = w.rng, w.x
+    f = rng.choice([v.name for v in w.d.vars if v.argument])
+    e = rng.choice([div(var(f), var(x)), sub(var(f), var(x)), ("abs", var(f)), cases([([(">", var(x), ZERO)], var(f))], ("neg", var(f)))])
+    return w.d.define("R", e)
 
 
 def state_law(w, entry):
@@ -245,22 +255,28 @@ def related(w, f, many):
 
 
 def value_near(w, e, where):
-    """The largest or smallest value that a formula seems to have in a region, or just a number."""
+    """The smallest and largest value of a formula in the closure of a region; None for what is not known."""
     from structure import places
     from point import all_at, evaluate
 
     d, s = w.d, w.d.structures[0]
-    seen = []
-    for v in places(d, s, extra=[Fraction(k, 4) for k in range(-16, 17)]):
+    closed = [({"<": "<=", ">": ">="}.get(op, op), a, b) for op, a, b in where if op != "!="]
+    ends = [n[1] for _, a, b in where for n in (a, b) if n[0] == "n"]
+    ends += [-v for v in ends]
+    if set(symbols(e, {})) - {w.x}:
+        return None
+    seen = {}
+    for v in places(d, s, extra=ends + [Fraction(k, 4) for k in range(-16, 17)]):
         scope = d.scope({**s.constants, w.x: v})
         try:
-            if all_at(where, scope) is True:
-                seen.append(evaluate(e, scope))
+            if all_at(closed, scope) is True:
+                seen[v] = evaluate(e, scope)
         except (Undefined, KeyError):
             continue
-    if not seen or any(not isinstance(v, Fraction) for v in seen):
+    if not seen or any(not isinstance(v, Fraction) for v in seen.values()):
         return None
-    return min(seen), max(seen)
+    low, high = min(seen, key=seen.get), max(seen, key=seen.get)
+    return None if abs(low) >= 1000 else seen[low], None if abs(high) >= 1000 else seen[high]
 
 
 def pointwise(w):
@@ -279,9 +295,9 @@ def pointwise(w):
             cites.append(g)
             region_of += more
         ends = value_near(w, e, region_of)
-        if ends is None:
+        if ends is None or ends == (None, None):
             link = (rng.choice(["<", ">", "!="]), var(f), num(small(rng)))
-        elif rng.random() < 0.5:
+        elif ends[1] is not None and (ends[0] is None or rng.random() < 0.5):
             link = (rng.choice(["<=", "<"]), var(f), num(ends[1] + rng.choice([0, 0, 1, Fraction(1, 4)])))
         else:
             link = (rng.choice([">=", ">"]), var(f), num(ends[0] - rng.choice([0, 0, 1, Fraction(1, 4)])))
@@ -297,7 +313,8 @@ def keep(w, label, about, where):
     """A claim is cited later if it holds in the structure, and seldom if it does not: what rests on a
     claim that is not proved is only `unsupported`."""
     d, s = w.d, w.d.structures[0]
-    if w.rng.random() < 0.1 or true_in(w, d.find(label), s):
+    claim = d.find(label)
+    if w.rng.random() < 0.06 or (true_in(w, claim, s) and not fails_somewhere(w, claim)):
         where.append(label)
         w.about[label] = about
 
@@ -313,9 +330,26 @@ def true_in(w, claim, s):
     givens = [g for g in d.rests_on(claim) if d.find(g).limit() is None]
     for v in places(d, s):
         place = Place(d, s.values(v))
-        if all(place.truth(g) is True for g in givens) and place._truth(claim) is False:
+        if all(place.truth(g) is True for g in givens) and place.judge(claim) is False:
             return False
     return True
+
+
+def fails_somewhere(w, claim):
+    """Whether a point shows that a claim does not follow from what it cites, or none is met at all."""
+    from sampling import Place, aimed, spread
+
+    d = w.d
+    if claim.limit() or any(d.find(c).limit() for c in claim.cites):
+        return False
+    points, met = spread(d, w.rng, 6), False
+    for p in points + aimed(d, claim, points, w.rng, 10):
+        place = Place(d, p)
+        if place.premises(claim) is True:
+            met = True
+            if place.judge(claim) is False:
+                return True
+    return not met
 
 
 def limiting(w):
@@ -326,7 +360,7 @@ def limiting(w):
     if w.limited and rng.random() < 0.35:
         _, known, f = rng.choice(w.limited)
         point, side = str(known.point), known.side
-    e = rng.choice([
+    e = var("R") if "R" in d.lets and rng.random() < 0.3 else rng.choice([
         var(f), var(f), var(f), div(var(f), var(x)), sub(var(f), var(x)), ("min", var(f), ZERO), ("max", var(f), ONE), mul(var(x), var(f)),
         div(ONE, var(f)), ("abs", var(f)), add(var(f), var(rng.choice(list(w.laws)))), power(var(f), 2), var(x),
     ])
@@ -397,9 +431,9 @@ def crossing(w):
         return pointwise(w)
     law, e, region_of = rng.choice(w.laws[f])
     ends = value_near(w, e, list(where) + list(region_of))
-    if ends is None:
+    if ends is None or ends == (None, None):
         return limiting(w)
-    upper = rng.random() < 0.5
+    upper = ends[1] is not None and (ends[0] is None or rng.random() < 0.5)
     bound = ends[1] if upper else ends[0]
     low = d.claim([("<=" if upper else ">=", var(f), num(bound))], [], [narrow, law])
     keep(w, low, {f}, w.claims)
@@ -413,7 +447,7 @@ def crossing(w):
         carried = d.claim([Limit(("min" if upper else "max", var(f), num(bound)), num(bound) if rng.random() < 0.5 else limit.target, x, point, side)], [], [low, law])
     w.targets.append(carried)
     if rng.random() < 0.6:
-        other = rng.choice([law, given, rng.choice(w.claims)])
+        other = rng.choice([law, given] + w.claims[-1:])
         d.claim([], shape="contradiction", cites=list(dict.fromkeys([carried, given, other])))
 
 
@@ -421,13 +455,20 @@ def negative(w):
     """Contradictions and what is not implied."""
     rng, d = w.rng, w.d
     everything = [s.label for s in d.statements]
-    links = [s.label for s in d.statements if s.kind == "given"] + w.claims[-3:] + w.targets[-2:]
+    links = [s.label for s in d.statements if s.kind == "given"] + w.claims[-3:] + w.targets[-1:]
     cites = rng.sample(links, min(len(links), rng.choice([2, 2, 3, 4])))
     if rng.random() < 0.7 or len(everything) < 3:
         d.claim([], shape="contradiction", cites=cites)
     else:
         about = rng.choice([s.label for s in d.statements if s.kind == "given"])
-        d.claim([], shape="not implied", about=about, cites=[c for c in cites if c != about][:2] or cites[:1])
+        by = []
+        if rng.random() < 0.5:
+            s = rng.choice(d.structures)
+            by = [(c, num(v)) for c, v in s.constants.items()] + list(s.functions.items())
+            f = rng.randrange(len(by))
+            if rng.random() < 0.7:
+                by[f] = (by[f][0], num(small(rng)) if by[f][0] in w.constants else formula(rng, w.x, []))
+        d.claim([], shape="not implied", about=about, cites=[c for c in cites if c != about][:2] or cites[:1], by=by)
 
 
 def build(family, rng, weights):

@@ -43,6 +43,18 @@ class Limit:
         return f"{show(self.f, 0, rng)} -> {target} as {self.x} -> {self.point}{self.side}"
 
 
+def listed(relations, rng):
+    """Relations with commas, or as a chain where the right side of one is the left side of the next."""
+    out, before = "", None
+    for r in relations:
+        if before is not None and before[2] == r[1] and rng.random() < 0.6:
+            out += f" {r[0]} {show(r[2], 0, rng)}"
+        else:
+            out += (", " if out else "") + relation(r, rng)
+        before = r
+    return out
+
+
 class Statement:
     """A given or a claim. `links` are relations or one Limit.
 
@@ -67,9 +79,9 @@ class Statement:
         elif self.limit():
             out = f"{self.kind} {self.label}: {self.limit().text(rng)}"
         else:
-            out = f"{self.kind} {self.label}: " + ", ".join(relation(r, rng) for r in self.links)
+            out = f"{self.kind} {self.label}: " + listed(self.links, rng)
         if self.when:
-            out += " when " + ", ".join(relation(r, rng) for r in self.when)
+            out += " when " + listed(self.when, rng)
         if self.cites:
             out += " from " + ", ".join(self.cites)
         if self.by:

@@ -79,6 +79,8 @@ def expression(rng, x, parameters, centre):
         e = rng.choice([
             div(("abs", a), var(x)), ("min", a, div(b, var(x))), ("max", div(ONE, var(x)), a),
             cases([([("<", var(x), c)], a)], b), div(cases([([("<=", var(x), c)], a), ([(">", a, ZERO)], b)], var(x)), b),
+            ("d", a, x), ("d", ("abs", sub(var(x), c)), x), ("d", div(a, var(x)), x), ("d", cases([([("<", var(x), c)], a)], b), x),
+            cases([([(rng.choice("<>"), var(x), c)], a)]), div(a, sub(b, b)), power(b, 0), mul(("sqrt", sub(var(x), c)), ZERO),
             ("abs", sub(var(x), c)), ("max", a, c), ("sqrt", power(var(x), 2)) if rng.random() < 0.1 else ("abs", a),
         ])
     return e

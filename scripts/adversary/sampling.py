@@ -21,10 +21,11 @@ class Place:
         """Of a given: whether it holds. Of a claim: whether it holds as an implication; 'maybe' if the
         page leaves open how a list with an undefined item is read."""
         if label not in self.memo:
-            self.memo[label] = self._truth(self.document.find(label))
+            self.memo[label] = self.judge(self.document.find(label))
         return self.memo[label]
 
-    def _truth(self, s):
+    def judge(self, s):
+        """The truth of a statement, not kept."""
         try:
             if s.shape != "links" or s.limit():
                 return True if s.kind == "claim" else "maybe"
