@@ -1,10 +1,15 @@
 """The blocks of a document, and the statements in them as text."""
 
 import re
+import unicodedata
 
 from .errors import Unreadable
 
 FENCE = re.compile(r"^((?:[ \t]*(?:>|(?:[-*+]|[0-9]+[.)])(?=[ \t])))*[ \t]*)(`{3,}|~{3,})(.*)$")
+UNSEEN = re.compile(
+    "[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2065\u2800\u3164\ufe00-\ufe0f\uffa0"
+    "\ufff0-\ufff8\U000e0000-\U000e0fff]"
+)
 TAG = re.compile(r"kane(?![\w-])")
 
 
@@ -13,6 +18,8 @@ def statements(text):
     found = []
     for block in blocks(text):
         for number, line in enumerate(block):
+            if hidden := next((c for c in line if unseen(c)), None):
+                raise Unreadable(f"the character U+{ord(hidden):04X} among statements")
             if not line.strip(" \t") or line.lstrip(" \t").startswith("#"):
                 continue
             if line[0] not in " \t":
@@ -22,6 +29,12 @@ def statements(text):
             else:
                 found[-1].append(line)
     return ["\n".join(lines) for lines in found]
+
+
+def unseen(character):
+    """Is it a character that nobody sees, or one that controls a terminal?"""
+    kind = unicodedata.category(character)
+    return kind in ("Cf", "Zl", "Zp") or (kind == "Cc" and character != "\t") or bool(UNSEEN.match(character))
 
 
 def began(lines):

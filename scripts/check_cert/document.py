@@ -1,14 +1,16 @@
 """Documents: symbols, definitions and statements, read from the text."""
 
+import re
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
 from .errors import Rejected, Unreadable
-from .expressions import RESERVED, Reader, parts, symbols_in
+from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
 from .ties import Ties
 
+SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
 VERDICTS = ("proved", "refuted", "ill-defined", "vacuous", "unsupported", "undecided")
 
 
@@ -60,7 +62,7 @@ class Document:
 
     def __init__(self, text):
         self.symbols, self.statements, self.claims = {}, {}, []
-        self.mentions = {}
+        self.mentions, self.printed = {}, {}
         for statement in statements(text):
             self.read(Reader(statement, self))
 
@@ -117,6 +119,9 @@ class Document:
     def declare(self, symbol):
         if symbol.name in self.symbols:
             raise Unreadable(f"`{symbol.name}` is already declared")
+        alike = self.printed.setdefault(printed(symbol.name), symbol.name)
+        if alike != symbol.name:
+            raise Unreadable(f"`{symbol.name}` and `{alike}` look the same in print")
         self.symbols[symbol.name] = symbol
 
     def add(self, statement):
@@ -322,6 +327,13 @@ class Document:
             self.check_derivatives(self.symbols[name].body, variables, ties, seen, reader)
         for part in parts(expression):
             self.check_derivatives(part, variables, ties, seen, reader)
+
+
+def printed(name):
+    """What names that look the same have in common: where primes and one `_` stand is not seen."""
+    bare = re.sub("_+", "_", name.replace("omicron", "o").replace("'", "")).rstrip("_")
+    index = re.fullmatch(rf"({'|'.join(SMALL_GREEK)}|[A-Za-z])_?([A-Za-z]?[0-9]*(?:_.*)?)", bare)
+    return index.groups() if index else bare, name.count("'")
 
 
 def allows(symbol, at, above):

@@ -18,6 +18,8 @@ mod one_variable; // one variable is complete
 mod printing; // what is printed is what was judged
 mod rounding; // bounds on rounding errors, proved by Gappa
 mod sampling; // points at which hypotheses hold, without the kernel
+#[cfg(feature = "cli")]
+mod second_checker; // the checker of certificates in Python
 mod semantics; // one small document a rule of the language
 mod several_variables; // sixty claims, and how many are decided
 mod soundness; // nothing false is accepted

@@ -3,9 +3,8 @@
 from check_cert.evidence import polynomial
 from check_cert.functions import Functions
 from check_cert.germ import along, constant_conditions, inside_range, owes, out_of_range, read_germ
-from check_cert.goal import Goal, State
+from check_cert.goal import Goal, State, sides
 from check_cert.limits import differs, misses, wrong_sign
-from check_cert.proof import Proof
 
 from .prover import find_link, prove
 
@@ -20,7 +19,7 @@ def p(*terms):
     return sorted(found, key=lambda term: sorted(term[1].items()))
 
 
-def write_germ(goal, state, variable, at, above, values=None, radius=None, functions=None, domain=False):
+def write_germ(goal, state, variable, at, above, values=None, radius=None):
     """A germ; `values` are those for each `given` that is owed a proof."""
     germ = {
         "variable": variable, "at": at, "above": above, "radius": radius or [ONE_P, ONE_P],
@@ -29,32 +28,28 @@ def write_germ(goal, state, variable, at, above, values=None, radius=None, funct
     read, _, below, _ = read_germ(goal, germ)
     germ["positive"] = prove(goal, state.conditions, [*state.formulas, lambda: below])
     local = constant_conditions(goal, variable, state.conditions)
-    if functions is None:
-        for given in [s for s in goal.cited + goal.behind if owes(goal, s, read)]:
-            chosen = (values or {}).get(given.label, {})
-            inner = inside_range(goal, read, local, given, chosen)
-            part = prove(goal, inner.conditions, inner.formulas)
-            germ["inside"].append({"given": given.label, "values": chosen, "proof": part})
-    elif domain:
-        conditions = functions.along(goal, read, []).conditions
-        for given in filter(functions.narrowing, goal.cited):
-            cases = functions.narrow(given, False, None)
-            part = prove(goal, conditions, [lambda: cases])
-            germ["inside"].append({"given": given.label, "values": {}, "proof": part})
+    for given in [s for s in goal.cited + goal.behind if owes(goal, s, read)]:
+        chosen = (values or {}).get(given.label, {})
+        inner = inside_range(goal, read, local, given, chosen)
+        part = prove(goal, inner.conditions, inner.formulas)
+        germ["inside"].append({"given": given.label, "values": chosen, "proof": part})
     return germ, read, local
 
 
-def write_side(goal, f, limit, num, den, order, germ, state, state_along, pieces):
-    """A side proof along a germ that has been written."""
-    written, read, local = germ
+def write_side(goal, statement, f, limit, above, told):
+    """A side proof; `told` is (num, den, order, values, radius)."""
+    num, den, order, *more = told
+    at = None if statement.at is None else str(statement.at)
+    state = goal.constants(statement.variable)
+    written, read, local = write_germ(goal, state, statement.variable, at, above, *more)
     a, b = polynomial(num, goal.ring), polynomial(den, goal.ring)
-    inner = state_along(goal, read, local)
+    inner = along(goal, read, local)
     end = misses if isinstance(limit, tuple) else wrong_sign
     return {
         "germ": written, "num": num, "den": den, "order": order,
-        "along": prove(goal, inner.conditions, [*inner.formulas, lambda: differs(goal, pieces, f, a, b)]),
+        "along": prove(goal, inner.conditions, [*inner.formulas, lambda: differs(goal, f, a, b)]),
         "at_zero": prove(
-            goal, state.conditions, [*state.formulas, lambda: end(goal, pieces, limit, a, b, order)]
+            goal, state.conditions, [*state.formulas, lambda: end(goal, limit, a, b, order)]
         ),
     }
 
@@ -63,14 +58,9 @@ def limit_link(*sides, roots=()):
     """A link that is a limit, proved: (num, den, order, values, radius) for each side."""
     def link(document, claim, item):
         goal = Goal(document, claim, item, "proved", "cited", list(roots))
-        state = goal.constants(claim.variable)
-        written = []
-        for above, (num, den, order, *more) in zip(claim.sides, sides):
-            at = None if claim.at is None else str(claim.at)
-            germ = write_germ(goal, state, claim.variable, at, above, *more)
-            written.append(
-                write_side(goal, item[1], item[2], num, den, order, germ, state, along, goal.pieces)
-            )
+        written = [
+            write_side(goal, claim, *item[1:], above, told) for above, told in zip(claim.sides, sides)
+        ]
         return {
             "finding": "proved", "premises": "cited", "roots": list(roots),
             "evidence": {"sides": written},
@@ -81,52 +71,61 @@ def limit_link(*sides, roots=()):
 def functions_link(finding, variable, values, failure, premises=()):
     """A witness by functions. `premises`: for each limit of a cited statement its sides.
 
-    `failure` is a point, or (k, above, to, num, den, order).
+    `failure` is a point, (k, above, to, num, den, order), or a list of sides that are reached.
     """
     def link(document, claim, item):
         goal = Goal(document, claim, item, finding, "cited", [])
         written = {
             "variable": variable, "values": values, "ranges": [], "premises": [], "failure": {},
         }
-        functions = Functions(Proof(goal), written)
-        conditions = goal.range_of(variable)
+        functions = Functions(goal, written)
+
+        def nowhere(expressions, failing):
+            domain = functions.domain.mentioning(expressions)
+            state = domain.at_point()
+            return prove(domain, state.conditions, [*state.formulas, failing])
+
         for name in functions.names:
-            cases = out_of_range(functions.pieces, functions.values[name], document.symbols[name])
-            written["ranges"].append(prove(goal, conditions, [*functions.domain, lambda: cases]))
-        told, empty = iter(premises), State([], [])
-
-        def one_side(at, above, f, limit, num, den, order, domain):
-            germ = write_germ(goal, empty, variable, at, above, functions=functions, domain=domain)
-            return write_side(
-                goal, f, limit, num, den, order, germ, empty, functions.along, functions.pieces
+            value, symbol = functions.values[name], document.symbols[name]
+            written["ranges"].append(
+                nowhere([value], lambda: out_of_range(functions.domain.pieces, value, symbol))
             )
-
+        told = iter(premises)
         for statement in goal.cited:
-            part, limits = None, []
-            if len(functions.narrowing(statement)) < len(statement.relations):
-                cases = goal.fails(statement, functions.pieces, statement.kind)
-                part = prove(goal, conditions, [*functions.domain, lambda: cases])
-            at = None if statement.at is None else str(statement.at)
-            for _, f, limit in statement.limits:
-                limits.append(
-                    [one_side(at, above, f, limit, *next(told), False) for above in statement.sides]
-                )
+            expressions = sides((*statement.relations, *statement.when))
+            part = nowhere(
+                expressions,
+                lambda: goal.fails(statement, functions.domain.pieces, statement.kind),
+            )
+            limits = [
+                [write_side(functions.domain, statement, f, limit, above, next(told))
+                 for above in statement.sides]
+                for _, f, limit in statement.limits
+            ]
             written["premises"].append({"proof": part, "limits": limits})
-        if isinstance(failure, dict):
-            written["failure"] = {"at": failure}
-        else:
-            number, above, to, num, den, order = failure
-            statement = claim.other or claim
-            at = None if statement.at is None else str(statement.at)
-            limit = to if to in ("oo", "-oo") else document.expression(to)
-            f = statement.limits[number][1] if claim.other else item[1]
-            side = one_side(at, above, f, limit, num, den, order, True)
-            written["failure"] = {"limit": number, "to": to, "side": side}
+        written["failure"] = write_failure(document, claim, item, functions, failure)
         return {
             "finding": finding, "premises": "cited", "roots": [],
             "evidence": {"functions": written},
         }
     return link
+
+
+def write_failure(document, claim, item, functions, failure):
+    if isinstance(failure, dict):
+        return {"at": failure}
+    if isinstance(failure, list):
+        reached = functions.on_domain(claim.when)
+        nothing = ("num", 0, 1)
+        return {"reaches": [
+            write_side(reached, claim, nothing, nothing, above, ([], ONE_P, 0)) for above in failure
+        ]}
+    number, above, to, *told = failure
+    statement = claim.other or claim
+    limit = to if to in ("oo", "-oo") else document.expression(to)
+    f = statement.limits[number][1] if claim.other else item[1]
+    side = write_side(functions.domain, statement, f, limit, above, told)
+    return {"limit": number, "to": to, "side": side}
 
 
 def pass_link(finding, *steps):
@@ -136,7 +135,7 @@ def pass_link(finding, *steps):
     """
     def link(document, claim, item):
         goal = Goal(document, claim, item, finding, "cited", [])
-        proof = write_passes(goal, goal.at_point(finding), steps)
+        proof = write_passes(goal, goal.state(finding), steps)
         return {
             "finding": finding, "premises": "cited", "roots": [], "evidence": {"proof": proof},
         }

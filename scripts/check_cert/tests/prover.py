@@ -139,14 +139,15 @@ def prove(goal, conditions, formulas, splits=(), start=0):
             cases.append(part)
         return {"assume": start, "cases": cases}
     for number, p in enumerate(splits):
-        parts = {}
+        cases = []
         negated = {m: -a for m, a in p.items()}
-        for key, q, sign in (("zero", p, "=0"), ("positive", p, ">0"), ("negative", negated, ">0")):
-            part = goal.ring.condition(q, sign)
-            parts[key] = prove(goal, [*conditions, part], formulas, splits[number + 1:], start)
-            if parts[key] is None:
+        for opposite, sign in ((False, "=0"), (False, ">0"), (True, ">0")):
+            part = goal.ring.condition(negated if opposite else p, sign)
+            then = prove(goal, [*conditions, part], formulas, splits[number + 1:], start)
+            if then is None:
                 return None
-        return {"split": write(goal, p), **parts}
+            cases.append({"opposite": opposite, "is": sign, "then": then})
+        return {"split": write(goal, p), "cases": cases}
     return None
 
 
@@ -249,7 +250,8 @@ def certify(text, splits=(), hints=None):
             else:
                 links.append(find_link(document, claim, item, splits))
         order = ("vacuous", "ill-defined", "refuted", None, "proved")
-        worst = min((link["finding"] for link in links), key=order.index) or "undecided"
+        found = [None if link["finding"] == "consistent" else link["finding"] for link in links]
+        worst = min(found, key=order.index) or "undecided"
         if any(verdicts[s.label] != "proved" for s in claim.cited if s.kind == "claim"):
             worst = "unsupported"
         verdicts[claim.label] = worst
@@ -272,7 +274,7 @@ def find_link(document, claim, item, splits=()):
     roots = roots_of(document, claim, item)
     for finding in search:
         goal = Goal(document, claim, item, finding, "cited", roots)
-        state = goal.at_point(finding)
+        state = goal.state(finding)
         cuts = [goal.pieces.pieces(document.expression(s))[0][1][0] for s in splits]
         witness = (finding in ("ill-defined", "refuted")) != (claim.form == "not implied")
         if witness:

@@ -87,7 +87,7 @@ class Limits(unittest.TestCase):
         values = {"f": "1/(1 + x)", "g": "1/(1 + x)"}
         far = (T, p((1,), (1, "t:", 1)), 0)
         near = (ONE, p((1,), (1, "t:", 1)), 0)
-        point = {"theta": None, "values": {"x": ["1"]}}
+        point = {"theta": None, "values": {}}  # nothing is said of x
         self.check(
             text, none=both,
             some=functions_link("refuted", "x", values, point, premises=[far, near]),
@@ -116,14 +116,53 @@ class Limits(unittest.TestCase):
     def test_an_empty_domain_shows_nothing(self):
         text = document(
             "var x", "var k(x)", "given low: x < 0", "given high: x > 1",
-            "given far: k -> 1 as x -> oo",
-            "claim none: contradiction from low, high, far expect refuted",
+            "given far: k = 1, k -> 1 as x -> oo", "given near: x > 3",
+            "claim none: not implied far from low, high",
+            "claim some: not implied far from low",
         )
         for x in ("0", "-1", "2"):
             point = {"theta": None, "values": {"x": [x] if x != "0" else []}}
-            hint = functions_link("refuted", "x", {"k": "1"}, point, premises=[(ONE, ONE, 0)])
-            faults, lines = answer(text, certify(text, hints={("none", 0): hint}))
+            hint = functions_link("proved", "x", {"k": "2"}, point)
+            faults, lines = answer(text, certify(text, hints={("none", 0): hint, ("some", 0): hint}))
+            self.assertIn("none link 1: formula", lines[0])
             self.assertIn("does not hold at the point", lines[0])
+            self.assertEqual(faults, 1 if x == "-1" else 2)
+
+    def test_functions_hold_where_premises_narrow_the_line(self):
+        text = document(
+            "var x", "var c, k(x)", "given right: x > 2, k = 1/(x - 1) when c = 1", "given one: k <= 1",
+            "claim end: k -> 1 as x -> oo from right, one expect refuted",
+            "claim near: k -> 1/2 as x -> 2 from right, one expect vacuous",
+            "claim edge: k -> 0 as x -> 2+ from right, one expect refuted",
+        )
+        end = (T, p((1,), (-1, "t:", 1)), 0, {}, [ONE, p((2,))])
+        values = {"c": "1", "k": "1/(x - 1)"}
+        good = functions_link("refuted", "x", values, (0, True, "0", *end))
+        certificate = certify(text, hints={("end", 0): good})
+        self.assertEqual(answer(text, certificate), (0, []))
+        self.assertEqual(verdicts(certificate), {"end": "refuted", "near": "undecided", "edge": "undecided"})
+        functions = certificate["claims"][0]["links"][0]["evidence"]["functions"]
+        inside = functions["failure"]["side"]["germ"]["inside"]
+        self.assertEqual([entry["given"] for entry in inside], ["right"])
+        inside.clear()
+        self.assertEqual(answer(text, certificate)[0], 1)
+        wide = functions_link("refuted", "x", values, (0, True, "0", *end[:3]))  # for t < 1, not 1/2
+        self.assertEqual(answer(text, certify(text, hints={("end", 0): wide}))[0], 1)
+        other = functions_link("refuted", "x", {**values, "c": "2"}, (0, True, "0", *end))
+        self.assertEqual(answer(text, certify(text, hints={("end", 0): other}))[0], 1)  # x = 1 is met
+
+    def test_each_side_that_is_meant_is_reached(self):
+        text = document(
+            "var x", "var k(x)", "given law: k = x", "given right: x > 0",
+            "claim both: k -> 1 as x -> 0 from law expect undecided",
+            "claim half: k -> 1 as x -> 0 from law, right expect undecided",
+        )
+        sides = functions_link("consistent", "x", {"k": "x"}, [True, False])
+        self.check(text, both=sides)
+        faults, _ = answer(text, certify(text, hints={("half", 0): sides}))
+        self.assertEqual(faults, 1)
+        one = functions_link("consistent", "x", {"k": "x"}, [True])
+        self.assertEqual(answer(text, certify(text, hints={("both", 0): one}))[0], 1)
 
     def test_no_limit_is_passed_to_without_one(self):
         text = document("var x", "var c, k(x)", "given law: k = c*x", "claim none: c = 0 from law")

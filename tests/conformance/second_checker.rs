@@ -1,0 +1,120 @@
+//! The checker in Python accepts every certificate, with the verdict that the report shows.
+//!
+//! It shares nothing with the kernel but the two pages that it was written from. Where Python is not
+//! installed these tests say so and check nothing; with `KANE_REQUIRE_JUDGES=1`, as in the gate, that
+//! is a failure.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+use crate::support::{installed, pages, root};
+
+/// What `kane audit` wrote for a document.
+struct Written {
+    certificate: PathBuf,
+    report: PathBuf,
+}
+
+/// Audits a document of a folder; nothing is written for one that cannot be read.
+fn audited(folder: &str, name: &str) -> Option<Written> {
+    let stem = name.strip_suffix(".md").expect("a page");
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("second_checker").join(stem);
+    if out.exists() {
+        fs::remove_dir_all(&out).expect("the last run's directory can be removed");
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_kane"))
+        .current_dir(root())
+        .args(["audit", &format!("{folder}/{name}"), "--out"])
+        .arg(&out)
+        .stdin(Stdio::null())
+        .output()
+        .expect("kane starts");
+    if output.status.code() == Some(2) {
+        return None;
+    }
+    let certificate = out.join(format!("{stem}.cert.json"));
+    assert!(certificate.exists(), "{name}: {}", said(&output));
+    Some(Written { certificate, report: out.join(format!("{stem}.json")) })
+}
+
+/// Python with these arguments, in a folder of the checkout.
+fn python(folder: &str, arguments: &[&str]) -> Output {
+    Command::new("python3")
+        .current_dir(root().join(folder))
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .expect("python3 starts")
+}
+
+fn said(output: &Output) -> String {
+    let text = [&output.stdout[..], &output.stderr[..]].concat();
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// Labels and verdicts of the claims in a list of a JSON file.
+fn verdicts(path: &Path, list: &str) -> Vec<(String, String)> {
+    let text = fs::read_to_string(path).expect("kane wrote it");
+    let file: Value = serde_json::from_str(&text).expect("it is JSON");
+    let entries = file.pointer(list).and_then(Value::as_array).expect("the list is there");
+    let word = |entry: &Value, key: &str| entry[key].as_str().unwrap_or_default().to_owned();
+    let is_claim = |entry: &&Value| entry.get("kind").is_none_or(|kind| kind == "claim");
+    let label = |entry: &Value| word(entry, "label").trim_matches(['(', ')']).trim().to_owned();
+    entries.iter().filter(is_claim).map(|entry| (label(entry), word(entry, "verdict"))).collect()
+}
+
+/// Checks the documents of a folder; how many of them were read, and how many links they have.
+fn checked(folder: &str) -> (usize, usize) {
+    let (mut documents, mut links, mut rejected) = (0, 0, Vec::new());
+    for (name, text) in pages(folder) {
+        let Some(written) = audited(folder, &name) else {
+            assert!(text.starts_with(b"<!-- error: "), "{name} cannot be read");
+            continue;
+        };
+        let certificate = written.certificate.to_str().expect("a UTF-8 name");
+        let document = format!("{folder}/{name}");
+        let output = python("", &["scripts/check_cert.py", &document, certificate]);
+        let answer = said(&output);
+        if !output.status.success() {
+            let faults = answer.lines().filter(|line| !line.starts_with("yes"));
+            rejected.extend(faults.map(|line| format!("{name}: {line}")));
+        }
+        documents += 1;
+        links += answer.lines().filter(|line| line.starts_with("yes") && line.contains(" link ")).count();
+        let shown = verdicts(&written.report, "/documents/0/statements");
+        assert_eq!(verdicts(&written.certificate, "/claims"), shown, "{name}");
+    }
+    assert!(rejected.is_empty(), "the second checker does not accept:\n{}", rejected.join("\n"));
+    (documents, links)
+}
+
+#[test]
+fn the_second_checker_accepts_every_shipped_document() {
+    if installed("python3") {
+        let (documents, links) = checked("docs/derivations");
+        println!("second checker: {documents} shipped documents, {links} links");
+        assert!(documents >= 8 && links >= 600, "{documents} documents with {links} links");
+    }
+}
+
+#[test]
+fn the_second_checker_accepts_every_rule_of_the_language() {
+    if installed("python3") {
+        let (documents, links) = checked("tests/conformance/semantics");
+        println!("second checker: {documents} documents of rules, {links} links");
+        assert!(documents >= 30 && links >= 100, "{documents} documents with {links} links");
+    }
+}
+
+#[test]
+fn the_second_checker_rejects_what_is_forged() {
+    if installed("python3") {
+        let tests = ["-m", "unittest", "discover", "-s", "check_cert/tests", "-t", "."];
+        let output = python("scripts", &tests);
+        assert!(output.status.success(), "{}", said(&output));
+    }
+}
