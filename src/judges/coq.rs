@@ -61,6 +61,8 @@ pub fn coq_file(file: &File, limits: &Limits) -> Result<Judge, NotAsked> {
         }
     };
     let strange = judge.axioms.iter().find(|a| !ALLOWED_AXIOMS.contains(&a.as_str())).cloned();
+    let without: Vec<&str> = rejected.iter().map(|r| r.0.as_str()).collect();
+    let theorems = file.theorems(&without);
     for lemma in &file.lemmas {
         let answer = match &lemma.name {
             Err(why) => Answer::NotAsked(format!("not emitted: {why}")),
@@ -68,7 +70,13 @@ pub fn coq_file(file: &File, limits: &Limits) -> Result<Judge, NotAsked> {
                 (Some((_, why)), ..) => Answer::Disagrees(why.clone()),
                 (None, Some(why), _) => Answer::Undecided(why.clone()),
                 (None, None, Some(axiom)) => Answer::Disagrees(format!("rests on {axiom}")),
-                (None, None, None) => Answer::Agrees,
+                (None, None, None) => match &lemma.theorem {
+                    Some(Err(why)) => Answer::Partly(why.to_string()),
+                    Some(Ok(t)) if !theorems.contains(t.name.as_str()) => {
+                        Answer::Partly("it rests on a claim that is rejected".to_owned())
+                    }
+                    _ => Answer::Agrees,
+                },
             },
         };
         judge.answers.insert((lemma.statement, lemma.link), answer);

@@ -40,7 +40,8 @@ fn the_page_of_the_paper_shows_the_figures_and_no_other_page_does() {
     };
     kane(&["audit", "--out", target]);
     assert_eq!(pictures("oblique-collision.html"), 2);
-    let other = crate::document(&dir, "other.md", "var x > 0\nclaim a: x > 0");
+    let other = scratch("figures-page-of-another");
+    let other = crate::document(&other, "other.md", "var x > 0\nclaim a: x > 0");
     kane(&["audit", &other, "--out", target]);
     assert_eq!(pictures("other.html"), 0);
 }

@@ -27,7 +27,7 @@ fn the_reports_compile() {
         return skip("pdflatex", "KANE_REQUIRE_LATEX");
     }
     let dir = scratch("latex");
-    let hard = document(&dir, "hard.md", STATEMENTS);
+    let hard = document(&scratch("latex-source"), "hard.md", STATEMENTS);
     let paper = "docs/derivations/oblique-collision.md";
     let run = kane(&["audit", &hard, paper, "--out", dir.to_str().expect("UTF-8")]);
     assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);

@@ -3,6 +3,7 @@
 //! `KANE_LONG=1` makes the suites with random statements ten times as long.
 
 mod adversarial; // what is too large ends soon
+mod adversary; // random documents against oracles in another language
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod faults; // what is planted in the kernel, and which test catches it

@@ -1,6 +1,7 @@
 //! The clever, untrusted part: parsing, printing, rational functions, limits, signs.
 #![deny(clippy::float_arithmetic)]
 
+pub mod descartes;
 mod fraction;
 pub mod limit;
 pub mod linear_program;

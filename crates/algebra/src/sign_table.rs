@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use kane_kernel::{Fuel, Rejection, Root, descartes, sign_at};
+use kane_kernel::{Fuel, Rejection, Root, sign_at};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use polycore::{Gf, Uni};
+
+use crate::descartes::descartes;
 
 type Q = BigRational;
 

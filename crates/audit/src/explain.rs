@@ -3,7 +3,8 @@
 use kane_algebra::syntax::{Evaluator, NoValue, Notation};
 use kane_kernel::{
     Atom, Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Poly,
-    Proof, Scope, Side, Sign, State, Target, claim_state, constants, premised, scope, sides,
+    Proof, Scope, Side, Sign, State, Target, claim_state, constants, expressions, premised, scope,
+    sides,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -646,12 +647,7 @@ impl Teller<'_> {
 fn mentioned(goal: &Goal, all: bool) -> Vec<usize> {
     let mut todo: Vec<&Expr> = goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]).collect();
     fn links<'g>(links: &'g [Link], todo: &mut Vec<&'g Expr>) {
-        for link in links {
-            match link {
-                Link::Relation(r) => todo.extend([&r.lhs, &r.rhs]),
-                Link::Limit(l) => todo.push(&l.expr),
-            }
-        }
+        todo.extend(expressions(&[], links));
     }
     match &goal.conclusion {
         Conclusion::Link(l) => links(std::slice::from_ref(l), &mut todo),

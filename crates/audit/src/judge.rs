@@ -335,13 +335,10 @@ fn link_judgement(
         Some(Decided { certificate, grounds }) => {
             let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
             let told = explain::grounds(whose, certificate.finding, grounds, &labels);
-            let holds = matches!(certificate.evidence, Evidence::Model(_))
-                .then(|| also_holds(goal, resting, certificate))
-                .flatten();
-            let reason = match holds {
-                Some(note) => format!("{}{note}", told.reason),
-                None => told.reason,
-            };
+            let mut reason = told.reason;
+            if !found.behind_met && misses(goal, resting, certificate) {
+                reason.push_str(BEHIND);
+            }
             let used = told.used.iter().filter_map(|&i| cited.get(i).copied()).collect();
             (reason, told.steps, used)
         }
@@ -366,25 +363,22 @@ fn link_judgement(
     }
 }
 
-/// Whether a point against a claim also satisfies the givens behind what it cites.
-fn also_holds(
-    goal: &Goal,
-    resting: &Goal,
-    certificate: &kane_kernel::Certificate,
-) -> Option<&'static str> {
+/// What is said of a witness that speaks against what is cited alone.
+const BEHIND: &str =
+    " (it does not follow from what is cited; the givens behind it are not all met there)";
+
+/// Whether a witness was not shown to satisfy the givens behind what is cited.
+fn misses(goal: &Goal, resting: &Goal, certificate: &kane_kernel::Certificate) -> bool {
     if goal.hypotheses.len() == resting.hypotheses.len() {
-        return None;
+        return false;
     }
-    let Evidence::Model(Model::Point(_)) = &certificate.evidence else {
-        return None;
-    };
-    let again =
-        kane_kernel::Certificate { goal: kane_kernel::digest(resting), ..certificate.clone() };
-    let fuel = kane_kernel::Fuel::new(10_000_000);
-    match kane_kernel::check(resting, &again, fuel) {
-        Ok(()) => None,
-        Err(_) => Some(
-            " (it does not follow from what is cited; the givens behind it are not all met there)",
-        ),
+    match &certificate.evidence {
+        Evidence::Model(Model::Point(_)) => {
+            let goal = kane_kernel::digest(resting);
+            let again = kane_kernel::Certificate { goal, ..certificate.clone() };
+            kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000)).is_err()
+        }
+        Evidence::Model(Model::Functions(_)) => true,
+        Evidence::Contradiction(_) | Evidence::Limit(_) => false,
     }
 }

@@ -19,7 +19,7 @@ const THETA: usize = usize::MAX;
 pub(crate) fn satisfies(state: &State<'_, '_>, point: &Point) -> Checked {
     let fuel = &state.scope.fuel;
     if let Some(Root { poly, lo, hi }) = &point.generator {
-        let simple = descartes(poly, Some(lo), Some(hi), fuel)? == 1;
+        let simple = descartes(poly, lo, hi, fuel)? == 1;
         if !simple || sign_at(poly, lo) == 0 || sign_at(poly, hi) == 0 {
             return Err(Rejection::RootCount);
         }
@@ -77,7 +77,7 @@ impl Point {
         for _ in 0..MAX_HALVINGS {
             let middle = (&lo + &hi) / BigRational::from_integer(2.into());
             let side = sign_at(&root.poly, &middle);
-            if side == 0 || descartes(&value, Some(&lo), Some(&hi), fuel)? == 0 {
+            if side == 0 || descartes(&value, &lo, &hi, fuel)? == 0 {
                 return Ok(Some(sign_at(&value, &middle)));
             }
             if side == sign_at(&root.poly, &lo) {

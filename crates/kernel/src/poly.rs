@@ -291,19 +291,6 @@ impl Poly {
         }
         if even && odd { rest.mul(&lead, fuel) } else { Ok(rest) }
     }
-
-    /// denⁿ·p(num/den) for v, with n the degree of p in v.
-    ///
-    /// # Errors
-    /// [`Rejection::Budget`].
-    pub fn compose(&self, v: usize, num: &Self, den: &Self, fuel: &Fuel) -> Checked<Self> {
-        let (mut sum, mut power) = (Self::default(), Self::one());
-        for c in self.coefficients(v).iter().rev() {
-            sum = sum.mul(num, fuel)?.add(&c.mul(&power, fuel)?);
-            power = power.mul(den, fuel)?;
-        }
-        Ok(sum)
-    }
 }
 
 /// A monomial with each variable once, ascending, and no power 0.

@@ -58,7 +58,13 @@ impl fmt::Display for Rejection {
         match self {
             Self::Budget => write!(f, "the budget of the check ran out"),
             Self::OtherGoal => write!(f, "the certificate is for another statement"),
-            other => write!(f, "{other:?}"),
+            Self::NotCanonical => write!(f, "a number in it is not in lowest terms"),
+            Self::EmptyRange(_) => write!(f, "a symbol has an empty range"),
+            Self::UnknownSymbol => write!(f, "it names a symbol that is not there"),
+            Self::NotExplicit => write!(f, "a derivative in it is of nothing explicit"),
+            Self::OutsideDomain => write!(f, "it takes a limit where none can be taken"),
+            Self::NotAModel(_) => write!(f, "the witness does not satisfy all that it should"),
+            _ => write!(f, "a step of it does not hold"),
         }
     }
 }

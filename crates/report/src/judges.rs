@@ -11,6 +11,9 @@ use serde::Serialize;
 pub enum Answer {
     /// it comes to the same finding
     Agrees,
+    /// it agrees on the claim as it follows from what it cites, but was not asked whether that follows
+    /// from the givens: why
+    Partly(String),
     /// it comes to another one, or rejects the proof: what it said
     Disagrees(String),
     /// it came to no finding: why
@@ -86,6 +89,7 @@ impl Judge {
         let told = [
             (self.count(|a| matches!(a, Answer::Disagrees(_))), "DISAGREE"),
             (self.count(|a| matches!(a, Answer::Agrees)), "agree"),
+            (self.count(|a| matches!(a, Answer::Partly(_))), "agree in part"),
             (self.count(|a| matches!(a, Answer::Undecided(_))), "undecided"),
             (self.count(|a| matches!(a, Answer::NotAsked(_))), "not asked"),
         ];
@@ -103,6 +107,7 @@ impl Answer {
     fn word(&self) -> &'static str {
         match self {
             Self::Agrees => "agrees",
+            Self::Partly(_) => "agrees in part",
             Self::Disagrees(_) => "DISAGREES",
             Self::Undecided(_) => "undecided",
             Self::NotAsked(_) => "not asked",
@@ -112,7 +117,8 @@ impl Answer {
     fn why(&self) -> &str {
         match self {
             Self::Agrees => "",
-            Self::Disagrees(why) | Self::Undecided(why) | Self::NotAsked(why) => why,
+            Self::Partly(why) | Self::Disagrees(why) => why,
+            Self::Undecided(why) | Self::NotAsked(why) => why,
         }
     }
 }

@@ -10,7 +10,7 @@ use super::Bounds;
 use super::expand::{Work, absurd, at};
 use super::identity::Reducer;
 use super::node::{Known, Node, Sum, power, whole};
-use super::rules::{Flaw, Step};
+use super::rules::{Flaw, Step, composed};
 
 /// A bound k·v + c ≥ 0 or > 0 of a variable.
 #[derive(Clone, Debug)]
@@ -203,7 +203,7 @@ impl Signs {
                 }
                 (None, None) => return Err(Flaw::NotABound(r.var)),
             };
-            p = p.compose(r.var, &num, &den, fuel)?;
+            p = composed(&p, r.var, &num, &den, fuel)?;
             scale *= power(&unit, degree);
             degrees.push(degree);
         }

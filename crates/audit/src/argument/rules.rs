@@ -1,8 +1,7 @@
 //! The rules of arguments: what each step leaves of a state, or why it does not apply.
 
-use kane_kernel::{
-    Atom, Fuel, Poly, Proof, Rejection, Root, Sign, State, descartes, sign, sign_at,
-};
+use kane_algebra::descartes::descartes;
+use kane_kernel::{Atom, Fuel, Poly, Proof, Rejection, Root, Sign, State, sign, sign_at};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -190,7 +189,7 @@ fn orthant(state: &State<'_, '_>, atom: usize, bounds: &[Bounds]) -> Step {
             }
             (None, None) => return Err(Flaw::NotABound(atom)),
         };
-        p = p.compose(v, &num, &den, fuel)?;
+        p = composed(&p, v, &num, &den, fuel)?;
     }
     if p.vars().iter().any(|v| !bounds.iter().any(|b| b.0 == *v)) {
         return Err(Flaw::NotABound(atom));
@@ -304,4 +303,14 @@ fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Step<Vec<Vec<i8>
         left = Some(&root.hi);
     }
     Ok(out)
+}
+
+/// denⁿ·p(num/den) for v, with n the degree of p in v.
+pub(super) fn composed(p: &Poly, v: usize, num: &Poly, den: &Poly, fuel: &Fuel) -> Step<Poly> {
+    let (mut sum, mut power) = (Poly::default(), Poly::one());
+    for c in p.coefficients(v).iter().rev() {
+        sum = sum.mul(num, fuel)?.add(&c.mul(&power, fuel)?);
+        power = power.mul(den, fuel)?;
+    }
+    Ok(sum)
 }

@@ -5,8 +5,8 @@ use std::rc::Rc;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Passages, Place, Poly, Proof, State, Target, claim_state, constants, on_functions,
-    point_state, premises, range_premise, scope, sides,
+    Limit, Link, Passages, Place, Poly, Proof, Rel, Relation, Scope, State, Target, claim_state,
+    constants, on_functions, point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -373,6 +373,15 @@ fn mentions(e: &Expr, x: usize) -> bool {
     false
 }
 
+/// Whether a limit that was found is another one than is claimed, for the values in place.
+fn differs_from(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Option<bool> {
+    let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
+        return Some(claimed != found);
+    };
+    let equal = Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() };
+    Some(scope.relation(&equal).ok()?.iter().all(|piece| piece.value != Some(true)))
+}
+
 /// How the conclusion fails for explicit functions.
 fn failure(
     goal: &Goal,
@@ -398,7 +407,7 @@ fn failure(
             let Some(target) = limits::value(&state, claimed, &side, effort.steps) else {
                 continue;
             };
-            if target == claimed.to {
+            if !differs_from(&scope, &claimed.to, &target)? {
                 continue;
             }
             let found = Limit { to: target.clone(), at: side.approach(), ..claimed.clone() };

@@ -77,6 +77,8 @@ pub(crate) struct Verdicts {
     pub(crate) reason: String,
     /// search steps spent
     pub(crate) cost: u64,
+    /// whether a model that decides was found for the givens behind what is cited, too
+    pub(crate) behind_met: bool,
     /// a side of a limit, and a given that was not shown to hold near it
     pub(crate) unreached: Option<(Side, Sentence)>,
 }
@@ -293,6 +295,7 @@ impl Prover<'_> {
             if let Some(model) = self.model(source, finding, self.candidates(source, goal), out) {
                 let model = restricted(model, goal, source);
                 if self.decide(goal, finding, Grounds::Model(model), out) {
+                    out.behind_met = source == self.resting;
                     return true;
                 }
             }

@@ -123,24 +123,12 @@ fn a_derivative_is_what_a_small_step_adds() {
     for p in polynomials() {
         for v in [0, 1] {
             let step = Poly::var(v).add(&h);
-            let moved = p.compose(v, &step, &n(1), &plenty()).expect("small");
+            let powers = (0..=p.degree(v))
+                .map(|k| times(&p.coefficient(v, k), &step.pow(k, &plenty()).expect("small")));
+            let moved = powers.fold(n(0), |sum, power| sum.add(&power));
             assert_eq!(p.derivative(v, &plenty()), Ok(moved.coefficient(2, 1)), "{p:?} by {v}");
         }
         assert!(p.derivative(3, &plenty()).expect("small").is_empty());
-    }
-}
-
-#[test]
-fn a_polynomial_is_composed_with_a_fraction() {
-    let (num, den) = (y().sub(&n(2)), times(&y(), &y()).add(&n(1)));
-    for p in polynomials() {
-        let composed = p.compose(0, &num, &den, &plenty()).expect("small");
-        for point in points() {
-            let (a, d) = (value(&num, &at(&point)), value(&den, &at(&point)));
-            let inner = [&a / &d, point[1].clone()];
-            let scale = (0..p.degree(0)).fold(Q::one(), |s, _| s * &d);
-            assert_eq!(value(&composed, &at(&point)), scale * value(&p, &at(&inner)));
-        }
     }
 }
 
@@ -279,17 +267,14 @@ fn descartes_counts_the_roots_of_what_has_only_real_ones() {
         for c in [1, -3] {
             let p = with_roots(c, &roots);
             let count = |inside: &dyn Fn(&Q) -> bool| roots.iter().filter(|r| inside(r)).count();
-            assert_eq!(descartes(&p, None, None, &fuel), Ok(roots.len()));
             for a in &ends {
-                assert_eq!(descartes(&p, Some(a), None, &fuel), Ok(count(&|r| r > a)), "> {a}");
-                assert_eq!(descartes(&p, None, Some(a), &fuel), Ok(count(&|r| r < a)), "< {a}");
                 for b in &ends {
                     let between = count(&|r| r > a && r < b);
-                    assert_eq!(descartes(&p, Some(a), Some(b), &fuel), Ok(between), "{a} … {b}");
+                    assert_eq!(descartes(&p, a, b, &fuel), Ok(between), "{a} … {b}");
                 }
             }
         }
     }
     let p = with_roots(1, &[q(1, 3), q(2, 1)]);
-    assert_eq!(descartes(&p, None, Some(&q(1, 1)), &Fuel::new(8)), Err(Rejection::Budget));
+    assert_eq!(descartes(&p, &q(0, 1), &q(1, 1), &Fuel::new(8)), Err(Rejection::Budget));
 }

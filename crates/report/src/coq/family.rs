@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use kane_kernel::{
-    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Side, Target, narrowing,
-    premised, sides,
+    Expr, Finding, Goal, Hypothesis, Limit, Link, Relation, Scope, Sentence, Side, Target,
+    narrowing, premised, sides,
 };
 
 use super::NotEmitted;
@@ -13,12 +13,46 @@ use super::lemma::conclusion;
 use super::prose::{Prose, arrow, conj, grouped};
 use super::reify::{Symbols, integer, join};
 
-/// Where a premise is said: of constants, to bound the domain, or of functions on it.
+/// What a premise is about: constants, the limit variable alone, or functions of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     Everywhere,
     Narrows,
     Along,
+}
+
+/// A premise of a lemma about functions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// an end of the declared range of a constant
+    Range(usize, usize),
+    /// the hypothesis with this index, about constants
+    Everywhere(usize),
+    /// what the hypothesis with this index says of constants
+    Part(usize),
+    /// the claim's own conditions
+    When,
+    /// a limit of a hypothesis: its index, and that of the link
+    Limit(usize, usize),
+    /// that the set reaches up to a limit from this side
+    Near(Side),
+    /// the declared ranges of functions
+    Functions,
+    /// the hypothesis with this index, on the set
+    Moving(usize),
+}
+
+/// Where premises about functions are supposed to hold.
+pub(super) enum Setting {
+    /// on a set of values of the variable that reaches up to the limits from these sides
+    Set {
+        /// the sides
+        used: Vec<Side>,
+        /// whether something is claimed at the points of the set
+        point: bool,
+    },
+    /// wherever premises about the variable alone allow
+    Narrowed,
 }
 
 /// A goal whose symbols are constants, the limit variable, and functions of it.
@@ -28,6 +62,8 @@ pub(super) struct Family<'a, 'g> {
     pub(super) symbols: Symbols<'g>,
     pub(super) x: usize,
     pub(super) roles: Vec<Role>,
+    /// what premises that are not about constants say of constants all the same
+    parts: Vec<Hypothesis>,
     pub(super) always_when: bool,
     /// for each premised limit what is used of it: sides, function, value
     pub(super) limits: Vec<Option<(Vec<Side>, Expr, Expr)>>,
@@ -67,6 +103,7 @@ impl<'a, 'g> Family<'a, 'g> {
             symbols,
             x,
             roles: Vec::new(),
+            parts: Vec::new(),
             always_when: false,
             limits: Vec::new(),
         };
@@ -74,13 +111,22 @@ impl<'a, 'g> Family<'a, 'g> {
         for h in &goal.hypotheses {
             let s = &h.sentence;
             let all = family.symbols.expanded(s.when.iter().chain(s.relations()))?;
-            family.roles.push(if family.free_all(&all) {
+            let role = if family.free_all(&all) {
                 Role::Everywhere
             } else if narrowing(scope, h, x).links.len() == s.links.len() {
                 Role::Narrows
             } else {
                 Role::Along
+            };
+            let when = family.symbols.expanded(&s.when)?;
+            let speaks = role != Role::Everywhere && h.given && family.free_all(&when);
+            let part = s.only(|r| {
+                let free = |e| family.symbols.expand(e).is_ok_and(|e| family.free(&e));
+                speaks && free(&r.lhs) && free(&r.rhs)
             });
+            let when = if speaks { part.when } else { Vec::new() };
+            family.parts.push(Hypothesis { sentence: Sentence { when, ..part }, given: h.given });
+            family.roles.push(role);
         }
         for (s, l) in premised(goal) {
             if !s.when.is_empty() {
@@ -163,9 +209,13 @@ impl<'a, 'g> Family<'a, 'g> {
             });
         }
         let roles: Vec<String> = self.roles.iter().map(|r| format!("{r:?}")).collect();
+        let mut parts = Vec::new();
+        for h in &self.parts {
+            parts.push(symbols.sentence(&h.sentence, h.given)?);
+        }
         Ok(format!(
             "Definition goal_{name} : family := Family (Goal\n  {}\n  [{}]\n  {}\n  ({claim}))\n  \
-             {}\n  {} [{}]%nat [{}] {}\n  [{}].\n",
+             {}\n  {} [{}]%nat [{}] [{}] {}\n  [{}].\n",
             symbols.relations(&self.ranges(mentioned))?,
             premises.join(";\n   "),
             symbols.relations(&symbols.expanded(&self.goal.when)?)?,
@@ -173,26 +223,65 @@ impl<'a, 'g> Family<'a, 'g> {
             symbols.position(self.x)?,
             join(&self.positions(|v| self.is_constant(v))?, "; "),
             roles.join("; "),
+            parts.join("; "),
             self.always_when,
             limits.join(";\n   "),
         ))
     }
 
     /// What bounds the domain.
-    fn domain(&self, prose: &Prose<'_>) -> Result<Vec<String>, NotEmitted> {
+    fn domain(&self, prose: &Prose<'_>, setting: &Setting) -> Result<Vec<String>, NotEmitted> {
         let mut out = Vec::new();
         for r in self.ranges(|v| v == self.x) {
             out.push(prose.relation(&r)?);
         }
-        for h in self.hypotheses(Role::Narrows) {
-            out.extend(prose.hypothesis(h)?);
+        match setting {
+            Setting::Set { .. } if self.has_set(setting) => {
+                out.push(format!("{} {}", self.set(), self.symbols.name(self.x)));
+            }
+            Setting::Set { .. } => {}
+            Setting::Narrowed => {
+                for h in self.narrowing() {
+                    out.extend(prose.hypothesis(&h)?);
+                }
+            }
         }
         Ok(out)
     }
 
-    fn hypotheses(&self, role: Role) -> impl Iterator<Item = &Hypothesis> {
+    /// What premises say of the limit variable alone.
+    pub(super) fn narrowing(&self) -> Vec<Hypothesis> {
+        let one = |h: &Hypothesis| Hypothesis {
+            sentence: narrowing(self.scope, h, self.x),
+            given: h.given,
+        };
+        let all = self.goal.hypotheses.iter().map(one);
+        all.filter(|h| !h.sentence.links.is_empty()).collect()
+    }
+
+    fn hypotheses(&self, roles: &[Role]) -> impl Iterator<Item = (usize, &Hypothesis)> {
         let roled = self.goal.hypotheses.iter().zip(&self.roles);
-        roled.filter(move |(_, r)| **r == role).map(|(h, _)| h)
+        roled.enumerate().filter(move |(_, (_, r))| roles.contains(r)).map(|(i, (h, _))| (i, h))
+    }
+
+    /// The name of the set on which premises hold.
+    pub(super) fn set(&self) -> String {
+        self.fresh("domain")
+    }
+
+    /// Whether the lemma speaks of such a set.
+    pub(super) fn has_set(&self, setting: &Setting) -> bool {
+        let moving = || self.hypotheses(&[Role::Narrows, Role::Along]);
+        let speaks = |h: &Hypothesis| h.sentence.relations().next().is_some();
+        match setting {
+            Setting::Set { point, .. } => *point || moving().any(|(_, h)| speaks(h)),
+            Setting::Narrowed => false,
+        }
+    }
+
+    /// The sets of the lemma, as data.
+    pub(super) fn sets(&self, setting: &Setting) -> String {
+        if self.has_set(setting) { format!("[{}]", self.set()) } else { "[]".to_owned() }
     }
 
     /// For every value of x.
@@ -200,20 +289,40 @@ impl<'a, 'g> Family<'a, 'g> {
         format!("forall {} : R, ", self.symbols.name(self.x))
     }
 
-    /// What is supposed, in words: of constants, and of functions on the domain.
-    pub(super) fn supposed(&self, prose: &Prose<'_>) -> Result<Vec<String>, NotEmitted> {
+    /// What is supposed: of constants, and of functions on the domain; each premise in words.
+    pub(super) fn supposed(
+        &self,
+        prose: &Prose<'_>,
+        setting: &Setting,
+    ) -> Result<Vec<(Slot, String)>, NotEmitted> {
         let mut out = Vec::new();
-        for r in self.ranges(|v| self.is_constant(v)) {
-            out.push(prose.relation(&r)?);
+        for &v in self.symbols.order.iter().filter(|v| self.is_constant(**v)) {
+            for (end, r) in self.symbols.range(v).iter().enumerate() {
+                out.push((Slot::Range(v, end), prose.relation(r)?));
+            }
         }
-        for h in self.hypotheses(Role::Everywhere) {
-            out.extend(prose.hypothesis(h)?);
+        for (i, h) in self.hypotheses(&[Role::Everywhere]) {
+            out.extend(prose.hypothesis(h)?.map(|says| (Slot::Everywhere(i), says)));
+        }
+        for (i, h) in self.parts.iter().enumerate() {
+            out.extend(prose.hypothesis(h)?.map(|says| (Slot::Part(i), says)));
         }
         if self.always_when && !self.goal.when.is_empty() {
-            out.push(conj(&prose.flat(&self.symbols.expanded(&self.goal.when)?)?));
+            let when = prose.flat(&self.symbols.expanded(&self.goal.when)?)?;
+            out.push((Slot::When, conj(&when)));
         }
-        for (ss, f, v) in self.limits.iter().flatten() {
-            out.push(self.tends(prose, (f, &Target::Finite(v.clone()), ss))?);
+        for (slot, limit) in self.limit_slots().into_iter().zip(&self.limits) {
+            if let Some((ss, f, v)) = limit {
+                out.push((slot, self.tends(prose, (f, &Target::Finite(v.clone()), ss))?));
+            }
+        }
+        let mut moving = vec![Role::Along];
+        if let Setting::Set { used, .. } = setting {
+            moving.push(Role::Narrows);
+            let says = format!("{} {}", self.set(), self.symbols.name(self.x));
+            for side in used.iter().filter(|_| self.has_set(setting)) {
+                out.push((Slot::Near(side.clone()), self.near(prose, side, &says)?));
+            }
         }
         let functions = self.ranges(|v| v != self.x && !self.is_constant(v));
         if !functions.is_empty() {
@@ -223,15 +332,28 @@ impl<'a, 'g> Family<'a, 'g> {
             for r in self.ranges(|v| v == self.x) {
                 within.push(prose.relation(&r)?);
             }
-            out.push(format!("{}{}", self.forall(), implied(&within, &conj(&says))));
+            let says = format!("{}{}", self.forall(), implied(&within, &conj(&says)));
+            out.push((Slot::Functions, says));
         }
-        let domain = self.domain(prose)?;
-        for h in self.hypotheses(Role::Along) {
+        let domain = self.domain(prose, setting)?;
+        for (i, h) in self.hypotheses(&moving) {
             if let Some(says) = prose.hypothesis(h)? {
-                out.push(format!("{}{}", self.forall(), implied(&domain, &grouped(&says))));
+                let says = format!("{}{}", self.forall(), implied(&domain, &grouped(&says)));
+                out.push((Slot::Moving(i), says));
             }
         }
         Ok(out)
+    }
+
+    /// The premised limits, by hypothesis and link.
+    fn limit_slots(&self) -> Vec<Slot> {
+        let mut out = Vec::new();
+        for (i, h) in self.goal.hypotheses.iter().enumerate() {
+            for (link, l) in h.sentence.links.iter().enumerate() {
+                out.extend(matches!(l, Link::Limit(_)).then_some(Slot::Limit(i, link)));
+            }
+        }
+        out
     }
 
     /// A limit of a claim, written out.
@@ -269,26 +391,30 @@ impl<'a, 'g> Family<'a, 'g> {
             }
         };
         let close = grouped(&conj(&close));
-        let (x, forall) = (self.symbols.name(self.x), self.forall());
         for s in sides {
-            let near = match &s.at {
-                Some(a) => {
-                    let (a, d) = (prose.term(&Expr::Num(a.clone()))?, self.fresh("delta"));
-                    let within = if s.above {
-                        format!("{a} < {x} < {a} + {d}")
-                    } else {
-                        format!("{a} - {d} < {x} < {a}")
-                    };
-                    format!("exists {d} : R, {d} > 0 /\\ ({forall}{within} -> {close})")
-                }
-                None => {
-                    let (b, sign) = (self.fresh("bound"), if s.above { '>' } else { '<' });
-                    format!("exists {b} : R, {forall}{x} {sign} {b} -> {close}")
-                }
-            };
-            says.push(format!("{before}{near}"));
+            says.push(format!("{before}{}", self.near(prose, s, &close)?));
         }
         Ok(conj(&says))
+    }
+
+    /// What holds close to a point on one side of it, or far out.
+    fn near(&self, prose: &Prose<'_>, s: &Side, close: &str) -> Result<String, NotEmitted> {
+        let (x, forall) = (self.symbols.name(self.x), self.forall());
+        Ok(match &s.at {
+            Some(a) => {
+                let (a, d) = (prose.term(&Expr::Num(a.clone()))?, self.fresh("delta"));
+                let within = if s.above {
+                    format!("{a} < {x} < {a} + {d}")
+                } else {
+                    format!("{a} - {d} < {x} < {a}")
+                };
+                format!("exists {d} : R, {d} > 0 /\\ ({forall}{within} -> {close})")
+            }
+            None => {
+                let (b, sign) = (self.fresh("bound"), if s.above { '>' } else { '<' });
+                format!("exists {b} : R, {forall}{x} {sign} {b} -> {close}")
+            }
+        })
     }
 
     /// What is claimed at each point of the domain, as data and in words.
@@ -296,13 +422,14 @@ impl<'a, 'g> Family<'a, 'g> {
         &self,
         prose: &Prose<'_>,
         finding: Finding,
+        setting: &Setting,
     ) -> Result<(String, String), NotEmitted> {
         let (claim, says) = conclusion(prose, self.goal, finding)?;
         let conditions = match self.always_when {
             true => Vec::new(),
             false => prose.flat(&self.symbols.expanded(&self.goal.when)?)?,
         };
-        let says = implied(&self.domain(prose)?, &arrow(&conditions, &says));
+        let says = implied(&self.domain(prose, setting)?, &arrow(&conditions, &says));
         Ok((claim, format!("{}{says}", self.forall())))
     }
 
@@ -313,7 +440,12 @@ impl<'a, 'g> Family<'a, 'g> {
     }
 
     /// The statement: for all constants and functions, what is supposed leads to what is said.
-    pub(super) fn statement(&self, prose: &Prose<'_>, says: &str) -> Result<String, NotEmitted> {
+    pub(super) fn statement(
+        &self,
+        prose: &Prose<'_>,
+        says: &str,
+        setting: &Setting,
+    ) -> Result<String, NotEmitted> {
         let (constants, functions) = self.bound();
         let mut kinds = Vec::new();
         for (symbols, kind) in [(&constants, "R"), (&functions, "R -> R")] {
@@ -322,21 +454,25 @@ impl<'a, 'g> Family<'a, 'g> {
                 kinds.push(format!("({} : {kind})", names.join(" ")));
             }
         }
+        if self.has_set(setting) {
+            kinds.push(format!("({} : R -> Prop)", self.set()));
+        }
         let mut text = String::new();
         if !kinds.is_empty() {
             text = format!("forall {},\n  ", kinds.join(" "));
         }
-        for premise in self.supposed(prose)? {
+        for (_, premise) in self.supposed(prose, setting)? {
             let _ = write!(text, "{} ->\n  ", grouped_all(&premise));
         }
         Ok(text + says)
     }
 
     /// A proved statement, from what shows it where the list of values is as it should be.
-    pub(super) fn lemma(&self, name: &str, statement: &str, by: &str) -> String {
+    pub(super) fn lemma(&self, name: &str, statement: &str, by: &str, setting: &Setting) -> String {
         let (constants, functions) = self.bound();
-        let names: Vec<String> =
+        let mut names: Vec<String> =
             constants.iter().chain(&functions).map(|v| self.symbols.name(*v)).collect();
+        names.extend(self.has_set(setting).then(|| self.set()));
         let intros =
             if names.is_empty() { String::new() } else { format!("intros {}. ", names.join(" ")) };
         let values: Vec<String> = self.symbols.order.iter().map(|v| self.written(*v)).collect();

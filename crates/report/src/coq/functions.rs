@@ -12,7 +12,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::NotEmitted;
-use super::family::{Claimed, Family, Role, side};
+use super::family::{Claimed, Family, Role, Setting, side};
 use super::prose::Prose;
 use super::reify::Symbols;
 use super::script::Writer;
@@ -28,6 +28,8 @@ struct Model<'a, 'g> {
     domain: Goal,
     /// the sides from which limits are taken
     sides: RefCell<Vec<Side>>,
+    /// for each of them, that it lies in the domain
+    reaching: RefCell<Vec<(Side, String)>>,
 }
 
 /// The lemma `claim_NAME` and what it needs.
@@ -42,17 +44,23 @@ pub(super) fn lemma(
     }
     // A declared range holds everywhere, but functions are known on the narrowed domain alone.
     let ranged = family.bound().1.iter().any(|v| !family.symbols.range(*v).is_empty());
-    if ranged && family.roles.contains(&Role::Narrows) {
+    if ranged && !family.narrowing().is_empty() {
         return Err(NotEmitted::Step("functions in a declared range, known on a narrowed domain"));
     }
     let domain = on_functions(family.scope, family.goal, family.x, &functions.values);
-    let model = Model { family, functions, domain, sides: RefCell::default() };
+    let model = Model {
+        family,
+        functions,
+        domain,
+        sides: RefCell::default(),
+        reaching: RefCell::default(),
+    };
     let data = model.data()?;
     let written = |v: usize| family.written(v);
     let prose = Prose { name: &written, symbols: &family.symbols };
     let (claim, says, failing) = match &functions.failure {
         Failure::At(point) => {
-            let (claim, says) = family.pointwise(&prose, finding)?;
+            let (claim, says) = family.pointwise(&prose, finding, &Setting::Narrowed)?;
             (claim, says, model.at(name, finding, point)?)
         }
         Failure::Limit { target, proof, .. } => {
@@ -68,13 +76,15 @@ pub(super) fn lemma(
     let Failing { data: witness, theorem, check, arguments } = failing;
     let arguments = format!("goal_{name} functions_{name} {} {arguments}", model.used());
     let values = model.values(&prose)?;
+    let reaching: Vec<String> = model.reaching.take().into_iter().map(|r| r.1).collect();
     Ok(format!(
-        "{}Definition functions_{name} : functions := {data}.\n{witness}\
+        "{}Definition functions_{name} : functions := {data}\n  [{}].\n{witness}\
          Lemma claim_{name} : ~ (\n  {}).\n\
          Proof. intro H. exact ({theorem}\n    \
          (eq_refl true <: {check} {arguments} = true) (H{values})). Qed.\n",
         family.data(name, &claim)?,
-        family.statement(&prose, &says)?,
+        reaching.join(";\n   "),
+        family.statement(&prose, &says, &Setting::Narrowed)?,
     ))
 }
 
@@ -119,7 +129,12 @@ impl Model<'_, '_> {
                 limits.push(self.side_proofs(l, proofs)?);
             }
         }
-        let lists = [exprs, ranges, premises, limits].map(|l| format!("[{}]", l.join(";\n   ")));
+        let mut narrowing = Vec::new();
+        for h in self.family.narrowing() {
+            narrowing.push(self.family.symbols.sentence(&h.sentence, h.given)?);
+        }
+        let lists =
+            [exprs, ranges, premises, limits, narrowing].map(|l| format!("[{}]", l.join(";\n   ")));
         Ok(format!("Functions\n  {}", lists.join("\n  ")))
     }
 
@@ -148,12 +163,13 @@ impl Model<'_, '_> {
 
     /// Proofs that a limit is as it should be, each with its side.
     fn side_proofs(&self, limit: &Limit, proofs: &[SideProof]) -> Result<String, NotEmitted> {
-        self.along(limit, |writer, state| writer.side_proofs(state, limit, proofs))
+        self.along(limit, proofs, |writer, state| writer.side_proofs(state, limit, proofs))
     }
 
     fn along(
         &self,
         limit: &Limit,
+        proofs: &[SideProof],
         write: impl FnOnce(&Writer<'_>, &State<'_, '_>) -> Result<String, NotEmitted>,
     ) -> Result<String, NotEmitted> {
         let goal = self.with(Conclusion::Link(Link::Limit(limit.clone())));
@@ -162,6 +178,13 @@ impl Model<'_, '_> {
         let state = constants(&scope, &goal, self.family.x)?;
         let writer = Writer { symbols: &symbols, sides: Some(self.sides.take().into()) };
         let text = write(&writer, &state)?;
+        for germ in proofs.iter().map(|p| &p.germ) {
+            let mut reaching = self.reaching.borrow_mut();
+            if !reaching.iter().any(|(side, _)| *side == germ.side) {
+                let within = writer.within(&state, germ, self.family.narrowing().len())?;
+                reaching.push((germ.side.clone(), within));
+            }
+        }
         self.sides.replace(writer.sides.map(RefCell::into_inner).unwrap_or_default());
         Ok(text)
     }
@@ -207,7 +230,9 @@ impl Model<'_, '_> {
         proof: &SideProof,
     ) -> Result<Failing, NotEmitted> {
         let found = Limit { to: target.clone(), ..limit.clone() };
-        let data = self.along(&found, |writer, state| writer.side_proof(state, &found, proof))?;
+        let data = self.along(&found, std::slice::from_ref(proof), |writer, state| {
+            writer.side_proof(state, &found, proof)
+        })?;
         let to = match target {
             Target::Finite(v) => format!("(Finite {})", self.expr(v)?),
             other => self.family.symbols.target(other)?,

@@ -9,22 +9,34 @@ use kane_kernel::{
 };
 
 use super::NotEmitted;
+use super::chain::Form;
 use super::family::{Family, limits};
 use super::functions;
 use super::prose::{Prose, arrow, conj, grouped};
 use super::reify::Symbols;
 use super::script::Writer;
+use super::slopes::settled;
 use super::theory::Part;
 use super::witness::{Witness, witness};
 
-/// The lemma `claim_NAME` with its data, and the part of the theory that it needs.
-pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<(String, Part), NotEmitted> {
+/// A lemma as it is printed.
+pub(super) struct Emitted {
+    /// its data, the lemma and its proof
+    pub(super) text: String,
+    /// the part of the theory that it needs
+    pub(super) part: Part,
+    /// how it is applied, if it says of points that something follows
+    pub(super) form: Option<Form>,
+}
+
+/// The lemma `claim_NAME`.
+pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<Emitted, NotEmitted> {
     let (goal, certificate) = (&accepted.goal, &accepted.certificate);
     let scope = scope(goal, Fuel::new(u64::MAX))?;
     let finding = certificate.finding;
     let x = limits(goal).next().map(|l| l.var);
     let family = |x| Family::new(&scope, goal, x);
-    Ok(match (&certificate.evidence, &goal.conclusion, x) {
+    let (text, part) = match (&certificate.evidence, &goal.conclusion, x) {
         (Evidence::Model(Model::Functions(f)), ..) => {
             (functions::lemma(name, &family(f.var)?, finding, f)?, Part::Functions)
         }
@@ -32,19 +44,23 @@ pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<(String, Part), N
             (refuted(name, &scope, goal, finding, point)?, Part::Witnesses)
         }
         (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(l)), _) => {
-            (family(l.var)?.limit(name, l, proofs)?, Part::Limits)
+            let (text, form) = family(l.var)?.limit(name, l, proofs)?;
+            return Ok(Emitted { text, part: Part::Limits, form: Some(form) });
         }
         (Evidence::Contradiction(_), Conclusion::Link(Link::Limit(_)), _) => {
             return Err(NotEmitted::Step("premises of a limit that contradict each other"));
         }
         (Evidence::Contradiction(proof), _, Some(x)) => {
-            (family(x)?.point(name, finding, proof)?, Part::Limits)
+            let (text, form) = family(x)?.point(name, finding, proof)?;
+            return Ok(Emitted { text, part: Part::Limits, form: Some(form) });
         }
         (Evidence::Contradiction(proof), _, None) => {
-            (proved(name, &scope, goal, finding, proof)?, Part::Points)
+            let (text, form) = proved(name, &scope, goal, finding, proof)?;
+            return Ok(Emitted { text, part: Part::Points, form: Some(form) });
         }
         (Evidence::Limit(_), ..) => return Err(NotEmitted::Step("limits for another claim")),
-    })
+    };
+    Ok(Emitted { text, part, form: None })
 }
 
 /// What is concluded: as data, and as people read it.
@@ -131,7 +147,7 @@ fn binders(symbols: &Symbols<'_>) -> (String, String) {
 
 /// What stands behind the symbols in the list of values: roots and derivatives, their names and what
 /// is known of each.
-fn behind(symbols: &Symbols<'_>) -> Result<(Vec<String>, Vec<String>), NotEmitted> {
+pub(super) fn behind(symbols: &Symbols<'_>) -> Result<(Vec<String>, Vec<String>), NotEmitted> {
     let prose = Prose { name: &|v| symbols.name(v), symbols };
     let (mut names, mut known) = symbols.roots(&prose)?;
     names.extend(symbols.slope_names());
@@ -145,12 +161,13 @@ fn proved(
     goal: &Goal,
     finding: Finding,
     proof: &Proof,
-) -> Result<String, NotEmitted> {
+) -> Result<(String, Form), NotEmitted> {
     let symbols = Symbols::new(scope, 0)?;
     let state = claim_state(scope, goal, finding)?;
     let script = Writer { symbols: &symbols, sides: None }.proof(&state, proof)?;
     let (data, text) = statement(name, &symbols, goal, finding)?;
     let (forall, names) = binders(&symbols);
+    settled(scope, &symbols.slopes())?;
     let (behind, known) = behind(&symbols)?;
     let mut values: Vec<String> = symbols.order.iter().map(|v| symbols.name(*v)).collect();
     values.extend(behind.iter().cloned());
@@ -171,10 +188,13 @@ fn proved(
         );
         (format!("forall {names} {} : R,\n  ", behind.join(" ")), known.concat() + &text, by)
     };
-    Ok(format!(
+    let lemma = format!(
         "{data}Definition proof_{name} : proof :=\n  {script}.\n\
          Lemma claim_{name} :\n  {forall}{text}.\nProof. {by} Qed.\n"
-    ))
+    );
+    let slopes = symbols.slopes();
+    let roots = symbols.roots.into_iter().map(|r| r.1).collect();
+    Ok((lemma, Form { symbols: symbols.order, roots, slopes, along: None }))
 }
 
 fn refuted(
@@ -192,6 +212,7 @@ fn refuted(
     let (mut forall, names) = binders(&symbols);
     let Witness { data: witness, values } =
         witness(&symbols, &claim_state(scope, goal, finding)?, point)?;
+    settled(scope, &symbols.slopes())?;
     let at = |t: &str| values.iter().map(|v| format!(" (at_ {t} {v})")).collect::<String>();
     let (behind, known) = behind(&symbols)?;
     if !behind.is_empty() {

@@ -3,13 +3,15 @@
 use std::cell::RefCell;
 
 use kane_kernel::{
-    Atom, Finding, Germ, Limit, Poly, Proof, Side, SideProof, Sign, State, claim_state, constants,
-    differs, misses, owed,
+    Atom, Finding, Fuel, Germ, Limit, Poly, Proof, Side, SideProof, Sign, State, claim_state,
+    constants, differs, inside_goal, inside_state, misses, owed, scope,
 };
 
 use super::NotEmitted;
-use super::family::{Claimed, Family, side};
+use super::chain::{Along, Form};
+use super::family::{Claimed, Family, Setting, side};
 use super::prose::Prose;
+use super::reify::Symbols;
 use super::script::{Writer, sign};
 
 impl Family<'_, '_> {
@@ -19,7 +21,7 @@ impl Family<'_, '_> {
         name: &str,
         limit: &Limit,
         proofs: &[SideProof],
-    ) -> Result<String, NotEmitted> {
+    ) -> Result<(String, Form), NotEmitted> {
         let state = constants(self.scope, self.goal, self.x)?;
         let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
         let written = |v: usize| self.written(v);
@@ -27,19 +29,22 @@ impl Family<'_, '_> {
         let Claimed { sides, f, to, target } = self.claimed(limit)?;
         let parts = writer.side_proofs(&state, limit, proofs)?;
         let says = self.tends(&prose, (&f, &to, &sides))?;
+        let setting = Setting::Set { used: writer.sides(), point: false };
         let arguments = format!(
             "goal_{name} {} {} {target} proof_{name}",
             writer.used(),
             self.symbols.expr(&f)?
         );
         let by = format!(
-            "limit_proved _ _ _ _ _ _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl"
+            "limit_proved _ _ _ _ _ {} _\n    (eq_refl true <: proves_limit {arguments} = true) eq_refl",
+            self.sets(&setting)
         );
-        Ok(format!(
+        let text = format!(
             "{}Definition proof_{name} : list (side * side_proof) :=\n  {parts}.\n{}",
             self.data(name, "Falsehood")?,
-            self.lemma(name, &self.statement(&prose, &says)?, &by),
-        ))
+            self.lemma(name, &self.statement(&prose, &says, &setting)?, &by, &setting),
+        );
+        Ok((text, self.form(&prose, setting)?))
     }
 
     /// A claim at each point, from a contradiction that may pass to limits.
@@ -48,21 +53,34 @@ impl Family<'_, '_> {
         name: &str,
         finding: Finding,
         proof: &Proof,
-    ) -> Result<String, NotEmitted> {
+    ) -> Result<(String, Form), NotEmitted> {
         let state = claim_state(self.scope, self.goal, finding)?;
         let writer = Writer { symbols: &self.symbols, sides: Some(RefCell::default()) };
         let script = writer.proof(&state, proof)?;
         let written = |v: usize| self.written(v);
         let prose = Prose { name: &written, symbols: &self.symbols };
-        let (claim, says) = self.pointwise(&prose, finding)?;
+        let setting = Setting::Set { used: writer.sides(), point: true };
+        let (claim, says) = self.pointwise(&prose, finding, &setting)?;
         let arguments = format!("goal_{name} {} proof_{name}", writer.used());
-        let by =
-            format!("point_proved _ _ _ _\n    (eq_refl true <: proves_point {arguments} = true)");
-        Ok(format!(
+        let by = format!(
+            "point_proved _ _ _ {} _\n    (eq_refl true <: proves_point {arguments} = true)",
+            self.sets(&setting)
+        );
+        let text = format!(
             "{}Definition proof_{name} : proof :=\n  {script}.\n{}",
             self.data(name, &claim)?,
-            self.lemma(name, &self.statement(&prose, &says)?, &by),
-        ))
+            self.lemma(name, &self.statement(&prose, &says, &setting)?, &by, &setting),
+        );
+        Ok((text, self.form(&prose, setting)?))
+    }
+
+    /// How the lemma is applied.
+    fn form(&self, prose: &Prose<'_>, setting: Setting) -> Result<Form, NotEmitted> {
+        let slots = self.supposed(prose, &setting)?.into_iter().map(|s| s.0).collect();
+        let set = self.has_set(&setting);
+        let along = Some(Along { x: self.x, slots, set, always_when: self.always_when });
+        let symbols = self.symbols.order.clone();
+        Ok(Form { symbols, roots: Vec::new(), slopes: Vec::new(), along })
     }
 }
 
@@ -77,10 +95,15 @@ impl Writer<'_> {
         }
     }
 
+    /// The sides from which limits were taken so far.
+    fn sides(&self) -> Vec<Side> {
+        self.sides.as_ref().map(|s| s.borrow().clone()).unwrap_or_default()
+    }
+
     /// All of them, as data.
     pub(super) fn used(&self) -> String {
-        let sides = self.sides.as_ref().map(|s| s.borrow().iter().map(side).collect::<Vec<_>>());
-        format!("[{}]", sides.unwrap_or_default().join("; "))
+        let sides: Vec<String> = self.sides().iter().map(side).collect();
+        format!("[{}]", sides.join("; "))
     }
 
     /// Proofs of a limit, each with its side.
@@ -120,16 +143,42 @@ impl Writer<'_> {
         ))
     }
 
-    /// The radius, that it is positive, and that the germ lies in the domain.
+    /// The radius, and that it is positive. That the germ lies where premises hold is supposed.
     fn germ(&self, state: &State<'_, '_>, germ: &Germ) -> Result<String, NotEmitted> {
+        Ok(format!("{} (Assume 0 [])", self.radius(state, germ)?))
+    }
+
+    fn radius(&self, state: &State<'_, '_>, germ: &Germ) -> Result<String, NotEmitted> {
         let (num, den) = &germ.radius;
         let fails = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
         let radius = state.with_cases(vec![fails(num), fails(den)]);
         let positive = self.proof(&radius, &germ.positive)?;
-        if !owed(state, &germ.side).is_empty() {
-            return Err(NotEmitted::Step("the range of a given"));
+        Ok(format!("{} {} {positive}", self.poly(num)?, self.poly(den)?))
+    }
+
+    /// That a germ lies where premises about the variable alone hold; `count` of them narrow it.
+    pub(super) fn within(
+        &self,
+        state: &State<'_, '_>,
+        germ: &Germ,
+        count: usize,
+    ) -> Result<String, NotEmitted> {
+        let (radius, owed) = (self.radius(state, germ)?, owed(state, &germ.side));
+        if owed.len() != count || germ.inside.len() != count {
+            return Err(NotEmitted::Step("a domain that a cited claim narrows"));
         }
-        Ok(format!("{} {} {positive} (Positive [] [])", self.poly(num)?, self.poly(den)?))
+        let mut proofs = Vec::new();
+        for (given, inside) in owed.into_iter().zip(&germ.inside) {
+            let goal = inside_goal(state, &germ.side, given, &inside.values)?;
+            let scope = scope(&goal, Fuel::new(u64::MAX))?;
+            if scope.mentioned.iter().any(|v| *v != germ.side.var) {
+                return Err(NotEmitted::Step("a domain that depends on constants"));
+            }
+            let symbols = Symbols::with(&scope, 1, Some(germ.side.var))?;
+            let writer = Writer { symbols: &symbols, sides: None };
+            proofs.push(writer.proof(&inside_state(state, germ, &scope, &goal)?, &inside.proof)?);
+        }
+        Ok(format!("({}, Within {radius} [{}])", side(&germ.side), proofs.join("; ")))
     }
 
     /// What holds along a germ, at its end.

@@ -9,6 +9,8 @@
 //!
 //! What a lemma cannot say is not emitted, with the reason in the file.
 
+mod chain;
+mod chain_along;
 mod family;
 mod functions;
 mod lemma;
@@ -26,6 +28,8 @@ use std::fmt::Write as _;
 use kane_kernel::Rejection;
 
 use crate::Report;
+use chain::{Place, Theorems, concludes};
+pub use chain::{Theorem, Unchained};
 use reify::OWN;
 use theory::{Part, has_word, theory};
 
@@ -55,6 +59,8 @@ pub struct Lemma {
     pub name: Result<String, NotEmitted>,
     /// its part of the file
     pub text: String,
+    /// that it follows from the givens, or why that is not said; `None` for what does not follow
+    pub theorem: Option<Result<Theorem, Unchained>>,
     /// what it needs of the theory
     part: Part,
 }
@@ -85,6 +91,7 @@ impl File {
     pub fn without(&self, names: &[&str]) -> String {
         let mut text = format!("{}\n(** * {} *)\n", self.theory(), self.title);
         let mut kept = Vec::new();
+        let theorems = self.theorems(names);
         for lemma in &self.lemmas {
             match &lemma.name {
                 Ok(name) if names.contains(&name.as_str()) => continue,
@@ -92,6 +99,14 @@ impl File {
                 Err(_) => {}
             }
             text.push_str(&lemma.text);
+            match &lemma.theorem {
+                Some(Ok(theorem)) if theorems.contains(theorem.name.as_str()) => {
+                    text.push_str(&theorem.text);
+                    kept.push(&theorem.name);
+                }
+                Some(Err(why)) => _ = writeln!(text, "(* {} *)", comment(&why.to_string())),
+                _ => {}
+            }
         }
         if !kept.is_empty() {
             text.push_str("\n(** All of them, for a look at what they rest on. *)\n");
@@ -100,6 +115,22 @@ impl File {
             text.push_str("Print Assumptions all_claims.\n");
         }
         text
+    }
+
+    /// The theorems that the file has without the lemmas of these names: those of the others that
+    /// need none of them.
+    #[must_use]
+    pub fn theorems(&self, without: &[&str]) -> BTreeSet<&str> {
+        let mut all = BTreeSet::new();
+        for lemma in &self.lemmas {
+            let there = lemma.name.as_ref().is_ok_and(|n| !without.contains(&n.as_str()));
+            if let (true, Some(Ok(theorem))) = (there, &lemma.theorem)
+                && theorem.needs.iter().all(|n| all.contains(n.as_str()))
+            {
+                all.insert(theorem.name.as_str());
+            }
+        }
+        all
     }
 
     /// The lemma to which a line of [`Self::without`] belongs.
@@ -119,6 +150,7 @@ pub fn coq(report: &Report<'_>) -> File {
     let document = &report.audit.document;
     let title = comment(document.title.as_deref().unwrap_or(&document.name));
     let (mut lemmas, mut names) = (Vec::new(), BTreeSet::new());
+    let mut theorems = Theorems::new();
     for &statement in &report.shown {
         let said = &document.statements[statement];
         let links = &report.audit.judgements[statement].links;
@@ -136,16 +168,25 @@ pub fn coq(report: &Report<'_>) -> File {
             let emitted = lemma::lemma(&name, accepted);
             let mut part = Part::Points;
             match &emitted {
-                Ok((lemma, needs)) => {
-                    text.push_str(lemma);
-                    part = *needs;
+                Ok(lemma) => {
+                    text.push_str(&lemma.text);
+                    part = lemma.part;
                 }
                 Err(why) => {
                     let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
                 }
             }
+            let follows = concludes(&accepted.certificate);
+            let theorem = emitted.as_ref().ok().filter(|_| follows).map(|lemma| {
+                let rests_on = &report.audit.judgements[statement].rests_on;
+                let form = lemma.form.as_ref().ok_or(Unchained::Limits)?;
+                Place { document, statement, rests_on, accepted, form }.theorem(&name, &theorems)
+            });
+            if let Some(Ok(theorem)) = &theorem {
+                theorems.insert((statement, link), theorem.clone());
+            }
             let name = emitted.map(|_| format!("claim_{name}"));
-            lemmas.push(Lemma { statement, link, name, text, part });
+            lemmas.push(Lemma { statement, link, name, text, theorem, part });
         }
     }
     File { title, lemmas }

@@ -49,6 +49,33 @@ impl<'a> Symbols<'a> {
         let context = scope.context;
         let also = also.filter(|v| !scope.mentioned.contains(v));
         let order: Vec<usize> = scope.mentioned.iter().copied().chain(also).collect();
+        let mut roots = Vec::new();
+        for v in context.vars.len()..scope.germ() {
+            let root = scope.root(v).ok_or(NotEmitted::Symbol)?;
+            roots.push((v, expand(context, root, MAX_DEPTH)?));
+        }
+        Ok(Self::named(context, order, roots, offset))
+    }
+
+    /// Some symbols, roots and derivatives of a document.
+    pub(super) fn of(
+        context: &'a Context,
+        symbols: impl IntoIterator<Item = usize>,
+        roots: Vec<Expr>,
+        slopes: Vec<Slope>,
+    ) -> Self {
+        let roots = (context.vars.len()..).zip(roots).collect();
+        let all = Self::named(context, symbols.into_iter().collect(), roots, 0);
+        Self { slopes: Some(slopes.into()), ..all }
+    }
+
+    fn named(
+        context: &'a Context,
+        order: Vec<usize>,
+        mut roots: Vec<(usize, Expr)>,
+        offset: usize,
+    ) -> Self {
+        let germ = context.vars.len() + roots.len();
         let mut names = BTreeMap::new();
         for &v in &order {
             let mut name = identifier(&context.vars[v].name);
@@ -57,22 +84,18 @@ impl<'a> Symbols<'a> {
             }
             names.insert(v, name);
         }
-        let mut roots = Vec::new();
-        for v in context.vars.len()..scope.germ() {
+        for (v, _) in &roots {
             let mut name = "root".to_owned();
             while names.values().any(|n: &String| *n == name) {
                 name.push('\'');
             }
-            names.insert(v, name);
-            let root = scope.root(v).ok_or(NotEmitted::Symbol)?;
-            roots.push((v, expand(context, root, MAX_DEPTH)?));
+            names.insert(*v, name);
         }
         // A root inside another one is a part of it.
         roots.sort_by_key(|(_, e)| size(e));
         let listed = order.iter().copied().chain(roots.iter().map(|r| r.0));
         let positions = listed.enumerate().map(|(i, v)| (v, i)).collect();
-        let (slopes, germ) = (None, scope.germ());
-        Ok(Self { context, order, roots, offset, slopes, names, positions, germ })
+        Self { context, order, roots, offset, slopes: None, names, positions, germ }
     }
 
     /// The name of a symbol.
@@ -426,8 +449,8 @@ const KEPT: [&str; 71] = [
 ];
 
 /// What the names of a file's own definitions begin with.
-pub(super) const OWN: [&str; 7] =
-    ["goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
+pub(super) const OWN: [&str; 8] =
+    ["theorem_", "goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
 
 /// A name as Coq takes it, and as nothing else in the file is called.
 pub(super) fn identifier(name: &str) -> String {

@@ -1,7 +1,7 @@
 //! Derivatives in lemmas: numbers, with what is known of each. Where an expression is
 //! differentiable, the number is its derivative.
 
-use kane_kernel::{Expr, Relation};
+use kane_kernel::{Expr, Relation, Scope};
 use num_traits::Zero;
 
 use super::NotEmitted;
@@ -72,6 +72,30 @@ fn plain(e: &Expr) -> Result<(), NotEmitted> {
         Expr::Let(_) => Err(NotEmitted::Symbol),
         other => other.children().into_iter().try_for_each(plain),
     }
+}
+
+/// Whether both sides of each guard that is read near a point either do not mention the variable, or
+/// visibly differ by something that does. A difference in which the variable cancels is not followed.
+pub(super) fn settled(scope: &Scope<'_>, slopes: &[Slope]) -> Result<(), NotEmitted> {
+    slopes.iter().try_for_each(|s| guards_settled(scope, &s.f, s.x))
+}
+
+fn guards_settled(scope: &Scope<'_>, e: &Expr, x: usize) -> Result<(), NotEmitted> {
+    if let Expr::Cases(branches, _) = e {
+        for g in branches.iter().flat_map(|b| &b.0) {
+            let varies = mentions(&g.lhs, x) || mentions(&g.rhs, x);
+            let (left, right) = (scope.pieces(&g.lhs)?, scope.pieces(&g.rhs)?);
+            for (a, b) in left.iter().flat_map(|a| right.iter().map(move |b| (a, b))) {
+                if let (true, Some(a), Some(b)) = (varies, &a.value, &b.value) {
+                    let gap = a.add(&b.neg(), &scope.fuel)?;
+                    if gap.num.degree(x) == 0 && gap.den.degree(x) == 0 {
+                        return Err(NotEmitted::Step("a guard in which the variable cancels"));
+                    }
+                }
+            }
+        }
+    }
+    e.children().into_iter().try_for_each(|part| guards_settled(scope, part, x))
 }
 
 /// Whether an expression mentions a symbol.

@@ -81,18 +81,20 @@ Qed.
 Lemma nothing_holds e : some_case e nothing.
 Proof. exists []. split; [left; trivial|constructor]. Qed.
 
-Record supposed (g : family) (l : R -> list R) : Prop := Supposed {
+Record supposed (g : family) (D : list (R -> Prop)) (used : list side) (l : R -> list R) : Prop := Supposed {
   constants_hold : forall p, Forall (fun P : Prop => P) (constantly g l p);
-  functions_hold : Forall (fun P : Prop => P) (functionally g l);
+  domain_near : forall s, In s used -> small (fun t => Forall (fun d : R -> Prop => d (germ_point s t)) D);
+  functions_hold : Forall (fun P : Prop => P) (functionally g D true l);
   variable_read : forall p, nth (variable g) (l p) 0 = p;
   constants_fixed : forall p q i, In i (fixed g) -> nth i (l p) 0 = nth i (l q) 0
 }.
-Definition in_domain (g : family) (l : R -> list R) (p : R) : Prop := Forall (fun P : Prop => P) (domain g l p).
+Definition in_domain (g : family) (D : list (R -> Prop)) (l : R -> list R) (p : R) : Prop :=
+  Forall (fun P : Prop => P) (domain g D l p).
 
 Section Sound.
-Variables (g : family) (used : list side) (l : R -> list R).
+Variables (g : family) (Ds : list (R -> Prop)) (used : list side) (l : R -> list R).
 Hypothesis W : well_formed g used = true.
-Hypothesis H : supposed g l.
+Hypothesis H : supposed g Ds used l.
 Let off := offset g.
 
 Lemma wf : forallb simple (all_ranges g) = true /\
@@ -102,7 +104,8 @@ Lemma wf : forallb simple (all_ranges g) = true /\
   (forall p, Forall (rooted_sentence (l p)) (premises (body g))) /\
   (forall p, rooted_all (l p) (conditions (body g))) /\
   (forall p, rooted_conclusion (l p) (claim (body g))) /\
-  (forall ss f v, In (Some (ss, f, v)) (premised g) -> rootless f = true /\ rootless v = true).
+  (forall ss f v, In (Some (ss, f, v)) (premised g) -> rootless f = true /\ rootless v = true) /\
+  (forall p h, In h (parts g) -> rooted_sentence (l p) h).
 Proof.
   unfold well_formed in W. split_bools.
   match goal with G : rootless_goal _ = true |- _ => pose proof (fun p => rootless_rooted_goal (l p) _ G) as RG end.
@@ -114,6 +117,10 @@ Proof.
     split_bools; trivial.
   - match goal with G : forallb _ (premised g) = true, I0 : In _ (premised g) |- _ => rewrite forallb_forall in G; apply G in I0 end.
     split_bools; trivial.
+  - match goal with G : forallb rootless_sentence (parts g) = true, I0 : In _ (parts g) |- _ =>
+      rewrite forallb_forall in G; apply (rootless_rooted_sentence (l p) _ (G _ I0)) end.
+  - match goal with G : forallb rootless_sentence (parts g) = true, I0 : In _ (parts g) |- _ =>
+      rewrite forallb_forall in G; apply (rootless_rooted_sentence (l p) _ (G _ I0)) end.
 Qed.
 
 Lemma roled_premise q : In q (roled g) -> In (snd q) (premises (body g)).
@@ -144,13 +151,15 @@ Proof.
 Qed.
 Lemma constantly_parts p :
   Forall (says (l p)) (constant_ranges g) /\ Forall (says_all (l p)) (with_role Everywhere g) /\
+  Forall (says_all (l p)) (spoken_parts g) /\
   (always_when g = true -> conj (flat (l p) (conditions (body g)))) /\
   (forall ss f v, In (Some (ss, f, v)) (premised g) -> conj (tends l (l p) f (Finite v) ss)).
 Proof.
-  pose proof (constants_hold g l H p) as C. unfold constantly in C.
-  apply Forall_app in C as [C1 C]. apply Forall_app in C as [C2 C]. apply Forall_app in C as [C3 C4].
-  apply (proj1 (Forall_props _ _)) in C1. apply (proj1 (Forall_props _ _)) in C2.
-  split; [trivial|split; [trivial|split]].
+  pose proof (constants_hold g Ds used l H p) as C. unfold constantly in C.
+  apply Forall_app in C as [C1 C]. apply Forall_app in C as [C2 C]. apply Forall_app in C as [C5 C].
+  apply Forall_app in C as [C3 C4].
+  apply (proj1 (Forall_props _ _)) in C1. apply (proj1 (Forall_props _ _)) in C2. apply (proj1 (Forall_props _ _)) in C5.
+  split; [trivial|split; [trivial|split; [trivial|split]]].
   - intro A0. rewrite A0 in C3. destruct (conditions (body g)); [simpl; trivial|]. inversion C3; trivial.
   - intros ss f v I0. apply (proj1 (Forall_flat_map _ _ _)) in C4. rewrite Forall_forall in C4.
     specialize (C4 _ I0). simpl in C4. inversion C4; trivial.
@@ -160,15 +169,20 @@ Proof.
   intro I0. apply (role_holds Everywhere); trivial; [|apply silent].
   intros k K. destruct (constantly_parts p) as [_ [E _]]. rewrite Forall_forall in E. auto.
 Qed.
-Lemma along_holds p h : in_domain g l p -> In h (premises (body g)) -> says_all (l p) h.
+Lemma part_holds p h : In h (parts g) -> says_all (l p) h.
 Proof.
-  intros D I0. destruct (premise_roled h I0) as [[| |] J].
-  - apply everywhere_holds; trivial.
-  - apply (role_holds Narrows); trivial; [|apply silent]. intros k K. unfold in_domain, domain in D.
-    apply Forall_app in D as [_ D]. apply (proj1 (Forall_props _ _)) in D. rewrite Forall_forall in D. auto.
-  - apply (role_holds Along); trivial; [|apply silent]. intros k K.
-    pose proof (functions_hold g l H) as F. unfold functionally in F. apply Forall_app in F as [_ F].
-    rewrite Forall_map, Forall_forall in F. specialize (F k K p). rewrite imply_all in F. auto.
+  intro I0. destruct (speaks h) eqn:S; [|apply silent; trivial].
+  destruct (constantly_parts p) as [_ [_ [E _]]]. rewrite Forall_forall in E. apply E, filter_In. auto.
+Qed.
+Lemma along_holds p h : in_domain g Ds l p -> In h (premises (body g)) -> says_all (l p) h.
+Proof.
+  intros I1 I0. assert (M : In h (moving true g) -> says_all (l p) h).
+  { intro K. pose proof (functions_hold g Ds used l H) as F. unfold functionally in F. apply Forall_app in F as [_ F].
+    rewrite Forall_map, Forall_forall in F. specialize (F h K p). rewrite imply_all in F. auto. }
+  destruct (speaks h) eqn:S; [|apply silent; trivial].
+  destruct (premise_roled h I0) as [r J]. destruct r; [apply everywhere_holds; trivial| |];
+    apply M; unfold moving; apply in_map_iff; eexists; (split; [|apply filter_In; split; [exact J|]]); trivial;
+    cbn [fst snd]; rewrite S; trivial.
 Qed.
 Lemma ranges_there p : Forall (says (l p)) (variable_ranges g) -> Forall (says (l p)) (all_ranges g).
 Proof.
@@ -178,7 +192,7 @@ Proof.
   { apply C. apply filter_In. auto. }
   destruct (Nat.eqb (subject r) (variable g)) eqn:E2.
   { apply V. apply filter_In. rewrite E1, E2. auto. }
-  pose proof (functions_hold g l H) as F. unfold functionally in F. apply Forall_app in F as [F _].
+  pose proof (functions_hold g Ds used l H) as F. unfold functionally in F. apply Forall_app in F as [F _].
   assert (J : In r (function_ranges g)) by (apply filter_In; rewrite E1, E2; auto).
   destruct (function_ranges g) as [|r0 rs]; [destruct J|]. apply Forall_inv in F. specialize (F p).
   rewrite imply_all in F. rewrite conj_all in F.
@@ -195,7 +209,7 @@ Proof.
   destruct a; try discriminate. destruct b as [m k| | | | | | | | | | | | | |]; try discriminate.
   intros _ C V. subst i. cbn [ev].
   assert (G : small (fun t => related c (germ_point s t) (num m k))).
-  2: { apply (small_weaken _ _ G). intros t _. rewrite (variable_read g l H). trivial. }
+  2: { apply (small_weaken _ _ G). intros t _. rewrite (variable_read g Ds used l H). trivial. }
   unfold germ_point. destruct s as [[[n d]|] [|]]; cbn [point above] in *.
   - assert (Le_ : (m * Zpos d <= n * Zpos k)%Z -> num m k <= num n d).
     { intro L. apply IZR_le in L. rewrite !mult_IZR in L. pose proof (num_eq m k). pose proof (num_eq n d).
@@ -236,12 +250,14 @@ Proof.
 Qed.
 Lemma free_formulas_hold e p ls : agrees off e (l p) -> some_cases e ls -> some_cases e (free_formulas g ls).
 Proof.
-  intros AG Z. destruct wf as [_ [_ [_ [_ [RP [RC _]]]]]]. destruct (constantly_parts p) as [_ [_ [CW _]]].
+  intros AG Z. destruct wf as [_ [_ [_ [_ [RP [RC [_ [_ PT]]]]]]]]. destruct (constantly_parts p) as [_ [_ [_ [CW _]]]].
   unfold some_cases, free_formulas. apply Forall_app; split; [|apply Forall_app; split; trivial].
-  - apply Forall_map, Forall_forall. intros [r h] I0. cbn [fst snd].
-    destruct (is_role Everywhere r) eqn:E; [|apply nothing_holds]. destruct r; try discriminate.
-    apply (holds_spec (offset g) e (l p) h AG); [|apply everywhere_holds; trivial].
-    specialize (RP p). rewrite Forall_forall in RP. apply RP. apply (roled_premise (Everywhere, h)); trivial.
+  - apply Forall_map, Forall_forall. intros [[r h] k] I0. cbn [fst snd].
+    pose proof (in_combine_l _ _ _ _ I0) as I1. pose proof (in_combine_r _ _ _ _ I0) as I2.
+    destruct (is_role Everywhere r) eqn:E.
+    + destruct r; try discriminate. apply (holds_spec (offset g) e (l p) h AG); [|apply everywhere_holds; trivial].
+      specialize (RP p). rewrite Forall_forall in RP. apply RP. apply (roled_premise (Everywhere, h)); trivial.
+    + apply (holds_spec (offset g) e (l p) k AG); [apply PT|apply part_holds]; trivial.
   - apply Forall_cons; [|apply Forall_nil]. destruct (always_when g); [|apply nothing_holds].
     apply (where_all_spec (offset g) e (l p)); auto.
 Qed.
@@ -249,7 +265,7 @@ Lemma values_hold e p : agrees off e (l p) ->
   (forall j ss f v, nth_error (premised g) j = Some (Some (ss, f, v)) -> e (S j) = ev (l p) v) ->
   some_cases e (mapi (value_cases (offset g)) 0 (premised g)).
 Proof.
-  intros AG Z. destruct wf as [_ [_ [_ [_ [_ [_ [_ RL]]]]]]]. destruct (constantly_parts p) as [_ [_ [_ CT]]].
+  intros AG Z. destruct wf as [_ [_ [_ [_ [_ [_ [_ [RL _]]]]]]]]. destruct (constantly_parts p) as [_ [_ [_ [_ CT]]]].
   apply mapi_nth. intros j [[[ss f] v]|] E; [|apply nothing_holds]. cbn [value_cases Nat.add].
   pose proof (nth_error_In _ _ E) as I0. destruct (RL _ _ _ I0) as [_ Rv].
   apply equals_holds with (l p); trivial.
@@ -273,7 +289,7 @@ Qed.
 Lemma premised_near s ss f v p : In (Some (ss, f, v)) (premised g) -> has_side s ss = true ->
   reaches l (l p) f (Finite v) s.
 Proof.
-  intros I0 S. destruct (constantly_parts p) as [_ [_ [_ CT]]]. specialize (CT _ _ _ I0). unfold tends in CT.
+  intros I0 S. destruct (constantly_parts p) as [_ [_ [_ [_ CT]]]]. specialize (CT _ _ _ I0). unfold tends in CT.
   apply conj_app in CT as [_ CT]. rewrite conj_all, Forall_map, Forall_forall in CT. apply CT.
   apply has_side_in; trivial.
 Qed.
@@ -298,23 +314,6 @@ Proof.
     rewrite ?opp_IZR; try (pose proof (num_eq n d)); try nra; field; lra.
 Qed.
 
-Lemma narrows_rooted h p : In h (with_role Narrows g) -> rooted_sentence (l p) h.
-Proof.
-  intro I0. unfold with_role in I0. apply in_map_iff in I0 as [q [<- I0]]. apply filter_In in I0 as [I0 _].
-  destruct wf as [_ [_ [_ [_ [RP _]]]]]. specialize (RP p). rewrite Forall_forall in RP. apply RP, roled_premise; trivial.
-Qed.
-Lemma narrowed e x : agrees (offset g) e (l x) ->
-  Forall (says_all (l x)) (with_role Narrows g) \/ exists h, In h (with_role Narrows g) /\ ~ says_all (l x) h.
-Proof.
-  intro AG. assert (R0 : forall h, In h (with_role Narrows g) -> rooted_sentence (l x) h)
-    by (intros; apply narrows_rooted; trivial).
-  revert R0. induction (with_role Narrows g) as [|h hs IH]; intro R0; [left; constructor|].
-  destruct (says_all_dec (l x) h e (offset g) AG (R0 h (or_introl eq_refl))) as [Y|N].
-  - destruct IH as [F|[k [I0 N]]]; [intros k I0; apply R0; right; trivial|left; constructor; trivial|].
-    right. exists k. split; [right; trivial|trivial].
-  - right. exists h. split; [left; trivial|trivial].
-Qed.
-
 Lemma no_zero s : existsb (Nat.eqb 0) (constants (passing_of g used) ++ known_limits g s) = false.
 Proof.
   cbn [constants passing_of]. destruct (existsb (Nat.eqb 0) _) eqn:E; trivial. exfalso.
@@ -326,17 +325,18 @@ Qed.
 Lemma germ_there p s : In s used -> exists d,
   germ (passing_of g used) (at_point g (l p)) s (known_limits g s) (germ_formulas g s) d (on_germ g l s).
 Proof.
-  intro Is. destruct wf as [Si [Sd [_ [RR [RP [RC [_ RL]]]]]]].
-  pose proof (side_within_small s Is) as S1.
+  intro Is. destruct wf as [Si [Sd [_ [RR [RP [RC [_ [RL _]]]]]]]].
+  pose proof (small_and _ _ (side_within_small s Is) (domain_near g Ds used l H s Is)) as S1.
   assert (S2 : small (fun t => forall q, In q (premised g) -> match q with
     | Some (ss, f, v) => has_side s ss = true -> total (l (germ_point s t)) f | None => True end)).
   { apply small_all. intros [[[ss f] v]|] I1; [|exists 1; split; [lra|trivial]].
     destruct (has_side s ss) eqn:Hs.
     - destruct (premised_germ s ss f v p I1 Hs) as [S _]. apply (small_weaken _ _ S). auto.
     - exists 1. split; [lra|]. discriminate. }
-  destruct (small_and _ _ S1 S2) as [d [D F]].
+  destruct (small_and _ _ S1 S2) as [d H1].
+  destruct H1 as [Dp F].
   exists d. split; [trivial|split].
-  - intros t T. destruct (F t T) as [F1 F2]. pose proof (agrees_germ g l s t) as AG.
+  - intros t T. destruct (F t T) as [[F1 F0] F2]. pose proof (agrees_germ g l s t) as AG.
     set (e := on_germ g l s t) in *. set (x := germ_point s t) in *.
     assert (CF : some_cases e (mapi (function_cases (offset g) s) 0 (premised g))).
     { apply mapi_nth. intros j [[[ss f] v]|] E; [|apply nothing_holds]. cbn [function_cases Nat.add].
@@ -353,25 +353,15 @@ Proof.
       on_side (passing_of g used) (at_point g (l p)) s t e).
     { intros e1 E0 A1. split; [trivial|split; [|split]].
       - apply ranges_hold with (l x); [exact A1|apply RR|exact Si|apply ranges_there; trivial].
-      - apply binding_holds with t; [lra|trivial|]. rewrite A1. apply (variable_read g l H).
+      - apply binding_holds with t; [lra|trivial|]. rewrite A1. apply (variable_read g Ds used l H).
       - intros k K. apply in_map_iff in K as [i [<- Ii]]. rewrite A1, (agrees_point g (l p) i).
-        apply (constants_fixed g l H); trivial. }
+        apply (constants_fixed g Ds used l H); trivial. }
     split; [apply OS; trivial|].
-    + destruct (narrowed e x AG) as [N|[h [I1 N]]].
-      * right. assert (ID : in_domain g l x).
-        { unfold in_domain, domain. apply Forall_app; split; apply (proj2 (Forall_props _ _)); trivial. }
-        unfold germ_formulas. apply Forall_app; split; [|apply Forall_app; split; trivial].
-        apply formulas_hold with (l x); [exact AG|apply RP|]. apply Forall_forall. intros h I1.
-        apply filter_In in I1 as [I1 _]. apply along_holds; trivial.
-      * left. set (e' := values (t :: limit_values g (l x) ++ l x)).
-        assert (A1 : agrees (offset g) e' (l x)) by (apply agrees_after; unfold limit_values; apply map_length).
-        exists e'. split; [apply OS; trivial|]. apply Forall_app; split.
-        -- apply free_formulas_hold with x; trivial. apply values_hold with x; trivial.
-           intros j ss f v E. unfold e', limit_values. rewrite (value_read _ _ _ _ _ _ E). trivial.
-        -- apply Forall_cons; [|apply Forall_nil].
-           assert (C : some_case e' (where_holds (offset g) h false)).
-           { apply (fails_spec (offset g) e' (l x)); trivial. apply narrows_rooted; trivial. }
-           destruct C as [a [Ia Ha]]. exists a; split; trivial. apply in_flat_map. exists h; auto.
+    + right. assert (ID : in_domain g Ds l x).
+      { unfold in_domain, domain. apply Forall_app; split; apply (proj2 (Forall_props _ _)); trivial. }
+      unfold germ_formulas. apply Forall_app; split; [|apply Forall_app; split; trivial].
+      apply formulas_hold with (l x); [exact AG|apply RP|]. apply Forall_forall. intros h I1.
+      apply filter_In in I1 as [I1 _]. apply along_holds; trivial.
   - intros k K. apply known_limit_in in K as [j [ss [f [v [-> [E Hs]]]]]].
     pose proof (nth_error_In _ _ E) as I1. destruct (premised_germ s ss f v p I1 Hs) as [_ G].
     assert (E1 : at_point g (l p) (S j) = ev (l p) v).

@@ -131,11 +131,13 @@ Qed.
 Definition proves (g : goal) (p : proof) : bool := accepted g p && rootless_goal g.
 Theorem proved g p l : proves g p = true -> states g l.
 Proof. unfold proves. intro H. split_bools. apply proved_rooted with p; trivial. apply rootless_rooted_goal; trivial. Qed.
-Ltac has_roots := unfold rooted_goal, rooted_all, rooted_sentence, rooted_conclusion, rooted_rel; simpl;
+(** The last part of a conjunction. *)
+Ltac ends H := first [exact H | ends constr:(proj2 H)].
+Ltac has_roots :=
+  cbv beta iota zeta delta [rooted_goal rooted_all rooted_sentence rooted_conclusion rooted_rel rooted
+    ranges premises conditions claim when links lhs rhs];
   repeat match goal with
   | |- _ /\ _ => split | |- True => exact I | |- Forall _ [] => apply Forall_nil
-  | |- Forall _ (_ :: _) => apply Forall_cons | |- _ -> _ => assumption
-  | |- (_ < _)%nat => apply Nat.ltb_lt; reflexivity
-  | |- rooted _ _ => progress cbn [lhs rhs rooted]
+  | |- Forall _ (_ :: _) => apply Forall_cons | |- (_ < _)%nat => apply Nat.ltb_lt; reflexivity
   | H : _ |- _ => exact H
   end.

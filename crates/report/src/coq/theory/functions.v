@@ -114,19 +114,24 @@ Qed.
 
 (** Expressions for all symbols, the limit variable being variable 0, and the proofs that they meet
     the premises: for each symbol, that it is defined and in its range; for each premise; for each
-    premised limit. The flag says whether the declared range of the limit variable is used. *)
+    premised limit. The flag says whether the declared range of the limit variable is used. Premises
+    that say something of the limit variable alone narrow the domain; that it reaches up to the limits
+    is proved. *)
+Record within := Within { within_num : poly; within_den : poly; within_positive : proof; within_inside : list proof }.
 Record functions := Functions {
   exprs : list expr;
   range_proofs : list (bool * proof);
   premise_proofs : list (bool * proof);
-  limit_proofs : list (list (side * side_proof))
+  limit_proofs : list (list (side * side_proof));
+  narrowing : list sentence;
+  reaching : list (side * within)
 }.
 (** That a symbol is defined and in its declared range. *)
 Definition range_of (g : family) (i : nat) : sentence :=
   Says true [] (Rel (Var i) Eq (Var i) :: filter (fun r => Nat.eqb (subject r) i) (all_ranges g)).
 (** What bounds the domain, in the limit variable alone; and a claim at a point of it. *)
 Definition domain_ranges (g : family) (F : functions) := map (subst_rel (exprs F)) (variable_ranges g).
-Definition domain_premises (g : family) (F : functions) := map (subst_says (exprs F)) (with_role Narrows g).
+Definition domain_premises (g : family) (F : functions) := map (subst_says (exprs F)) (narrowing F).
 Definition at_point_of (g : family) (F : functions) (ranged : bool) (cs : list relation) (c : conclusion) : goal :=
   Goal (if ranged then domain_ranges g F else []) (domain_premises g F) cs c.
 Definition on_domain (g : family) (F : functions) (h : sentence) (q : bool * proof) : bool :=
@@ -134,7 +139,14 @@ Definition on_domain (g : family) (F : functions) (h : sentence) (q : bool * pro
 (** A goal along the limit variable in which no other symbol is left. *)
 Definition family_of (g : family) (F : functions) : family :=
   Family (Goal [] (domain_premises g F) [] Falsehood) (domain_ranges g F) 0 []
-    (map (fun _ => Narrows) (domain_premises g F)) true [].
+    (map (fun _ => Narrows) (domain_premises g F)) (map (fun _ => Says true [] []) (domain_premises g F)) true [].
+Definition narrowed_sets (F : functions) (l : R -> list R) : list (R -> Prop) :=
+  map (fun h p => says_all (l p) h) (narrowing F).
+(** The values of the limit variable that premises allow. *)
+Definition narrowed_to (F : functions) : setting := Setting (narrowed_sets F (along (exprs F))) [] false.
+(** The limit variable in its range, and nothing else. *)
+Definition alone (g : family) (F : functions) : family :=
+  Family (Goal [] [] [] Falsehood) (domain_ranges g F) 0 [] [] [] true [].
 
 Definition is_nil {X} (l : list X) : bool := match l with [] => true | _ => false end.
 Fixpoint all2 {X Y} (f : X -> Y -> bool) (l : list X) (m : list Y) : bool :=
@@ -151,12 +163,21 @@ Definition premised_shown (g : family) (F : functions) (used : list side) (q : p
 Definition premise_shown (g : family) (F : functions) (q : role * sentence) (c : bool * proof) : bool :=
   only_says (fun _ => true) (snd q) &&
   match fst q with
-  | Narrows => only_says (fun i => mem i (fixed g) || Nat.eqb i (variable g)) (snd q)
+  | Narrows => true
   | Everywhere =>
       only_says (fun i => mem i (fixed g)) (snd q) &&
       (negb (speaks (snd q)) || plainly (subst_says (exprs F) (snd q)))
   | Along => negb (speaks (snd q)) || on_domain g F (snd q) c
   end.
+Definition within_shown (g : family) (F : functions) (used : list side) (s : side) (w : within) : bool :=
+  let a := alone g F in
+  let pc := passing_of a used in
+  let free := map (fun _ => nothing) (domain_premises g F) ++ [nothing] in
+  mentions_only (constants pc) (within_num w) && mentions_only (constants pc) (within_den w) &&
+  refute None depth (free ++ [[[anot (A (within_num w) SP)]; [anot (A (within_den w) SP)]]]) [] (within_positive w) &&
+  all2 (fun h p => refute None depth (free ++ [where_holds (offset a) h false])
+      (germ_atoms pc s (within_num w) (within_den w) []) p)
+    (domain_premises g F) (within_inside w).
 (** The functions meet the premises: those about constants by arithmetic, those about functions on the
     whole domain. Declared ranges of functions hold beyond a domain that premises narrow, so there may
     not be both. *)
@@ -169,7 +190,11 @@ Definition meets (g : family) (F : functions) (used : list side) : bool :=
   forallb (fun i => plainly (subst_says es (range_of g i))) (fixed g) &&
   forallb simple (all_ranges g) &&
   forallb (fun r => Nat.ltb (subject r) (length es)) (all_ranges g) &&
-  (is_nil (function_ranges g) || is_nil (with_role Narrows g)) &&
+  (is_nil (function_ranges g) || is_nil (narrowing F)) &&
+  forallb (fun h => only_says (fun i => mem i (fixed g) || Nat.eqb i (variable g)) h) (narrowing F) &&
+  forallb (fun h => only_says (fun i => mem i (fixed g)) h && plainly (subst_says es h)) (spoken_parts g) &&
+  forallb rootless_sentence (domain_premises g F) && well_formed (alone g F) used &&
+  forallb (fun s => existsb (fun q => seqb_side s (fst q) && within_shown g F used s (snd q)) (reaching F)) used &&
   all2 (premise_shown g F) (roled g) (premise_proofs F) &&
   (negb (always_when g) || is_nil (conditions (body g)) ||
     (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) &&

@@ -26,7 +26,7 @@ Lemma met : nth (variable g) es Undefined = Var 0 /\
   (forall i, In i (fixed g) -> plainly (subst_says es (range_of g i)) = true) /\
   forallb simple (all_ranges g) = true /\
   (forall r, In r (all_ranges g) -> (subject r < length es)%nat) /\
-  (function_ranges g = [] \/ with_role Narrows g = []) /\
+  (function_ranges g = [] \/ narrowing F = []) /\
   all2 (premise_shown g F) (roled g) (premise_proofs F) = true /\
   (always_when g = true -> conditions (body g) = [] \/
     (forallb (only_rel (fun i => mem i (fixed g))) (conditions (body g)) = true /\
@@ -46,6 +46,20 @@ Proof.
     + right. split_bools; auto.
 Qed.
 
+Lemma met_domain :
+  (forall h, In h (narrowing F) -> only_says (fun i => mem i (fixed g) || Nat.eqb i (variable g)) h = true) /\
+  (forall h, In h (spoken_parts g) -> only_says (fun i => mem i (fixed g)) h = true /\ plainly (subst_says es h) = true) /\
+  (forall h, In h (domain_premises g F) -> rootless_sentence h = true) /\
+  well_formed (alone g F) used = true /\
+  (forall s, In s used -> exists w, within_shown g F used s w = true).
+Proof.
+  unfold meets in M. fold es in M. cbv zeta in M. split_bools.
+  repeat match goal with G : forallb _ _ = true |- _ => rewrite forallb_forall in G end.
+  repeat match goal with |- _ /\ _ => split end; trivial.
+  - intros h I0. match goal with G : forall x, In x (spoken_parts g) -> _ |- _ => specialize (G h I0) end. split_bools. auto.
+  - intros s I0. match goal with G : forall x, In x used -> _ |- _ => specialize (G s I0) as E0 end.
+    apply existsb_exists in E0 as [[s' w] [_ E0]]. split_bools. exists w. trivial.
+Qed.
 Lemma variable_place : nth (variable g) es (Num 0 1) = Var 0.
 Proof.
   destruct met as [V _]. rewrite <- V. apply nth_indep.
@@ -88,23 +102,23 @@ Proof.
   cbn [fst snd] in *. apply andb_true_iff in C as [C S]. split; trivial.
   apply roled_shown. destruct q, r; try discriminate; trivial.
 Qed.
-Lemma narrow_says h p : In h (with_role Narrows g) -> (says_all [p] (subst_says es h) <-> says_all (l p) h).
+Lemma narrow_says h p : In h (narrowing F) -> (says_all [p] (subst_says es h) <-> says_all (l p) h).
 Proof.
-  intro I0. destruct (with_role_shown _ _ I0) as [_ [c C]]. unfold premise_shown in C. cbn [fst snd] in C. split_bools.
-  match goal with G : only_says (fun i => _ || _) h = true |- _ => apply (subst_sentence es p _ (narrow_total p) h G) end.
+  intro I0. destruct met_domain as [N _]. apply (subst_sentence es p _ (narrow_total p) h (N h I0)).
 Qed.
-Lemma domain_there p : in_domain g l p <->
+Lemma domain_there p : in_domain g (narrowed_sets F l) l p <->
   Forall (says [p]) (domain_ranges g F) /\ Forall (says_all [p]) (domain_premises g F).
 Proof.
-  unfold in_domain, domain, domain_ranges, domain_premises. fold es. rewrite Forall_app, !Forall_props, !Forall_map.
+  unfold in_domain, domain, domain_ranges, domain_premises, narrowed_sets. fold es.
+  rewrite map_map, Forall_app, !Forall_props, !Forall_map.
   assert (A0 : Forall (says (l p)) (variable_ranges g) <-> Forall (fun r => says [p] (subst_rel es r)) (variable_ranges g)).
   { rewrite !Forall_forall. split; intros H r I0; pose proof I0 as J; apply filter_In in J as [J _];
       apply (subst_related es p (fun _ => true) r (range_only r J)); auto. }
-  assert (A1 : Forall (says_all (l p)) (with_role Narrows g) <-> Forall (fun h => says_all [p] (subst_says es h)) (with_role Narrows g)).
+  assert (A1 : Forall (fun h => says_all (l p) h) (narrowing F) <-> Forall (fun h => says_all [p] (subst_says es h)) (narrowing F)).
   { rewrite !Forall_forall. split; intros H h I0; apply narrow_says; auto. }
   tauto.
 Qed.
-Lemma shown_on_domain h c p : on_domain g F h c = true -> in_domain g l p -> says_all [p] (subst_says es h).
+Lemma shown_on_domain h c p : on_domain g F h c = true -> in_domain g (narrowed_sets F l) l p -> says_all [p] (subst_says es h).
 Proof.
   unfold on_domain. intros C D. apply domain_there in D as [D1 D2].
   apply proved with (l := [p]) in C. unfold states, at_point_of in C. rewrite imply_all, arrow_imp in C.
@@ -113,7 +127,7 @@ Proof.
   - destruct (fst c); [trivial|constructor].
   - rewrite Forall_forall in *. intros k K. apply filter_In in K as [K _]. auto.
 Qed.
-Lemma range_there i p : in_domain g l p -> (i < length es)%nat -> i <> variable g ->
+Lemma range_there i p : in_domain g (narrowed_sets F l) l p -> (i < length es)%nat -> i <> variable g ->
   conj (flat [p] (links (subst_says es (range_of g i)))).
 Proof.
   intros D L N. destruct met as [_ [Rp _]].
@@ -122,27 +136,83 @@ Proof.
   match goal with G : on_domain _ _ _ _ = true |- _ => pose proof (shown_on_domain _ _ _ G D) as S end.
   unfold says_all in S. rewrite arrow_imp in S. apply S. exact I.
 Qed.
-Lemma domain_total p : in_domain g l p -> forall i : nat, true = true -> total [p] (nth i es (Num 0 1)).
+Lemma domain_total p : in_domain g (narrowed_sets F l) l p -> forall i : nat, true = true -> total [p] (nth i es (Num 0 1)).
 Proof.
   intros D i _. destruct (Nat.lt_ge_cases i (length es)) as [L|G].
   - destruct (Nat.eq_dec i (variable g)) as [->|N]; [rewrite variable_place; exact I|].
     apply (range_flat i p). apply range_there; trivial.
   - rewrite nth_overflow by trivial. exact I.
 Qed.
-Lemma along_there h p : In h (with_role Along g) -> in_domain g l p -> says_all (l p) h.
+Lemma along_there h p : In h (with_role Along g) -> in_domain g (narrowed_sets F l) l p -> says_all (l p) h.
 Proof.
   intros I0 D. destruct (with_role_shown _ _ I0) as [S [c C]]. unfold premise_shown in C. cbn [fst snd] in C. split_bools.
   match goal with G : negb (speaks h) || _ = true |- _ => rewrite S in G; simpl in G; rename G into P end.
   apply (subst_sentence es p (fun _ => true) (domain_total p D)); trivial. apply shown_on_domain with c; trivial.
 Qed.
-Lemma supposed_family : supposed (family_of g F) (fun x => [x]).
+Lemma alone_supposed : supposed (alone g F) [] used (fun x => [x]).
+Proof.
+  destruct met as [_ [_ [_ [_ [_ [_ [_ [_ [_ [_ [R0 _]]]]]]]]]]]. split.
+  - intro p. unfold constantly.
+    assert (K : constant_ranges (alone g F) = []).
+    { unfold constant_ranges. cbn [fixed alone]. induction (all_ranges _); simpl; trivial. }
+    rewrite K. repeat constructor.
+  - intros s _. exists 1. split; [lra|]. intros. constructor.
+  - unfold functionally. change (function_ranges (alone g F)) with (function_ranges (family_of g F)). rewrite R0. constructor.
+  - trivial.
+  - intros p q i [].
+Qed.
+Let own_sets := map (fun h p => says_all [p] h) (domain_premises g F).
+Lemma near_there s : In s used -> small (fun t => Forall (fun d : R -> Prop => d (germ_point s t)) own_sets).
+Proof.
+  intro Is. destruct met_domain as [_ [_ [Rl [Wf Wi]]]]. destruct (Wi s Is) as [w C]. clear Wi.
+  pose proof (germ_there (alone g F) [] used (fun x => [x]) Wf alone_supposed 0 s Is) as [d Ge].
+  unfold within_shown in C. cbv zeta in C. split_bools. set (a := alone g F) in *.
+  set (env := at_point a [0]) in *. set (pc := passing_of a used) in *.
+  match goal with G : refute _ _ _ [] (within_positive w) = true |- _ => rename G into Cp end.
+  match goal with G : all2 _ _ _ = true |- _ => rename G into Ci end.
+  match goal with G : mentions_only _ (within_num w) = true |- _ => rename G into Mn end.
+  match goal with G : mentions_only _ (within_den w) = true |- _ => rename G into Md end.
+  assert (Free : forall e, some_cases e (map (fun _ => nothing) (domain_premises g F) ++ [nothing])).
+  { intro e. apply Forall_app; split; [|apply Forall_cons; [apply nothing_holds|apply Forall_nil]].
+    apply Forall_map, Forall_forall. intros. apply nothing_holds. }
+  assert (PP : 0 < peval env (within_num w) /\ 0 < peval env (within_den w)).
+  { destruct (Rlt_dec 0 (peval env (within_num w))) as [N0|N0];
+      [destruct (Rlt_dec 0 (peval env (within_den w))) as [D0|D0]; [tauto|]|];
+      exfalso; apply (refute_sound None depth _ _ _ env I Cp (Forall_nil _)); apply Forall_app; (split; [apply Free|]);
+      (apply Forall_cons; [|apply Forall_nil]).
+    - exists [anot (A (within_den w) SP)]. split; [right; left; trivial|]. apply Forall_cons; [|apply Forall_nil]. apply anot_holds. exact D0.
+    - exists [anot (A (within_num w) SP)]. split; [left; trivial|]. apply Forall_cons; [|apply Forall_nil]. apply anot_holds. exact N0. }
+  destruct PP as [Pn Pd]. destruct Ge as [Dp [Es _]].
+  exists (Rmin d (peval env (within_num w) / peval env (within_den w))).
+  split; [apply Rmin_glb_lt; trivial; apply Rdiv_lt_0_compat; trivial|]. intros t [T U].
+  pose proof (Rmin_l d (peval env (within_num w) / peval env (within_den w))).
+  pose proof (Rmin_r d (peval env (within_num w) / peval env (within_den w))).
+  destruct (Es t ltac:(lra)) as [OS _].
+  assert (G : all_hold (on_germ a (fun x => [x]) s t) (germ_atoms pc s (within_num w) (within_den w) [])).
+  { apply germ_atoms_hold with env t; trivial; try apply Forall_nil. lra. }
+  pose proof (agrees_germ a (fun x => [x]) s t) as AG. set (e := on_germ a (fun x => [x]) s t) in *.
+  unfold own_sets. apply Forall_map, Forall_forall. intros h I0.
+  destruct (all2_in _ _ _ h Ci I0) as [p [_ Cp']].
+  pose proof (rootless_rooted_sentence [germ_point s t] h (Rl h I0)) as RT.
+  destruct (says_all_dec [germ_point s t] h e (offset a) AG RT) as [|N]; trivial. exfalso.
+  apply (refute_sound None depth _ _ _ e I Cp' G). apply Forall_app; split; [apply Free|].
+  apply Forall_cons; [|apply Forall_nil]. apply (fails_spec (offset a) e _ h AG RT). exact N.
+Qed.
+Lemma supposed_family : supposed (family_of g F) own_sets used (fun x => [x]).
 Proof.
   destruct met as [_ [_ [_ [_ [_ [_ [_ [_ [E0 [A0 [R0 _]]]]]]]]]]]. split.
   - intro p. unfold constantly. rewrite E0. cbn [always_when family_of conditions body premised flat_map map].
     assert (K : constant_ranges (family_of g F) = []).
     { unfold constant_ranges. cbn [fixed family_of]. induction (all_ranges _); simpl; trivial. }
-    rewrite K. constructor.
-  - unfold functionally. rewrite A0, R0. constructor.
+    assert (S0 : spoken_parts (family_of g F) = []).
+    { unfold spoken_parts. cbn [parts family_of]. induction (domain_premises g F); simpl; trivial. }
+    rewrite K, S0. constructor.
+  - exact near_there.
+  - unfold functionally. rewrite R0. apply Forall_map, Forall_forall. intros h I0 x. rewrite imply_all. intro Dx.
+    unfold domain in Dx. apply Forall_app in Dx as [_ Dx]. unfold own_sets in Dx. rewrite map_map in Dx.
+    apply (proj1 (Forall_props _ _)) in Dx. rewrite Forall_forall in Dx. apply Dx.
+    unfold moving in I0. apply in_map_iff in I0 as [q [<- I0]]. apply filter_In in I0 as [I0 _].
+    apply (roled_premise (family_of g F)) in I0. exact I0.
   - trivial.
   - intros p q i [].
 Qed.
@@ -151,7 +221,7 @@ Lemma limit_there f to cs : proves_limit (family_of g F) used f to cs = true -> 
 Proof.
   unfold proves_limit. intros C s c I0. split_bools.
   match goal with G : forallb _ cs = true |- _ => rewrite forallb_forall in G; specialize (G _ I0); cbn [fst snd] in G end.
-  eapply (side_sound (family_of g F) used (fun x => [x])); [eassumption|apply supposed_family|eassumption].
+  eapply (side_sound (family_of g F) own_sets used (fun x => [x])); [eassumption|apply supposed_family|eassumption].
 Qed.
 Lemma reaches_along f v s : only (fun _ => true) f = true -> only (fun _ => true) v = true ->
   reaches (fun x => [x]) [0] (subst es f) (Finite (subst es v)) s -> reaches l (l 0) f (Finite v) s.
@@ -172,10 +242,11 @@ Proof.
     destruct (all2_in _ _ _ s S I0) as [[s' c] [J Q]]. cbn [fst] in Q. apply seqb_side_eq in Q; subst s'.
     apply reaches_along; trivial. apply (L s c J).
 Qed.
-Lemma all_met : Forall (fun P : Prop => P) (constantly g l 0 ++ functionally g l).
+Lemma all_met : Forall (fun P : Prop => P) (given_all g (narrowed_to F) l).
 Proof.
-  destruct met as [_ [_ [_ [_ [Ln [Fr [_ [Aw [_ [_ [_ Pr]]]]]]]]]]]. apply Forall_app; split.
-  - unfold constantly. apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split]].
+  destruct met as [_ [_ [_ [_ [Ln [Fr [_ [Aw [_ [_ [_ Pr]]]]]]]]]]]. unfold given_all. apply Forall_app; split;
+    [|apply Forall_app; split; [cbn [narrowed_to sets sides_reached]; destruct (narrowed_sets _ _); constructor|]].
+  - unfold constantly. apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split]]].
     + apply (proj2 (Forall_props _ _)). apply Forall_forall. intros r I0. apply filter_In in I0 as [I0 C].
       apply (proj2 (range_flat (subject r) 0 (fixed_there _ 0 (mem_in _ _ C)))); trivial. apply range_only; trivial.
     + apply (proj2 (Forall_props _ _)). apply Forall_forall. intros h I0.
@@ -183,6 +254,8 @@ Proof.
       match goal with G : negb (speaks h) || _ = true |- _ => rewrite S in G; simpl in G; rename G into P end.
       match goal with G : only_says (fun i => mem i _) h = true |- _ => apply (subst_sentence es 0 _ (fixed_total 0) h G) end.
       apply plainly_says; trivial.
+    + apply (proj2 (Forall_props _ _)). apply Forall_forall. intros h I0. destruct met_domain as [_ [Sp _]].
+      destruct (Sp h I0) as [Oh Ph]. apply (subst_sentence es 0 _ (fixed_total 0) h Oh). apply plainly_says; trivial.
     + destruct (always_when g) eqn:AW; [|constructor]. destruct (Aw eq_refl) as [->|[O P]]; [constructor|].
       destruct (conditions (body g)) as [|r rs]; [constructor|]. apply Forall_cons; [|constructor].
       apply (subst_flat es 0 _ (fixed_total 0) _ O). apply (plainly_says _ [0] P).
@@ -191,12 +264,15 @@ Proof.
   - unfold functionally. apply Forall_app; split.
     + destruct (function_ranges g) as [|r0 rs] eqn:E; [constructor|]. apply Forall_cons; [|constructor].
       destruct Fr as [Fr|Fr]; [discriminate|]. intro x. rewrite imply_all. intro V. rewrite <- E.
-      assert (D : in_domain g l x).
-      { unfold in_domain, domain. rewrite Fr, app_nil_r. trivial. }
+      assert (D : in_domain g (narrowed_sets F l) l x).
+      { unfold in_domain, domain, narrowed_sets. rewrite Fr. cbn [map]. rewrite app_nil_r. trivial. }
       apply conj_all. apply (proj2 (Forall_props _ _)). apply Forall_forall. intros r I0. apply filter_In in I0 as [I0 C].
       split_bools. apply (proj2 (range_flat (subject r) x (range_there _ x D (Ln r I0)
         ltac:(intro Q; rewrite Q, Nat.eqb_refl in *; discriminate)))); trivial. apply range_only; trivial.
     + apply Forall_map, Forall_forall. intros h I0 x. rewrite imply_all. intro D. apply along_there; trivial.
+      unfold moving in I0. unfold with_role. apply in_map_iff in I0 as [q [E I0]]. apply in_map_iff. exists q.
+      split; trivial. apply filter_In in I0 as [I0 C]. apply filter_In. split; trivial.
+      cbn [narrowed_to all_premises andb] in C. rewrite orb_false_r in C. trivial.
 Qed.
 End Met.
 
@@ -209,7 +285,7 @@ Definition refutes_point (g : family) (F : functions) (used : list side) (w : wi
   forallb (only_rel (fun _ => true)) (conditions (body g)) && only_conclusion (fun _ => true) (claim (body g)) &&
   refutes (at_point_of g F true (if always_when g then [] else map (subst_rel es) (conditions (body g)))
     (subst_conclusion es (claim (body g)))) w.
-Theorem point_refuted g F used w : refutes_point g F used w = true -> ~ states_point g (along (exprs F)).
+Theorem point_refuted g F used w : refutes_point g F used w = true -> ~ states_point g (narrowed_to F) (along (exprs F)).
 Proof.
   unfold refutes_point. cbv zeta. intros C S. split_bools.
   match goal with G : meets _ _ _ = true |- _ => rename G into M end.
@@ -220,11 +296,10 @@ Proof.
   destruct P as [x ->]. unfold states_point in S. rewrite imply_all in S. specialize (S (all_met g F used M) x).
   unfold states, at_point_of. cbn [ranges premises conditions claim]. rewrite imply_all. intro HA. apply Forall_app in HA as [HR HP].
   apply (proj1 (Forall_props _ _)) in HR. apply (proj1 (Forall_props _ _)) in HP.
-  assert (D : in_domain g (along (exprs F)) x).
-  { apply (domain_there g F used M). split; trivial. rewrite Forall_forall in *. intros h I0. apply HP.
-    apply filter_In. split; trivial. unfold domain_premises in I0. apply in_map_iff in I0 as [k [<- I0]].
-    destruct (with_role_shown g F used M _ _ I0) as [Sp _]. unfold speaks, subst_says in *. cbn [links].
-    destruct (links k); trivial. }
+  assert (D : in_domain g (narrowed_sets F (along (exprs F))) (along (exprs F)) x).
+  { apply (domain_there g F used M). split; trivial. rewrite Forall_forall in *. intros h I0.
+    destruct (speaks h) eqn:Sp; [apply HP; apply filter_In; auto|].
+    unfold speaks, says_all in *. destruct (links h); [|discriminate]. rewrite arrow_imp. destruct (given h); simpl; trivial. }
   rewrite imply_all in S. specialize (S D). rewrite arrow_imp in *.
   pose proof (domain_total g F used M x D) as T0. intro W.
   match goal with G : only_conclusion _ _ = true |- _ => apply (subst_concludes (exprs F) x (fun _ => true) T0 _ G) end.
@@ -287,7 +362,7 @@ Definition refutes_limit (g : family) (F : functions) (used : list side) (f : ex
   match to with Finite v => only (fun i => mem i (fixed g)) v | _ => true end &&
   proves_limit (family_of g F) used (subst (exprs F) f) found [(s, c)] && apart (exprs F) to found.
 Theorem limit_refuted g F used f to ss s found c : refutes_limit g F used f to ss s found c = true ->
-  ~ states_limit g (along (exprs F)) f to ss.
+  ~ states_limit g (narrowed_to F) (along (exprs F)) f to ss.
 Proof.
   unfold refutes_limit, states_limit. intros C S. split_bools.
   match goal with G : meets _ _ _ = true |- _ => rename G into M end.

@@ -56,6 +56,11 @@ Proof.
     replace x with (- / (/ - x)) by (rewrite Rinv_inv; ring). apply H. split; [apply Rinv_0_lt_compat; lra|].
     rewrite <- (Rinv_inv c). apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra|]. lra.
 Qed.
+(** Close to a point there are others. *)
+Lemma near_point s Q : near s Q -> exists x, Q x.
+Proof.
+  rewrite near_small. intros [d [D H]]. exists (germ_point s (d / 2)). apply H. lra.
+Qed.
 Lemma near_weaken s (P Q : R -> Prop) : near s P -> (forall x, P x -> Q x) -> near s Q.
 Proof. rewrite !near_small. intros H W. apply (small_weaken _ _ H). auto. Qed.
 
@@ -71,7 +76,8 @@ Definition reaches (l : R -> list R) (v : list R) (f : expr) (to : target) (s : 
 Definition tends (l : R -> list R) (v : list R) (f : expr) (to : target) (ss : list side) : list Prop :=
   match to with Finite y => conds v y | _ => [] end ++ map (reaches l v f to) ss.
 
-(** A premise is about constants, about the limit variable alone, or about functions of it. *)
+(** A premise is about constants, about the limit variable alone, or about functions of it. Of one
+    that is not about constants, [parts] has what it says of constants all the same. *)
 Inductive role := Everywhere | Narrows | Along.
 Definition is_role (a b : role) : bool :=
   match a, b with Everywhere, Everywhere | Narrows, Narrows | Along, Along => true | _, _ => false end.
@@ -82,6 +88,7 @@ Record family := Family {
   variable : nat;
   fixed : list nat;
   roles : list role;
+  parts : list sentence;
   always_when : bool;
   premised : list premise_limit
 }.
@@ -96,27 +103,39 @@ Definition function_ranges (g : family) :=
 Definition roled (g : family) := combine (roles g) (premises (body g)).
 Definition with_role (r : role) (g : family) : list sentence :=
   map snd (filter (fun q => is_role r (fst q) && speaks (snd q)) (roled g)).
+Definition moving (also : bool) (g : family) : list sentence :=
+  map snd (filter (fun q => (is_role Along (fst q) || (also && is_role Narrows (fst q))) && speaks (snd q)) (roled g)).
+Definition spoken_parts (g : family) : list sentence := filter speaks (parts g).
 Definition premise_tends (l : R -> list R) (v : list R) (q : premise_limit) : list Prop :=
   match q with Some (ss, f, y) => [conj (tends l v f (Finite y) ss)] | None => [] end.
 
-(** What is supposed: of constants; in the domain; of functions there. *)
+(** What is supposed: of constants; that the domain reaches up to the limits; of functions there.
+    The domain is a set of values of the variable, inside its declared range. *)
 Definition constantly (g : family) (l : R -> list R) (p : R) : list Prop :=
   map (says (l p)) (constant_ranges g) ++ map (says_all (l p)) (with_role Everywhere g) ++
+  map (says_all (l p)) (spoken_parts g) ++
   (if always_when g then match conditions (body g) with [] => [] | rs => [conj (flat (l p) rs)] end else []) ++
   flat_map (premise_tends l (l p)) (premised g).
-Definition domain (g : family) (l : R -> list R) (p : R) : list Prop :=
-  map (says (l p)) (variable_ranges g) ++ map (says_all (l p)) (with_role Narrows g).
-Definition functionally (g : family) (l : R -> list R) : list Prop :=
+Definition domain (g : family) (D : list (R -> Prop)) (l : R -> list R) (p : R) : list Prop :=
+  map (says (l p)) (variable_ranges g) ++ map (fun d : R -> Prop => d p) D.
+Definition reached (D : list (R -> Prop)) (used : list side) : list Prop :=
+  match D with [] => [] | _ => map (fun s => near s (fun x => conj (map (fun d : R -> Prop => d x) D))) used end.
+Definition functionally (g : family) (D : list (R -> Prop)) (also : bool) (l : R -> list R) : list Prop :=
   match function_ranges g with
   | [] => []
   | rs => [forall x, imply (map (says (l x)) (variable_ranges g)) (conj (map (says (l x)) rs))]
   end ++
-  map (fun h => forall x, imply (domain g l x) (says_all (l x) h)) (with_role Along g).
-Definition states_limit (g : family) (l : R -> list R) (f : expr) (to : target) (ss : list side) : Prop :=
-  imply (constantly g l 0 ++ functionally g l) (conj (tends l (l 0) f to ss)).
-Definition states_point (g : family) (l : R -> list R) : Prop :=
-  imply (constantly g l 0 ++ functionally g l)
-    (forall x, imply (domain g l x)
+  map (fun h => forall x, imply (domain g D l x) (says_all (l x) h)) (moving also g).
+(** What a lemma supposes: on a set of which nothing else is known, or on the values of the variable
+    that premises about it alone allow. *)
+Record setting := Setting { sets : list (R -> Prop); sides_reached : list side; all_premises : bool }.
+Definition given_all (g : family) (c : setting) (l : R -> list R) : list Prop :=
+  constantly g l 0 ++ reached (sets c) (sides_reached c) ++ functionally g (sets c) (all_premises c) l.
+Definition states_limit (g : family) (c : setting) (l : R -> list R) (f : expr) (to : target) (ss : list side) : Prop :=
+  imply (given_all g c l) (conj (tends l (l 0) f to ss)).
+Definition states_point (g : family) (c : setting) (l : R -> list R) : Prop :=
+  imply (given_all g c l)
+    (forall x, imply (domain g (sets c) l x)
       (arrow (if always_when g then [] else flat (l x) (conditions (body g))) (concludes (l x) (claim (body g))))).
 
 (** ** What is known at a point, of constants, and along a germ *)
@@ -135,13 +154,14 @@ Definition value_cases (off : nat) (i : nat) (q : premise_limit) : cases :=
 Definition function_cases (off : nat) (s : side) (i : nat) (q : premise_limit) : cases :=
   match q with Some (ss, f, _) => if has_side s ss then equals off f (pvar (S i)) pone else nothing | None => nothing end.
 Definition free_formulas (g : family) (limits : list cases) : list cases :=
-  map (fun q => if is_role Everywhere (fst q) then where_holds (offset g) (snd q) true else nothing) (roled g) ++
+  map (fun q => where_holds (offset g) (if is_role Everywhere (fst (fst q)) then snd (fst q) else snd q) true)
+    (combine (roled g) (parts g)) ++
   limits ++
   [if always_when g then where_all (offset g) (conditions (body g)) else nothing].
 Definition constant_formulas (g : family) : list cases :=
   free_formulas g (mapi (value_cases (offset g)) 0 (premised g)).
-Definition leaving (g : family) : list cases :=
-  constant_formulas g ++ [flat_map (fun h => where_holds (offset g) h false) (with_role Narrows g)].
+(** That the premises hold close to the limit is supposed. *)
+Definition leaving : list cases := [[]].
 Definition germ_formulas (g : family) (s : side) : list cases :=
   formulas (offset g) (premises (body g)) ++
   mapi (function_cases (offset g) s) 0 (premised g) ++
@@ -154,7 +174,7 @@ Definition known_limits (g : family) (s : side) : list nat :=
     | Some (ss, _, _) => if has_side s ss then [S i] else [] | None => [] end) 0 (premised g)).
 Definition passing_of (g : family) (used : list side) : passing :=
   Passing (map (Nat.add (offset g)) (fixed g)) (offset g + variable g)
-    (range_atoms (offset g) (all_ranges g)) (leaving g)
+    (range_atoms (offset g) (all_ranges g)) leaving
     (map (fun s => (s, (known_limits g s, germ_formulas g s))) used).
 
 (** A declared range that reaches up to the limit on this side. *)
@@ -173,7 +193,7 @@ Definition side_within (s : side) (r : relation) : bool :=
 Definition well_formed (g : family) (used : list side) : bool :=
   forallb simple (all_ranges g) && forallb (fun s => forallb (side_within s) (variable_ranges g)) used &&
   Nat.eqb (length (roles g)) (length (premises (body g))) &&
-  rootless_goal (body g) && forallb rootless_rel (more g) &&
+  rootless_goal (body g) && forallb rootless_rel (more g) && forallb rootless_sentence (parts g) &&
   forallb (fun q : premise_limit => match q with Some (_, f, v) => rootless f && rootless v | None => true end) (premised g).
 
 Record side_proof := SideProof {
@@ -200,7 +220,7 @@ Definition shows (g : family) (used : list side) (f : expr) (to : target) (s : s
   has_side s used &&
   mentions_only (constants pc) (radius_num c) && mentions_only (constants pc) (radius_den c) &&
   refute (Some pc) depth (fs ++ [[[anot (A (radius_num c) SP)]; [anot (A (radius_den c) SP)]]]) st (radius_positive c) &&
-  refute None depth (leaving g) st' (germ_within c) &&
+  refute None depth leaving st' (germ_within c) &&
   refute None depth (germ_formulas g s ++ [differs off f num den]) st' (identity c) &&
   mentions_only zs num && divisible (order c) den && mentions_only zs (lower (order c) den) &&
   match to with Finite v => Nat.eqb (order c) 0 && rootless v | _ => Nat.ltb 0 (order c) end && rootless f &&

@@ -3,18 +3,18 @@
 (** A claim at a point of the domain. *)
 Lemma point_sound p pf :
   refute (Some (passing_of g used)) depth (point_formulas g) (range_atoms (offset g) (ranges (body g))) pf = true ->
-  in_domain g l p ->
+  in_domain g Ds l p ->
   arrow (if always_when g then [] else flat (l p) (conditions (body g))) (concludes (l p) (claim (body g))).
 Proof.
-  intros C D. destruct wf as [Si [_ [_ [RR [RP [RC [RL _]]]]]]]. rewrite arrow_imp. intro CW.
+  intros C I0. destruct wf as [Si [_ [_ [RR [RP [RC [RL _]]]]]]]. rewrite arrow_imp. intro CW.
   pose proof (agrees_point g (l p)) as AG. set (e := at_point g (l p)) in *.
   destruct (failure_spec (offset g) e (l p) (claim (body g)) AG (RL p)) as [Fa [|N]]; trivial.
   exfalso. apply (refute_sound (Some (passing_of g used)) depth _ _ pf e (germs_there p) C).
   - apply ranges_hold with (l p); trivial.
     + specialize (RR p). apply Forall_app in RR. apply RR.
     + unfold all_ranges in Si. rewrite forallb_app in Si. split_bools. trivial.
-    + unfold in_domain, domain in D. apply Forall_app in D as [D _]. apply (proj1 (Forall_props _ _)) in D.
-      pose proof (ranges_there p D) as Q. apply Forall_app in Q. apply Q.
+    + unfold in_domain, domain in I0. apply Forall_app in I0 as [I0 _]. apply (proj1 (Forall_props _ _)) in I0.
+      pose proof (ranges_there p I0) as Q. apply Forall_app in Q. apply Q.
   - unfold point_formulas. apply Forall_app; split; [|apply Forall_app; split; [|apply Forall_app; split; [|apply Fa; trivial]]].
     + apply formulas_hold with (l p); [exact AG|apply RP|]. apply Forall_forall. intros h I1.
       apply filter_In in I1 as [I1 _]. apply along_holds; trivial.
@@ -101,7 +101,7 @@ Proof.
   match goal with G : divisible _ _ = true |- _ => rename G into Di end.
   match goal with G : refute _ _ (_ ++ [misses _ _ _ _ _]) _ _ = true |- _ => rename G into Ce end.
   match goal with G : refute _ _ (_ ++ [differs _ _ _ _]) _ _ = true |- _ => rename G into Ci end.
-  match goal with G : refute _ _ (leaving g) _ _ = true |- _ => rename G into Cw end.
+  match goal with G : refute _ _ leaving _ _ = true |- _ => rename G into Cw end.
   match goal with G : refute _ _ _ _ (radius_positive c) = true |- _ => rename G into Cp end.
   match goal with G : mentions_only _ (limit_num c) = true |- _ => rename G into Mn end.
   match goal with G : mentions_only _ (lower _ _) = true |- _ => rename G into Md end.
@@ -177,28 +177,40 @@ Inductive steady (g : family) (l : R -> list R) : Prop := Steady :
   (forall p, nth (variable g) (l p) 0 = p) ->
   (forall p q, map (fun i => nth i (l p) 0) (fixed g) = map (fun i => nth i (l q) 0) (fixed g)) ->
   (forall p, constantly g l p = constantly g l 0) -> steady g l.
-Lemma steady_supposed g l : steady g l -> Forall (fun P : Prop => P) (constantly g l 0 ++ functionally g l) -> supposed g l.
+(** A set of values of the variable on which nothing is known but what is supposed. *)
+Definition on_set (D : list (R -> Prop)) (used : list side) : setting := Setting D used true.
+Lemma reached_small D used s : Forall (fun P : Prop => P) (reached D used) -> In s used ->
+  small (fun t => Forall (fun d : R -> Prop => d (germ_point s t)) D).
 Proof.
-  intros [V F C] H. apply Forall_app in H as [H1 H2]. split; trivial.
+  destruct D as [|d D]; cbn [reached]; intros F I0.
+  - exists 1. split; [lra|]. intros. constructor.
+  - apply (proj1 (Forall_props _ _)) in F. rewrite Forall_forall in F. specialize (F s I0). apply near_small in F.
+    apply (small_weaken _ _ F). intros t _ C. rewrite conj_all, Forall_map in C. exact C.
+Qed.
+Lemma steady_supposed g D used l : steady g l -> Forall (fun P : Prop => P) (given_all g (on_set D used) l) ->
+  supposed g D used l.
+Proof.
+  intros [V F C] H. unfold given_all in H. apply Forall_app in H as [H1 H]. apply Forall_app in H as [H2 H3]. split; trivial.
   - intro p. rewrite C. trivial.
+  - intros s I0. apply reached_small with (1 := H2); trivial.
   - intros p q i I0. specialize (F p q). revert F I0. induction (fixed g) as [|j js IH]; simpl; [intros _ []|].
     intros E [->|I0]; inversion E; auto.
 Qed.
 (** A limit that is proved from its sides is the limit. *)
-Theorem limit_proved g used f to cs l : proves_limit g used f to cs = true -> negb (Nat.eqb (length cs) 0) = true ->
-  steady g l -> states_limit g l f to (map fst cs).
+Theorem limit_proved g used f to cs D l : proves_limit g used f to cs = true -> negb (Nat.eqb (length cs) 0) = true ->
+  steady g l -> states_limit g (on_set D used) l f to (map fst cs).
 Proof.
   unfold proves_limit, states_limit. intros C N S. apply andb_true_iff in C as [W C]. rewrite imply_all. intro H.
-  pose proof (steady_supposed g l S H) as Su. rewrite forallb_forall in C. unfold tends.
+  pose proof (steady_supposed g D used l S H) as Su. rewrite forallb_forall in C. unfold tends.
   assert (A0 : forall c, In c cs -> match to with Finite v => total (l 0) v | _ => True end /\ reaches l (l 0) f to (fst c)).
-  { intros c I0. apply (side_sound g used l W Su f to (fst c) (snd c)). auto. }
+  { intros c I0. apply (side_sound g D used l W Su f to (fst c) (snd c)). auto. }
   apply conj_app. split.
   - destruct cs as [|c cs]; [discriminate|]. destruct (A0 c (or_introl eq_refl)) as [T _]. destruct to; simpl; trivial.
   - apply conj_all. rewrite Forall_map, Forall_map, Forall_forall. intros c I0. apply A0. trivial.
 Qed.
-Theorem point_proved g used p l : proves_point g used p = true -> steady g l -> states_point g l.
+Theorem point_proved g used p D l : proves_point g used p = true -> steady g l -> states_point g (on_set D used) l.
 Proof.
   unfold proves_point, states_point. intros C S. apply andb_true_iff in C as [W C]. rewrite imply_all. intro H.
-  pose proof (steady_supposed g l S H) as Su. intro x. rewrite imply_all. intro D.
-  apply (point_sound g used l W Su x p C D).
+  pose proof (steady_supposed g D used l S H) as Su. intro x. rewrite imply_all. intro I0.
+  apply (point_sound g D used l W Su x p C I0).
 Qed.
