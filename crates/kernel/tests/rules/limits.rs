@@ -325,8 +325,10 @@ fn the_limit_variable_keeps_its_range_although_it_is_not_mentioned() {
     let scope = scope(&goal, plenty()).expect("small");
     let state = constants(&scope, &goal, X).expect("small");
     let known = state.along_unproved(&germ(&state, side(Some(q(9, 2)), true))).expect("within");
-    let at = |v: usize| if v == X { q(21, 4) } else { q(3, 4) };
-    assert!(!inside(&known.atoms, &at));
+    let holds = |t: Q| inside(&known.atoms, &|v| if v == X { q(9, 2) + &t } else { t.clone() });
+    assert!(holds(q(1, 4)));
+    assert!(!holds(q(3, 4)), "x < 5");
+    assert!(!holds(q(0, 1)), "t > 0");
 }
 
 #[test]
