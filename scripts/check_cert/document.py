@@ -7,6 +7,7 @@ from functools import cache, cached_property
 from .blocks import statements
 from .errors import Rejected, Unreadable
 from .expressions import RESERVED, Reader, parts, symbols_in
+from .ties import Ties
 
 VERDICTS = ("proved", "refuted", "ill-defined", "vacuous", "unsupported", "undecided")
 
@@ -297,9 +298,13 @@ class Document:
         for _, left, right in statement.when if variable else ():
             if self.depends(left, variable) or self.depends(right, variable):
                 reader.fail(f"the `when` of a limit must be free of `{variable}`")
-        ties, seen = cache(lambda: tied(self, statement)), set()
-        for expression in statement.expressions():
-            self.check_derivatives(expression, (), ties, seen, reader)
+        relations = [*statement.when]
+        for cited in statement.cited:
+            relations += [*cited.relations, *cited.when]
+        ties, seen = cache(lambda: Ties(self, relations)), set()
+        for spoken in [statement, *statement.cited, *([statement.other] if statement.other else [])]:
+            for expression in spoken.expressions():
+                self.check_derivatives(expression, (), ties, seen, reader)
 
     def check_derivatives(self, expression, variables, ties, seen, reader):
         """What is differentiated is explicit, and nothing in it is tied to the variable."""
@@ -310,35 +315,13 @@ class Document:
             for variable in variables:
                 if self.symbols[name].argument == variable:
                     reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
-                if name != variable and ties()(name) == ties()(variable):
+                if name in ties().to(variable):
                     reader.fail(f"a premise ties `{name}` to `{variable}`")
         elif kind == "def" and (name, variables) not in seen:
             seen.add((name, variables))
             self.check_derivatives(self.symbols[name].body, variables, ties, seen, reader)
         for part in parts(expression):
             self.check_derivatives(part, variables, ties, seen, reader)
-
-
-def tied(document, statement):
-    """Which unknowns the equations in the premises tie to one another, taken together."""
-    group = {}
-
-    def leader(name):
-        while name in group:
-            name = group[name]
-        return name
-
-    relations = [*statement.when]
-    for cited in statement.cited:
-        relations += [*cited.relations, *cited.when]
-    weak = {(a, b) if sign == "<=" else (b, a) for sign, a, b in relations if sign in ("<=", ">=")}
-    for sign, left, right in relations:
-        if sign == "=" or (sign in ("<=", ">=") and {(left, right), (right, left)} <= weak):
-            first, *others = sorted(document.mentioned(left) | document.mentioned(right)) or [None]
-            for name in others:
-                if leader(name) != leader(first):
-                    group[leader(name)] = leader(first)
-    return leader
 
 
 def allows(symbol, at, above):

@@ -70,6 +70,7 @@ def polynomial(value, ring):
         monomial, total = 0, 0
         for name, n in order:
             demand(type(n) is int and 0 < n < LIMIT, "an exponent is out of range")
+            demand(name in ring.allowed, f"`{name}` is not known here")
             monomial += n << ring.shift(name)
             total += n
         demand(total < LIMIT, "a degree is too large")

@@ -28,12 +28,11 @@ class Germ:
 
 
 def constant_names(goal, variable):
-    """The symbols and roots that do not vary with a variable."""
+    """The symbols that do not vary with a variable."""
     document = goal.document
-    symbols = {
+    return {
         s.name for s in document.symbols.values() if not s.body and not document.varies((s.name,), variable)
     }
-    return symbols | {n for radicand, n in goal.roots.items() if not document.depends(radicand, variable)}
 
 
 def read_germ(goal, value):
@@ -93,15 +92,14 @@ def owes(goal, statement, germ):
     return any(goal.depends(r, germ.variable) for r in (*statement.relations, *statement.when))
 
 
-def names_with(goal, variable, without=()):
-    """The symbols mentioned, the variable after them if it is not."""
-    names = [name for name in goal.mentioned if name not in without]
-    return names if variable in goal.mentioned else [*names, variable]
+def with_variable(names, variable):
+    """Names, and the variable after them if it is not among them."""
+    return names if variable in names else [*names, variable]
 
 
 def along(goal, germ, local):
     """The state along a germ of a goal."""
-    conditions = [*goal.ranges(names_with(goal, germ.variable)), *local, *germ.conditions]
+    conditions = [*goal.ranges(with_variable(goal.mentioned, germ.variable)), *local, *germ.conditions]
     formulas = [cache(lambda s=s: goal.holds(s)) for s in goal.cited]
     for name, statement, item in goal.limits:
         if germ.is_premised(statement) and goal.counts(statement, item, germ.variable):
@@ -114,7 +112,7 @@ def along(goal, germ, local):
 
 def inside_range(goal, germ, local, given, values):
     """The state in which some values of functions do not meet a `given` along the germ."""
-    document = goal.document
+    document, goal = goal.document, goal.bare
     values = read_values(document, values)
     for name, expression in values.items():
         demand(document.symbols[name].argument == germ.variable, "a value of what is no function of x")
@@ -126,13 +124,13 @@ def inside_range(goal, germ, local, given, values):
 
     def failing():
         found = goal.fails(given, pieces)
-        for name in document.symbols:
-            if name in values:
-                found += out_of_range(pieces, values[name], document.symbols[name])
+        for name, value in values.items():
+            found += out_of_range(pieces, value, document.symbols[name])
         return found
 
-    names = names_with(goal, germ.variable, values)
-    conditions = [*goal.ranges(names), *local, *germ.conditions]
+    mentioned = goal.mentions([*given.expressions(), *values.values()], goal.mentioned)
+    names = [name for name in mentioned if name not in values]
+    conditions = [*goal.ranges(with_variable(names, germ.variable)), *local, *germ.conditions]
     formulas = goal.cited_constants(germ.variable)
     formulas.append(cache(lambda: goal.when_of_constants(germ.variable)))
     return State(conditions, [*formulas, cache(failing)])
@@ -157,11 +155,9 @@ def explicit(expression):
 
 def out_of_range(pieces, value, symbol):
     """The cases in which a value is undefined, or outside the range of its symbol."""
-    relations = []
+    relations = [("=", value, value)]
     for bound, sign in ((symbol.lower, ">"), (symbol.upper, "<")):
         if bound:
             number = ("num", bound[0].numerator, bound[0].denominator)
             relations.append((sign if bound[1] else sign + "=", value, number))
-    if not relations:
-        return regions(pieces.pieces(value), None)
     return regions(pieces.truth(relations), False, None)

@@ -1,5 +1,6 @@
 """Goals and their states: which obligations follow from a statement (section 5)."""
 
+from copy import copy
 from dataclasses import dataclass
 from functools import cache
 
@@ -23,6 +24,11 @@ def regions(pieces, *truths):
     return [region for region, value in pieces if value in truths]
 
 
+def sides(relations):
+    """The expressions on both sides of relations and limits."""
+    return [e for _, *both in relations for e in both if isinstance(e, tuple)]
+
+
 def times_number(p, number):
     return multiply(p, constant(number))
 
@@ -31,7 +37,7 @@ class Goal:
     """What a link of a claim asks for."""
 
     def __init__(self, document, claim, link, finding, premises, roots):
-        self.document, self.claim = document, claim
+        self.document, self.claim, self.when = document, claim, claim.when
         self.vacuous = finding == "vacuous"
         self.link = link
         self.cited = list(claim.cited)
@@ -50,17 +56,44 @@ class Goal:
                 (statement, item) for statement in self.cited for item in statement.limits
             )
         ]
-        expressions = [e for s in (*self.cited, *self.behind, *aims) for e in s.expressions()]
-        for _, left, right in (*claim.when, *([link] if link else [])):
-            expressions += [left, right] if isinstance(right, tuple) else [left]
-        mentioned = set().union(*map(document.mentioned, expressions))
-        self.mentioned = [name for name in document.symbols if name in mentioned]
+        expressions = [e for s in (*self.cited, *aims) for e in s.expressions()]
+        expressions += sides((*self.when, *([link] if link else [])))
+        self.mentioned = self.mentions(expressions)
         self.roots = self.read_roots(roots, expressions)
+        self.listed_roots = list(self.roots.values())
         self.ring = Ring([
             *(s.name for s in document.symbols.values() if not s.body),
-            *self.roots.values(), "t:", *(name for name, _, _ in self.limits),
+            *self.listed_roots, "t:", *(name for name, _, _ in self.limits),
         ])
-        self.pieces = Pieces(document, self.ring, self.roots)
+        self.values, self.pieces = {}, Pieces(document, self.ring, self.roots)
+        self.bare = self  # without values for symbols
+
+    def mentions(self, expressions, names=()):
+        """The unknowns in expressions, and some more, in the order of declaration."""
+        found = set(names).union(*map(self.document.mentioned, expressions))
+        return [name for name in self.document.symbols if name in found]
+
+    def with_values(self, cited, when, variable, values):
+        """The goal in which values stand for symbols, with other premises and conditions.
+
+        It mentions the variable, or nothing: values are made of it and numbers.
+        """
+        goal = copy(self)
+        goal.cited, goal.behind, goal.limits, goal.when = cited, [], [], when
+        expressions = [e for s in cited for e in s.expressions()] + sides(when)
+        goal.mentioned = self.mentions(expressions)
+        goal.bare = copy(goal)
+        goal.pieces = Pieces(self.document, self.ring, self.roots, values)
+        goal.values, goal.mentioned = values, []
+        return goal.mentioning(expressions)
+
+    def mentioning(self, expressions):
+        """The goal of functions when it speaks of these expressions, too."""
+        goal, names = copy(self), set(self.mentioned)
+        for name in self.mentions(expressions):
+            names |= self.document.mentioned(self.values[name]) if name in self.values else {name}
+        goal.mentioned = self.mentions([], names)
+        return goal
 
     @property
     def is_limit(self):
@@ -135,7 +168,7 @@ class Goal:
                 continue
             for region, value in self.pieces.go_on([(region, True)], lambda _: values):
                 if value is not None:
-                    gap = add(multiply(variable, value[1]), negative(value[0]))
+                    gap = add(value[0], negative(multiply(variable, value[1])))
                     found.append((*region, self.ring.condition(gap, "=0")))
         return found
 
@@ -148,12 +181,17 @@ class Goal:
         truths = {"proved": (False, None), "refuted": (False,), "ill-defined": (None,)}[finding]
         return [cache(lambda: regions(self.pieces.truth([self.link]), *truths))]
 
-    def at_point(self, finding):
-        """The state at a point."""
+    def state(self, finding):
+        """The state that a proof starts from."""
+        limit = self.vacuous and self.is_limit
+        return self.constants(self.claim.variable) if limit else self.at_point(finding)
+
+    def at_point(self, finding=None):
+        """The state at a point; without a finding nothing is said of the conclusion."""
         formulas = [cache(lambda s=s: self.holds(s)) for s in self.cited]
         formulas += self.limit_values()
-        formulas.append(cache(lambda: regions(self.pieces.truth(self.claim.when), True)))
-        return State(self.ranges(self.mentioned), formulas + self.failure(finding))
+        formulas.append(cache(lambda: regions(self.pieces.truth(self.when), True)))
+        return State(self.ranges(self.mentioned), formulas + (self.failure(finding) if finding else []))
 
     def depends(self, relation, variable):
         """Does a relation depend on the variable of a limit?"""
@@ -172,7 +210,7 @@ class Goal:
         return self.holds(statement, items)
 
     def when_of_constants(self, variable):
-        conditions = [r for r in self.claim.when if not self.depends(r, variable)]
+        conditions = [r for r in self.when if not self.depends(r, variable)]
         return regions(self.pieces.truth(conditions), True)
 
     def cited_constants(self, variable):

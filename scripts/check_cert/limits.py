@@ -9,33 +9,28 @@ from .polynomial import add, multiply, negative
 from .proof import allowed_at_end
 
 
-def prove_link(proof, sides):
-    """Checks the proof of a limit that is claimed."""
-    goal = proof.goal
-    claim, (_, f, limit) = goal.claim, goal.link
-    state = goal.constants(claim.variable)
-    for side, above in zip(listed(sides, len(claim.sides)), claim.sides):
-
-        def opened(germ):
-            return open_germ(proof, germ, state.conditions, state.formulas, claim.variable)
-
-        germ, local = check_side(proof, side, f, limit, opened, state, along, goal.pieces, claim.variable)
-        demand(germ.is_premised(claim) and germ.above == above, "a proof of another side")
+def prove_limit(proof, evidence, statement, f, limit, passes=None):
+    """Checks the proof of a limit of a statement: one for each side that is meant."""
+    for side, above in zip(listed(evidence, len(statement.sides)), statement.sides):
+        germ = check_side(proof, side, f, limit, statement.variable, passes)
+        demand(germ.is_premised(statement) and germ.above == above, "a proof of another side")
 
 
-def check_side(proof, side, f, limit, opened, constants, state_along, pieces, passes):
+def check_side(proof, side, f, limit, variable, passes=None):
     """Checks one side: what f is along a germ, and what that is at its end."""
     goal, ring = proof.goal, proof.ring
     germ, num, den, order, part_along, at_zero = keys(
         side, "germ", "num", "den", "order", "along", "at_zero"
     )
-    germ, local = opened(germ)
+    constants = goal.constants(variable)
+    germ, local = open_germ(proof, germ, constants.conditions, constants.formulas, passes)
+    demand(germ.variable == variable, "a germ of another variable")
     num, den, order = polynomial(num, ring), polynomial(den, ring), count(order)
     allowed_at_end(goal, germ, num)
     allowed_at_end(goal, germ, den)
 
-    state = state_along(goal, germ, local)
-    formula = cache(lambda: differs(goal, pieces, f, num, den))
+    state = along(goal, germ, local)
+    formula = cache(lambda: differs(goal, f, num, den))
     proof.check(part_along, state.conditions, [*state.formulas, formula])
     if isinstance(limit, tuple):
         demand(order == 0, "the order of a finite limit is 0")
@@ -44,35 +39,28 @@ def check_side(proof, side, f, limit, opened, constants, state_along, pieces, pa
         for n in range(order):
             demand(not ring.coefficient(den, "t:", n), "the denominator does not vanish to its order")
     end = misses if isinstance(limit, tuple) else wrong_sign
-    formula = cache(lambda: end(goal, pieces, limit, num, den, order))
+    formula = cache(lambda: end(goal, limit, num, den, order))
     proof.check(at_zero, constants.conditions, [*constants.formulas, formula], passes)
-    return germ, local
+    return germ
 
 
-def differs(goal, pieces, f, num, den):
+def differs(goal, f, num, den):
     """The cases in which f is undefined, or not num/den."""
-    found = []
-    for region, value in pieces.pieces(f):
-        if value is not None:
-            gap = add(multiply(den, value[0]), negative(multiply(num, value[1])))
-            region = (*region, goal.ring.condition(gap, "!=0"))
-        found.append(region)
-    return found
+
+    def unlike(value):
+        gap = add(multiply(den, value[0]), negative(multiply(num, value[1])))
+        return [((goal.ring.condition(gap, "!=0"),), True)]
+
+    return [region for region, _ in goal.pieces.go_on(goal.pieces.pieces(f), unlike)]
 
 
-def misses(goal, pieces, limit, num, den, _):
+def misses(goal, limit, num, den, _):
     """The cases in which num/den does not end at a finite limit."""
     num, den = (goal.ring.coefficient(p, "t:", 0) for p in (num, den))
-    found = [(goal.ring.condition(den, "=0"),)]
-    for region, value in pieces.pieces(limit):
-        if value is not None:
-            gap = add(multiply(num, value[1]), negative(multiply(value[0], den)))
-            region = (*region, goal.ring.condition(gap, "!=0"))
-        found.append(region)
-    return found
+    return [*differs(goal, limit, num, den), (goal.ring.condition(den, "=0"),)]
 
 
-def wrong_sign(goal, _, limit, num, den, order):
+def wrong_sign(goal, limit, num, den, order):
     """The case in which num/den does not grow to an infinite limit."""
     ring = goal.ring
     product = multiply(ring.coefficient(num, "t:", 0), ring.coefficient(den, "t:", order))

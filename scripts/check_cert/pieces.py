@@ -1,6 +1,5 @@
 """What an expression is: pieces, each with a fraction or undefined (sections 2 and 3)."""
 
-from .errors import Rejected
 from .near import Near
 from .polynomial import ONE, add, constant, multiply, negative, power
 from .ratio import minus, plus, sign_of, times
@@ -117,8 +116,9 @@ class Pieces(Near):
         return self.where(sign_of(a), ">=0", a, minus(a))
 
     def root_name(self, radicand):
+        """The variable of a root; evidence cannot name one that is not in the list."""
         if radicand not in self.roots:
-            raise Rejected("a root is not in the list")
+            self.roots[radicand] = self.ring.unnamed()
         return self.roots[radicand]
 
     def root_region(self, name, a, strict=False):

@@ -7,13 +7,13 @@ from .evidence import coefficients, integer, keys, rational
 from .polynomial import holds
 
 
-def check_point(goal, value, names, conditions, formulas):
+def check_point(goal, value, names, optional, conditions, formulas):
     """The point satisfies all conditions and one case of each formula."""
     theta, values = keys(value, "theta", "values")
     number = Rational() if theta is None else Algebraic(theta)
-    names = [*names, *goal.roots.values()]
-    demand(isinstance(values, dict) and set(values) == set(names), "not each variable has a value")
-    point = {name: number.reduce(coefficients(values[name], rational)) for name in names}
+    demand(isinstance(values, dict) and set(names) <= set(values), "not each variable has a value")
+    demand(set(values) <= {*names, *optional}, "what is not mentioned has a value")
+    point = {name: number.reduce(coefficients(values[name], rational)) for name in values}
     known = {}
 
     def true(condition):

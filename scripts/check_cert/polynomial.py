@@ -123,6 +123,13 @@ class Ring:
             self.shifts[name] = BITS * len(self.names)
         return self.shifts[name]
 
+    def unnamed(self):
+        """A new variable, which no evidence can name."""
+        name = f"unnamed {len(self.names)}"
+        self.names.append(name)
+        self.shifts[name] = BITS * len(self.names)
+        return name
+
     def variable(self, name):
         """The polynomial of a variable."""
         return {(1 << self.shift(name)) + 1: 1}

@@ -1,9 +1,9 @@
 """Proofs: that no point satisfies all conditions and one case of each formula (section 6)."""
 
 from .errors import Rejected, demand
-from .evidence import condition, count, integer, keys, listed, polynomial
+from .evidence import condition, count, integer, keys, listed, polynomial, text
 from .germ import along, constant_names, open_germ
-from .polynomial import add_product, is_constant, multiply, negative
+from .polynomial import OPPOSITE, add_product, holds, is_constant, multiply, negative
 
 
 ANY = object()  # variable
@@ -28,17 +28,26 @@ class Proof:
             for case, region in zip(listed(cases, len(regions)), regions):
                 self.check(case, [*conditions, *region], formulas, passes)
         elif "split" in proof:
-            poly, *branches = keys(proof, "split", "zero", "positive", "negative")
-            poly = polynomial(poly, self.ring)
-            for branch, p, sign in zip(branches, (poly, poly, negative(poly)), ("=0", ">0", ">0")):
-                part = self.ring.condition(p, sign)
-                self.check(branch, [*conditions, part], formulas, passes)
+            self.check_split(proof, conditions, formulas, passes)
         elif "positive" in proof:
             self.check_sum(proof, conditions)
         elif "pass" in proof:
             self.check_pass(proof, conditions, formulas, passes)
         else:
             raise Rejected("there is no such step")
+
+    def check_split(self, proof, conditions, formulas, passes):
+        """The cases admit each sign that the polynomial can have."""
+        poly, cases = keys(proof, "split", "cases")
+        poly, admitted = polynomial(poly, self.ring), set()
+        for case in listed(cases):
+            opposite, sign, then = keys(case, "opposite", "is", "then")
+            demand(isinstance(opposite, bool), "it is to be said whether the opposite is meant")
+            demand(text(sign) in OPPOSITE, "there is no such sign")
+            admitted |= {(-s if opposite else s) for s in (-1, 0, 1) if holds(s, sign)}
+            part = self.ring.condition(negative(poly) if opposite else poly, sign)
+            self.check(then, [*conditions, part], formulas, passes)
+        demand(len(admitted) == 3, "the cases leave out a sign")
 
     def check_sum(self, proof, conditions):
         """The sum vanishes identically, although one summand is positive."""

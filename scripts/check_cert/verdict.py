@@ -4,7 +4,7 @@ from .errors import Rejected, demand
 from .evidence import keys, listed, text
 from .functions import Functions
 from .goal import Goal
-from .limits import prove_link
+from .limits import prove_limit
 from .point import check_point
 from .proof import ANY, Proof
 
@@ -44,18 +44,20 @@ def check_link(document, claim, item, link):
         demand(kind == "proof", "a proof is expected")
         refutes = form == "not implied" and finding == "refuted"
         demand(not (refutes and claim.other.limits), "no proof shows that a limit is implied")
-        state = goal.at_point(finding)
-        proof.check(content, state.conditions, state.formulas, ANY)
+        state = goal.state(finding)
+        passes = claim.variable if form == "limit" else ANY
+        proof.check(content, state.conditions, state.formulas, passes)
     elif shown_by == "sides":
         demand(kind == "sides", "a proof of each side is expected")
-        prove_link(proof, content)
+        prove_limit(proof, content, claim, *item[1:], claim.variable)
     elif goal.has_limits:
         demand(kind == "functions", "a witness by functions is expected")
-        Functions(proof, content).check(finding)
+        Functions(goal, content).check(finding)
     else:
         demand(kind == "point", "a point is expected")
         state = goal.at_point(finding)
-        check_point(goal, content, goal.mentioned, state.conditions, state.formulas)
+        names = [*goal.mentioned, *goal.listed_roots]
+        check_point(goal, content, names, (), state.conditions, state.formulas)
     return "undecided" if finding == "consistent" else finding
 
 

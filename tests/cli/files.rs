@@ -24,8 +24,20 @@ fn every_document_becomes_a_file_in_every_form() {
     assert_eq!(
         names,
         [
-            "one", "one.html", "one.json", "one.md", "one.tex", "one.v", "two", "two.html",
-            "two.json", "two.md", "two.tex", "two.v"
+            "one",
+            "one.cert.json",
+            "one.html",
+            "one.json",
+            "one.md",
+            "one.tex",
+            "one.v",
+            "two",
+            "two.cert.json",
+            "two.html",
+            "two.json",
+            "two.md",
+            "two.tex",
+            "two.v"
         ],
         "and no temporary file is left"
     );

@@ -108,3 +108,18 @@ fn two_runs_print_the_same_bytes() {
         assert!(first == second, "{format} differs between two runs");
     }
 }
+
+#[test]
+fn an_explanation_calls_no_true_premise_undefined() {
+    let dir = scratch("undefined");
+    let statements = "var x, y, z\ngiven g: y = 5/2*z\nclaim a: y/x = 1 from g";
+    let document = document(&dir, "undef.md", statements);
+    let run = kane(&["audit", &document, "--explain", "a"]);
+    assert!(run.stdout.contains("ill-defined"), "{}", run.stdout);
+    assert!(run.stdout.contains("y/x = 1 is undefined (division by zero)"), "{}", run.stdout);
+    assert!(run.stdout.contains("g: left side "), "{}", run.stdout);
+    assert_eq!(
+        run.stdout.matches("is undefined").count(),
+        run.stdout.matches("y/x = 1 is undefined").count()
+    );
+}

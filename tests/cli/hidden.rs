@@ -57,7 +57,7 @@ fn prose_titles_and_file_names_are_shown_with_their_control_characters_written_o
     let run = kane(&["audit", &document, "--out", out.to_str().expect("UTF-8")]);
     assert_eq!(run.code, 1, "{}", run.stderr);
     let written = files(&out);
-    assert_eq!(written.len(), 7, "{written:?}");
+    assert_eq!(written.len(), 8, "{written:?}");
     for path in &written {
         assert_clean(&path.display().to_string(), &fs::read_to_string(path).expect("UTF-8"));
     }

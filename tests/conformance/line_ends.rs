@@ -9,9 +9,8 @@ use crate::support::{Chance, many, pages};
 /// make one end of two.
 fn mixed(text: &str, chance: &mut Chance) -> String {
     let mut out = String::with_capacity(2 * text.len());
-    let mut chars = text.chars().peekable();
     let mut ended_by_return = false;
-    while let Some(c) = chars.next() {
+    for c in text.chars() {
         if c != '\n' {
             ended_by_return = false;
             out.push(c);

@@ -3,8 +3,10 @@
 //! `KANE_LONG=1` makes the suites with random statements ten times as long.
 
 mod adversarial; // what is too large ends soon
+mod adversary; // random documents against oracles in another language
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
+mod faults; // what is planted in the kernel, and which test catches it
 mod generate; // random statements
 mod judges; // Coq and z3 on every shipped document
 mod laws_page; // docs/laws.md is what the laws say of themselves

@@ -274,6 +274,11 @@ pub(crate) const KINDS: &[&str] = &[
     "Pass.atom.sign",
     "Pass.along",
     "Pass.then",
+    "Inside.values",
+    "Inside.values.0",
+    "Inside.values.1",
+    "Inside.proof",
+    "Failure::Reaches",
 ];
 
 /// The kinds of a certificate's fields, in the order of [`walk`].

@@ -348,8 +348,8 @@ fn link_judgement(
             let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
             let told = explain::grounds(whose, certificate.finding, grounds, &labels);
             let mut reason = told.reason;
-            if !found.behind_met && misses(goal, resting, certificate) {
-                reason.push_str(BEHIND);
+            if !found.behind_met {
+                reason.push_str(about_what_stands_behind(goal, resting, certificate));
             }
             let used = told.used.iter().filter_map(|&i| cited.get(i).copied()).collect();
             (reason, told.steps, used)
@@ -375,22 +375,29 @@ fn link_judgement(
     }
 }
 
-/// What is said of a witness that speaks against what is cited alone.
-const BEHIND: &str =
-    " (it does not follow from what is cited; the givens behind it are not all met there)";
-
-/// Whether a witness was not shown to satisfy the givens behind what is cited.
-fn misses(goal: &Goal, resting: &Goal, certificate: &kane_kernel::Certificate) -> bool {
+/// What is to be said of a witness and the givens behind what is cited, if anything.
+fn about_what_stands_behind(
+    goal: &Goal,
+    resting: &Goal,
+    certificate: &kane_kernel::Certificate,
+) -> &'static str {
     if goal.hypotheses.len() == resting.hypotheses.len() {
-        return false;
+        return "";
     }
     match &certificate.evidence {
         Evidence::Model(Model::Point(_)) => {
             let goal = kane_kernel::digest(resting);
             let again = kane_kernel::Certificate { goal, ..certificate.clone() };
-            kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000)).is_err()
+            match kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000)) {
+                Ok(()) => "",
+                Err(_) => {
+                    " (it does not follow from what is cited; the givens behind it are not all met there)"
+                }
+            }
         }
-        Evidence::Model(Model::Functions(_)) => true,
-        Evidence::Contradiction(_) | Evidence::Limit(_) => false,
+        Evidence::Model(Model::Functions(_)) => {
+            " (it does not follow from what is cited; whether these meet the givens behind it was not shown)"
+        }
+        Evidence::Contradiction(_) | Evidence::Limit(_) => "",
     }
 }

@@ -111,6 +111,9 @@ pub(crate) fn regions(truth: Vec<Piece<bool>>, wanted: impl Fn(Option<bool>) -> 
     truth.into_iter().filter(|p| wanted(p.value)).map(|p| p.atoms).collect()
 }
 
+/// A definition near a point: its index, what is varied, and what is asked.
+type Near = (usize, Vec<usize>, Kind);
+
 /// Most pieces that one expression may have.
 const MAX_PIECES: usize = 4096;
 
@@ -127,7 +130,7 @@ pub struct Scope<'c> {
     roots: Vec<&'c Expr>,
     lets: RefCell<BTreeMap<usize, Vec<Piece>>>,
     /// the definitions near a point, by what is varied and what is asked
-    pub(crate) near_lets: RefCell<BTreeMap<(usize, Vec<usize>, Kind), Locals>>,
+    pub(crate) near_lets: RefCell<BTreeMap<Near, Locals>>,
 }
 
 impl<'c> Scope<'c> {

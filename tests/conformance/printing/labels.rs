@@ -35,7 +35,7 @@ fn document() -> Audit {
         text.push_str(&format!("## H {label}\n\nProse {label}.\n\n"));
     }
     let document = read("a*) \\end{b} <i>.md", text.as_bytes()).unwrap_or_else(|faults| {
-        panic!("{}", faults.iter().map(ToString::to_string).collect::<String>())
+        unreachable!("{}", faults.iter().map(ToString::to_string).collect::<String>())
     });
     let audit = audit(document, &Options::default(), &mut |_, _| {});
     assert!(audit.as_expected());

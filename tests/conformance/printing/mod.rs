@@ -90,7 +90,7 @@ fn given(sentences: &[Sentence]) -> Audit {
     }
     text.push_str("```\n");
     let document = read("random.md", text.as_bytes()).unwrap_or_else(|faults| {
-        panic!("{}", faults.iter().map(ToString::to_string).collect::<String>())
+        unreachable!("{}", faults.iter().map(ToString::to_string).collect::<String>())
     });
     audit(document, &Options::default(), &mut |_, _| {})
 }

@@ -32,6 +32,9 @@ fn broken() -> Vec<Q> {
     vec![raw(1, 0), raw(0, 0), raw(-1, 0), raw(1, -1), raw(-1, -2), raw(2, 2), raw(0, 5), raw(6, 4)]
 }
 
+/// Puts a number into one place of a goal.
+type Change<'a> = Box<dyn Fn(&mut Goal) + 'a>;
+
 /// Whether evidence is refused at the door.
 fn refused(goal: &Goal, finding: Finding, evidence: Evidence) -> bool {
     judged(goal, finding, evidence) == Err(Rejection::NotCanonical)
@@ -47,7 +50,7 @@ fn numbers_of_a_statement_are_canonical() {
         let under = Sentence { when: vec![relation(num(), Rel::Eq, num())], links: Vec::new() };
         let tends = |e: Expr, to: Expr, at| Link::Limit(limit(e, Target::Finite(to), at));
         let end = || Some(Bound { value: bad.clone(), strict: false });
-        let places: Vec<Box<dyn Fn(&mut Goal)>> = vec![
+        let places: Vec<Change<'_>> = vec![
             Box::new(|g| g.context.vars[Y].lower = end()),
             Box::new(|g| g.context.vars[X].upper = end()),
             Box::new(|g| g.context.lets = vec![Definition { name: "a".into(), body: num() }]),

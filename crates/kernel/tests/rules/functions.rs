@@ -1,50 +1,51 @@
-//! Functions as witnesses: premises on the domain, ranges, and how the conclusion fails.
+//! Functions as witnesses: premises on the domain, ranges, and a point at which the conclusion fails.
 
 use kane_kernel::{
-    Approach, Certificate, Conclusion, Evidence, Expr, Failure, Finding, Functions, Goal,
-    Hypothesis, Limit, Link, Model, Passages, Point, Poly, Proof, Rejection, Rel, Sentence, Side,
-    SideProof, State, Target, check, constants, digest, inside_goal, inside_state, on_functions,
+    Approach, Conclusion, Evidence, Expr, Failure, Finding, Functions, Germ, Goal, Hypothesis,
+    Inside, Limit, Link, Model, Passages, Point, Poly, Proof, Rejection, Rel, Side, SideProof,
+    State, Target, constants, differs, inside_goal, inside_state, misses, on_functions, owed,
     point_state, premised, range_premise, scope, sides,
 };
 
 use crate::support::{
-    Q, X, Y, abs, add, bound, cited, div, found, germ, given, judged, limit, link, mul, n, nothing,
-    number, one_is_zero, plain, plenty, pow, q, relation, side, symbol, var, with_function,
+    Q, X, Y, add, bound, cited, div, equal, found, germ, given, judged, limit, link, mul, n,
+    nothing, number, one_is_zero, plain, plenty, q, relation, side, symbol, var, with_function,
 };
 
 /// The function k and the constant c.
-const K: usize = Y;
-const C: usize = 2;
+pub(crate) const K: usize = Y;
+
+pub(crate) const C: usize = 2;
 
 /// num/den with an order, along a side: what a limit is shown with.
-type Ends = (Side, Poly, Poly, u32);
+pub(crate) type Ends = (Side, Poly, Poly, u32);
 
 /// A limit proof in the domain of functions, or as much of one as there is.
-fn tends(domain: &Goal, l: &Limit, (at, num, den, order): Ends) -> SideProof {
+pub(crate) fn tends(domain: &Goal, l: &Limit, (at, num, den, order): Ends) -> SideProof {
     let conclusion = Conclusion::Link(Link::Limit(l.clone()));
     let goal = Goal { conclusion, ..domain.clone() };
     let scope = scope(&goal, plenty()).expect("small");
     let mut state = constants(&scope, &goal, l.var).expect("small");
     state.passages = Passages::Nowhere;
     let mut along = germ(&state, at);
-    for given in kane_kernel::owed(&state, &along.side) {
+    for given in owed(&state, &along.side) {
         let asked = inside_goal(&state, &along.side, given, &[]).expect("without functions");
         let inner = kane_kernel::scope(&asked, plenty()).expect("small");
         let question = inside_state(&state, &along, &inner, &asked).expect("small");
         let proof = found(&question).unwrap_or_else(nothing);
-        along.inside.push(kane_kernel::Inside { values: Vec::new(), proof });
+        along.inside.push(Inside { values: Vec::new(), proof });
     }
     let parts = (&num, &den, order);
-    let wrong = kane_kernel::differs(&scope, &l.expr, (&num, &den)).expect("small");
+    let wrong = differs(&scope, &l.expr, (&num, &den)).expect("small");
     let there = state.along_unproved(&along).map(|s| s.with_cases(wrong));
     let along_proof = there.ok().and_then(|s| found(&s)).unwrap_or_else(nothing);
-    let ends = kane_kernel::misses(&state, &along.side, parts, &l.to);
+    let ends = misses(&state, &along.side, parts, &l.to);
     let at_zero = ends.ok().and_then(|e| found(&state.with_cases(e))).unwrap_or_else(nothing);
     SideProof { germ: along, num, den, order, along: along_proof.into(), at_zero: at_zero.into() }
 }
 
 /// Functions for a goal, with such proofs as there are: those that are missing prove nothing.
-fn functions(
+pub(crate) fn functions(
     goal: &Goal,
     values: Vec<(usize, Expr)>,
     ends: &[Ends],
@@ -76,16 +77,16 @@ fn functions(
     Functions { var: X, values, ranges, premises, failure }
 }
 
-fn judge(goal: &Goal, finding: Finding, f: &Functions) -> Result<(), Rejection> {
+pub(crate) fn judge(goal: &Goal, finding: Finding, f: &Functions) -> Result<(), Rejection> {
     judged(goal, finding, Evidence::Model(Model::Functions(f.clone().into())))
 }
 
-fn at(x: Q) -> impl Fn(&Goal) -> Failure {
+pub(crate) fn at(x: Q) -> impl Fn(&Goal) -> Failure {
     move |_| Failure::At(Point { generator: None, values: vec![(X, vec![x.clone()])] })
 }
 
 /// From x > 0, k·x = c, k → 0 as x → ∞ and c > 0 (cited) it does not follow that k = 1 when x > 1.
-fn hyperbola() -> Goal {
+pub(crate) fn hyperbola() -> Goal {
     let mut goal = with_function();
     goal.context.vars.push(symbol("c", None));
     goal.context.vars[K].lower = bound(q(0, 1), true);
@@ -105,12 +106,12 @@ fn hyperbola() -> Goal {
 }
 
 /// k = a/x, c = a
-fn inverse(a: i64) -> Vec<(usize, Expr)> {
+pub(crate) fn inverse(a: i64) -> Vec<(usize, Expr)> {
     vec![(K, div(number(a, 1), var(X))), (C, number(a, 1))]
 }
 
 /// a/x = a·t/1 as x = 1/t.
-fn far(a: i64) -> Vec<Ends> {
+pub(crate) fn far(a: i64) -> Vec<Ends> {
     vec![(side(None, true), Poly::var(3).scale(&a.into()), n(1), 0)]
 }
 
@@ -252,7 +253,7 @@ fn nothing_is_passed_to_a_limit_for_explicit_functions() {
     let base = functions(&goal, inverse(1), &far(1), &at(q(2, 1)));
     let pass = || Proof::Pass {
         germ: base.premises[2].1[0][0].germ.clone(),
-        atom: crate::support::equal(n(0)),
+        atom: equal(n(0)),
         along: nothing().into(),
         then: nothing().into(),
     };
@@ -267,110 +268,6 @@ fn nothing_is_passed_to_a_limit_for_explicit_functions() {
     assert_eq!(with(&|f| *f.premises[2].1[0][0].at_zero = pass()), refused);
     assert_eq!(with(&|f| *f.premises[2].1[0][0].along = pass()), refused);
     assert_eq!(with(&|f| f.premises[2].1[0][0].germ.inside[0].proof = pass()), refused);
-}
-
-/// k → 1 as x → ∞ from k·x = 1 and x > 0, under a condition on c.
-fn tending(value: Target, at: Approach, when: i64) -> Goal {
-    let mut goal = hyperbola();
-    goal.context.vars[K].lower = None;
-    goal.hypotheses.remove(2);
-    goal.when = vec![relation(var(C), Rel::Eq, number(when, 1))];
-    goal.conclusion = Conclusion::Link(Link::Limit(limit(var(K), value, at)));
-    goal
-}
-
-fn other(target: Target, link: usize, at: Approach, ends: Ends) -> impl Fn(&Goal) -> Failure {
-    move |domain| {
-        let l = limit(var(K), target.clone(), at.clone());
-        Failure::Limit { link, target: target.clone(), proof: tends(domain, &l, ends.clone()) }
-    }
-}
-
-#[test]
-fn a_limit_is_refuted_by_another_limit_from_one_of_its_sides() {
-    let finite = |a, b| Target::Finite(number(a, b));
-    let zero = |link| other(finite(0, 1), link, Approach::PlusInf, far(1).remove(0));
-    let fails = |goal: &Goal, failure: &dyn Fn(&Goal) -> Failure| {
-        judge(goal, Finding::Refuted, &functions(goal, inverse(1), &[], failure))
-    };
-    let infinity = || Approach::PlusInf;
-    assert_eq!(fails(&tending(finite(1, 1), infinity(), 1), &zero(0)), Ok(()));
-    assert_eq!(fails(&tending(Target::PlusInf, infinity(), 1), &zero(0)), Ok(()));
-    let goal = tending(finite(0, 1), infinity(), 1);
-    assert_eq!(fails(&goal, &zero(0)), Err(Rejection::NotAModel(None)), "it is the claimed one");
-    let same = Target::Finite(mul(number(0, 1), number(3, 1)));
-    let goal = tending(same, infinity(), 1);
-    assert_eq!(fails(&goal, &zero(0)), Err(Rejection::NotAModel(None)), "written otherwise");
-    let goal = tending(finite(1, 1), infinity(), 2);
-    assert_eq!(fails(&goal, &zero(0)), Err(Rejection::NotAModel(None)), "its condition is not met");
-    let goal = tending(finite(1, 1), infinity(), 1);
-    assert_eq!(fails(&goal, &zero(1)), Err(Rejection::WrongEvidence), "no such link");
-    let goal = tending(finite(1, 1), Approach::To(q(1, 1)), 1);
-    assert_eq!(fails(&goal, &zero(0)), Err(Rejection::OutsideDomain), "not one of its sides");
-    // One of two sides is enough: 1/x → 1/2 as x → 2−.
-    let t = Poly::var(3);
-    let below = || (side(Some(q(2, 1)), false), n(1), n(2).sub(&t), 0);
-    let half = other(finite(1, 2), 0, Approach::Below(q(2, 1)), below());
-    let goal = tending(finite(1, 1), Approach::To(q(2, 1)), 1);
-    assert_eq!(fails(&goal, &half), Ok(()));
-    let goal = tending(finite(1, 1), Approach::Above(q(2, 1)), 1);
-    assert_eq!(fails(&goal, &half), Err(Rejection::OutsideDomain));
-    // At −∞ the functions need not satisfy anything.
-    let goal = tending(finite(1, 1), Approach::MinusInf, 1);
-    let left = (side(None, false), t.neg(), n(1), 0);
-    assert!(fails(&goal, &other(finite(0, 1), 0, Approach::MinusInf, left)).is_err());
-    // The other limit has to be one.
-    let goal = tending(finite(1, 1), infinity(), 1);
-    let wrong = other(finite(5, 1), 0, infinity(), (side(None, true), n(5), n(1), 0));
-    assert!(fails(&goal, &wrong).is_err());
-    let f = functions(&goal, inverse(1), &[], &zero(0));
-    for finding in [Finding::Proved, Finding::IllDefined, Finding::Consistent, Finding::Vacuous] {
-        assert_eq!(judge(&goal, finding, &f), Err(Rejection::WrongEvidence), "{finding:?}");
-    }
-    // A limit is no matter of a point.
-    let f = functions(&goal, inverse(1), &[], &at(q(2, 1)));
-    assert_eq!(judge(&goal, Finding::Refuted, &f), Err(Rejection::NeedsFunctions));
-}
-
-#[test]
-fn a_limit_that_does_not_follow_is_another_one_under_its_own_condition() {
-    let l = limit(var(K), Target::Finite(number(1, 1)), Approach::PlusInf);
-    let goal = |c| {
-        let when = vec![relation(var(C), Rel::Eq, number(c, 1))];
-        let sentence = Sentence { when, links: vec![Link::Limit(l.clone())] };
-        let conclusion = Conclusion::NotImplied(sentence);
-        Goal { conclusion, when: Vec::new(), ..tending(Target::PlusInf, Approach::PlusInf, 1) }
-    };
-    let zero = other(Target::Finite(number(0, 1)), 0, Approach::PlusInf, far(1).remove(0));
-    let fails =
-        |goal: &Goal| judge(goal, Finding::Proved, &functions(goal, inverse(1), &[], &zero));
-    assert_eq!(fails(&goal(1)), Ok(()));
-    assert_eq!(fails(&goal(2)), Err(Rejection::NotAModel(None)));
-    let f = functions(&goal(1), inverse(1), &[], &zero);
-    assert_eq!(judge(&goal(1), Finding::Refuted, &f), Err(Rejection::WrongEvidence));
-}
-
-#[test]
-fn hypotheses_of_a_limit_are_consistent_if_the_domain_reaches_it() {
-    let reaches = |goal: &Goal, at: &[Side]| {
-        let failure = |domain: &Goal| {
-            let Conclusion::Link(Link::Limit(l)) = &goal.conclusion else {
-                unreachable!("a limit");
-            };
-            let zero = Limit { expr: number(0, 1), to: Target::Finite(number(0, 1)), ..l.clone() };
-            let domain = Goal { when: goal.when.clone(), ..domain.clone() };
-            let proof = |s: &Side| tends(&domain, &zero, (s.clone(), n(0), n(1), 0));
-            Failure::Reaches(at.iter().map(proof).collect())
-        };
-        judge(goal, Finding::Consistent, &functions(goal, inverse(1), &[], &failure))
-    };
-    let to = || Target::Finite(number(1, 1));
-    let up = side(None, true);
-    assert_eq!(reaches(&tending(to(), Approach::PlusInf, 1), &[up]), Ok(()));
-    assert!(reaches(&tending(to(), Approach::PlusInf, 1), &[]).is_err());
-    assert!(reaches(&tending(to(), Approach::MinusInf, 1), &[side(None, false)]).is_err());
-    let never = reaches(&tending(to(), Approach::PlusInf, 2), &[side(None, true)]);
-    assert_eq!(never, Err(Rejection::NotAModel(None)), "its own condition is not met");
 }
 
 #[test]
@@ -392,60 +289,6 @@ fn a_limit_in_another_variable_is_none_of_the_functions() {
     assert_eq!(judged(&goal, Finding::Refuted, evidence), Err(Rejection::NeedsFunctions));
 }
 
-#[test]
-fn targets_that_are_not_visibly_different_refute_nothing() {
-    // √2·√2 is 2, which no normal form shows.
-    let root = || crate::support::sqrt(number(2, 1));
-    let goal = tending(Target::Finite(mul(root(), root())), Approach::PlusInf, 1);
-    let target = Target::Finite(number(2, 1));
-    let ends = (side(None, true), n(2), n(1), 0);
-    let mut goal =
-        Goal { hypotheses: vec![given(vec![link(var(C), Rel::Eq, number(1, 1))])], ..goal };
-    let Conclusion::Link(Link::Limit(l)) = &mut goal.conclusion else {
-        unreachable!("a limit");
-    };
-    l.expr = add(mul(number(0, 1), var(K)), mul(var(C), number(2, 1)));
-    let expr = l.expr.clone();
-    let failure = |domain: &Goal| {
-        let l = limit(expr.clone(), target.clone(), Approach::PlusInf);
-        Failure::Limit { link: 0, target: target.clone(), proof: tends(domain, &l, ends.clone()) }
-    };
-    let f = functions(&goal, vec![(K, abs(pow(var(X), 2))), (C, number(1, 1))], &[], &failure);
-    assert_eq!(judge(&goal, Finding::Refuted, &f), Err(Rejection::NotAModel(None)));
-}
-
-#[test]
-fn a_digest_is_for_one_goal() {
-    let goal = hyperbola();
-    let changed = |change: &dyn Fn(&mut Goal)| {
-        let mut other = goal.clone();
-        change(&mut other);
-        digest(&other)
-    };
-    let digests = [
-        digest(&goal),
-        changed(&|g| g.context.vars[C].name = "d".to_string()),
-        changed(&|g| g.context.vars[K].lower = None),
-        changed(&|g| g.context.vars[K].lower = bound(q(0, 1), false)),
-        changed(&|g| g.hypotheses[0].given = false),
-        changed(&|g| g.hypotheses.reverse()),
-        changed(&|g| g.behind = vec![g.hypotheses[0].sentence.clone()]),
-        changed(&|g| g.when.clear()),
-        changed(&|g| g.conclusion = Conclusion::Contradiction),
-    ];
-    let different: std::collections::BTreeSet<u128> = digests.into_iter().collect();
-    assert_eq!(different.len(), digests.len());
-    assert_eq!(changed(&|_| ()), digests[0]);
-    let evidence = Evidence::Model(Model::Functions(
-        functions(&goal, inverse(1), &far(1), &at(q(2, 1))).into(),
-    ));
-    for (named, wanted) in digests.iter().zip([true].iter().chain(std::iter::repeat(&false))) {
-        let evidence = evidence.clone();
-        let certificate = Certificate { goal: *named, finding: Finding::Refuted, evidence };
-        assert_eq!(check(&goal, &certificate, plenty()).is_ok(), *wanted);
-    }
-}
-
 /// A proof that a premise without undefined parts, or a range, holds: nothing of it is left to fail.
 fn evident() -> Proof {
     Proof::Assume { formula: 1, cases: Vec::new() }
@@ -464,7 +307,7 @@ fn premised_limits_are_about_the_variable_of_the_functions() {
         Limit { expr: Expr::Var(k), to: Target::Finite(third()), var: a, at: Approach::PlusInf };
     goal.hypotheses =
         vec![given(vec![link(product, Rel::Eq, Expr::int(1))]), given(vec![Link::Limit(limit)])];
-    let germ = kane_kernel::Germ {
+    let germ = Germ {
         side: Side { var: a, at: None, above: true },
         radius: (n(1), n(1)),
         positive: Box::new(Proof::Assume { formula: 1, cases: vec![nothing(), nothing()] }),

@@ -191,7 +191,7 @@ fn relations_are_read_from_left_to_right() {
     let all = relations();
     for pair in all.iter().flat_map(|a| all.iter().map(move |b| [a.clone(), b.clone()])) {
         let truth = scope.all(&pair).expect("small");
-        for point in points().into_iter().step_by(3) {
+        for point in points().into_iter().step_by(6) {
             let at = at(&scope, &point);
             let here: Vec<_> = truth.iter().filter(|p| inside(&p.atoms, &at)).collect();
             assert_eq!(here.len(), 1, "{pair:?} at {point:?}");
@@ -205,14 +205,14 @@ fn a_premise_says_nothing_off_its_conditions() {
     let goal = plain();
     let scope = Scope::new(&goal.context, &[], plenty()).expect("small");
     let all = relations();
-    let some = all.iter().step_by(5);
+    let some = all.iter().step_by(7);
     for (when, r) in some.flat_map(|w| all.iter().map(move |r| (w.clone(), r.clone()))) {
         let links = vec![kane_kernel::Link::Relation(r), link(var(Y), Rel::Ge, number(-1, 1))];
         let s = Sentence { when: vec![when], links };
         for given in [true, false] {
             for holds in [true, false] {
                 let cases = scope.premise(&s, given, holds).expect("small");
-                for point in points().into_iter().step_by(2) {
+                for point in points().into_iter().step_by(4) {
                     let at = at(&scope, &point);
                     let found = cases.iter().filter(|case| inside(case, &at)).count();
                     let wanted = oracle::premise(&s, given, &point) == holds;

@@ -164,11 +164,15 @@ pub(crate) fn all(relations: &[Relation], point: &[Q], x: Option<usize>) -> Opti
         let (a, b) = (series(&r.lhs, point, x)?, series(&r.rhs, point, x)?);
         let gap: Series = a.iter().zip(&b).map(|(a, b)| a - b).collect();
         smooth(&gap, x)?;
-        let holds = match (r.rel, first_sign(&gap[..1])) {
-            (Rel::Eq | Rel::Le | Rel::Ge, 0) | (Rel::Ne | Rel::Lt | Rel::Le, -1) => true,
-            (Rel::Ne | Rel::Gt | Rel::Ge, 1) => true,
-            _ => false,
+        let wanted: &[i8] = match r.rel {
+            Rel::Eq => &[0],
+            Rel::Ne => &[-1, 1],
+            Rel::Lt => &[-1],
+            Rel::Le => &[-1, 0],
+            Rel::Gt => &[1],
+            Rel::Ge => &[0, 1],
         };
+        let holds = wanted.contains(&first_sign(&gap[..1]));
         if !holds {
             return Some(false);
         }

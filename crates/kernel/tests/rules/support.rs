@@ -218,22 +218,23 @@ pub(crate) fn judged(goal: &Goal, finding: Finding, evidence: Evidence) -> Resul
 /// A proof that closes a state, if a very small one does: every case of every formula, and then a
 /// sum of a few summands.
 pub(crate) fn found(state: &State<'_, '_>) -> Option<Proof> {
-    cases_from(state, 0)
+    cases_from(state, 0, false)
 }
 
 /// The same for a state that has one: the test is wrong if none is found.
 pub(crate) fn closing(state: &State<'_, '_>) -> Proof {
-    let proof = found(state);
+    let proof = found(state).or_else(|| cases_from(state, 0, true));
     assert!(proof.is_some(), "no proof of {:?} {:?}", state.atoms, state.formulas);
     proof.expect("just seen")
 }
 
-fn cases_from(state: &State<'_, '_>, formula: usize) -> Option<Proof> {
-    if let Some(proof) = sum(state) {
+fn cases_from(state: &State<'_, '_>, formula: usize, thorough: bool) -> Option<Proof> {
+    if let Some(proof) = sum(state, thorough) {
         return Some(proof);
     }
     let next = state.assume(formula).ok()?;
-    let cases = next.iter().map(|case| cases_from(case, formula + 1)).collect::<Option<_>>()?;
+    let cases =
+        next.iter().map(|case| cases_from(case, formula + 1, thorough)).collect::<Option<_>>()?;
     Some(Proof::Assume { formula, cases })
 }
 
@@ -244,7 +245,7 @@ enum Summand {
     Equation(usize, Poly),
 }
 
-fn sum(state: &State<'_, '_>) -> Option<Proof> {
+fn sum(state: &State<'_, '_>, thorough: bool) -> Option<Proof> {
     let atoms = &state.atoms;
     let mut pool: Vec<(Poly, Summand)> = Vec::new();
     let mut vars: Vec<usize> = atoms.iter().flat_map(|a| a.poly.vars()).collect();
@@ -255,7 +256,6 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
         match atom.sign {
             Sign::Zero => {
                 let others = atoms.iter().map(|a| a.poly.scale(&a.poly.primitive().0));
-                let others = others.filter(|o| o != p);
                 for m in vars.iter().map(|v| Poly::var(*v)).chain([n(1), n(2)]).chain(others) {
                     for m in [m.neg(), m] {
                         pool.push((times(p, &m), Summand::Equation(i, m)));
@@ -266,7 +266,10 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
                 pool.push((times(p, p), Summand::Term(term(1, n(1), vec![(i, 2)]))));
             }
             Sign::NonNegative | Sign::Positive => {
-                pool.push((p.clone(), Summand::Term(term(1, n(1), vec![(i, 1)]))));
+                for w in [1, 3] {
+                    let weighed = Summand::Term(term(w, n(1), vec![(i, 1)]));
+                    pool.push((p.scale(&w.into()), weighed));
+                }
                 for (j, other) in atoms.iter().enumerate().take(i) {
                     if other.sign.is_order() {
                         let factors = vec![(i, 1), (j, 1)];
@@ -302,7 +305,7 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
     for (i, (first, _)) in pool.iter().enumerate() {
         sums.entry(bare(first)).or_default().push(vec![i]);
     }
-    // One summand, two, three, and at last two and two.
+    // One summand, two, three, and if it is worth the time two and two.
     for (i, (first, _)) in pool.iter().enumerate() {
         let rest = sums.get(&bare(first).neg());
         let pairs = rest.into_iter().flatten().map(|rest| [&rest[..], &[i]].concat());
@@ -315,6 +318,9 @@ fn sum(state: &State<'_, '_>) -> Option<Proof> {
         .map(|(i, j)| (bare(&pool[i].0.add(&pool[j].0)), vec![i, j]))
         .collect();
     for twice in [false, true] {
+        if twice && !thorough {
+            break;
+        }
         if twice {
             for (sum, pair) in &pairs {
                 sums.entry(sum.clone()).or_default().push(pair.clone());

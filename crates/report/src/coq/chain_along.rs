@@ -360,7 +360,7 @@ impl At<'_, '_> {
             };
         }
         for &v in of {
-            for end in 0..symbols.range(v).len() {
+            for (end, _) in symbols.range(v).iter().enumerate() {
                 let term = match (constant(v), v == x) {
                     (true, _) => self.name(&Slot::Range(v, end))?,
                     (_, true) => within[end].clone(),

@@ -85,7 +85,7 @@ impl Prose<'_> {
             }
             Expr::Deriv(f, x) => {
                 let slope = Slope::of(f, *x)?;
-                out = self.near_conditions(&slope.f, slope.x, true)?;
+                out = self.near_conditions(&slope.f, slope.x)?;
             }
             other => {
                 for part in other.children() {

@@ -156,7 +156,7 @@ impl Prose<'_> {
             let (x, value) = ((self.name)(s.x), self.symbols.name(FIRST + i));
             let f = format!("(fun {x} : R => {})", self.term(&s.f)?);
             let says = self.derives(s.again, &f, &x, &value);
-            out.push(arrow(&self.near_conditions(&s.f, s.x, true)?, &says));
+            out.push(arrow(&self.near_conditions(&s.f, s.x)?, &says));
         }
         Ok(out)
     }
@@ -175,36 +175,31 @@ impl Prose<'_> {
     }
 
     /// The conditions under which an expression is differentiable by a symbol, or only continuous.
-    pub(super) fn near_conditions(
-        &self,
-        e: &Expr,
-        x: usize,
-        smooth: bool,
-    ) -> Result<Vec<String>, NotEmitted> {
+    pub(super) fn near_conditions(&self, e: &Expr, x: usize) -> Result<Vec<String>, NotEmitted> {
         let mut out = Vec::new();
         match e {
             Expr::Div(a, b) => {
-                out.extend(self.near_conditions(a, x, smooth)?);
-                out.extend(self.near_conditions(b, x, smooth)?);
+                out.extend(self.near_conditions(a, x)?);
+                out.extend(self.near_conditions(b, x)?);
                 if !matches!(&**b, Expr::Num(q) if !q.is_zero()) {
                     out.push(format!("{} <> 0", self.term(b)?));
                 }
             }
             Expr::Pow(a, n) if *n < 0 => {
-                out.extend(self.near_conditions(a, x, smooth)?);
+                out.extend(self.near_conditions(a, x)?);
                 let below = Expr::Pow(a.clone(), n.saturating_neg());
                 out.push(format!("{} <> 0", self.term(&below)?));
             }
             Expr::Cases(branches, otherwise) => {
                 let mut rest = match otherwise {
-                    Some(e) => self.near_conditions(e, x, smooth)?,
+                    Some(e) => self.near_conditions(e, x)?,
                     None => vec!["False".to_owned()],
                 };
                 for (guards, body) in branches.iter().rev() {
-                    let mut then = self.near_conditions(body, x, smooth)?;
+                    let mut then = self.near_conditions(body, x)?;
                     for g in guards.iter().rev() {
-                        let mut all = self.near_conditions(&g.lhs, x, false)?;
-                        all.extend(self.near_conditions(&g.rhs, x, false)?);
+                        let mut all = self.near_conditions(&g.lhs, x)?;
+                        all.extend(self.near_conditions(&g.rhs, x)?);
                         if mentions(&g.lhs, x) || mentions(&g.rhs, x) {
                             all.push(
                                 self.relation(&Relation {
@@ -228,7 +223,7 @@ impl Prose<'_> {
             }
             other => {
                 for part in other.children() {
-                    out.extend(self.near_conditions(part, x, smooth)?);
+                    out.extend(self.near_conditions(part, x)?);
                 }
             }
         }
