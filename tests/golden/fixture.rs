@@ -86,6 +86,7 @@ fn judged(verdict: Verdict, links: Vec<LinkJudgement>) -> Judgement {
         unproved: vec![],
         rests_on: vec![],
         model: None,
+        met: None,
         expect: None,
     }
 }

@@ -75,6 +75,7 @@ fn plain_verdict(verdict: Verdict, rests_on: Vec<usize>) -> Judgement {
         unproved: Vec::new(),
         rests_on,
         model: None,
+        met: None,
         expect: None,
     }
 }
@@ -218,7 +219,7 @@ fn judge(
         },
     };
     let mut links = Vec::new();
-    let (mut model, mut vacuous) = (None, false);
+    let (mut model, mut met, mut vacuous) = (None, None, false);
     for (conclusion, text, latex) in conclusions {
         let along = hypotheses.iter().map(|h| &h.sentence.links[..]).chain([conclusion.links()]);
         let limits = along.flatten().any(|l| matches!(l, Link::Limit(_)));
@@ -250,6 +251,7 @@ fn judge(
         vacuous |= matches!(&found.decided, Some(d) if d.certificate.finding == Finding::Vacuous);
         if model.is_none() {
             model = found.model.as_ref().map(|m| explain::model(&goal, m));
+            met = found.model.as_ref().map(|m| Rc::new(accepted_model(&goal, m)));
         }
         links.push(link_judgement(document, &goal, &resting, &cited, found, text, latex));
     }
@@ -261,6 +263,7 @@ fn judge(
         unproved,
         rests_on,
         model,
+        met,
         expect: claim.expect,
     }
 }
@@ -296,6 +299,15 @@ fn unreached(
         }
         (_, None) => format!("a premise was not shown to be able to hold as {near}"),
     }
+}
+
+/// A model of a goal's hypotheses, as the kernel accepted it.
+fn accepted_model(goal: &Goal, model: &Model) -> Accepted {
+    let evidence = Evidence::Model(model.clone());
+    let digest = kane_kernel::digest(goal);
+    let certificate =
+        kane_kernel::Certificate { goal: digest, finding: Finding::Consistent, evidence };
+    Accepted { goal: goal.clone(), certificate }
 }
 
 fn premise_sentence(document: &Document, i: usize) -> Option<Sentence> {

@@ -65,6 +65,8 @@ pub struct Judgement {
     pub rests_on: Vec<usize>,
     /// a point or functions at which all hypotheses hold: `name = value` pairs; `None` where none was found
     pub model: Option<Vec<(String, String)>>,
+    /// the same as the kernel accepted it, for those who hand it to another judge
+    pub met: Option<Rc<Accepted>>,
     /// the author's expectation, if written
     pub expect: Option<Verdict>,
 }

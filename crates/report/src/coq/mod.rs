@@ -25,6 +25,7 @@ mod witness;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use kane_audit::Accepted;
 use kane_kernel::Rejection;
 
 use crate::Report;
@@ -62,7 +63,7 @@ pub struct Lemma {
     /// that it follows from the givens, or why that is not said; `None` for what does not follow
     pub theorem: Option<Result<Theorem, Unchained>>,
     /// what it needs of the theory
-    part: Part,
+    parts: Vec<Part>,
 }
 
 /// A document in Coq.
@@ -83,7 +84,7 @@ impl File {
     /// What the file begins with: the rules of proof that it needs, and that they are sound.
     #[must_use]
     pub fn theory(&self) -> String {
-        theory(&self.lemmas.iter().map(|l| l.part).collect::<Vec<_>>())
+        theory(&self.lemmas.iter().flat_map(|l| l.parts.clone()).collect::<Vec<_>>())
     }
 
     /// The file without the lemmas of these names.
@@ -139,8 +140,12 @@ impl File {
         let text = self.without(without);
         let before = text.lines().take(line).collect::<Vec<_>>();
         let heading = before.iter().rev().find_map(|l| l.strip_prefix("Definition goal_"))?;
-        let name = format!("claim_{}", heading.split_whitespace().next()?);
-        self.lemmas.iter().filter_map(|l| l.name.as_deref().ok()).find(|n| *n == name)
+        let label = heading.split_whitespace().next()?;
+        let named = |label: &str| {
+            let name = format!("claim_{label}");
+            self.lemmas.iter().filter_map(|l| l.name.as_deref().ok()).find(|n| *n == name)
+        };
+        named(label).or_else(|| named(label.strip_prefix("met_")?))
     }
 }
 
@@ -166,11 +171,11 @@ pub fn coq(report: &Report<'_>) -> File {
             let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);
             let mut text = format!("\n(** {} *)\n", comment(&heading));
             let emitted = lemma::lemma(&name, accepted);
-            let mut part = Part::Points;
+            let mut parts = vec![Part::Points];
             match &emitted {
                 Ok(lemma) => {
                     text.push_str(&lemma.text);
-                    part = lemma.part;
+                    parts.push(lemma.part);
                 }
                 Err(why) => {
                     let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
@@ -182,14 +187,41 @@ pub fn coq(report: &Report<'_>) -> File {
                 let form = lemma.form.as_ref().ok_or(Unchained::Limits)?;
                 Place { document, statement, rests_on, accepted, form }.theorem(&name, &theorems)
             });
+            if follows && emitted.is_ok() && link == 0 {
+                let met = report.audit.judgements[statement].met.as_deref();
+                let (premises, needs) = premises_met(&name, accepted, met);
+                text.push_str(&premises);
+                parts.extend(needs);
+            }
             if let Some(Ok(theorem)) = &theorem {
                 theorems.insert((statement, link), theorem.clone());
             }
             let name = emitted.map(|_| format!("claim_{name}"));
-            lemmas.push(Lemma { statement, link, name, text, theorem, part });
+            lemmas.push(Lemma { statement, link, name, text, theorem, parts });
         }
     }
     File { title, lemmas }
+}
+
+/// That the premises of a lemma can be met, if a model of them is known, as an example.
+fn premises_met(name: &str, accepted: &Accepted, met: Option<&Accepted>) -> (String, Option<Part>) {
+    let goal = &accepted.goal;
+    if goal.hypotheses.is_empty() && goal.when.is_empty() {
+        return (String::new(), None);
+    }
+    let Some(met) = met else {
+        return ("(* no model of the premises is known *)\n".to_owned(), None);
+    };
+    match lemma::lemma(&format!("met_{name}"), met) {
+        Ok(lemma) => {
+            let text = lemma.text.replace("Lemma claim_met_", "Example met_");
+            (format!("(* its premises can be met *)\n{text}"), Some(lemma.part))
+        }
+        Err(why) => {
+            let why = comment(&why.to_string());
+            (format!("(* its premises can be met; the model is not emitted: {why} *)\n"), None)
+        }
+    }
 }
 
 /// A name for a link of a claim: its label, and the number of the link if there are several.

@@ -449,8 +449,8 @@ const KEPT: [&str; 71] = [
 ];
 
 /// What the names of a file's own definitions begin with.
-pub(super) const OWN: [&str; 8] =
-    ["theorem_", "goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
+pub(super) const OWN: [&str; 9] =
+    ["met_", "theorem_", "goal_", "proof_", "claim_", "witness_", "functions_", "limit_", "Root"];
 
 /// A name as Coq takes it, and as nothing else in the file is called.
 pub(super) fn identifier(name: &str) -> String {
