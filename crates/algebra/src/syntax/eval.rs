@@ -12,6 +12,7 @@ use num_traits::Zero;
 use thiserror::Error;
 
 use super::jet::Jet;
+use super::neighbourhood::both;
 
 /// Derivatives within each other; each doubles the work.
 const MAX_DERIVATIVES: usize = 8;
@@ -32,6 +33,9 @@ pub enum NoValue {
     /// on the boundary of a case, or at the root of zero, under a derivative
     #[error("not differentiable here")]
     NotDifferentiable,
+    /// under a derivative, where the sides of a guard meet and may agree near the point
+    #[error("a guard that may change here")]
+    Unsettled,
     /// defined perhaps, but through an irrational root
     #[error("an irrational root")]
     Irrational,
@@ -52,7 +56,7 @@ impl NoValue {
             | Self::NegativeRadicand
             | Self::NoCase
             | Self::NotDifferentiable => true,
-            Self::Irrational | Self::TooLarge | Self::Unassigned => false,
+            Self::Unsettled | Self::Irrational | Self::TooLarge | Self::Unassigned => false,
         }
     }
 }
@@ -84,14 +88,14 @@ pub fn holds(
 /// Evaluates at one point, each definition once.
 #[derive(Debug)]
 pub struct Evaluator<'a> {
-    context: &'a Context,
-    point: &'a [BigRational],
+    pub(super) context: &'a Context,
+    pub(super) point: &'a [BigRational],
     /// values of definitions at the point
     known: HashMap<usize, Result<Jet, NoValue>>,
     /// values of definitions under the present `moved`
     known_moved: HashMap<usize, Result<Jet, NoValue>>,
     /// symbols under differentiation, outermost first; the level is the position, from 1
-    moved: Vec<(usize, Jet)>,
+    pub(super) moved: Vec<(usize, Jet)>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -138,31 +142,17 @@ impl<'a> Evaluator<'a> {
         Ok(true)
     }
 
-    /// How two values at the point compare. Under a derivative they must differ: where they meet,
-    /// another branch may be taken within every neighbourhood.
+    /// How two values compare: at the point, and under a derivative near it.
     fn compare(&mut self, a: &Expr, b: &Expr) -> Result<Ordering, NoValue> {
-        let moved = std::mem::take(&mut self.moved);
-        let values = self.both(a, b);
-        self.moved = moved;
-        let (a, b) = values?;
-        self.apart(a.real().cmp(b.real()))
-    }
-
-    fn apart(&self, order: Ordering) -> Result<Ordering, NoValue> {
-        if order.is_eq() && !self.moved.is_empty() {
-            return Err(NoValue::NotDifferentiable);
+        if !self.moved.is_empty() {
+            return self.settled(a, b);
         }
-        Ok(order)
+        let (a, b) = self.both(a, b)?;
+        Ok(a.real().cmp(b.real()))
     }
 
     fn both(&mut self, a: &Expr, b: &Expr) -> Result<(Jet, Jet), NoValue> {
-        match (self.jet(a), self.jet(b)) {
-            (Ok(a), Ok(b)) => Ok((a, b)),
-            (Err(reason), Err(other)) if other.is_undefined() && !reason.is_undefined() => {
-                Err(other)
-            }
-            (Err(reason), _) | (_, Err(reason)) => Err(reason),
-        }
+        both(self.jet(a), self.jet(b))
     }
 
     fn jet(&mut self, expr: &Expr) -> Result<Jet, NoValue> {
@@ -210,22 +200,22 @@ impl<'a> Evaluator<'a> {
 
     fn quotient(&mut self, a: &Expr, b: &Expr) -> Result<Jet, NoValue> {
         let inverse = self.jet(b).and_then(Jet::reciprocal);
-        let (a, inverse) = pair(self.jet(a), inverse)?;
+        let (a, inverse) = both(self.jet(a), inverse)?;
         a.mul(inverse)
     }
 
     fn magnitude(&mut self, a: &Expr) -> Result<Jet, NoValue> {
+        let order = self.compare(a, &Expr::int(0))?;
         let a = self.jet(a)?;
-        match self.apart(a.real().cmp(&BigRational::zero()))? {
-            Ordering::Less => Ok(a.neg()),
-            Ordering::Equal | Ordering::Greater => Ok(a),
-        }
+        Ok(if order.is_lt() { a.neg() } else { a })
     }
 
     fn root(&mut self, a: &Expr) -> Result<Jet, NoValue> {
-        let a = self.jet(a)?;
-        self.apart(a.real().cmp(&BigRational::zero()))?;
-        a.sqrt()
+        let radicand = self.jet(a)?;
+        if !self.moved.is_empty() && radicand.real().is_zero() {
+            self.must_vanish(a)?;
+        }
+        radicand.sqrt()
     }
 
     fn choose(&mut self, a: &Expr, b: &Expr, wanted: Ordering) -> Result<Jet, NoValue> {
@@ -264,15 +254,6 @@ impl<'a> Evaluator<'a> {
         self.known_moved = known;
         self.moved.pop();
         Ok(result?.split(level).1.unwrap_or_else(Jet::zero))
-    }
-}
-
-/// Both, or the reason why not: that one is undefined outweighs that the other is out of reach.
-fn pair(a: Result<Jet, NoValue>, b: Result<Jet, NoValue>) -> Result<(Jet, Jet), NoValue> {
-    match (a, b) {
-        (Ok(a), Ok(b)) => Ok((a, b)),
-        (Err(a), Err(b)) if b.is_undefined() && !a.is_undefined() => Err(b),
-        (Err(reason), _) | (_, Err(reason)) => Err(reason),
     }
 }
 

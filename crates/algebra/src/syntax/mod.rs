@@ -26,6 +26,7 @@ mod latex;
 mod lexer;
 mod links;
 mod names;
+mod neighbourhood;
 mod number;
 mod parser;
 mod plain;

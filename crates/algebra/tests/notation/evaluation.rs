@@ -70,6 +70,11 @@ fn derivatives_are_exact() {
         (2, "d(alpha, x)", 0, 1),
         (0, "d(cases { abs(x) < 1: x; else: 0 }, x)", 1, 1),
         (0, "d(x^0, x)", 0, 1),
+        (0, "d(min(abs(x), -1), x)", 0, 1),
+        (0, "d(abs(y - 3)*x, x)", 0, 1),
+        (0, "d(sqrt(y - 3)*x, x)", 0, 1),
+        (2, "d(d(abs(x)*x^2, x), x)", 12, 1),
+        (0, "d(cases { max(x, -x) < 1: x; else: 2 }, x)", 1, 1),
         (3, "d((x + 1)/(x - 1), x)", -1, 2),
     ] {
         assert_eq!(at(x, text), Ok(ratio(n, d)), "{text} at {x}");
@@ -85,10 +90,15 @@ fn derivatives_stop_at_boundaries() {
         (1, "d(cases { x < 1: x; else: 1 }, x)"),
         (1, "d(cases { x >= 1: x; else: 1 }, x)"),
         (0, "d(cases { x^2 <= 0: x; else: 2*x }, x)"),
+        (0, "d(cases { sqrt(min(0, x)) > -1: x; else: 5 }, x)"),
+        (0, "d(abs(x)^0, x)"),
+        (0, "d(cases { cases { x < 0: 1; else: 2 } > 0: x; else: 5 }, x)"),
+        (3, "d(d(abs(x - y), x), x)"),
     ] {
         assert_eq!(at(x, text), Err(NoValue::NotDifferentiable), "{text} at {x}");
     }
     assert_eq!(at(0, "d(x/x, x)"), Err(NoValue::DivisionByZero));
+    assert_eq!(at(0, "d(cases { x - x > 0: x; else: 5 }, x)"), Err(NoValue::Unsettled));
 }
 
 #[test]
