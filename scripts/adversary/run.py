@@ -3,7 +3,7 @@
 
     python3 scripts/adversary/run.py --kane target/release/kane --found
     python3 scripts/adversary/run.py --kane target/release/kane --claims 10000
-    python3 scripts/adversary/run.py --kane target/release/kane --claims 1000000 --jobs 2 --mix long --state long.json
+    python3 scripts/adversary/run.py --kane target/release/kane --claims 1000000 --jobs 2 --certificates --state long.json
 
 Ends with 0 if no verdict was wrong and the program never failed, else with 1. With `--state` the run
 can be stopped and goes on where it was.
@@ -16,19 +16,22 @@ import random
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1])]
 
 import chains  # noqa: E402
 import limits  # noqa: E402
 import scalar  # noqa: E402
 import slopes  # noqa: E402
 import solver  # noqa: E402
+from check_cert.evidence import unique_keys  # noqa: E402
+from check_cert.main import check_text  # noqa: E402
 from oracle import Judge  # noqa: E402
 
 FAMILIES = {
@@ -73,11 +76,12 @@ def used():
     return times.children_user + times.children_system
 
 
-def run_kane(kane, files):
+def run_kane(kane, files, out=None):
     """(exit code, parsed report or None, messages, seconds of processor time)"""
     before = used()
+    command = [kane, "audit", *files, "--format", "json"] + (["--out", out] if out else [])
     try:
-        done = subprocess.run([kane, "audit", *files, "--format", "json"], capture_output=True, text=True, timeout=300 + 2 * SLOW * len(files))
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300 + 2 * SLOW * len(files))
     except subprocess.TimeoutExpired:
         return "timeout", None, "", used() - before
     seconds = used() - before
@@ -124,7 +128,7 @@ class Tally:
 
 def judge_batch(job):
     """Generates, runs and judges the documents of one batch."""
-    kane, seed, indices, mix, ask_every, effort = job
+    kane, seed, indices, mix, ask_every, effort, certificates = job
     tally = Tally()
     began = time.process_time()
     made = [(i, *generate(seed, i, mix)) for i in indices]
@@ -135,11 +139,16 @@ def judge_batch(job):
             path = os.path.join(folder, f"{i}.md")
             Path(path).write_text(text, encoding="utf-8")
             files.append(path)
-        code, reports, messages, seconds = run_kane(kane, files)
+        out = os.path.join(folder, "out") if certificates else None
+        code, reports, messages, seconds = run_kane(kane, files, out)
         if code not in (0, 1) or reports is None or seconds > 3 * SLOW:
-            reports = one_by_one(kane, files, made, tally, seed)
+            reports = one_by_one(kane, files, made, tally, seed, out)
         else:
             tally.seconds["kane"] += seconds
+        if certificates:
+            began = time.process_time()
+            on_a_large_stack(lambda: second_opinions(tally, seed, made, reports, out))
+            tally.seconds["second checker"] += time.process_time() - began
     questions = []
     for (i, document, rng, text), report in zip(made, reports):
         if report is None:
@@ -157,11 +166,43 @@ def judge_batch(job):
     return indices[-1], tally
 
 
-def one_by_one(kane, files, made, tally, seed):
+def second_opinions(tally, seed, made, reports, out):
+    """Puts the certificates to the checker that shares nothing with the kernel, nor with this folder."""
+    for (i, document, _, text), report in zip(made, reports):
+        if report is None:
+            continue
+        source = Path(out, f"{i}.cert.json").read_bytes()
+        certificate = json.loads(source, object_pairs_hook=unique_keys)
+        said = []
+        try:
+            check_text(text.encode("utf-8"), certificate, said.append)
+        except Exception as why:
+            said.append(f"NO   {why!r}")
+        shown = [s["verdict"] for s in report["statements"] if s["kind"] == "claim"]
+        if [c["verdict"] for c in certificate["claims"]] != shown:
+            said.append("NO   the certificate has other verdicts than the report")
+        tally.notes["links that the second checker accepts"] += sum(line.startswith("yes") and " link " in line for line in said)
+        for line in said:
+            if line.startswith("NO"):
+                words = line.split()
+                tally.wrong.append(["second checker", document.family, seed, i, words[1].rstrip(":"), line[5:]])
+
+
+def on_a_large_stack(work):
+    """Proofs are deep trees, and the checker walks them as such."""
+    sys.set_int_max_str_digits(0)
+    sys.setrecursionlimit(100_000)
+    threading.stack_size(512 << 20)
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+
+
+def one_by_one(kane, files, made, tally, seed, written):
     """After something went wrong with a batch: which document it was."""
     out = []
     for path, (i, document, _, _) in zip(files, made):
-        code, report, messages, seconds = run_kane(kane, [path])
+        code, report, messages, seconds = run_kane(kane, [path], written)
         tally.seconds["kane"] += seconds
         if seconds > SLOW:
             # what a build without optimisation takes is no fault of the program, so this is only told
@@ -261,7 +302,7 @@ def jobs_of(args, done, claims):
     """Batches from where the run was, without end; about 20 claims a document."""
     index = done
     while True:
-        yield (args.kane, args.seed, list(range(index, index + BATCH)), args.mix, args.ask_every, args.effort)
+        yield (args.kane, args.seed, list(range(index, index + BATCH)), args.mix, args.ask_every, args.effort, args.certificates)
         index += BATCH
 
 
@@ -293,6 +334,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--mix", choices=sorted(MIXES), default="gate", help="which families, or only one")
     parser.add_argument("--ask-every", type=int, default=10, help="put one of so many links to z3; 0 for none")
+    parser.add_argument("--certificates", action="store_true", help="put each certificate to scripts/check_cert.py too")
     parser.add_argument("--effort", type=int, default=1, help="how many points are tried")
     parser.add_argument("--state", help="a file in which a long run keeps where it is")
     parser.add_argument("--keep", help="a folder for documents with wrong verdicts")

@@ -112,8 +112,8 @@ class Reader:
             self.fail("an operator or the end of the statement is missing")
 
     def sum(self):
-        """Reads an expression."""
-        left = self.product()
+        """Reads an expression. A minus in front of a product is one of the whole product."""
+        left = ("neg", self.product()) if self.take("-") else self.product()
         while sign := self.take("+", "-"):
             left = ("add" if sign == "+" else "sub", left, self.product())
         return left

@@ -197,11 +197,24 @@ impl Sum {
             (*fact, p.scale(&(w * &scale * BigRational::from(content)).to_integer()))
         });
         let terms: Vec<Term> = terms.collect();
-        let cofactors: Vec<(Fact, Poly)> = cofactors.collect();
+        let cofactors = merged(cofactors);
         let factors = terms.iter().flat_map(|t| t.factors.iter().map(|f| f.0));
         let used = factors.chain(cofactors.iter().map(|c| c.0)).collect();
         Node { rule: Rule::Positive { terms, cofactors }, used }
     }
+}
+
+/// One cofactor for each equation.
+fn merged(cofactors: impl Iterator<Item = (Fact, Poly)>) -> Vec<(Fact, Poly)> {
+    let mut sums: Vec<(Fact, Poly)> = Vec::new();
+    for (fact, p) in cofactors {
+        match sums.iter_mut().find(|(known, _)| *known == fact) {
+            Some((_, sum)) => sum.add_all(&p),
+            None => sums.push((fact, p)),
+        }
+    }
+    sums.retain(|(_, sum)| !sum.is_empty());
+    sums
 }
 
 /// qⁿ

@@ -348,7 +348,7 @@ fn what_the_search_finds_is_written_out_and_nothing_false_is() {
     let mut kinds = [0usize; 8];
     let mut found: Vec<Argument> = Vec::new();
     let (mut contradictory, mut satisfied) = (0, 0);
-    for _ in 0..300 {
+    for _ in 0..400 {
         let atoms = chance.atoms();
         let cases = vec![chance.atoms(), chance.atoms()];
         asked(&atoms, |state| {
