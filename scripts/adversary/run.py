@@ -79,7 +79,7 @@ def used():
 def run_kane(kane, files, out=None):
     """(exit code, parsed report or None, messages, seconds of processor time)"""
     before = used()
-    command = [kane, "audit", *files, "--format", "json"] + (["--out", out] if out else [])
+    command = [*kane, *files, "--format", "json"] + (["--out", out] if out else [])
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=300 + 2 * SLOW * len(files))
     except subprocess.TimeoutExpired:
@@ -141,10 +141,12 @@ def judge_batch(job):
             files.append(path)
         out = os.path.join(folder, "out") if certificates else None
         code, reports, messages, seconds = run_kane(kane, files, out)
-        if code not in (0, 1) or reports is None or seconds > 3 * SLOW:
+        if code not in (0, 1) or reports is None:
             reports = one_by_one(kane, files, made, tally, seed, out)
         else:
             tally.seconds["kane"] += seconds
+            if seconds > SLOW:
+                tally.slow.append([round(seconds), "a batch", seed, indices[0]])
         if certificates:
             began = time.process_time()
             on_a_large_stack(lambda: second_opinions(tally, seed, made, reports, out))
@@ -290,7 +292,7 @@ def summary(tally, out=sys.stdout):
     for (kind, family), n in kinds.most_common():
         first = next(w for w in tally.wrong if w[0] == kind and w[1] == family)
         print(f"  {n:5} {family}: {kind}, first {first[2]}/{first[3]} {first[4]}: {first[5][:300]}", file=out)
-    print(f"documents that took more than {SLOW:.0f} s: {len(tally.slow)}", file=out)
+    print(f"calls that took more than {SLOW:.0f} s: {len(tally.slow)}", file=out)
     for f in tally.slow[:20]:
         print("  " + " ".join(map(str, f)), file=out)
     print(f"failures of the program: {len(tally.failures)}", file=out)
@@ -335,6 +337,7 @@ def main():
     parser.add_argument("--mix", choices=sorted(MIXES), default="gate", help="which families, or only one")
     parser.add_argument("--ask-every", type=int, default=10, help="put one of so many links to z3; 0 for none")
     parser.add_argument("--certificates", action="store_true", help="put each certificate to scripts/check_cert.py too")
+    parser.add_argument("--budget", type=int, help="coefficient operations of a search; else what the program takes")
     parser.add_argument("--effort", type=int, default=1, help="how many points are tried")
     parser.add_argument("--state", help="a file in which a long run keeps where it is")
     parser.add_argument("--keep", help="a folder for documents with wrong verdicts")
@@ -345,7 +348,8 @@ def main():
         print(generate(args.seed, args.show, args.mix)[2])
         return 0
     if args.found:
-        return found(args.kane)
+        return found([args.kane, "audit"])
+    args.kane = [args.kane, "audit"] + (["--budget", str(args.budget)] if args.budget else [])
     if args.ask_every and not solver.available():
         print("skipped: z3 is not installed, so nothing is put to it")
         args.ask_every = 0

@@ -128,7 +128,8 @@ def inside_range(goal, germ, local, given, values):
             found += out_of_range(pieces, value, document.symbols[name])
         return found
 
-    mentioned = goal.mentions([*given.expressions(), *values.values()], goal.mentioned)
+    told = goal.told_of_constants(germ.variable)
+    mentioned = goal.mentions([*given.expressions(), *values.values(), *told])
     names = [name for name in mentioned if name not in values]
     conditions = [*goal.ranges(with_variable(names, germ.variable)), *local, *germ.conditions]
     formulas = goal.cited_constants(germ.variable)

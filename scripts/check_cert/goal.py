@@ -209,6 +209,16 @@ class Goal:
             return HERE
         return self.holds(statement, items)
 
+    def told_of_constants(self, variable):
+        """The expressions in conditions on constants and in what cited statements say of them."""
+        told = [r for r in self.when if not self.depends(r, variable)]
+        for statement in self.cited:
+            free = [r for r in statement.relations if not self.depends(r, variable)]
+            whole = statement.kind == "given" or len(free) == len(statement.relations)
+            if whole and not any(self.depends(r, variable) for r in statement.when):
+                told += [*statement.when, *free]
+        return sides(told)
+
     def when_of_constants(self, variable):
         conditions = [r for r in self.when if not self.depends(r, variable)]
         return regions(self.pieces.truth(conditions), True)

@@ -199,6 +199,10 @@ pub(crate) struct AuditArgs {
     #[arg(long, value_name = "LABEL")]
     pub(crate) only: Vec<String>,
 
+    /// Coefficient operations that one search may take before its claim is undecided [default: 40000000]
+    #[arg(long, value_name = "OPERATIONS")]
+    pub(crate) budget: Option<u64>,
+
     /// Print the proof or the witness of the statement with this label, step by step
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
     pub(crate) explain: Option<String>,

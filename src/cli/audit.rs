@@ -60,13 +60,13 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         let chosen = (!wanted.is_empty()).then(|| {
             wanted.iter().flat_map(|label| labels::find(&document, label)).collect::<Vec<_>>()
         });
-        audits.push((input, judge(document, chosen.as_deref()), chosen));
+        audits.push((input, judge(document, chosen.as_deref(), args.budget), chosen));
     }
     let (inputs, reports): (Vec<&Input>, Vec<Report<'_>>) = audits
         .iter()
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
-            let report = Report::new(audit, command(input, &args.only));
+            let report = Report::new(audit, command(input, args));
             let report = if input.is_paper() { report.with_pictures(&PICTURES) } else { report };
             (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
@@ -151,16 +151,20 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 }
 
 /// Judges the document, or of it only what is asked for and what that cites.
-fn judge(document: Document, chosen: Option<&[usize]>) -> Audit {
-    let options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
+fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> Audit {
+    let mut options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
+    options.budget.fuel = budget.unwrap_or(options.budget.fuel);
     let mut progress = Progress::new();
     kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
 }
 
 /// The command that prints one document's report again.
-fn command(input: &Input, only: &[String]) -> String {
+fn command(input: &Input, args: &AuditArgs) -> String {
     let mut command = input.command.clone();
-    for label in only {
+    if let Some(budget) = args.budget {
+        command.push_str(&format!(" --budget {budget}"));
+    }
+    for label in &args.only {
         command.push_str(" --only ");
         command.push_str(&quoted(label));
     }

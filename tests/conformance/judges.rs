@@ -6,7 +6,7 @@ use std::path::Path;
 use std::rc::Rc;
 use std::time::Duration;
 
-use kane::audit::{Audit, Options, audit, read};
+use kane::audit::{Audit, Options, Verdict, audit, read};
 use kane::judges::{ALLOWED_AXIOMS, Limits, coq, coq_file, z3};
 use kane::kernel::{Conclusion, Expr, Link};
 use kane::report::Report;
@@ -54,8 +54,15 @@ fn coq_accepts_every_lemma_of_the_shipped_documents() {
     for name in DOCUMENTS {
         let audit = judged(name);
         let judge = coq(&Report::new(&audit, "kane audit"), &LIMITS).expect("coqc runs");
-        let others: Vec<_> =
-            judge.answers.iter().filter(|(_, a)| !matches!(a, Answer::Agrees)).collect();
+        // what rests on a claim that is not proved has a lemma, but no theorem from the givens
+        let fits = |((statement, _), answer): &(&(usize, usize), &Answer)| match audit.judgements
+            [*statement]
+            .verdict
+        {
+            Verdict::Unsupported => matches!(answer, Answer::Partly(_)),
+            _ => matches!(answer, Answer::Agrees),
+        };
+        let others: Vec<_> = judge.answers.iter().filter(|entry| !fits(entry)).collect();
         assert!(others.is_empty(), "{name}: {others:?}");
         let [reals, extensionality, completeness] = ALLOWED_AXIOMS;
         let mut axioms = vec![reals, extensionality];

@@ -84,7 +84,10 @@ fn checked(folder: &str) -> (usize, usize) {
             rejected.extend(faults.map(|line| format!("{name}: {line}")));
         }
         documents += 1;
-        links += answer.lines().filter(|line| line.starts_with("yes") && line.contains(" link ")).count();
+        links += answer
+            .lines()
+            .filter(|line| line.starts_with("yes") && line.contains(" link "))
+            .count();
         let shown = verdicts(&written.report, "/documents/0/statements");
         assert_eq!(verdicts(&written.certificate, "/claims"), shown, "{name}");
     }

@@ -314,6 +314,14 @@ fn along_a_germ_the_ranges_the_constants_and_the_binding_are_known() {
     assert!(with(&|g| g.radius.1 = Poly::var(2).neg()).is_some());
     assert!(with(&|g| g.radius.1 = n(0)).is_some());
     assert!(with(&|g| *g.positive = nothing()).is_some());
+    // A radius of 0 is none, although it is not negative.
+    let not_negative =
+        closing(&state.with_cases(vec![vec![positive(n(0))], vec![positive(n(8)).not()]]));
+    let zero = |g: &mut Germ| {
+        g.radius.0 = n(0);
+        *g.positive = not_negative.clone();
+    };
+    assert!(with(&zero).is_some());
     // A symbol that is not mentioned keeps its range along the germ, if it is the limit variable.
     assert!(!holds(q(-2, 1), 2, 3, q(1, 4)));
 }

@@ -1,9 +1,9 @@
 //! Ranges: what is said of constants, what narrows the domain, and what a germ owes.
 
 use kane_kernel::{
-    Approach, Conclusion, Evidence, Expr, Finding, Germ, Goal, Hypothesis, Inside, Limit, Link,
-    Poly, Proof, Rejection, Rel, Sentence, Side, State, Target, claim_state, constants,
-    inside_goal, inside_state, narrowing, owed, scope,
+    Approach, Conclusion, Definition, Evidence, Expr, Finding, Germ, Goal, Hypothesis, Inside,
+    Limit, Link, Poly, Proof, Rejection, Rel, Sentence, Side, State, Target, claim_state,
+    constants, inside_goal, inside_state, narrowing, owed, scope,
 };
 
 use crate::oracle::inside;
@@ -62,6 +62,17 @@ fn of_constants_a_given_says_its_items_and_a_citation_all_or_nothing() {
     let at = |c: i64| move |v: usize| if v == 2 { q(c, 1) } else { q(1, 1) };
     assert!(last.iter().any(|case| inside(case, &at(2))), "what varies is left out");
     assert!(!last.iter().any(|case| inside(case, &at(3))));
+}
+
+#[test]
+fn a_given_that_varies_only_by_a_definition_is_owed() {
+    let mut goal = plain();
+    goal.context.lets.push(Definition { name: "u".into(), body: add(var(X), number(1, 1)) });
+    goal.hypotheses = vec![given(vec![link(Expr::Let(0), Rel::Gt, number(0, 1))])];
+    let scope = scope(&goal, plenty()).expect("small");
+    let state = constants(&scope, &goal, X).expect("small");
+    assert_eq!(owed(&state, &side(None, true)).len(), 1);
+    assert!(state.formulas[0].iter().any(Vec::is_empty), "nothing is said of constants");
 }
 
 #[test]
