@@ -179,7 +179,7 @@ def second_opinions(tally, seed, made, reports, out):
         try:
             check_text(text.encode("utf-8"), certificate, said.append)
         except Exception as why:
-            said.append(f"NO   {why!r}")
+            said.append(f"NO   document: {why!r}")
         shown = [s["verdict"] for s in report["statements"] if s["kind"] == "claim"]
         if [c["verdict"] for c in certificate["claims"]] != shown:
             said.append("NO   the certificate has other verdicts than the report")
@@ -273,7 +273,8 @@ def keep_wrong(folder, wrong, mix):
         document, _, text = generate(seed, i, mix)
         name = f"{family}-{seed}-{i}-{label}"
         Path(folder, name + ".md").write_text(text, encoding="utf-8")
-        small = small_document(document, label, text)
+        known = any(claim.label == label for claim in document.claims())
+        small = small_document(document, label, text) if known else text
         Path(folder, name + "-small.md").write_text(f"<!-- {kind}: {message} -->\n\n" + small, encoding="utf-8")
 
 

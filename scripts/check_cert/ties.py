@@ -1,5 +1,6 @@
 """Which unknowns equations tie to the variable of a derivative (the language, "Derivatives")."""
 
+from .divisor import reduced
 from .errors import Rejected
 from .pieces import Pieces
 from .polynomial import Ring, add, constant, multiply
@@ -25,7 +26,9 @@ class Ties:
             return None
         values = [value for _, value in pieces if value is not None]
         names = self.ring.variables(values[0][0]) if len(values) == 1 else ()
-        return values[0] if len(values) == 1 and not names & set(self.pieces.roots.values()) else None
+        if len(values) != 1 or names & set(self.pieces.roots.values()):
+            return None
+        return reduced(*values[0])
 
     def symbols(self, relation):
         """The unknowns that an equation speaks of; none of an identity."""
