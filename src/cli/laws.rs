@@ -3,8 +3,8 @@
 use std::io;
 
 use kane::algebra::syntax::nearest;
-use kane::audit::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
 use kane::impact::laws::law_ids;
+use kane::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{MatrixReport, csv, explain, html, json, markdown, picture, text};
 
@@ -108,7 +108,7 @@ fn files(report: &MatrixReport<'_>) -> io::Result<Vec<Written>> {
 
 #[cfg(test)]
 mod tests {
-    use kane::audit::matrix::{Cell, Row};
+    use kane::matrix::{Cell, Row};
 
     use super::*;
 

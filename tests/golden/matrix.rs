@@ -1,6 +1,6 @@
 //! The matrix of laws and properties, as the program prints it.
 
-use kane::audit::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
+use kane::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{
     MatrixReport, csv, explain, html, json, markdown, picture, properties, text,

@@ -7,8 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use kane::audit::matrix::{Finding, PROPERTIES, Row, row};
 use kane::kernel::{Certificate, Evidence, Fuel, Proof, check};
+use kane::matrix::{Finding, PROPERTIES, Row, row};
 use kane_impact::bodies::Direction;
 use kane_impact::laws::{ChatterjeeRuina, LawVisitor, LougeAdams, visit_laws};
 use kane_impact::{
@@ -407,18 +407,18 @@ fn a_tampered_certificate_of_a_cell_is_rejected() {
     let fuel = || Fuel::new(100_000_000);
     let mut tampered = 0;
     for (index, part) in parts.iter().enumerate() {
-        assert_eq!(check(&part.goal, &part.certificate, fuel()), Ok(()));
+        assert_eq!(check(&part.goal, &part.decided.certificate, fuel()), Ok(()));
         // the certificate of another goal
         let other = parts[(index + 1) % parts.len()];
-        if other.certificate.goal != part.certificate.goal {
-            assert!(check(&part.goal, &other.certificate, fuel()).is_err());
+        if other.decided.certificate.goal != part.decided.certificate.goal {
+            assert!(check(&part.goal, &other.decided.certificate, fuel()).is_err());
             tampered += 1;
         }
         // a claim that a sum without a summand is positive
         let nothing = Proof::Positive { terms: Vec::new(), cofactors: Vec::new() };
         let absurd = Evidence::Contradiction(nothing);
-        if part.certificate.evidence != absurd {
-            let certificate = Certificate { evidence: absurd, ..part.certificate.clone() };
+        if part.decided.certificate.evidence != absurd {
+            let certificate = Certificate { evidence: absurd, ..part.decided.certificate.clone() };
             assert!(check(&part.goal, &certificate, fuel()).is_err());
             tampered += 1;
         }
@@ -426,13 +426,13 @@ fn a_tampered_certificate_of_a_cell_is_rejected() {
         if let (
             Evidence::Model(_),
             kane::kernel::Conclusion::Link(kane::kernel::Link::Relation(r)),
-        ) = (&part.certificate.evidence, &part.goal.conclusion)
+        ) = (&part.decided.certificate.evidence, &part.goal.conclusion)
         {
             let mut goal = part.goal.clone();
-            let turned = kane::audit::matrix::negated(r);
+            let turned = kane::matrix::negated(r);
             goal.conclusion = kane::kernel::Conclusion::Link(kane::kernel::Link::Relation(turned));
             let digest = kane::kernel::digest(&goal);
-            let certificate = Certificate { goal: digest, ..part.certificate.clone() };
+            let certificate = Certificate { goal: digest, ..part.decided.certificate.clone() };
             assert!(check(&goal, &certificate, fuel()).is_err());
             tampered += 1;
         }

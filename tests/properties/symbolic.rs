@@ -11,11 +11,11 @@ use std::fmt::Write as _;
 use kane::algebra::rational_function::RationalFunction;
 use kane::algebra::ring;
 use kane::algebra::syntax::{Scope, parse_relations};
-use kane::audit::matrix::{absurd, compare, negated, rel};
 use kane::audit::{Budget, prove_goal};
 use kane::kernel::{
     Bound, Conclusion, Context, Expr, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
 };
+use kane::matrix::{absurd, compare, negated, rel};
 use kane_impact::laws::{LawVisitor, visit_laws};
 use kane_impact::{Contact, Delassus, Guard, ImpactLaw, Regime};
 use kane_number::Number;

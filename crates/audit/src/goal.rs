@@ -4,7 +4,9 @@ use kane_kernel::{
     Certificate, Checked, Evidence, Expr, Finding, Fuel, Goal, Model, Point, check, digest,
 };
 
+use crate::argument::Grounds;
 use crate::prove::{Budget, Decided, Prover};
+use crate::{Step, explain};
 
 /// The certificates that the kernel accepted for a goal.
 #[derive(Clone, Debug)]
@@ -34,16 +36,11 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
     Findings { decided, model: found.model.map(model), reason: found.reason }
 }
 
-/// Looks for a proof of a goal alone, not for witnesses: the certificate that the kernel accepted.
+/// Looks for a proof of a goal alone, not for witnesses: what the kernel accepted.
 ///
 /// # Errors
 /// Why there is none, in words.
-pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Certificate, String> {
-    proof(goal, budget).map(|d| d.certificate)
-}
-
-/// The same with what the certificate was written out from.
-pub(crate) fn proof(goal: &Goal, budget: Budget) -> Result<Decided, String> {
+pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, String> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
     let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
@@ -51,28 +48,34 @@ pub(crate) fn proof(goal: &Goal, budget: Budget) -> Result<Decided, String> {
     found.decided.ok_or(found.reason)
 }
 
-/// The certificate that a goal is refuted at a point, if the kernel accepts it.
+/// That a goal is refuted at a point, if the kernel accepts it.
 ///
 /// # Errors
 /// The kernel's [`Rejection`](kane_kernel::Rejection).
-pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Certificate> {
-    let evidence = Evidence::Model(Model::Point(point));
+pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Decided> {
+    let model = Model::Point(point);
+    let grounds = Grounds::Model(model.clone());
+    let evidence = Evidence::Model(model);
     let certificate = Certificate { goal: digest(goal), finding: Finding::Refuted, evidence };
     check(goal, &certificate, Fuel::new(Budget::default().check))?;
-    Ok(certificate)
+    Ok(Decided { certificate, grounds })
 }
 
-/// Looks for a point that refutes a goal, and for nothing else: the certificate that the kernel
-/// accepted.
+/// Looks for a point that refutes a goal, and for nothing else: what the kernel accepted.
 #[must_use]
-pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Certificate> {
-    witness(goal, budget).map(|d| d.certificate)
-}
-
-/// The same with the point beside it.
-pub(crate) fn witness(goal: &Goal, budget: Budget) -> Option<Decided> {
+pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Decided> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
     let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
     prover.refute(goal).decided
+}
+
+impl Decided {
+    /// The proof or the witness told to people: one sentence, and the steps. The goal is the one that
+    /// was decided, and the labels are names of its hypotheses.
+    #[must_use]
+    pub fn told(&self, goal: &Goal, labels: &[&str]) -> (String, Vec<Step>) {
+        let told = explain::grounds(goal, self.certificate.finding, &self.grounds, labels);
+        (told.reason, told.steps)
+    }
 }

@@ -61,8 +61,9 @@ impl Default for Budget {
 
 /// A certificate that the kernel accepted, and what it was written out from.
 #[derive(Clone, Debug)]
-pub(crate) struct Decided {
-    pub(crate) certificate: Certificate,
+pub struct Decided {
+    /// what the kernel accepted
+    pub certificate: Certificate,
     pub(crate) grounds: Grounds,
 }
 

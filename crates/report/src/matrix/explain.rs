@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use kane_algebra::syntax::Notation as _;
-use kane_audit::matrix::{Cell, Part, Property, Row, SYMBOLS_IN_WORDS};
 use kane_kernel::{Conclusion, Link};
+use kane_matrix::{Cell, Part, Property, Row, SYMBOLS_IN_WORDS};
 
 use super::{parameters, word};
 
@@ -45,7 +45,7 @@ fn write_lines(out: &mut String, lines: impl IntoIterator<Item = Line>) {
 
 /// The contacts that speak against a cell, and what the law says of them.
 pub(super) fn seen(cell: &Cell) -> Vec<Line> {
-    let of = |witness: &kane_audit::matrix::Witness| {
+    let of = |witness: &kane_matrix::Witness| {
         let said = match &witness.outcome {
             None => "the law has no answer".to_owned(),
             Some(said) => {

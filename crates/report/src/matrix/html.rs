@@ -1,6 +1,6 @@
 //! The matrix as a page: the table, and below it every law, every cell in full, and what each property asks.
 
-use kane_audit::matrix::{Cell, Finding, Part, Property, Row, SYMBOLS_IN_WORDS};
+use kane_matrix::{Cell, Finding, Part, Property, Row, SYMBOLS_IN_WORDS};
 use maud::{Markup, html};
 
 use super::explain::{Line, asked, decided, premises, seen};

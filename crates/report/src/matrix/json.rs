@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use kane_audit::matrix::{Cell, Matrix, Property, Row, Witness};
+use kane_matrix::{Cell, Matrix, Property, Row, Witness};
 use serde::Serialize;
 
 use super::{MatrixReport, word};

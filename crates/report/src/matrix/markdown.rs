@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_audit::matrix::{Finding, PROPERTIES};
+use kane_matrix::{Finding, PROPERTIES};
 
 use super::{MatrixReport, mark, parameters, word};
 

@@ -8,7 +8,7 @@ mod markdown;
 mod picture;
 mod text;
 
-use kane_audit::matrix::{Cell, Finding, Matrix, Property, Row};
+use kane_matrix::{Cell, Finding, Matrix, Property, Row};
 
 pub use csv::csv;
 pub use explain::explain;

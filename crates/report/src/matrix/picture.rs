@@ -1,6 +1,6 @@
 //! The matrix as a picture: a cell a law and property, each with its sign, so that it never rests on colour.
 
-use kane_audit::matrix::Finding;
+use kane_matrix::Finding;
 use plotters::prelude::*;
 use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

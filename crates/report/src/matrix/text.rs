@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use kane_audit::matrix::Finding;
+use kane_matrix::Finding;
 
 use super::{MatrixReport, mark, parameters};
 use crate::Page;

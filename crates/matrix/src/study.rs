@@ -6,21 +6,18 @@ use std::rc::Rc;
 
 use kane_impact::{Contact, Frame, ImpactLaw, Outcome};
 use kane_kernel::{
-    Certificate, Conclusion, Context, Goal, Link, Model, Point, Rel, Relation, Root as KernelRoot,
+    Conclusion, Context, Evidence, Goal, Link, Model, Point, Rel, Relation, Root as KernelRoot,
     digest,
 };
 use kane_number::{Algebraic, Rational};
 use num_traits::{One as _, Zero as _};
 
-use super::applied::{Applied, Premise, absurd, apply, with_root};
-use super::property::Demand;
-use super::sample::algebraic;
-use super::setting::{ROOTS, Setting, Symbolic};
-use super::visible::{Condition, Ranges};
-use crate::argument::Grounds;
-use crate::goal::{proof, witness};
-use crate::prove::Decided;
-use crate::{Budget, Step, explain, refute_goal};
+use crate::applied::{Applied, Premise, absurd, apply, with_root};
+use crate::property::Demand;
+use crate::sample::algebraic;
+use crate::setting::{ROOTS, Setting, Symbolic};
+use crate::visible::{Condition, Ranges};
+use kane_audit::{Budget, Decided, Step, find_witness, prove_goal, refute_goal};
 
 /// What the search for one proof may take: the goals are small, and many.
 const BUDGET: Budget = Budget {
@@ -56,9 +53,9 @@ impl Memo {
             return known.clone();
         }
         let answer = match search {
-            Search::Proof => proof(goal, BUDGET),
-            Search::ThoroughProof => proof(goal, THOROUGH),
-            Search::Witness => witness(goal, BUDGET).ok_or_else(String::new),
+            Search::Proof => prove_goal(goal, BUDGET),
+            Search::ThoroughProof => prove_goal(goal, THOROUGH),
+            Search::Witness => find_witness(goal, BUDGET).ok_or_else(String::new),
         };
         self.0.borrow_mut().insert(key, answer.clone());
         answer
@@ -79,9 +76,7 @@ pub struct Part {
     /// the goal
     pub goal: Goal,
     /// what the kernel accepted
-    pub certificate: Certificate,
-    /// what it was written out from
-    grounds: Grounds,
+    pub decided: Decided,
 }
 
 impl Part {
@@ -89,14 +84,13 @@ impl Part {
     #[must_use]
     pub fn told(&self) -> (String, Vec<Step>) {
         let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
-        let told = explain::grounds(&self.goal, self.certificate.finding, &self.grounds, &labels);
-        (told.reason, told.steps)
+        self.decided.told(&self.goal, &labels)
     }
 
     /// Digest of the certificate, 32 hexadecimal digits.
     #[must_use]
     pub fn digest(&self) -> String {
-        format!("{:032x}", kane_kernel::digest(&self.certificate))
+        format!("{:032x}", kane_kernel::digest(&self.decided.certificate))
     }
 }
 
@@ -158,15 +152,14 @@ impl Question<'_> {
         .prove()
     }
 
-    fn part(&self, goal: Goal, Decided { certificate, grounds }: Decided) -> Part {
+    fn part(&self, goal: Goal, decided: Decided) -> Part {
         Part {
             setting: self.setting,
             regime: self.regime.clone(),
             claim: self.claim.clone(),
             labels: self.premises.iter().map(|p| p.label.clone()).collect(),
             goal,
-            certificate,
-            grounds,
+            decided,
         }
     }
 
@@ -190,7 +183,9 @@ impl Question<'_> {
     pub(crate) fn search(&self) -> Option<(Part, Point)> {
         let goal = self.goal();
         let decided = self.memo.answer(&goal, Search::Witness).ok()?;
-        let Grounds::Model(Model::Point(point)) = &decided.grounds else { return None };
+        let Evidence::Model(Model::Point(point)) = &decided.certificate.evidence else {
+            return None;
+        };
         let point = point.clone();
         Some((self.part(goal, decided), point))
     }
@@ -198,9 +193,8 @@ impl Question<'_> {
     /// A witness that the kernel accepted.
     pub(crate) fn refute(&self, point: Point) -> Result<Part, String> {
         let goal = self.goal();
-        let grounds = Grounds::Model(Model::Point(point.clone()));
-        let certificate = refute_goal(&goal, point).map_err(|why| why.to_string())?;
-        Ok(self.part(goal, Decided { certificate, grounds }))
+        let decided = refute_goal(&goal, point).map_err(|why| why.to_string())?;
+        Ok(self.part(goal, decided))
     }
 }
 

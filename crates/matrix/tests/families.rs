@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use kane_audit::matrix::{Setting, contacts};
 use kane_impact::Contact;
+use kane_matrix::{Setting, contacts};
 use kane_number::Rational;
 use num_rational::Ratio;
 use num_traits::{Signed as _, Zero as _};

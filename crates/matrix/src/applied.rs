@@ -6,8 +6,8 @@ use kane_number::Number;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
-use super::setting::Symbolic;
-use super::visible::{Condition, Ranges, lowered, negated};
+use crate::setting::Symbolic;
+use crate::visible::{Condition, Ranges, lowered, negated};
 
 /// What the label of the premise says that a law accepts its outcome.
 pub(crate) const ACCEPTED: &str = "accepted";

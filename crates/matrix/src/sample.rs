@@ -4,8 +4,8 @@ use kane_impact::{Contact, Delassus, ImpactLaw, NoImpulse, Outcome};
 use kane_kernel::Rel;
 use kane_number::{Algebraic, Rational};
 
-use super::property::{Comparison, Demand, Template};
-use super::setting::Setting;
+use crate::property::{Comparison, Demand, Template};
+use crate::setting::Setting;
 
 /// An exact outcome: rational where it can be.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use kane_impact::{Contact, Outcome};
 use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Var};
 use kane_number::Number;
 
-use super::setting::Setting;
+use crate::setting::Setting;
 
 /// What a property asks, and how it is decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

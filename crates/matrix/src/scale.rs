@@ -5,12 +5,12 @@ use kane_impact::{Contact, Delassus, ImpactLaw};
 use kane_kernel::{Poly, Rel, Relation, exponent};
 use kane_number::{Algebraic, Number, Rational};
 
-use super::applied::{Applied, Premise, RootOf, apply};
-use super::cell::{Cell, Witness};
-use super::sample::{Exact, resolve};
-use super::setting::{BETA, ROOTS, Symbolic};
-use super::study::{Family, Part, Question, add_root, locate};
-use super::visible::lowered;
+use crate::applied::{Applied, Premise, RootOf, apply};
+use crate::cell::{Cell, Witness};
+use crate::sample::{Exact, resolve};
+use crate::setting::{BETA, ROOTS, Symbolic};
+use crate::study::{Family, Part, Question, add_root, locate};
+use crate::visible::lowered;
 
 /// What is measured in another unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -264,7 +264,7 @@ fn witness<L: ImpactLaw>(
         law.regimes::<Rational>().iter().position(|r| r.applies(law, scaled) == Some(true))?;
     let there = after.iter().find(|applied| applied.index == index)?;
     if there.root.is_some() {
-        add_root(&mut point, ROOTS[1], &law.regime(&super::sample::algebraic(scaled)).ok()?.root)?;
+        add_root(&mut point, ROOTS[1], &law.regime(&crate::sample::algebraic(scaled)).ok()?.root)?;
     }
     let here = &family.regimes[located.regime];
     let premises: Vec<Premise> = [&here.premises[..], &there.premises].concat();

@@ -20,9 +20,9 @@ use kane_impact::{Contact, Delassus, ImpactLaw, Restitution};
 use kane_kernel::{Rel, Relation};
 use kane_number::Number as _;
 
-use super::applied::{ACCEPTED, Premise, ROOT};
-use super::setting::{Setting, Symbolic};
-use super::study::{Family, Part, Question};
+use crate::applied::{ACCEPTED, Premise, ROOT};
+use crate::setting::{Setting, Symbolic};
+use crate::study::{Family, Part, Question};
 
 /// How the slip stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,7 +261,7 @@ mod tests {
     use num_traits::{Signed as _, Zero};
 
     use super::*;
-    use crate::matrix::contacts;
+    use crate::contacts;
 
     const KINDS: [Stop; 7] = [
         Stop::DrivingInCompression,

@@ -14,9 +14,9 @@ use kane_impact::{Contact, ImpactLaw, Outcome, Restitution};
 use kane_kernel::{Expr, Poly, Rel, Relation};
 use kane_number::Number as _;
 
-use super::applied::{ACCEPTED, Premise};
-use super::setting::{Setting, Symbolic};
-use super::study::{Family, Part, Question};
+use crate::applied::{ACCEPTED, Premise};
+use crate::setting::{Setting, Symbolic};
+use crate::study::{Family, Part, Question};
 
 /// Proves that a law creates no energy on any contact that slips and approaches.
 pub(crate) fn energy<L: ImpactLaw>(law: &L, approaching: &[&Family]) -> Result<Vec<Part>, String> {

@@ -7,6 +7,7 @@
 //! cell is proved if the kernel accepted a certificate for every goal. It is refuted if the law's
 //! answer at a contact, in exact numbers, violates the template, and the kernel accepts that contact
 //! as a point at which the hypotheses hold and the conclusion does not. Nothing is typed in.
+#![deny(clippy::float_arithmetic)]
 
 mod applied;
 mod cell;

@@ -4,14 +4,14 @@ use kane_impact::{Contact, ImpactLaw, NoImpulse};
 use kane_kernel::{Link, Point, Poly, Rel, Relation};
 use kane_number::Rational;
 
-use super::applied::{ACCEPTED, Applied, Premise, ROOT, absurd};
-use super::cell::{Cell, Witness};
-use super::conjugate::approach;
-use super::sample::resolve;
-use super::setting::{ROOTS, Setting, Symbolic};
-use super::stopped;
-use super::study::{Family, Part, Question, impossible, locate};
-use super::visible::{Condition, negated};
+use crate::applied::{ACCEPTED, Applied, Premise, ROOT, absurd};
+use crate::cell::{Cell, Witness};
+use crate::conjugate::approach;
+use crate::sample::resolve;
+use crate::setting::{ROOTS, Setting, Symbolic};
+use crate::stopped;
+use crate::study::{Family, Part, Question, impossible, locate};
+use crate::visible::{Condition, negated};
 
 /// Decides existence: a contact without an outcome, or proofs that there is none.
 pub(crate) fn exists<L: ImpactLaw>(

@@ -3,8 +3,8 @@
 use kane_impact::{Contact, Impulse};
 use kane_number::Rational;
 
-use super::sample::Exact;
-use super::study::Part;
+use crate::sample::Exact;
+use crate::study::Part;
 
 /// How a property fares with a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -8,12 +8,12 @@
 use kane_impact::{Contact, Delassus, ImpactLaw};
 use kane_number::{Number as _, Rational};
 
-use super::cell::{Cell, Finding};
-use super::pointwise;
-use super::property::Template;
-use super::sample::{Exact, resolve, violation};
-use super::setting::Setting;
-use super::study::Family;
+use crate::cell::{Cell, Finding};
+use crate::pointwise;
+use crate::property::Template;
+use crate::sample::{Exact, resolve, violation};
+use crate::setting::Setting;
+use crate::study::Family;
 
 type Answers = Vec<(Contact<Rational>, Exact)>;
 
@@ -126,7 +126,7 @@ fn refuted(
     answers: &[(Contact<Rational>, Exact)],
 ) -> Cell {
     let close = answers.iter().find(|(c, _)| is_far(c, infinite));
-    let witness = close.map(|(c, o)| super::Witness::new(c, o)).into_iter().collect();
+    let witness = close.map(|(c, o)| crate::Witness::new(c, o)).into_iter().collect();
     Cell { finding: Finding::Refuted, reason, witness, ..cell }
 }
 
@@ -211,7 +211,7 @@ fn turned<L: ImpactLaw>(law: &L, families: &[Family]) -> Option<Cell> {
         let Some(cell) = attempt(law, families, &text, &answers) else { continue };
         if cell.finding == Finding::Proved {
             let [(contact, outcome)] = &answers;
-            let witness = vec![super::Witness::new(contact, outcome)];
+            let witness = vec![crate::Witness::new(contact, outcome)];
             return Some(Cell { finding: Finding::Refuted, reason: text, witness, ..cell });
         }
     }

@@ -5,7 +5,7 @@ use kane_kernel::{Context, Expr, Poly, Rel, Relation, exponent};
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::setting::Symbolic;
+use crate::setting::Symbolic;
 
 /// A condition after simplification.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,15 +4,15 @@ use kane_impact::{Contact, ImpactLaw, Outcome};
 use kane_kernel::Rel;
 use kane_number::Rational;
 
-use super::applied::Premise;
-use super::cell::{Cell, Witness};
-use super::conjugate;
-use super::outcome::proved;
-use super::property::Template;
-use super::sample::{Exact, resolve, violation};
-use super::setting::{Setting, Symbolic};
-use super::stopped;
-use super::study::{Family, Located, Part, contact_at, locate};
+use crate::applied::Premise;
+use crate::cell::{Cell, Witness};
+use crate::conjugate;
+use crate::outcome::proved;
+use crate::property::Template;
+use crate::sample::{Exact, resolve, violation};
+use crate::setting::{Setting, Symbolic};
+use crate::stopped;
+use crate::study::{Family, Located, Part, contact_at, locate};
 
 /// Decides a pointwise property: a witness among simple contacts, or a proof in every regime.
 pub(crate) fn decide<L: ImpactLaw>(

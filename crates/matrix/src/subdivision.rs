@@ -5,12 +5,12 @@ use kane_impact::{Contact, ImpactLaw};
 use kane_kernel::{Point, Rel};
 use kane_number::{Algebraic, Number, Ordered as _, Rational};
 
-use super::applied::{Applied, Premise, apply_some, with_root};
-use super::cell::{Cell, Witness};
-use super::sample::{Exact, algebraic, contacts};
-use super::setting::{BETA, ROOTS, Setting, Symbolic};
-use super::study::{Family, Part, Question, add_root};
-use super::visible::Condition;
+use crate::applied::{Applied, Premise, apply_some, with_root};
+use crate::cell::{Cell, Witness};
+use crate::sample::{Exact, algebraic, contacts};
+use crate::setting::{BETA, ROOTS, Setting, Symbolic};
+use crate::study::{Family, Part, Question, add_root};
+use crate::visible::Condition;
 
 /// The contact with other speeds.
 fn at<N: Number>(contact: &Contact<N>, slip: N, approach: N) -> Contact<N> {
