@@ -165,7 +165,7 @@ fn regimes<L: ImpactLaw>(
             // in lowest terms, equal functions have equal numerators and equal denominators
             let ((n, d), (m, c)) = (there.fraction(), here.fraction());
             for (p, q) in [(n, m), (d, c)] {
-                if p == q && p.as_constant().is_some() {
+                if p == q && p.is_constant() {
                     continue;
                 }
                 let (lhs, rhs) = (expression(&p), expression(&q));
