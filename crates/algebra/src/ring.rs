@@ -246,7 +246,7 @@ mod tests {
             let mut p = Poly::default();
             for (exponents, c) in terms {
                 let powers = [2, 5, 7].into_iter().zip(exponents).filter(|p| p.1 > 0);
-                p.add_term(powers.collect(), c.into());
+                p = p.add(&Poly::term(powers.collect(), c.into()));
             }
             p
         };

@@ -32,7 +32,10 @@ fn systems_at_the_edge_of_the_gate_end_soon() {
                     }
                     // Two bits less than allowed: like terms may meet a few times.
                     let size = i64::try_from(next(1 << (bits - 2))).expect("a small coefficient");
-                    p.add_term(monomial.into_iter().collect(), (size - (1 << (bits - 3))).into());
+                    p = p.add(&Poly::term(
+                        monomial.into_iter().collect(),
+                        (size - (1 << (bits - 3))).into(),
+                    ));
                 }
                 system.push(p);
             }

@@ -82,7 +82,7 @@ fn poly() -> impl Strategy<Value = Poly> {
             let mut p = Poly::default();
             for (exponents, c) in terms {
                 let powers = exponents.into_iter().enumerate().filter(|p| p.1 > 0);
-                p.add_term(powers.collect(), c.into());
+                p = p.add(&Poly::term(powers.collect(), c.into()));
             }
             p
         })

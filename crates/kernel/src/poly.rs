@@ -54,22 +54,24 @@ struct Terms {
     ends: Vec<(usize, BigInt)>,
 }
 
-impl Terms {
-    /// Ends a monomial whose powers were put at the end, with its coefficient.
-    fn end(&mut self, c: BigInt) {
-        self.ends.push((self.powers.len(), c));
+/// The sum of terms in any order.
+fn sum(all: Terms) -> Poly {
+    let all = Poly(Rc::new(all));
+    if all.terms().is_sorted_by(|a, b| a.0 < b.0) && !all.terms().any(|t| t.1.is_zero()) {
+        return all;
     }
+    summed(all.terms().collect())
 }
 
-/// The sum of terms in any order.
-fn sum(mut terms: Vec<(&[Power], &BigInt)>) -> Poly {
+fn summed(mut terms: Vec<(&[Power], &BigInt)>) -> Poly {
     terms.sort_by_key(|t| t.0);
-    let mut sum = Terms::default();
+    let powers = Vec::with_capacity(terms.iter().map(|t| t.0.len()).sum());
+    let mut sum = Terms { powers, ends: Vec::with_capacity(terms.len()) };
     for same in terms.chunk_by(|a, b| a.0 == b.0) {
         let c = same[1..].iter().fold(same[0].1.clone(), |sum, t| sum + t.1);
         if !c.is_zero() {
             sum.powers.extend_from_slice(same[0].0);
-            sum.end(c);
+            sum.ends.push((sum.powers.len(), c));
         }
     }
     Poly(Rc::new(sum))
@@ -137,23 +139,16 @@ impl Poly {
         let mut all = Terms::default();
         for (m, c) in terms {
             all.powers.extend(canonical(m));
-            all.end(c);
+            all.ends.push((all.powers.len(), c));
         }
-        sum(Self(Rc::new(all)).terms().collect())
-    }
-
-    /// Adds c·m in place.
-    pub fn add_term(&mut self, m: Monomial, c: BigInt) {
-        *self = self.add(&Self::term(m, c));
+        sum(all)
     }
 
     /// Its terms, in a fixed order.
     pub fn terms(&self) -> impl Iterator<Item = (&[Power], &BigInt)> {
         let mut start = 0;
-        self.0.ends.iter().map(move |(end, c)| {
-            let own = std::mem::replace(&mut start, *end)..*end;
-            (&self.0.powers[own], c)
-        })
+        let mut own = move |end: usize| std::mem::replace(&mut start, end)..end;
+        self.0.ends.iter().map(move |(end, c)| (&self.0.powers[own(*end)], c))
     }
 
     /// Number of terms.
@@ -171,11 +166,8 @@ impl Poly {
     /// Its value if it is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<BigInt> {
-        match &self.0.ends[..] {
-            [] => Some(BigInt::zero()),
-            [(0, c)] => Some(c.clone()),
-            _ => None,
-        }
+        let first = self.0.ends.first().map_or_else(BigInt::zero, |t| t.1.clone());
+        self.is_constant().then_some(first)
     }
 
     /// Whether it is a constant.
@@ -208,7 +200,10 @@ impl Poly {
     /// Sum.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
-        sum(self.terms().chain(other.terms()).collect())
+        if self.is_empty() {
+            return other.clone();
+        }
+        summed(self.terms().chain(other.terms()).collect())
     }
 
     /// Adds another polynomial in place.
@@ -249,14 +244,18 @@ impl Poly {
         let words = |p: &Self| 1 + p.bits() / 64;
         let pairs = size(self).saturating_mul(size(other));
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
+        let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
+        if one(self) || one(other) {
+            return Ok(if one(self) { other } else { self }.clone());
+        }
         let mut product = Terms::default();
         for (m, c) in self.terms() {
             for (n, d) in other.terms() {
                 times(m, n, &mut product.powers)?;
-                product.end(c * d);
+                product.ends.push((product.powers.len(), c * d));
             }
         }
-        Ok(sum(Self(Rc::new(product)).terms().collect()))
+        Ok(sum(product))
     }
 
     /// Power by repeated squaring.
@@ -289,9 +288,9 @@ impl Poly {
         let mut out = Terms::default();
         for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) == n) {
             out.powers.extend(m.iter().filter(|p| p.0 != v));
-            out.end(c.clone());
+            out.ends.push((out.powers.len(), c.clone()));
         }
-        sum(Self(Rc::new(out)).terms().collect())
+        sum(out)
     }
 
     /// ∂p/∂v
@@ -320,10 +319,8 @@ impl Poly {
     /// As a polynomial in v alone, if no other variable occurs.
     #[must_use]
     pub fn univariate(&self, v: usize) -> Option<Vec<BigInt>> {
-        if self.0.powers.iter().any(|p| p.0 != v) {
-            return None;
-        }
-        let mut out = vec![BigInt::zero(); self.degree(v) as usize + 1];
+        let alone = self.0.powers.iter().all(|p| p.0 == v);
+        let mut out = alone.then(|| vec![BigInt::zero(); self.degree(v) as usize + 1])?;
         self.terms().for_each(|(m, c)| out[exponent(m, v) as usize] = c.clone());
         Some(out)
     }
@@ -370,17 +367,16 @@ pub fn exponent(m: &[Power], v: usize) -> u32 {
 }
 
 /// Puts the powers of a product of monomials at the end.
-fn times(mut a: &[Power], mut b: &[Power], out: &mut Vec<Power>) -> Checked {
-    while let ([(v, n), rest @ ..], [(w, k), others @ ..]) = (a, b) {
-        if v == w {
-            out.push((*v, n.checked_add(*k).ok_or(Rejection::Budget)?));
+fn times<'a>(mut a: &'a [Power], mut b: &'a [Power], out: &mut Vec<Power>) -> Checked {
+    while let ([x, rest @ ..], [y, others @ ..]) = (a, b) {
+        if x.0 == y.0 {
+            out.push((x.0, x.1.checked_add(y.1).ok_or(Rejection::Budget)?));
             (a, b) = (rest, others);
-        } else if v < w {
-            out.push((*v, *n));
+        } else if x.0 < y.0 {
+            out.push(*x);
             a = rest;
         } else {
-            out.push((*w, *k));
-            b = others;
+            (a, b) = (b, a);
         }
     }
     out.extend(a.iter().chain(b));

@@ -306,7 +306,7 @@ impl Chance {
                 }
             }
             let c = i64::try_from(self.below(9)).unwrap_or(0) - 4;
-            out.add_term(monomial, c.into());
+            out = out.add(&Poly::term(monomial, c.into()));
         }
         out
     }

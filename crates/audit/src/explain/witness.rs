@@ -225,7 +225,7 @@ fn value(point: &Point, v: usize) -> Option<String> {
         coefficients.iter().fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
     for (i, q) in (0u32..).zip(coefficients) {
         let m = if i == 0 { Vec::new() } else { vec![(0, i)] };
-        p.add_term(m, q.numer() * (&common / q.denom()));
+        p = p.add(&Poly::term(m, q.numer() * (&common / q.denom())));
     }
     let text = expression(&p).plain(&single("r"));
     let scaled = if common.is_one() { text } else { format!("({text})/{common}") };

@@ -1,5 +1,6 @@
 //! Models by explicit functions: for goals with limits, where a point says too little.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use kane_algebra::ring::cancelled;
@@ -58,12 +59,14 @@ pub(crate) fn model(
         rest.atoms.iter().filter(|a| a.poly.vars().len() > 1).flat_map(|a| a.poly.vars()).collect();
     used.extend(trail.iter().flat_map(|e| [e.d.vars(), e.e.vars()].concat()));
     used.extend(mentioned(goal));
-    let lists: Vec<Vec<Expr>> =
-        free.iter().map(|v| candidates(&goal.context, *v, x, used.contains(v))).collect();
+    let functions = OnceCell::new();
+    let of_x = || functions.get_or_init(|| simple_functions(x)).clone();
+    let candidates = |v: &usize| candidates(&goal.context, *v, x, used.contains(v), &of_x);
+    let lists: Vec<Vec<Rc<Expr>>> = free.iter().map(candidates).collect();
     let tries = super::sample::diagonal(&lists, effort.candidates);
     for choice in tries {
         let mut values: Vec<(usize, Expr)> = by.to_vec();
-        values.extend(free.iter().copied().zip(choice));
+        values.extend(free.iter().copied().zip(choice.iter().map(|e| Expr::clone(e))));
         // A quotient may have poles where the premises are silent: there any value will do.
         for total in [false, true] {
             let values = determined(&state, (x, &[]), values.clone(), &trail, total);
@@ -112,9 +115,20 @@ fn rational(n: i64, d: i64) -> Expr {
     Expr::Num(Q::new(n.into(), d.into()))
 }
 
-/// Simple expressions for a free symbol: constants in its range, then Möbius and quadratic
-/// functions of x with small coefficients.
-fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> {
+/// Möbius and quadratic functions of x with small coefficients, constants first.
+fn simple_functions(x: usize) -> Vec<Rc<Expr>> {
+    let quadratic = |(a, b, c): Quadratic| Poly::in_variable(x, &[a.into(), b.into(), c.into()]);
+    FUNCTIONS.iter().map(|&(n, d)| ratio(&quadratic(n), &quadratic(d)).into()).collect()
+}
+
+/// Simple expressions for a free symbol: functions of x, or constants in its range.
+fn candidates(
+    context: &Context,
+    v: usize,
+    x: usize,
+    varied: bool,
+    functions: &dyn Fn() -> Vec<Rc<Expr>>,
+) -> Vec<Rc<Expr>> {
     let var = &context.vars[v];
     let inside = |q: &Q| {
         let above = |b: &kane_kernel::Bound| if b.strict { *q > b.value } else { *q >= b.value };
@@ -122,18 +136,12 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
         var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
     };
     if varied && var.of == Some(x) {
-        let quadratic = |(a, b, c): (i64, i64, i64)| {
-            let mut p = Poly::constant(a.into());
-            p.add_term(vec![(x, 1)], b.into());
-            p.add_term(vec![(x, 2)], c.into());
-            p
-        };
-        return FUNCTIONS.iter().map(|&(n, d)| ratio(&quadratic(n), &quadratic(d))).collect();
+        return functions();
     }
-    let mut out: Vec<Expr> = NUMBERS
+    let mut out: Vec<Rc<Expr>> = NUMBERS
         .iter()
         .filter(|(n, d)| inside(&Q::new((*n).into(), (*d).into())))
-        .map(|&(n, d)| rational(n, d))
+        .map(|&(n, d)| rational(n, d).into())
         .collect();
     if out.is_empty() {
         let ends = (var.lower.as_ref(), var.upper.as_ref());
@@ -141,7 +149,7 @@ fn candidates(context: &Context, v: usize, x: usize, varied: bool) -> Vec<Expr> 
             ends.0.map(|b| &b.value),
             ends.1.map(|b| &b.value),
         );
-        out.push(Expr::Num(middle));
+        out.push(Expr::Num(middle).into());
     }
     if !varied {
         out.truncate(1);

@@ -42,7 +42,7 @@ impl Radius {
         let mut size = Poly::one();
         for &v in &state.scope.mentioned {
             if state.is_constant(v, x) {
-                size.add_term(vec![(v, 2)], BigInt::one());
+                size = size.add(&Poly::term(vec![(v, 2)], BigInt::one()));
             }
         }
         match self {

@@ -315,11 +315,24 @@ impl Prover<'_> {
     /// A model of an earlier claim that satisfies the hypotheses of this one too.
     fn remembered(&self, goal: &Goal) -> Option<Model> {
         let earlier = self.earlier.borrow();
+        let scope = scope(goal, self.fuel()).ok()?;
+        // What has no value for a symbol with a range, or not just for the symbols of the goal, the
+        // kernel would not accept.
+        let fits = |model: &&Model| match model {
+            Model::Point(point) => {
+                let mut ranged = scope.mentioned.iter().filter(|v| !scope.range(**v).is_empty());
+                ranged.all(|v| point.values.iter().any(|known| known.0 == *v))
+            }
+            Model::Functions(f) => {
+                let others = scope.mentioned.iter().filter(|v| **v != f.var);
+                f.values.iter().map(|(v, _)| v).eq(others)
+            }
+        };
         let holds = |model: &&Model| {
             let grounds = Grounds::Model((*model).clone());
             self.accept(goal, Finding::Consistent, &grounds).is_ok()
         };
-        earlier.iter().rev().take(4).find(holds).cloned()
+        earlier.iter().rev().take(4).filter(fits).find(holds).cloned()
     }
 
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.

@@ -75,12 +75,31 @@ fn equal_polynomials_are_the_same_value() {
     assert_eq!(term(&[(4, 0)]).as_constant(), Some(3.into()));
     assert!(Poly::term(a, BigInt::zero()).is_empty());
     let mut sum = term(&b);
-    sum.add_term(vec![(1, 1), (0, 1), (1, 1)], BigInt::from(-3));
+    sum = sum.add(&Poly::term(vec![(1, 1), (0, 1), (1, 1)], BigInt::from(-3)));
     assert!(sum.is_empty() && sum == Poly::default());
     assert_eq!(n(0).as_constant(), Some(BigInt::zero()));
     assert_eq!(n(7).as_constant(), Some(7.into()));
     assert_eq!(x().as_constant(), None);
     assert_eq!(x().add(&n(7)).as_constant(), None);
+}
+
+#[test]
+fn a_sum_does_not_depend_on_the_order_of_its_terms() {
+    let terms = |p: &Poly| -> Vec<(Vec<(usize, u32)>, BigInt)> {
+        p.terms().map(|(m, c)| (m.to_vec(), c.clone())).collect()
+    };
+    for a in polynomials() {
+        for b in polynomials() {
+            // each term of a twice, those of b once and taken away once
+            let mut all = [terms(&a), terms(&b), terms(&a), terms(&b.neg())].concat();
+            let wanted = a.scale(&2.into());
+            assert_eq!(Poly::sum(all.clone()), wanted);
+            all.reverse();
+            assert_eq!(Poly::sum(all), wanted);
+        }
+        assert!(terms(&a).is_sorted() && a.terms().all(|(_, c)| !c.is_zero()));
+        assert_eq!(a.is_constant(), a.as_constant().is_some());
+    }
 }
 
 #[test]
