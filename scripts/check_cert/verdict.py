@@ -50,14 +50,13 @@ def check_link(document, claim, item, link):
     elif shown_by == "sides":
         demand(kind == "sides", "a proof of each side is expected")
         prove_limit(proof, content, claim, *item[1:], claim.variable)
-    elif goal.has_limits:
-        demand(kind == "functions", "a witness by functions is expected")
+    elif kind == "functions":
         Functions(goal, content).check(finding)
     else:
-        demand(kind == "point", "a point is expected")
+        demand(kind == "point", "a witness is expected")
+        demand(not goal.has_limits, "a witness by functions is expected")
         state = goal.at_point(finding)
-        names = [*goal.mentioned, *goal.listed_roots]
-        check_point(goal, content, names, (), state.conditions, state.formulas)
+        check_point(goal, content, goal.mentioned, goal.listed_roots, state.conditions, state.formulas)
     return "undecided" if finding == "consistent" else finding
 
 

@@ -179,6 +179,32 @@ fn signs_at_an_algebraic_number_are_exact() {
 }
 
 #[test]
+fn the_algebraic_number_takes_no_other_value() {
+    // x = θ = √2 is not above 3, although 5 is.
+    let goal = Goal { when: vec![relation(var(X), Rel::Gt, number(3, 1))], ..plain() };
+    let theta = || vec![(X, vec![q(0, 1), q(1, 1)])];
+    let judge = |values| {
+        let point = Point { generator: Some(root(&[-2, 0, 1], q(1, 1), q(2, 1))), values };
+        judged(&goal, Finding::Refuted, Evidence::Model(Model::Point(point)))
+    };
+    assert!(judge(theta()).is_err());
+    assert!(judge([theta(), vec![(usize::MAX, vec![q(5, 1)])]].concat()).is_err());
+}
+
+#[test]
+fn a_root_in_the_middle_of_its_interval_is_that_number() {
+    // θ = 0, a root of θ³ − 2θ between −1 and 1: no remainder shows that θ itself is zero.
+    let at = |rel| {
+        let when = vec![relation(var(X), rel, number(0, 1))];
+        algebraic(when, (&[0, -2, 0, 1], q(-1, 1), q(1, 1)), &[q(0, 1), q(1, 1)], &[])
+    };
+    assert_eq!(at(Rel::Eq), Ok(()));
+    for wrong in [Rel::Lt, Rel::Gt, Rel::Ne] {
+        assert!(at(wrong).is_err());
+    }
+}
+
+#[test]
 fn an_algebraic_number_is_the_only_root_in_its_interval() {
     let judge =
         |poly: &[i64], lo, hi| algebraic(Vec::new(), (poly, lo, hi), &[q(0, 1), q(1, 1)], &[]);
