@@ -68,16 +68,8 @@ pub fn visit_laws(visitor: &mut impl LawVisitor) {
     visitor.visit(&Saitoh::default());
 }
 
-/// The ids of all laws, in the order of [`visit_laws`].
+/// The ids of all laws, in the order of [`laws`](crate::laws()).
 #[must_use]
 pub fn law_ids() -> Vec<&'static str> {
-    struct Ids(Vec<&'static str>);
-    impl LawVisitor for Ids {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push(law.id());
-        }
-    }
-    let mut ids = Ids(Vec::new());
-    visit_laws(&mut ids);
-    ids.0
+    crate::laws().iter().map(|law| law.info.id).collect()
 }

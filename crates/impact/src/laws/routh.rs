@@ -302,35 +302,21 @@ macro_rules! process_law {
     ($law:ty, $id:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
      $(, $refuses:literal by $acceptance:ident)?) => {
         impl $crate::ImpactLaw for $law {
-            fn id(&self) -> &'static str {
-                $id
-            }
-
-            fn source(&self) -> &'static str {
-                $source
-            }
-
-            fn statement(&self) -> &'static str {
-                $crate::laws::routh::UNCOUPLED
-            }
-
-            fn is_stated_for_coupling(&self) -> bool {
-                false
-            }
-
-            fn restitution(&self) -> $crate::Restitution {
-                $crate::Restitution::$hypothesis
-            }
+            const INFO: $crate::LawInfo = $crate::LawInfo {
+                id: $id,
+                source: $source,
+                statement: $crate::laws::routh::UNCOUPLED,
+                stated_for_coupling: false,
+                restitution: $crate::Restitution::$hypothesis,
+                $(gap: Some($refuses),)?
+                ..$crate::LawInfo::PLAIN
+            };
 
             fn normal_collision(&self) -> Option<kane_number::Rational> {
                 Some(kane_number::Number::zero())
             }
 
             $(
-                fn gap(&self) -> Option<&'static str> {
-                    Some($refuses)
-                }
-
                 fn acceptance<N: kane_number::Number>(
                     &self,
                     contact: &$crate::Contact<N>,
