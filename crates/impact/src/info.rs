@@ -53,17 +53,25 @@ impl Parameter {
     }
 }
 
+/// On a sphere, the slip slows down by friction until it stops.
+pub(crate) const STOPS: &[(&str, &str)] = &[("", "max(0, 1 - 2*alpha)")];
+
 /// What is said about a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LawInfo {
     /// The name of the law in every table and report; printed and true forms differ.
     pub id: &'static str,
+    /// Whose law it is, and since when, in a few words.
+    pub who: &'static str,
     /// Who published the law, and what was consulted: one sentence without its full stop.
     pub source: &'static str,
     /// What the law adds to momentum and restitution, in the derivation language, one claim a
     /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
     /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.
     pub statement: &'static str,
+    /// k(α) on a sphere, in pieces: up to which α, or nothing for the last, and the formula. Empty
+    /// for a law in a frame of its own, whose k depends on e, μ and the angle of incidence one by one.
+    pub on_a_sphere: &'static [(&'static str, &'static str)],
     /// Whether the statement also determines the impulse on contacts that couple, or only, as for
     /// the laws that integrate a process, what they come to where the contact does not.
     pub stated_for_coupling: bool,
@@ -80,8 +88,10 @@ impl LawInfo {
     /// that determines the impulse everywhere. The texts are empty.
     pub const PLAIN: Self = Self {
         id: "",
+        who: "",
         source: "",
         statement: "",
+        on_a_sphere: &[],
         stated_for_coupling: true,
         parameters: &[],
         restitution: Restitution::Newton,

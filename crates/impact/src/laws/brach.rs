@@ -52,12 +52,14 @@ impl Share for Brach {
 impl ImpactLaw for Brach {
     const INFO: LawInfo = LawInfo {
         id: "brach",
+        who: "Brach 1984",
         source: "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2",
         statement: "i_x = share",
         gap: Some(
             "the impulse ratio mu_B would create energy, or has no normal impulse that pushes",
         ),
         parameters: &[SHARE],
+        on_a_sphere: &[("", "1 - 2*share*alpha")],
         ..LawInfo::PLAIN
     };
 

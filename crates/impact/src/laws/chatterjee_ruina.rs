@@ -178,10 +178,12 @@ impl Rebounds for ChatterjeeRuina {
 impl ImpactLaw for ChatterjeeRuina {
     const INFO: LawInfo = LawInfo {
         id: "chatterjee-ruina",
+        who: "Chatterjee and Ruina 1998",
         source: "A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939-951, in the form in which the public library OpenTissue implements it; abstract consulted, original not consulted",
         statement: "k >= -e_t\ni_x = 1 when k > -e_t\ni_x <= 1 when k = -e_t",
         stated_for_coupling: false,
         parameters: &[E_T],
+        on_a_sphere: &[("", "max(-e_t, 1 - 2*alpha)")],
         ..LawInfo::PLAIN
     };
 

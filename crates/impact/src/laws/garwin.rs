@@ -52,9 +52,11 @@ const fn reverse<L: Rebounds, N: Number>() -> Regime<L, N> {
 impl ImpactLaw for Garwin {
     const INFO: LawInfo = LawInfo {
         id: "garwin",
+        who: "Garwin 1969",
         source: "R. L. Garwin, Am. J. Phys. 37 (1969) 88-92, for e = 1; abstract consulted",
         statement: "k = -1",
         gap: Some(PULL),
+        on_a_sphere: &[("", "-1")],
         ..LawInfo::PLAIN
     };
 
@@ -70,9 +72,11 @@ impl ImpactLaw for Garwin {
 impl ImpactLaw for GarwinCapped {
     const INFO: LawInfo = LawInfo {
         id: "garwin-capped",
+        who: "Garwin 1969, with Coulomb's bound",
         source: "Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original not consulted; derived here",
         statement: "k >= -1\ni_x = 1 when k > -1\ni_x <= 1 when k = -1",
         gap: Some(PULL),
+        on_a_sphere: &[("", "max(-1, 1 - 2*alpha)")],
         ..LawInfo::PLAIN
     };
 

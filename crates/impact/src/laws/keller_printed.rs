@@ -34,10 +34,12 @@ fn opposing<N: Number>(contact: &Contact<N>, friction: N) -> Impulse<N> {
 impl ImpactLaw for KellerPrinted {
     const INFO: LawInfo = LawInfo {
         id: "keller-printed",
+        who: "under Keller's name in Wang, Su and Li",
         source: "Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which contradicts momentum; we follow (26). Original consulted",
         statement: "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0",
         stated_for_coupling: false,
         gap: Some("the law is printed for contacts that do not couple, W_tn = 0"),
+        on_a_sphere: &[("3/4", "1 - 4/3*alpha"), ("", "1/2 - 2/3*alpha")],
         ..LawInfo::PLAIN
     };
 

@@ -83,6 +83,7 @@ const fn approaches<N: Number>() -> Guard<Saitoh, N> {
 turned_law!(
     Saitoh,
     "saitoh",
+    "Saitoh, Bodrova, Hayakawa and Brilliantov 2010",
     "K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010) 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
     turn = TURN,
     "the bodies do not approach along the normal on which they would part, or the cone about it reaches below the surface, mu*tan(phi) > 1",

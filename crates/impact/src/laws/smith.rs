@@ -61,8 +61,10 @@ fn cubic<N: Number>(contact: &Contact<N>) -> [N; 4] {
 impl ImpactLaw for Smith1991 {
     const INFO: LawInfo = LawInfo {
         id: "smith-1991",
+        who: "Smith 1991",
         source: "C. E. Smith, J. Appl. Mech. 58 (1991) 754-758, as quoted by Chatterjee and Ruina (1998); original not consulted",
         statement: "i_x = 1 when k >= 0\ni_x = (1 - k^2)/(1 + k^2) when k <= 0",
+        on_a_sphere: &[("1/2", "1 - 2*alpha"), ("", "alpha - sqrt(alpha^2 + 2*alpha - 1)")],
         ..LawInfo::PLAIN
     };
 

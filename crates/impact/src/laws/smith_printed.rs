@@ -47,10 +47,12 @@ impl Share for SmithPrinted {
 impl ImpactLaw for SmithPrinted {
     const INFO: LawInfo = LawInfo {
         id: "smith-printed",
+        who: "under Smith's name in Wang, Su and Li",
         source: "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_xW = 1 for it, which contradicts momentum. Original consulted",
         statement: "i_x = eta",
         gap: Some(JAM),
         parameters: &[ETA],
+        on_a_sphere: &[("", "1 - 2*eta*alpha")],
         ..LawInfo::PLAIN
     };
 

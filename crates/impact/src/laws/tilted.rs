@@ -106,7 +106,7 @@ pub(crate) const fn cone_pushes<L: Turns, N: Number>() -> Guard<L, N> {
 
 /// The implementation of a law in a frame of its own, with what it asks there.
 macro_rules! turned_law {
-    ($law:ty, $id:literal, $source:literal, $parameter:ident = $named:expr, $lacks:literal,
+    ($law:ty, $id:literal, $who:literal, $source:literal, $parameter:ident = $named:expr, $lacks:literal,
      [$($guard:expr),*] $(, $acceptance:item)?) => {
         impl $crate::laws::walton::Rebounds for $law {
             fn share<N: kane_number::Number>(&self) -> N {
@@ -117,6 +117,7 @@ macro_rules! turned_law {
         impl $crate::ImpactLaw for $law {
             const INFO: $crate::LawInfo = $crate::LawInfo {
                 id: $id,
+                who: $who,
                 source: $source,
                 statement: $crate::laws::chatterjee_ruina::UNCOUPLED,
                 stated_for_coupling: false,
@@ -203,7 +204,7 @@ const TILT: Parameter = Parameter {
 
 /// The two laws of a normal that leans against the slip.
 macro_rules! tilted_law {
-    ($law:ident, $id:literal, $source:literal) => {
+    ($law:ident, $id:literal, $who:literal, $source:literal) => {
         impl Default for $law {
             fn default() -> Self {
                 Self {
@@ -221,7 +222,7 @@ macro_rules! tilted_law {
         }
 
         turned_law!(
-            $law, $id, $source, tilt = TILT,
+            $law, $id, $who, $source, tilt = TILT,
             "the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1, or the surfaces would not separate",
             [],
             fn acceptance<N: Number>(
@@ -238,10 +239,12 @@ macro_rules! tilted_law {
 tilted_law!(
     LougeAdams,
     "louge-adams",
+    "Louge and Adams 2002",
     "M. Y. Louge and M. E. Adams, Phys. Rev. E 65 (2002) 021303, from memory of its use in the literature, original not consulted: oblique impacts of a hard sphere on an elastoplastic plate. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's"
 );
 tilted_law!(
     KuninakaHayakawa,
     "kuninaka-hayakawa",
+    "Kuninaka and Hayakawa 2004",
     "H. Kuninaka and H. Hayakawa, Phys. Rev. Lett. 93 (2004) 154301, abstract consulted, original not consulted: the formula from memory, and derived anew. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's. For coupled frames the law is carried over here"
 );

@@ -93,10 +93,12 @@ impl Rebounds for Walton {
 impl ImpactLaw for Walton {
     const INFO: LawInfo = LawInfo {
         id: "walton",
+        who: "Walton 1993",
         source: "O. R. Walton, in Particulate Two-Phase Flow, ed. Roco (1993), as quoted by Foerster et al. (1994); original not consulted. The default beta0 = 0.44 is theirs for glass spheres, from memory",
         statement: "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0",
         gap: Some(PULL),
         parameters: &[BETA0],
+        on_a_sphere: &[("", "max(-beta0, 1 - 2*alpha)")],
         ..LawInfo::PLAIN
     };
 

@@ -62,8 +62,10 @@ fn coefficients<N: Number>(contact: &Contact<N>) -> Vec<N> {
 impl ImpactLaw for WangSuLi {
     const INFO: LawInfo = LawInfo {
         id: "wang-su-li",
+        who: "Wang, Su and Li",
         source: "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted",
         statement: "i_x = (k + 1)/2",
+        on_a_sphere: &[("", "(1 - alpha)/(1 + alpha)")],
         ..LawInfo::PLAIN
     };
 

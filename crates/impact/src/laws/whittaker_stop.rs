@@ -3,6 +3,7 @@
 use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
+use crate::info::STOPS;
 use crate::law::guards;
 use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
 
@@ -29,9 +30,11 @@ pub struct WhittakerStop;
 impl ImpactLaw for WhittakerStop {
     const INFO: LawInfo = LawInfo {
         id: "whittaker-stop",
+        who: "Whittaker 1904, textbook form",
         source: "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted",
         statement: "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0",
         gap: Some("neither sliding nor stopping the slip has a normal impulse that pushes"),
+        on_a_sphere: STOPS,
         ..LawInfo::PLAIN
     };
 

@@ -46,9 +46,11 @@ pub(crate) fn frictionless<L, N: Number>(_: &L, contact: &Contact<N>, _: &N) -> 
 impl ImpactLaw for WhittakerUncapped {
     const INFO: LawInfo = LawInfo {
         id: "whittaker-uncapped",
+        who: "Whittaker 1904, as printed by Wang, Su and Li",
         source: "E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original not consulted",
         statement: "i_x = 1",
         gap: Some(JAM),
+        on_a_sphere: &[("", "1 - 2*alpha")],
         ..LawInfo::PLAIN
     };
 
