@@ -118,7 +118,7 @@ fn link(text: &str, verdict: Verdict) -> LinkJudgement {
         certificate: (verdict != Verdict::Undecided)
             .then(|| "0123456789abcdef0123456789abcdef".to_owned()),
         used: if verdict == Verdict::Proved { vec![1] } else { vec![] },
-        steps,
+        steps: steps.into(),
         cost: 12,
         accepted: None,
     }

@@ -101,8 +101,7 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
             (*v, (0..=degree).map(power).collect())
         })
         .collect();
-    let mut poly = Poly::default();
-    for (m, c) in p.terms() {
+    Poly::sum(p.terms().map(|(m, c)| {
         let mut coefficient = c.clone();
         for (v, of) in &powers {
             let power = &of[kane_kernel::exponent(m, *v) as usize];
@@ -111,9 +110,8 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
             }
         }
         let rest = m.iter().filter(|(v, _)| powers.iter().all(|x| x.0 != *v));
-        poly.add_term(rest.copied().collect(), coefficient);
-    }
-    poly
+        (rest.copied().collect(), coefficient)
+    }))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use kane_kernel::{Context, Expr, Fuel, Monomial, Poly, Rejection, Rel, Relation, Var};
+use kane_kernel::{Context, Expr, Fuel, Monomial, Poly, Power, Rejection, Rel, Relation, Var};
 use kane_number::{Number, Rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -142,7 +142,7 @@ impl RationalFunction {
     pub fn cancelled(&self) -> Vec<Poly> {
         let (_, den) = self.fraction();
         let mut hidden = self.conditions();
-        hidden.retain(|c| ring::gcd(c, &den).as_constant().is_some());
+        hidden.retain(|c| ring::gcd(c, &den).is_constant());
         hidden
     }
 
@@ -152,7 +152,7 @@ impl RationalFunction {
         if p.is_empty() {
             return None;
         }
-        if p.as_constant().is_none() {
+        if !p.is_constant() {
             self.conditions.insert(signed(p));
         }
         Some(self)
@@ -246,7 +246,7 @@ impl RationalFunction {
     fn of(value: Fraction) -> Self {
         let (den, _) = inward(value.den());
         let conditions = BTreeSet::from([signed(&den)]);
-        let conditions = conditions.into_iter().filter(|d| d.as_constant().is_none()).collect();
+        let conditions = conditions.into_iter().filter(|d| !d.is_constant()).collect();
         Self { value, conditions }
     }
 
@@ -620,12 +620,11 @@ fn outward(p: &Poly) -> Foreign {
 /// A polynomial times its common denominator, and that denominator.
 fn inward(p: &Foreign) -> (Poly, BigInt) {
     let common = p.terms.iter().fold(BigInt::one(), |l, (_, c)| l.lcm(c.denom()));
-    let mut out = Poly::default();
-    for (m, c) in &p.terms {
+    let terms = p.terms.iter().map(|(m, c)| {
         let powers = m.exps().iter().copied().enumerate().filter(|&(_, e)| e > 0);
-        out.add_term(powers.collect(), c.numer() * (&common / c.denom()));
-    }
-    (out, common)
+        (powers.collect(), c.numer() * (&common / c.denom()))
+    });
+    (Poly::sum(terms), common)
 }
 
 /// The value at a point, if every symbol has one there.
@@ -642,19 +641,15 @@ fn value(p: &Poly, point: &[Rational]) -> Option<Rational> {
 }
 
 fn divided(p: &Poly, by: &BigInt) -> Poly {
-    let mut out = Poly::default();
-    for (m, c) in p.terms() {
-        out.add_term(m.clone(), c / by);
-    }
-    out
+    Poly::sum(p.terms().map(|(m, c)| (m.to_vec(), c / by)))
 }
 
-fn total(m: &Monomial) -> u32 {
+fn total(m: &[Power]) -> u32 {
     m.iter().map(|p| p.1).fold(0, u32::saturating_add)
 }
 
 /// Terms by falling degree, then by falling powers of the first symbols.
-fn ordered(p: &Poly) -> Vec<(&Monomial, &BigInt)> {
+fn ordered(p: &Poly) -> Vec<(&[Power], &BigInt)> {
     let mut terms: Vec<_> = p.terms().collect();
     terms.sort_by_cached_key(|(m, _)| {
         let powers: Vec<_> = m.iter().map(|&(v, e)| (v, Reverse(e))).collect();
@@ -678,10 +673,10 @@ fn coprime<'a>(polys: impl Iterator<Item = &'a Poly>) -> Vec<Poly> {
     let mut todo: Vec<Poly> = polys.flat_map(radical).collect();
     let mut base: Vec<Poly> = Vec::new();
     while let Some(p) = todo.pop() {
-        if p.as_constant().is_some() || base.contains(&p) {
+        if p.is_constant() || base.contains(&p) {
             continue;
         }
-        let shares = |b: &Poly| ring::gcd(b, &p).as_constant().is_none();
+        let shares = |b: &Poly| !ring::gcd(b, &p).is_constant();
         match base.iter().position(shares) {
             None => base.push(p),
             Some(i) => {
@@ -711,11 +706,11 @@ fn radical(p: &Poly) -> Vec<Poly> {
     let mut repeats = rest.clone();
     for v in rest.vars() {
         repeats = ring::gcd(&repeats, &derivative(&rest, v));
-        if repeats.as_constant().is_some() {
+        if repeats.is_constant() {
             break;
         }
     }
-    if repeats.as_constant().is_none() {
+    if !repeats.is_constant() {
         rest = ring::cancelled(&rest, &repeats).0;
     }
     parts.push(signed(&rest));
@@ -723,13 +718,11 @@ fn radical(p: &Poly) -> Vec<Poly> {
 }
 
 fn derivative(p: &Poly, v: usize) -> Poly {
-    let mut out = Poly::default();
-    for (m, c) in p.terms() {
-        let e = kane_kernel::exponent(m, v);
+    let terms = p.terms().filter(|(m, _)| kane_kernel::exponent(m, v) > 0);
+    Poly::sum(terms.map(|(m, c)| {
         let lowered = m.iter().map(|&(w, n)| (w, if w == v { n - 1 } else { n }));
-        out.add_term(lowered.filter(|p| p.1 > 0).collect(), c * e);
-    }
-    out
+        (lowered.collect(), c * kane_kernel::exponent(m, v))
+    }))
 }
 
 /// A polynomial as a sum by falling degree; a positive term comes first where there is one.
@@ -752,7 +745,7 @@ pub fn expression(p: &Poly) -> Expr {
 }
 
 /// |c|·m
-fn term(m: &Monomial, c: &BigInt) -> Expr {
+fn term(m: &[Power], c: &BigInt) -> Expr {
     let number = Expr::Num(Rational::from_integer(c.abs()));
     let power = |&(v, e): &(usize, u32)| match i32::try_from(e) {
         Ok(1) => Expr::Var(v),

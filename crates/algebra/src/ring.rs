@@ -1,6 +1,6 @@
 //! Between the kernel's integer polynomials and the polynomial libraries that the search stands on.
 
-use kane_kernel::{Monomial, Poly};
+use kane_kernel::{Monomial, Poly, Power};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -56,13 +56,12 @@ impl Ring {
     pub fn inward(&self, p: &Foreign) -> (Poly, BigInt) {
         let common =
             p.terms.iter().fold(BigInt::one(), |l, (_, c)| num_integer::lcm(l, c.denom().clone()));
-        let mut out = Poly::default();
-        for (m, c) in &p.terms {
+        let terms = p.terms.iter().map(|(m, c)| {
             let powers = self.vars.iter().zip(m.exps()).filter(|(_, e)| **e > 0);
             let monomial: Monomial = powers.map(|(v, e)| (*v, *e)).collect();
-            out.add_term(monomial, c.numer() * (&common / c.denom()));
-        }
-        (out, common)
+            (monomial, c.numer() * (&common / c.denom()))
+        });
+        (Poly::sum(terms), common)
     }
 }
 
@@ -124,25 +123,24 @@ pub fn division(p: &Poly, d: &Poly) -> Option<(Poly, Poly, BigInt)> {
     Some((q.scale(&(&common / a)), r.scale(&(&common / b)), common))
 }
 
-fn monomial_quotient(p: &Poly, m: &Monomial, negative: bool) -> Option<Poly> {
-    let mut out = Poly::default();
-    for (n, c) in p.terms() {
-        let mut rest = n.clone();
+fn monomial_quotient(p: &Poly, m: &[Power], negative: bool) -> Option<Poly> {
+    let quotient = |(n, c): (&[Power], &BigInt)| {
+        let mut rest = n.to_vec();
         for &(v, e) in m {
             let have = rest.iter_mut().find(|x| x.0 == v)?;
             have.1 = have.1.checked_sub(e)?;
         }
-        rest.retain(|x| x.1 > 0);
-        out.add_term(rest, if negative { -c } else { c.clone() });
-    }
-    Some(out.primitive().1)
+        Some((rest, if negative { -c } else { c.clone() }))
+    };
+    let terms: Option<Vec<_>> = p.terms().map(quotient).collect();
+    Some(Poly::sum(terms?).primitive().1)
 }
 
 /// p/g and q/g for the greatest common divisor g, as primitive polynomials up to a common rational
 /// factor: returns (p′, q′) with p·q′ = p′·q.
 #[must_use]
 pub fn cancelled(p: &Poly, q: &Poly) -> (Poly, Poly) {
-    if q.as_constant().is_some() || p.is_empty() {
+    if q.is_constant() || p.is_empty() {
         return (p.clone(), q.clone());
     }
     let ring = Ring::of(&[p, q]);
@@ -168,7 +166,7 @@ pub fn content_in(p: &Poly, v: usize) -> Poly {
         return Poly::one();
     };
     let first = first.primitive().1;
-    parts.fold(first, |g, c| if g.as_constant().is_some() { Poly::one() } else { gcd(&g, c) })
+    parts.fold(first, |g, c| if g.is_constant() { Poly::one() } else { gcd(&g, c) })
 }
 
 /// Whether all terms of p have coefficients of one sign: Some(true) for positive.
@@ -262,7 +260,7 @@ mod tests {
 
     /// Whether d divides p: what is left of d without their common factor is constant.
     fn divides(d: &Poly, p: &Poly) -> bool {
-        cancelled(d, p).0.as_constant().is_some()
+        cancelled(d, p).0.is_constant()
     }
 
     /// Equal up to a rational factor.
@@ -287,7 +285,7 @@ mod tests {
             let (p, q) = (times(&p, &g), times(&q, &g));
             let (a, b) = cancelled(&p, &q);
             prop_assert_eq!(times(&p, &b), times(&a, &q));
-            prop_assert!(gcd(&a, &b).as_constant().is_some() || q.as_constant().is_some());
+            prop_assert!(gcd(&a, &b).is_constant() || q.is_constant());
         }
 
         #[test]

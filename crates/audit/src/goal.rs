@@ -71,11 +71,15 @@ pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Decided> {
 }
 
 impl Decided {
-    /// The proof or the witness told to people: one sentence, and the steps. The goal is the one that
-    /// was decided, and the labels are names of its hypotheses.
+    /// The proof or the witness in one sentence. The goal is the one that was decided.
     #[must_use]
-    pub fn told(&self, goal: &Goal, labels: &[&str]) -> (String, Vec<Step>) {
-        let told = explain::grounds(goal, self.certificate.finding, &self.grounds, labels);
-        (told.reason, told.steps)
+    pub fn reason(&self, goal: &Goal) -> String {
+        explain::reason(goal, self.certificate.finding, &self.grounds)
+    }
+
+    /// The proof or the witness step by step; the labels are names of the goal's hypotheses.
+    #[must_use]
+    pub fn steps(&self, goal: &Goal, labels: &[&str]) -> Vec<Step> {
+        explain::steps(goal, self.certificate.finding, &self.grounds, labels)
     }
 }

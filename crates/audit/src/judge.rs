@@ -11,7 +11,9 @@ use kane_kernel::{
 
 use crate::explain;
 use crate::prove::{Budget, Decided, Prover, Verdicts};
-use crate::{Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Verdict};
+use crate::{
+    Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Steps, Verdict,
+};
 
 /// What to judge, and with how much effort.
 #[derive(Clone, Debug, Default)]
@@ -342,24 +344,23 @@ fn link_judgement(
         Some(Finding::Vacuous) => Verdict::Vacuous,
         Some(Finding::Consistent) | None => Verdict::Undecided,
     };
-    let labels: Vec<&str> = cited.iter().map(|&i| document.statements[i].label.as_str()).collect();
-    let (reason, steps, used) = match &found.decided {
-        Some(Decided { certificate, grounds }) => {
-            let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
-            let told = explain::grounds(whose, certificate.finding, grounds, &labels);
-            let mut reason = told.reason;
-            if !found.behind_met {
-                reason.push_str(about_what_stands_behind(goal, resting, certificate));
-            }
-            let used = told.used.iter().filter_map(|&i| cited.get(i).copied()).collect();
-            (reason, told.steps, used)
-        }
-        None => (found.reason, Vec::new(), Vec::new()),
-    };
-    let accepted = found.decided.as_ref().map(|Decided { certificate, .. }| {
+    let decided = found.decided.map(|Decided { certificate, grounds }| {
         let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
-        Rc::new(Accepted { goal: whose.clone(), certificate: certificate.clone() })
+        let mut reason = explain::reason(whose, certificate.finding, &grounds);
+        if !found.behind_met {
+            reason.push_str(about_what_stands_behind(goal, resting, &certificate));
+        }
+        let used = explain::used(whose, &grounds, cited.len());
+        let used: Vec<usize> = used.into_iter().filter_map(|i| cited.get(i).copied()).collect();
+        let accepted = Rc::new(Accepted { goal: whose.clone(), certificate });
+        let labels = cited.iter().map(|&i| document.statements[i].label.to_string()).collect();
+        let steps = Steps::of(Rc::clone(&accepted), grounds, labels);
+        (reason, used, steps, accepted)
     });
+    let (reason, used, steps, accepted) = match decided {
+        Some((reason, used, steps, accepted)) => (reason, used, steps, Some(accepted)),
+        None => (found.reason, Vec::new(), Vec::new().into(), None),
+    };
     LinkJudgement {
         text,
         latex,

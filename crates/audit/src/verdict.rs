@@ -5,6 +5,9 @@ use std::rc::Rc;
 
 use kane_kernel::{Certificate, Goal};
 
+use crate::argument::Grounds;
+use crate::explain;
+
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Verdict {
@@ -87,7 +90,7 @@ pub struct LinkJudgement {
     /// cited statements that the proof actually used, as indices
     pub used: Vec<usize>,
     /// the proof or witness step by step, for a person with paper
-    pub steps: Vec<Step>,
+    pub steps: Steps,
     /// search steps spent
     pub cost: u64,
     /// the goal that the kernel was asked about and the certificate that it accepted, for those who
@@ -102,6 +105,42 @@ pub struct Accepted {
     pub goal: Goal,
     /// what was found about it, and why
     pub certificate: Certificate,
+}
+
+/// The steps of a proof or witness. They are made when something shows them.
+#[derive(Clone, Debug)]
+pub struct Steps(Source);
+
+#[derive(Clone, Debug)]
+enum Source {
+    Told(Vec<Step>),
+    Found { accepted: Rc<Accepted>, grounds: Rc<Grounds>, labels: Vec<String> },
+}
+
+impl Steps {
+    /// Steps from what was accepted and the grounds for it; the labels are names of the goal's
+    /// hypotheses.
+    pub(crate) fn of(accepted: Rc<Accepted>, grounds: Grounds, labels: Vec<String>) -> Self {
+        Self(Source::Found { accepted, grounds: Rc::new(grounds), labels })
+    }
+
+    /// The steps, told anew at each call.
+    #[must_use]
+    pub fn told(&self) -> Vec<Step> {
+        match &self.0 {
+            Source::Told(steps) => steps.clone(),
+            Source::Found { accepted, grounds, labels } => {
+                let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+                explain::steps(&accepted.goal, accepted.certificate.finding, grounds, &labels)
+            }
+        }
+    }
+}
+
+impl From<Vec<Step>> for Steps {
+    fn from(steps: Vec<Step>) -> Self {
+        Self(Source::Told(steps))
+    }
 }
 
 /// One line of a written-out proof or witness.

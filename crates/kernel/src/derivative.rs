@@ -70,7 +70,7 @@ impl Local {
         let fuel = &scope.fuel;
         let top = self.slope_of_poly(&f.num, x, scope)?;
         let over = |den: Poly| Fraction { num: Poly::one(), den };
-        if f.den.as_constant().is_some() {
+        if f.den.is_constant() {
             return top.mul(&over(f.den.clone()), fuel);
         }
         let bottom = self.slope_of_poly(&f.den, x, scope)?;

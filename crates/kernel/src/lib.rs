@@ -25,7 +25,7 @@ pub use limit::{
     premises, sides,
 };
 pub use normal::{Atom, Atoms, Cases, Piece, Scope, Sign};
-pub use poly::{Fraction, Fuel, Monomial, Poly, exponent};
+pub use poly::{Fraction, Fuel, Monomial, Poly, Power, exponent};
 pub use proof::*;
 pub use rejection::{Checked, Rejection};
 pub use state::{Passages, State};

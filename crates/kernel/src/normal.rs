@@ -45,7 +45,7 @@ impl Sign {
 }
 
 /// One polynomial condition.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Atom {
     /// the polynomial, in the variables of a [`Scope`]
     pub poly: Poly,

@@ -1,8 +1,8 @@
 //! Sparse integer polynomials in several variables, expanded by nothing but sums and products.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 
 use num_bigint::BigInt;
@@ -35,13 +35,64 @@ impl Fuel {
     }
 }
 
-/// A product of powers: (variable, exponent ≥ 1), variables ascending.
-pub type Monomial = Vec<(usize, u32)>;
+/// A variable and its exponent, which is ≥ 1 where it stands in a polynomial.
+pub type Power = (usize, u32);
+
+/// A product of powers: variables ascending.
+pub type Monomial = Vec<Power>;
 
 /// A polynomial with integer coefficients; no zero coefficient is stored. Exact. Clones share it:
 /// regions and states repeat the same few polynomials many times.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Poly(Rc<BTreeMap<Monomial, BigInt>>);
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Poly(Rc<Terms>);
+
+/// Terms, monomials ascending: the powers of one after those of the other, and for each where its
+/// own end and its coefficient.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Terms {
+    powers: Vec<Power>,
+    ends: Vec<(usize, BigInt)>,
+}
+
+impl Terms {
+    /// Ends a monomial whose powers were put at the end, with its coefficient.
+    fn end(&mut self, c: BigInt) {
+        self.ends.push((self.powers.len(), c));
+    }
+}
+
+/// The sum of terms in any order.
+fn sum(mut terms: Vec<(&[Power], &BigInt)>) -> Poly {
+    terms.sort_by_key(|t| t.0);
+    let mut sum = Terms::default();
+    for same in terms.chunk_by(|a, b| a.0 == b.0) {
+        let c = same[1..].iter().fold(same[0].1.clone(), |sum, t| sum + t.1);
+        if !c.is_zero() {
+            sum.powers.extend_from_slice(same[0].0);
+            sum.end(c);
+        }
+    }
+    Poly(Rc::new(sum))
+}
+
+impl Ord for Poly {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.terms().cmp(other.terms())
+    }
+}
+
+impl PartialOrd for Poly {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Hash for Poly {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.len().hash(state);
+        self.terms().for_each(|term| term.hash(state));
+    }
+}
 
 impl Poly {
     /// The constant polynomial c.
@@ -65,73 +116,78 @@ impl Poly {
     /// vⁿ
     #[must_use]
     pub fn power(v: usize, n: u32) -> Self {
-        Self::term(if n == 0 { Vec::new() } else { vec![(v, n)] }, BigInt::one())
+        Self::term(vec![(v, n)], BigInt::one())
     }
 
     /// Coefficients, from v⁰ up, as a polynomial in v.
     #[must_use]
     pub fn in_variable(v: usize, coefficients: &[BigInt]) -> Self {
-        let powers = (0..).zip(coefficients).map(|(n, c)| Self::power(v, n).scale(c));
-        powers.fold(Self::default(), |sum, power| sum.add(&power))
+        Self::sum((0..).zip(coefficients).map(|(n, c)| (vec![(v, n)], c.clone())))
     }
 
     /// c·m, the zero polynomial if c = 0; the monomial in any order.
     #[must_use]
     pub fn term(m: Monomial, c: BigInt) -> Self {
-        let mut p = Self::default();
-        p.add_term(m, c);
-        p
+        Self::sum([(m, c)])
+    }
+
+    /// The sum of c·m over all (m, c); monomials in any order.
+    #[must_use]
+    pub fn sum(terms: impl IntoIterator<Item = (Monomial, BigInt)>) -> Self {
+        let mut all = Terms::default();
+        for (m, c) in terms {
+            all.powers.extend(canonical(m));
+            all.end(c);
+        }
+        sum(Self(Rc::new(all)).terms().collect())
     }
 
     /// Adds c·m in place.
     pub fn add_term(&mut self, m: Monomial, c: BigInt) {
-        if c.is_zero() {
-            return;
-        }
-        match Rc::make_mut(&mut self.0).entry(canonical(m)) {
-            Entry::Vacant(e) => {
-                e.insert(c);
-            }
-            Entry::Occupied(mut e) => {
-                *e.get_mut() += c;
-                if e.get().is_zero() {
-                    e.remove();
-                }
-            }
-        }
+        *self = self.add(&Self::term(m, c));
     }
 
     /// Its terms, in a fixed order.
-    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &BigInt)> {
-        self.0.iter()
+    pub fn terms(&self) -> impl Iterator<Item = (&[Power], &BigInt)> {
+        let mut start = 0;
+        self.0.ends.iter().map(move |(end, c)| {
+            let own = std::mem::replace(&mut start, *end)..*end;
+            (&self.0.powers[own], c)
+        })
     }
 
     /// Number of terms.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.0.len()
+        self.0.ends.len()
     }
 
     /// Whether it is the zero polynomial.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.0.ends.is_empty()
     }
 
     /// Its value if it is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<BigInt> {
-        match self.0.first_key_value() {
-            None => Some(BigInt::zero()),
-            Some((m, c)) if m.is_empty() && self.len() == 1 => Some(c.clone()),
-            Some(_) => None,
+        match &self.0.ends[..] {
+            [] => Some(BigInt::zero()),
+            [(0, c)] => Some(c.clone()),
+            _ => None,
         }
+    }
+
+    /// Whether it is a constant.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        self.0.powers.is_empty()
     }
 
     /// Variables that occur, ascending.
     #[must_use]
     pub fn vars(&self) -> Vec<usize> {
-        let mut vars: Vec<usize> = self.0.keys().flatten().map(|&(v, _)| v).collect();
+        let mut vars: Vec<usize> = self.0.powers.iter().map(|p| p.0).collect();
         vars.sort_unstable();
         vars.dedup();
         vars
@@ -140,28 +196,24 @@ impl Poly {
     /// Degree in the variable v.
     #[must_use]
     pub fn degree(&self, v: usize) -> u32 {
-        self.0.keys().map(|m| exponent(m, v)).max().unwrap_or(0)
+        self.0.powers.iter().filter(|p| p.0 == v).map(|p| p.1).max().unwrap_or(0)
     }
 
     /// Bits of the largest coefficient.
     #[must_use]
     pub fn bits(&self) -> u64 {
-        self.0.values().map(BigInt::bits).max().unwrap_or(0)
+        self.0.ends.iter().map(|(_, c)| c.bits()).max().unwrap_or(0)
     }
 
     /// Sum.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
-        let mut sum = self.clone();
-        sum.add_all(other);
-        sum
+        sum(self.terms().chain(other.terms()).collect())
     }
 
     /// Adds another polynomial in place.
     pub fn add_all(&mut self, other: &Self) {
-        for (m, c) in other.terms() {
-            self.add_term(m.clone(), c.clone());
-        }
+        *self = self.add(other);
     }
 
     /// Difference.
@@ -179,8 +231,13 @@ impl Poly {
     /// Product with an integer.
     #[must_use]
     pub fn scale(&self, k: &BigInt) -> Self {
-        let terms = self.0.iter().filter(|_| !k.is_zero());
-        Self(Rc::new(terms.map(|(m, c)| (m.clone(), c * k)).collect()))
+        if k.is_zero() { Self::default() } else { self.each(|c| c * k) }
+    }
+
+    /// With every coefficient changed, none to zero.
+    fn each(&self, change: impl Fn(&BigInt) -> BigInt) -> Self {
+        let ends = self.0.ends.iter().map(|(end, c)| (*end, change(c))).collect();
+        Self(Rc::new(Terms { powers: self.0.powers.clone(), ends }))
     }
 
     /// Product.
@@ -192,13 +249,14 @@ impl Poly {
         let words = |p: &Self| 1 + p.bits() / 64;
         let pairs = size(self).saturating_mul(size(other));
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
-        let mut product = Self::default();
+        let mut product = Terms::default();
         for (m, c) in self.terms() {
             for (n, d) in other.terms() {
-                product.add_term(times(m, n)?, c * d);
+                times(m, n, &mut product.powers)?;
+                product.end(c * d);
             }
         }
-        Ok(product)
+        Ok(sum(Self(Rc::new(product)).terms().collect()))
     }
 
     /// Power by repeated squaring.
@@ -222,24 +280,18 @@ impl Poly {
     /// Coefficients of the powers of v, from v⁰ up; each free of v.
     #[must_use]
     pub fn coefficients(&self, v: usize) -> Vec<Self> {
-        let degree = usize::try_from(self.degree(v)).unwrap_or(usize::MAX);
-        let mut out = vec![Self::default(); degree + 1];
-        for (m, c) in self.terms() {
-            let e = usize::try_from(exponent(m, v)).unwrap_or(usize::MAX);
-            let rest = m.iter().copied().filter(|&(w, _)| w != v).collect();
-            out[e].add_term(rest, c.clone());
-        }
-        out
+        (0..=self.degree(v)).map(|n| self.coefficient(v, n)).collect()
     }
 
     /// Coefficient of vⁿ; free of v. However large n is, it takes no more room than the polynomial.
     #[must_use]
     pub fn coefficient(&self, v: usize, n: u32) -> Self {
-        let mut out = Self::default();
+        let mut out = Terms::default();
         for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) == n) {
-            out.add_term(m.iter().copied().filter(|&(w, _)| w != v).collect(), c.clone());
+            out.powers.extend(m.iter().filter(|p| p.0 != v));
+            out.end(c.clone());
         }
-        out
+        sum(Self(Rc::new(out)).terms().collect())
     }
 
     /// ∂p/∂v
@@ -248,29 +300,32 @@ impl Poly {
     /// [`Rejection::Budget`].
     pub fn derivative(&self, v: usize, fuel: &Fuel) -> Checked<Self> {
         fuel.spend(u64::try_from(self.len()).unwrap_or(u64::MAX))?;
-        let mut sum = Self::default();
-        for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) > 0) {
-            let lower = |&(w, n): &(usize, u32)| (w, if w == v { n - 1 } else { n });
-            sum.add_term(m.iter().map(lower).collect(), c * exponent(m, v));
-        }
-        Ok(sum)
+        let lower = |&(w, n): &Power| (w, if w == v { n - 1 } else { n });
+        let terms = self.terms().filter(|(m, _)| exponent(m, v) > 0);
+        Ok(Self::sum(terms.map(|(m, c)| (m.iter().map(lower).collect(), c * exponent(m, v)))))
     }
 
     /// Splits off the largest non-negative integer that divides all coefficients: (content, rest).
     #[must_use]
     pub fn primitive(&self) -> (BigInt, Self) {
-        let content = self.0.values().fold(BigInt::zero(), |g, c| g.gcd(c));
+        let gcd = |g: BigInt, (_, c): &(_, BigInt)| if g.is_one() { g } else { g.gcd(c) };
+        let content = self.0.ends.iter().fold(BigInt::zero(), gcd);
         if content.is_zero() || content.is_one() {
             return (BigInt::one(), self.clone());
         }
-        let rest = self.0.iter().map(|(m, c)| (m.clone(), c / &content)).collect();
-        (content, Self(Rc::new(rest)))
+        let rest = self.each(|c| c / &content);
+        (content, rest)
     }
 
     /// As a polynomial in v alone, if no other variable occurs.
     #[must_use]
     pub fn univariate(&self, v: usize) -> Option<Vec<BigInt>> {
-        self.coefficients(v).iter().map(Self::as_constant).collect()
+        if self.0.powers.iter().any(|p| p.0 != v) {
+            return None;
+        }
+        let mut out = vec![BigInt::zero(); self.degree(v) as usize + 1];
+        self.terms().for_each(|(m, c)| out[exponent(m, v) as usize] = c.clone());
+        Some(out)
     }
 
     /// Remainder of leadⁿ·p by an equation lead·vᵈ + … with d ≥ 1: its degree in v is below d, and it
@@ -310,19 +365,26 @@ fn canonical(mut m: Monomial) -> Monomial {
 
 /// Exponent of v in m.
 #[must_use]
-pub fn exponent(m: &Monomial, v: usize) -> u32 {
+pub fn exponent(m: &[Power], v: usize) -> u32 {
     m.iter().find(|p| p.0 == v).map_or(0, |p| p.1)
 }
 
-fn times(a: &Monomial, b: &Monomial) -> Checked<Monomial> {
-    let mut out = a.clone();
-    for &(v, e) in b {
-        match out.binary_search_by_key(&v, |p| p.0) {
-            Ok(i) => out[i].1 = out[i].1.checked_add(e).ok_or(Rejection::Budget)?,
-            Err(i) => out.insert(i, (v, e)),
+/// Puts the powers of a product of monomials at the end.
+fn times(mut a: &[Power], mut b: &[Power], out: &mut Vec<Power>) -> Checked {
+    while let ([(v, n), rest @ ..], [(w, k), others @ ..]) = (a, b) {
+        if v == w {
+            out.push((*v, n.checked_add(*k).ok_or(Rejection::Budget)?));
+            (a, b) = (rest, others);
+        } else if v < w {
+            out.push((*v, *n));
+            a = rest;
+        } else {
+            out.push((*w, *k));
+            b = others;
         }
     }
-    Ok(out)
+    out.extend(a.iter().chain(b));
+    Ok(())
 }
 
 /// A rational function as numerator and denominator, never cancelled.

@@ -291,18 +291,18 @@ trait LastTerm {
     fn next_back_term(self) -> Option<(kane_kernel::Monomial, BigInt)>;
 }
 
-impl<'a, I: Iterator<Item = (&'a kane_kernel::Monomial, &'a BigInt)>> LastTerm for I {
+impl<'a, I: Iterator<Item = (&'a [kane_kernel::Power], &'a BigInt)>> LastTerm for I {
     fn next_back_term(self) -> Option<(kane_kernel::Monomial, BigInt)> {
         // by total degree, then as listed: a term order, so that the first term of a square is a square
-        let degree = |m: &kane_kernel::Monomial| m.iter().map(|x| x.1).sum::<u32>();
+        let degree = |m: &[kane_kernel::Power]| m.iter().map(|x| x.1).sum::<u32>();
         self.filter(|(_, c)| !c.is_zero())
             .max_by_key(|(m, _)| (degree(m), dense(m)))
-            .map(|(m, c)| (m.clone(), c.clone()))
+            .map(|(m, c)| (m.to_vec(), c.clone()))
     }
 }
 
 /// The exponents of all symbols, so that they compare lexicographically.
-fn dense(m: &kane_kernel::Monomial) -> Vec<u32> {
+fn dense(m: &[kane_kernel::Power]) -> Vec<u32> {
     let top = m.last().map_or(0, |x| x.0 + 1);
     (0..top).map(|v| kane_kernel::exponent(m, v)).collect()
 }

@@ -157,7 +157,7 @@ fn regimes(law: &Law, family: &Family, unit: Unit, parts: &mut Vec<Part>, open: 
             // in lowest terms, equal functions have equal numerators and equal denominators
             let ((n, d), (m, c)) = (there.fraction(), here.fraction());
             for (p, q) in [(n, m), (d, c)] {
-                if p == q && p.as_constant().is_some() {
+                if p == q && p.is_constant() {
                     continue;
                 }
                 let (lhs, rhs) = (expression(&p), expression(&q));

@@ -80,11 +80,17 @@ pub struct Part {
 }
 
 impl Part {
-    /// The proof or witness: one sentence, and the steps.
+    /// The proof or witness in one sentence.
     #[must_use]
-    pub fn told(&self) -> (String, Vec<Step>) {
+    pub fn reason(&self) -> String {
+        self.decided.reason(&self.goal)
+    }
+
+    /// The proof or witness step by step.
+    #[must_use]
+    pub fn steps(&self) -> Vec<Step> {
         let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
-        self.decided.told(&self.goal, &labels)
+        self.decided.steps(&self.goal, &labels)
     }
 
     /// Digest of the certificate, 32 hexadecimal digits.

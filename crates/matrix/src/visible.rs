@@ -64,7 +64,7 @@ impl Ranges {
         if self.asked.contains(p) {
             return Some(true);
         }
-        let strict = |(m, _): (&kane_kernel::Monomial, &BigInt)| {
+        let strict = |(m, _): (&[kane_kernel::Power], &BigInt)| {
             m.iter().all(|(v, _)| self.positive.contains(v))
         };
         let known = p.vars().iter().all(|v| self.not_negative.contains(v));
@@ -145,10 +145,8 @@ pub fn negated(relation: &Relation) -> Relation {
 
 /// A polynomial divided by a monomial that divides all its terms.
 pub(crate) fn lowered(p: &Poly, by: &[(usize, u32)]) -> Poly {
-    let mut out = Poly::default();
-    for (m, c) in p.terms() {
-        let rest = m.iter().map(|&(v, n)| (v, n - exponent(&by.to_vec(), v)));
-        out.add_term(rest.filter(|(_, n)| *n > 0).collect(), c.clone());
-    }
-    out
+    Poly::sum(p.terms().map(|(m, c)| {
+        let rest = m.iter().map(|&(v, n)| (v, n - exponent(by, v)));
+        (rest.collect(), c.clone())
+    }))
 }

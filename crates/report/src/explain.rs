@@ -37,7 +37,7 @@ pub fn explain(audit: &Audit, index: usize) -> Option<String> {
 fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     let _ = writeln!(out, "{}", link.text);
     let _ = writeln!(out, "  {}: {}", link.verdict, link.reason);
-    for step in &link.steps {
+    for step in link.steps.told() {
         for (number, line) in step.text.lines().enumerate() {
             let indent = 4 + 2 * step.depth + if number == 0 { 0 } else { 2 };
             let _ = writeln!(out, "{:indent$}{line}", "");

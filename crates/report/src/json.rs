@@ -95,13 +95,13 @@ struct Link<'a> {
     certificate: Option<&'a str>,
     used: Vec<&'a str>,
     cost: u64,
-    steps: Vec<Step<'a>>,
+    steps: Vec<Step>,
 }
 
 #[derive(Serialize)]
-struct Step<'a> {
+struct Step {
     depth: usize,
-    text: &'a str,
+    text: String,
 }
 
 impl<'a> Document<'a> {
@@ -163,6 +163,7 @@ impl<'a> Statement<'a> {
 
 impl<'a> Link<'a> {
     fn of(entry: &Entry<'a>, link: &'a LinkJudgement) -> Self {
+        let steps = link.steps.told().into_iter();
         Self {
             text: &link.text,
             latex: &link.latex,
@@ -171,11 +172,7 @@ impl<'a> Link<'a> {
             certificate: link.certificate.as_deref(),
             used: entry.labels(&link.used),
             cost: link.cost,
-            steps: link
-                .steps
-                .iter()
-                .map(|step| Step { depth: step.depth, text: &step.text })
-                .collect(),
+            steps: steps.map(|step| Step { depth: step.depth, text: step.text }).collect(),
         }
     }
 }

@@ -149,7 +149,7 @@ fn statement(out: &mut String, entry: &Entry<'_>, names: &Names<'_>) {
 
 fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement, names: &Names<'_>) {
     let _ = writeln!(out, "{}.", sentence(&capitalised(&link.reason), names));
-    for step in &link.steps {
+    for step in link.steps.told() {
         let indent = format!("{}em", 1 + step.depth.min(8));
         for line in step.text.lines() {
             let _ = writeln!(out, "\\step{{{indent}}}{{{}}}", sentence(line, names));

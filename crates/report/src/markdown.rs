@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_audit::LinkJudgement;
+use kane_audit::{LinkJudgement, Step};
 
 use crate::judges;
 use crate::report::Entry;
@@ -85,11 +85,12 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     if let Some(digest) = &link.certificate {
         notes.push(format!("Certificate {}.", code(digest)));
     }
-    if !link.steps.is_empty() {
+    let told = link.steps.told();
+    if !told.is_empty() {
         let _ = writeln!(
             out,
             "<details><summary>Step by step</summary>\n\n{}\n</details>\n",
-            steps(link)
+            steps(&told)
         );
     }
     if !notes.is_empty() {
@@ -98,9 +99,9 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
 }
 
 /// The steps, indented by their depth, in a fence that none of them can close.
-fn steps(link: &LinkJudgement) -> String {
+fn steps(told: &[Step]) -> String {
     let mut steps = String::new();
-    for step in &link.steps {
+    for step in told {
         for line in step.text.lines() {
             let _ = writeln!(steps, "{:indent$}{line}", "", indent = 2 * step.depth);
         }

@@ -79,7 +79,7 @@ fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Argument> {
 impl Known<'_> {
     /// A polynomial with positive coefficients as a sum of products of atoms.
     fn product(&self, p: &Poly) -> Option<Vec<(BigInt, Factors)>> {
-        let term = |(m, c): (&kane_kernel::Monomial, &BigInt)| {
+        let term = |(m, c): (&[kane_kernel::Power], &BigInt)| {
             let atom = |&(v, n): &(usize, u32)| {
                 self.variables.iter().find(|known| known.0 == v).map(|known| (known.1, n))
             };

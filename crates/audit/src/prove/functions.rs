@@ -293,7 +293,7 @@ pub(crate) fn determined(
                     (num, den) = (num.neg(), den.neg());
                 }
                 let mut value = ratio(&num, &den);
-                if total && den.as_constant().is_none() {
+                if total && !den.is_constant() {
                     let pole = kane_kernel::Relation {
                         lhs: expression(&den),
                         rel: kane_kernel::Rel::Eq,

@@ -178,7 +178,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
         for given in &self.owed {
             for lead in ranges::leads(self.state, &germ, given) {
                 let known = out.contains(&lead) || out.contains(&lead.neg());
-                if lead.as_constant().is_none() && !known {
+                if !lead.is_constant() && !known {
                     out.push(lead);
                 }
             }

@@ -193,7 +193,7 @@ pub(crate) fn one_side(
         }
         // Perhaps the radius has to shrink with what the denominator starts from.
         let start = found.den.coefficients(t).into_iter().find(|c| !c.is_empty())?;
-        if start.as_constant().is_some() || tried.contains(&start) {
+        if start.is_constant() || tried.contains(&start) {
             continue;
         }
         tried.push(start.clone());

@@ -261,7 +261,7 @@ impl<'a> Search<'a> {
         for (i, v, d, size) in self.linear(state) {
             let kept = self.keep.iter().find(|k| k.0 == v).map_or(0, |k| k.1);
             let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
-            let class = usize::from(d.as_constant().is_none());
+            let class = usize::from(!d.is_constant());
             let score = (kept, class, usize::from(!is_function), size);
             if best.as_ref().is_none_or(|b| score < b.0)
                 && let Some(lead) = leading(state, &d)
@@ -300,7 +300,7 @@ impl<'a> Search<'a> {
         state: &State<'s, 'g>,
     ) -> Option<(Step, State<'s, 'g>, Option<Elimination>)> {
         for (equation, a) in state.atoms.iter().enumerate() {
-            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+            if a.sign != Sign::Zero || a.poly.is_constant() {
                 continue;
             }
             for var in a.poly.vars() {
@@ -325,7 +325,7 @@ impl<'a> Search<'a> {
     fn linear(&self, state: &State<'_, '_>) -> Vec<(usize, usize, Poly, usize)> {
         let mut out = Vec::new();
         for (i, a) in state.atoms.iter().enumerate() {
-            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+            if a.sign != Sign::Zero || a.poly.is_constant() {
                 continue;
             }
             for v in a.poly.vars() {
@@ -343,7 +343,7 @@ impl<'a> Search<'a> {
     fn quadratic(&self, state: &State<'_, '_>) -> Vec<(usize, usize, Poly, usize)> {
         let mut out = Vec::new();
         for (i, a) in state.atoms.iter().enumerate() {
-            if a.sign != Sign::Zero || a.poly.as_constant().is_some() {
+            if a.sign != Sign::Zero || a.poly.is_constant() {
                 continue;
             }
             for v in a.poly.vars() {
@@ -357,7 +357,7 @@ impl<'a> Search<'a> {
                     continue;
                 }
                 if let Some(d) = a.poly.coefficients(v).pop()
-                    && d.as_constant().is_none()
+                    && !d.is_constant()
                     && cannot_vanish(state, &d)
                 {
                     out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
@@ -529,11 +529,11 @@ pub(crate) fn open_vars(state: &State<'_, '_>) -> Vec<usize> {
 fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {
     let (mut rest, mut factors) = (d.clone(), Vec::new());
     for (i, a) in state.atoms.iter().enumerate() {
-        if rest.as_constant().is_some() {
+        if rest.is_constant() {
             break;
         }
         let known = matches!(a.sign, Sign::Positive | Sign::NonZero);
-        if !known || a.poly.as_constant().is_some() || !may_divide(&a.poly, &rest) {
+        if !known || a.poly.is_constant() || !may_divide(&a.poly, &rest) {
             continue;
         }
         let mut n = 0;
@@ -552,13 +552,13 @@ fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {
 fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
     let mut rest = d.clone();
     for a in &state.atoms {
-        if matches!(a.sign, Sign::Positive | Sign::NonZero) && a.poly.as_constant().is_none() {
+        if matches!(a.sign, Sign::Positive | Sign::NonZero) && !a.poly.is_constant() {
             while let Some(q) = exact_quotient(&rest, &a.poly) {
                 rest = q;
             }
         }
     }
-    if rest.as_constant().is_some() {
+    if rest.is_constant() {
         return true;
     }
     let trial = state.with(Atom::new(rest.clone(), Sign::Zero));
@@ -570,11 +570,11 @@ fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Poly)> {
     let known: Vec<usize> = (0..state.atoms.len())
         .filter(|&j| {
             let a = &state.atoms[j];
-            matches!(a.sign, Sign::Positive | Sign::NonZero) && a.poly.as_constant().is_none()
+            matches!(a.sign, Sign::Positive | Sign::NonZero) && !a.poly.is_constant()
         })
         .collect();
     for (i, atom) in state.atoms.iter().enumerate() {
-        if atom.poly.as_constant().is_some() {
+        if atom.poly.is_constant() {
             continue;
         }
         let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
@@ -617,7 +617,7 @@ fn pinched(state: &State<'_, '_>) -> Option<Poly> {
     let weak: Vec<Poly> = state
         .atoms
         .iter()
-        .filter(|a| a.sign == Sign::NonNegative && a.poly.as_constant().is_none())
+        .filter(|a| a.sign == Sign::NonNegative && !a.poly.is_constant())
         .map(|a| a.poly.primitive().1)
         .collect();
     let pair = weak.iter().enumerate().find(|(i, p)| weak[..*i].contains(&p.neg()));
@@ -635,7 +635,7 @@ fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
         }
         for &v in &vars {
             let content = content_in(&a.poly, v);
-            if content.as_constant().is_none() {
+            if !content.is_constant() {
                 // A power splits like its base.
                 let base = content.vars()[0];
                 return Some(if content.len() == 1 { Poly::var(base) } else { content });

@@ -6,7 +6,7 @@ use kane_algebra::linear_program::{feasible, whole};
 use kane_algebra::point::specialised;
 use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -49,7 +49,7 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
         .collect();
     let factor = |i: usize, n: u32| (i, n);
     for (j, b) in keyed.iter().enumerate() {
-        if b.0.as_constant().is_some() {
+        if b.0.is_constant() {
             continue;
         }
         for (i, a) in keyed[..j].iter().enumerate() {
@@ -98,13 +98,13 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
 /// An atom that must not vanish but is a multiple of an equation.
 fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
     for (j, eq) in state.atoms.iter().enumerate() {
-        if eq.sign != Sign::Zero || eq.poly.as_constant().is_some() {
+        if eq.sign != Sign::Zero || eq.poly.is_constant() {
             continue;
         }
         for (i, a) in state.atoms.iter().enumerate() {
             if !(fresh[i] || fresh[j])
                 || !matches!(a.sign, Sign::Positive | Sign::NonZero)
-                || a.poly.as_constant().is_some()
+                || a.poly.is_constant()
             {
                 continue;
             }
@@ -314,13 +314,11 @@ fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
     }
     let (q, r, scale) = kane_algebra::ring::division(&target.poly, &h.poly)?;
     // Only the part of q that helps; the rest goes back into r.
-    let mut helpful = Poly::default();
-    for (m, c) in q.terms().filter(|(_, c)| c.is_negative()) {
-        helpful.add_term(m.clone(), c.clone());
-    }
+    let helpful = q.terms().filter(|(_, c)| c.is_negative());
+    let helpful = Poly::sum(helpful.map(|(m, c)| (m.to_vec(), c.clone())));
     let surplus = q.sub(&helpful).mul(&h.poly, &state.scope.fuel).ok()?;
     let (q, r) = (helpful, r.add(&surplus));
-    if q.as_constant().is_some() {
+    if q.is_constant() {
         return None;
     }
     let end = state.atoms.len();
@@ -426,7 +424,7 @@ pub(crate) fn combination(state: &State<'_, '_>) -> Option<Argument> {
         .filter(live)
         .filter(|&i| state.atoms[i].sign == Sign::Zero)
         .collect();
-    let mut rows: std::collections::BTreeMap<&Monomial, usize> = std::collections::BTreeMap::new();
+    let mut rows: std::collections::BTreeMap<&[Power], usize> = std::collections::BTreeMap::new();
     for i in known.iter().chain(&equations) {
         for (m, _) in state.atoms[*i].poly.terms() {
             let next = rows.len();
@@ -564,7 +562,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
     let mut add = |square: Poly, g: &(Vec<(usize, u32)>, Poly, bool)| -> Option<()> {
         let p = square.pow(2, fuel).ok()?.mul(&g.1, fuel).ok()?;
         if total(&p) <= limit && columns.len() < 1500 {
-            let strict = g.2 && square.as_constant().is_some();
+            let strict = g.2 && square.is_constant();
             let term = Term { weight: BigInt::one(), square, factors: g.0.clone() };
             columns.push((term, p, strict));
         }
@@ -575,7 +573,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
     }
     for g in generators.iter().filter(|g| g.0.len() <= 1) {
         for s in &squares {
-            if s.as_constant().is_none() {
+            if !s.is_constant() {
                 add(s.clone(), g)?;
             }
         }
@@ -591,7 +589,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
             }
         }
     }
-    let mut rows: std::collections::BTreeMap<&Monomial, usize> = std::collections::BTreeMap::new();
+    let mut rows: std::collections::BTreeMap<&[Power], usize> = std::collections::BTreeMap::new();
     for p in columns.iter().map(|c| &c.1).chain(multiples.iter().map(|m| &m.2)) {
         for (m, _) in p.terms() {
             let next = rows.len();

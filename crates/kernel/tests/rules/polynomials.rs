@@ -89,8 +89,8 @@ fn degrees_and_variables_are_those_that_occur() {
     assert_eq!((p.degree(0), p.degree(1), p.degree(2)), (2, 3, 0));
     assert_eq!(p.vars(), vec![0, 1]);
     assert_eq!(times(&y(), &p).vars(), vec![0, 1]);
-    assert_eq!(exponent(&vec![(0, 2), (3, 1)], 3), 1);
-    assert_eq!(exponent(&vec![(0, 2), (3, 1)], 1), 0);
+    assert_eq!(exponent(&[(0, 2), (3, 1)], 3), 1);
+    assert_eq!(exponent(&[(0, 2), (3, 1)], 1), 0);
     assert_eq!(n(-5).add(&x()).bits(), 3);
     assert_eq!(n(0).degree(0), 0);
 }

@@ -283,7 +283,7 @@ fn sum(state: &State<'_, '_>, thorough: bool) -> Option<Proof> {
     // What two summands add up to, but for the constant, which one more summand can make up for.
     let bare = |p: &Poly| {
         let varies = p.terms().filter(|(m, _)| !m.is_empty());
-        varies.fold(Poly::default(), |sum, (m, c)| sum.add(&Poly::term(m.clone(), c.clone())))
+        varies.fold(Poly::default(), |sum, (m, c)| sum.add(&Poly::term(m.to_vec(), c.clone())))
     };
     let closes = |parts: &[usize]| {
         let (mut terms, mut cofactors) = (Vec::new(), Vec::new());

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use kane_algebra::syntax::canonical_name;
-use kane_kernel::{Context, Expr, Monomial, Poly, Rel, Relation, Scope, Sentence, Target};
+use kane_kernel::{Context, Expr, Poly, Power, Rel, Relation, Scope, Sentence, Target};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
@@ -156,7 +156,7 @@ impl<'a> Symbols<'a> {
         Ok(format!("[{}]", terms.join("; ")))
     }
 
-    fn exponents(&self, m: &Monomial) -> Result<Vec<u32>, NotEmitted> {
+    fn exponents(&self, m: &[Power]) -> Result<Vec<u32>, NotEmitted> {
         let mut out = Vec::new();
         for &(v, n) in m {
             let i = self.variable(v)?;

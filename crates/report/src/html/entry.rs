@@ -133,7 +133,8 @@ impl Page<'_> {
                     @if !link.latex.is_empty() { (math(&link.latex, DisplayMode::Block)) }
                     p { (marked(link.verdict)) ": " (sentence(&link.reason, &self.names)) }
                 }
-                @if !link.steps.is_empty() { (self.steps(&link.steps)) }
+                @let steps = link.steps.told();
+                @if !steps.is_empty() { (self.steps(&steps)) }
                 p.check {
                     @if !link.used.is_empty() { "Uses " (self.anchors.links(&link.used)) ". " }
                     @match &link.certificate {

@@ -89,9 +89,8 @@ pub(super) fn decided(part: &Part) -> Vec<Line> {
     if let Conclusion::Link(Link::Relation(relation)) = &part.goal.conclusion {
         lines.push((1, format!("then {}", relation.plain(&part.goal.context))));
     }
-    let (reason, steps) = part.told();
-    lines.push((1, reason));
-    lines.extend(steps.into_iter().map(|step| (2 + step.depth, step.text)));
+    lines.push((1, part.reason()));
+    lines.extend(part.steps().into_iter().map(|step| (2 + step.depth, step.text)));
     lines.push((1, format!("the kernel accepted certificate {}", part.digest())));
     lines
 }

@@ -200,7 +200,7 @@ fn in_outline(parts: &[Part]) -> Vec<Line> {
             if !regimes.contains(&part.regime.as_str()) {
                 regimes.push(&part.regime);
             }
-            let (ground, _) = part.told();
+            let ground = part.reason();
             match grounds.iter_mut().find(|(known, _)| *known == ground) {
                 Some((_, count)) => *count += 1,
                 None => grounds.push((ground, 1)),
