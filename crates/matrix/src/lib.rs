@@ -168,7 +168,7 @@ fn silent_on(law: &Law, property: &Property, families: &[Family]) -> Option<&'st
     let coupled = |s: &Setting| matches!(s, Setting::Driving | Setting::Braking);
     let speaks = |f: &Family| coupled(&f.setting) && !f.regimes.is_empty();
     let asked = settings.iter().any(coupled);
-    (asked && !families.iter().any(speaks)).then(|| law.info.gap).flatten()
+    (asked && !families.iter().any(speaks)).then_some(law.info.gap).flatten()
 }
 
 /// The matrix, or what is asked for of it. `progress` is told, after each cell, how many are done and
