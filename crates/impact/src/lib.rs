@@ -2,7 +2,7 @@
 //!
 //! A law maps a [`Contact`] to the tangential impulse. It is generic over
 //! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
-//! rationals, and the two can be compared digit by digit. The laws are in [`laws`], what collides is
+//! rationals, and the two can be compared digit by digit. The laws are in [`laws()`], what collides is
 //! in [`bodies`]. What happens in time between elastic bodies is in [`compliant`].
 //!
 //! ```
