@@ -303,7 +303,7 @@ def summary(tally, out=sys.stdout):
         print("  " + " ".join(map(str, f)), file=out)
 
 
-def jobs_of(args, done, claims):
+def jobs_of(args, done):
     """Batches from where the run was, without end; about 20 claims a document."""
     index = done
     while True:
@@ -363,7 +363,7 @@ def main():
             sys.exit(f"{args.state} is of another run")
         tally, done = Tally.from_json(kept["tally"]), kept["done"]
     began, before = time.monotonic(), tally.claims
-    jobs = jobs_of(args, done, args.claims)
+    jobs = jobs_of(args, done)
 
     def finished(tallied, last):
         tally.add(tallied)
