@@ -9,7 +9,7 @@ is zero or at least 1/(u^(D-1) l).
 from fractions import Fraction
 from math import isqrt
 
-TOO_MANY_BITS = 15000
+TOO_MANY_BITS = 2000
 
 
 class Costly(Exception):

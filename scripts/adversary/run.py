@@ -53,6 +53,8 @@ MIXES = {
     + ["traps"] * 10 + ["slopes"] * 8 + ["limits"] * 2 + ["premised"] + ["chains"] * 3,
     "long": ["identities"] * 3 + ["inequalities"] * 3 + ["piecewise"] * 4 + ["roots"] + ["contradictions"] * 4
     + ["traps"] * 5 + ["slopes"] * 6 + ["limits"] * 2 + ["premised"] * 2 + ["chains"] * 4,
+    "points": ["identities"] * 4 + ["inequalities"] * 3 + ["piecewise"] * 4 + ["contradictions"] * 4 + ["traps"] * 4
+    + ["slopes"] * 3 + ["roots"],
     "far": ["limits"] * 3 + ["premised"] * 2 + ["chains"] * 4 + ["slopes"] * 2,
 }  # fmt: skip
 MIXES |= {name: [name] for name in FAMILIES}
@@ -81,7 +83,7 @@ def run_kane(kane, files, out=None):
     before = used()
     command = [*kane, *files, "--format", "json"] + (["--out", out] if out else [])
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300 + 2 * SLOW * len(files))
+        done = subprocess.run(command, capture_output=True, text=True, timeout=3600)
     except subprocess.TimeoutExpired:
         return "timeout", None, "", used() - before
     seconds = used() - before
@@ -301,7 +303,7 @@ def summary(tally, out=sys.stdout):
         print("  " + " ".join(map(str, f)), file=out)
 
 
-def jobs_of(args, done, claims):
+def jobs_of(args, done):
     """Batches from where the run was, without end; about 20 claims a document."""
     index = done
     while True:
@@ -361,7 +363,7 @@ def main():
             sys.exit(f"{args.state} is of another run")
         tally, done = Tally.from_json(kept["tally"]), kept["done"]
     began, before = time.monotonic(), tally.claims
-    jobs = jobs_of(args, done, args.claims)
+    jobs = jobs_of(args, done)
 
     def finished(tallied, last):
         tally.add(tallied)

@@ -153,7 +153,14 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 /// Judges the document, or of it only what is asked for and what that cites.
 fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> Audit {
     let mut options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
-    options.budget.fuel = budget.unwrap_or(options.budget.fuel);
+    if let Some(fuel) = budget {
+        let whole = options.budget;
+        options.budget.fuel = fuel;
+        // states and functions in the same measure
+        let part = |n: u64| n.saturating_mul(fuel.min(whole.fuel)) / whole.fuel;
+        options.budget.steps = part(whole.steps).max(1);
+        options.budget.functions = part(whole.functions as u64).try_into().unwrap_or(usize::MAX);
+    }
     let mut progress = Progress::new();
     kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
 }

@@ -1,19 +1,19 @@
 //! What must hold of an outcome in exact numbers, whatever the law.
 
 use crate::impact::bodies::{CollideError, Ledger};
-use crate::impact::{Facing, Frame, ImpactLaw, Restitution};
-use crate::number::Real;
+use crate::impact::{Facing, Frame, Law, NumberSystem, Restitution};
 use crate::report::collision::Check;
 
 use super::{Happened, System};
 
 /// Checks the outcome against momentum, restitution and energy, by other ways than the law's.
-pub(super) fn checks<L: ImpactLaw, N: Real>(
-    law: &L,
+pub(super) fn checks<N: NumberSystem>(
+    law: &Law,
     system: &System<N>,
 ) -> Result<Vec<Check>, CollideError<N>> {
+    let (info, of_system, law) = (law.info, law.over(), law.over::<N>());
     let contact = system.contact()?;
-    let Happened { outcome, after, ledger } = system.collide(law)?;
+    let Happened { outcome, after, ledger } = system.collide(of_system)?;
     let equal = |a: &N, b: &N| a.compare(b).is_equal() == Some(true);
     let check = |claim: &str, holds: bool| Check { claim: claim.to_owned(), holds };
     let work = outcome.work.total();
@@ -29,7 +29,7 @@ pub(super) fn checks<L: ImpactLaw, N: Real>(
         ),
     ];
     let moving = system.moving(&after);
-    if law.restitution() == Restitution::Newton {
+    if info.restitution == Restitution::Newton {
         let forward = law.regime(&contact)?;
         let impulse = match forward.facing {
             Facing::Forward => outcome.impulse.clone(),

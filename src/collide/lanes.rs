@@ -1,7 +1,7 @@
 //! The same quantities, measured in any number system.
 
 use crate::impact::bodies::{CollideError, Ledger};
-use crate::impact::{Chosen, Contact, ImpactLaw, NoImpulse};
+use crate::impact::{Contact, Law, LawOver, NoImpulse, NumberSystem, Taken};
 use crate::number::Real;
 
 use super::System;
@@ -68,12 +68,11 @@ pub(super) fn of_contact<N: Real>(contact: &Contact<N>) -> Vec<Value<N>> {
 }
 
 /// What the law answers at the contact, formed in the contact's own number system.
-pub(super) fn at_contact<L: ImpactLaw, N: Real>(
-    law: &L,
+pub(super) fn at_contact<N: Real>(
+    law: &dyn LawOver<N>,
     contact: &Contact<N>,
 ) -> Result<Measured<N>, NoImpulse> {
-    let Chosen { regime, root, .. } = law.regime(contact)?;
-    let root = regime.root.as_ref().map(|_| root);
+    let Taken { root, .. } = law.regime(contact)?;
     let outcome = law.resolve(contact)?;
     let ratios = outcome.ratios(contact);
     let ratio = |part: fn(crate::impact::Ratios<N>) -> N| ratios.clone().map(part);
@@ -95,12 +94,12 @@ pub(super) fn at_contact<L: ImpactLaw, N: Real>(
 }
 
 /// What the law makes of the system: at the contact, and of the bodies.
-pub(super) fn of_system<L: ImpactLaw, N: Real>(
-    law: &L,
+pub(super) fn of_system<N: NumberSystem>(
+    law: &Law,
     system: &System<N>,
 ) -> Result<Measured<N>, CollideError<N>> {
-    let mut measured = at_contact(law, &system.contact()?)?;
-    let happened = system.collide(law)?;
+    let mut measured = at_contact(law.over(), &system.contact()?)?;
+    let happened = system.collide(law.over())?;
     let before = system.kinetic_energy();
     let change = measured.get("dE").cloned();
     let ratio = change.and_then(|change| (before.clone() + change).checked_div(&before));

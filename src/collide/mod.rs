@@ -34,7 +34,7 @@ mod system;
 mod written;
 
 pub use kane_scene::read::direction;
-pub use parameters::{LawParameter, Parameters, UnknownParameter};
+pub use parameters::{Parameters, UnknownParameter};
 pub use system::{Happened, System};
 pub use written::written;
 
@@ -84,14 +84,15 @@ impl Question {
 /// approach speed.
 pub fn answer(question: &Question, law: Option<&str>) -> Result<Collision, InvalidInput<Rational>> {
     let contact = question.system.contact()?;
-    let mut laws = readings::Readings::new(&question.system, law);
-    question.parameters.visit(&mut laws);
+    let laws = question.parameters.laws();
+    let laws = laws.iter().filter(|known| law.is_none_or(|wanted| wanted == known.info.id));
+    let laws = laws.map(|known| readings::answer(known, &question.system, law.is_some()));
     Ok(Collision {
         title: question.title.clone(),
         given: question.given.clone(),
         notes: question.notes.clone(),
         before: readings::before(&question.system, &contact),
-        laws: laws.answers,
+        laws: laws.collect(),
         in_depth: law.is_some(),
         command: question.command.clone(),
     })

@@ -1,26 +1,7 @@
 //! The parameters that laws have of their own.
 
-use crate::impact::ImpactLaw;
-use crate::impact::laws::{
-    Brach, ChatterjeeRuina, KuninakaHayakawa, LawVisitor, LougeAdams, Saitoh, SmithPrinted, Walton,
-    visit_laws,
-};
+use crate::impact::{Law, Parameter, laws};
 use crate::number::Rational;
-
-/// A parameter of a law, and its domain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LawParameter {
-    /// The law's id.
-    pub law: &'static str,
-    /// The name in the law's statement.
-    pub name: &'static str,
-    /// The least value.
-    pub least: i8,
-    /// The greatest value, or `None` without bound.
-    pub greatest: Option<i8>,
-    /// What it is, in a few words.
-    pub meaning: &'static str,
-}
 
 /// A parameter that no law has, or a value outside its domain.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -46,166 +27,50 @@ pub enum UnknownParameter {
     },
 }
 
-impl LawParameter {
-    /// All of them.
-    pub const ALL: [Self; 10] = [
-        Self {
-            law: "brach",
-            name: "share",
-            least: 0,
-            greatest: None,
-            meaning: "mu_B/mu, the ratio of the impulses by mu",
-        },
-        Self {
-            law: "smith-printed",
-            name: "eta",
-            least: 0,
-            greatest: None,
-            meaning: "the share of the friction",
-        },
-        Self {
-            law: "walton",
-            name: "beta0",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangential restitution at sticking",
-        },
-        Self {
-            law: "chatterjee-ruina",
-            name: "e_t",
-            least: -1,
-            greatest: Some(1),
-            meaning: "the tangential restitution",
-        },
-        Self {
-            law: "louge-adams",
-            name: "tilt",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangent of half the angle by which the normal leans",
-        },
-        Self {
-            law: "louge-adams",
-            name: "beta0",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangential restitution at sticking",
-        },
-        Self {
-            law: "kuninaka-hayakawa",
-            name: "tilt",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangent of half the angle by which the normal leans",
-        },
-        Self {
-            law: "kuninaka-hayakawa",
-            name: "beta0",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangential restitution at sticking",
-        },
-        Self {
-            law: "saitoh",
-            name: "turn",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangent of half the angle by which the normal turns",
-        },
-        Self {
-            law: "saitoh",
-            name: "beta0",
-            least: 0,
-            greatest: Some(1),
-            meaning: "the tangential restitution at sticking",
-        },
-    ];
-
-    /// `law.name`.
-    #[must_use]
-    pub fn path(&self) -> String {
-        format!("{}.{}", self.law, self.name)
-    }
-
-    fn domain(&self) -> String {
-        match self.greatest {
-            Some(greatest) => format!("at least {} and at most {greatest}", self.least),
-            None => format!("at least {}", self.least),
-        }
-    }
+/// All laws with their parameters.
+fn known() -> impl Iterator<Item = (&'static str, &'static Parameter)> {
+    laws().iter().flat_map(|law| law.info.parameters.iter().map(|own| (law.info.id, own)))
 }
+
+/// `law.name`.
+fn path((law, parameter): (&str, &Parameter)) -> String {
+    format!("{law}.{}", parameter.name)
+}
+
+/// A law's id, the name of its parameter, and the value.
+type Set = (&'static str, &'static str, Rational);
 
 /// Values of parameters that are not the laws' defaults.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Parameters(Vec<(LawParameter, Rational)>);
+pub struct Parameters(Vec<Set>);
 
 impl Parameters {
     /// Sets the parameter `law.name`; the last value counts.
     ///
     /// # Errors
     /// [`UnknownParameter`] if no law has it, or the value is outside its domain.
-    pub fn set(&mut self, path: &str, value: Rational) -> Result<(), UnknownParameter> {
-        let Some(parameter) = LawParameter::ALL.into_iter().find(|known| known.path() == path)
-        else {
-            let known: Vec<String> = LawParameter::ALL.iter().map(LawParameter::path).collect();
-            return Err(UnknownParameter::Name { name: path.to_owned(), known: known.join(", ") });
+    pub fn set(&mut self, asked: &str, value: Rational) -> Result<(), UnknownParameter> {
+        let Some((law, parameter)) = known().find(|known| path(*known) == asked) else {
+            let known: Vec<String> = known().map(path).collect();
+            return Err(UnknownParameter::Name { name: asked.to_owned(), known: known.join(", ") });
         };
-        let bound = |n: i8| Rational::from_integer(n.into());
-        let above = value >= bound(parameter.least);
-        let below = parameter.greatest.is_none_or(|greatest| value <= bound(greatest));
-        if !(above && below) {
+        if !parameter.admits(&value) {
             let domain = parameter.domain();
-            return Err(UnknownParameter::Domain { name: path.to_owned(), value, domain });
+            return Err(UnknownParameter::Domain { name: asked.to_owned(), value, domain });
         }
-        self.0.retain(|(known, _)| *known != parameter);
-        self.0.push((parameter, value));
+        self.0.retain(|(of, name, _)| (*of, *name) != (law, parameter.name));
+        self.0.push((law, parameter.name, value));
         Ok(())
     }
 
-    /// Shows a visitor every law with these parameters, in the order of tables.
-    pub fn visit(&self, visitor: &mut impl LawVisitor) {
-        visit_laws(&mut Adjusted { parameters: self, visitor });
-    }
-
-    /// Puts the value of a law's parameter where it belongs, if it is set.
-    fn put(&self, law: &str, name: &str, value: &mut Rational) {
-        if let Some((_, set)) =
-            self.0.iter().find(|(known, _)| known.law == law && known.name == name)
-        {
-            value.clone_from(set);
-        }
-    }
-}
-
-/// Exchanges the laws that have other parameters.
-struct Adjusted<'a, V> {
-    parameters: &'a Parameters,
-    visitor: &'a mut V,
-}
-
-impl<V: LawVisitor> LawVisitor for Adjusted<'_, V> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        macro_rules! adjusted {
-            ($($id:literal: $law:ident { $($name:literal: $field:ident),* })*) => {
-                match law.id() {
-                    $($id => {
-                        let mut law = $law::default();
-                        $(self.parameters.put($id, $name, &mut law.$field);)*
-                        self.visitor.visit(&law);
-                    })*
-                    _ => self.visitor.visit(law),
-                }
-            };
-        }
-        adjusted! {
-            "brach": Brach { "share": share }
-            "smith-printed": SmithPrinted { "eta": share }
-            "walton": Walton { "beta0": restitution }
-            "chatterjee-ruina": ChatterjeeRuina { "e_t": restitution }
-            "louge-adams": LougeAdams { "tilt": tilt, "beta0": restitution }
-            "kuninaka-hayakawa": KuninakaHayakawa { "tilt": tilt, "beta0": restitution }
-            "saitoh": Saitoh { "turn": turn, "beta0": restitution }
-        }
+    /// Every law with these parameters, in the order of tables.
+    #[must_use]
+    pub fn laws(&self) -> Vec<Law> {
+        let adjusted = |law: &Law| {
+            let own = self.0.iter().filter(|(of, ..)| *of == law.info.id);
+            own.fold(law.clone(), |law, (_, name, value)| law.with(name, value).unwrap_or(law))
+        };
+        laws().iter().map(adjusted).collect()
     }
 }
 
@@ -213,43 +78,24 @@ impl<V: LawVisitor> LawVisitor for Adjusted<'_, V> {
 mod tests {
     use super::*;
 
-    #[derive(Default)]
-    struct Seen(Vec<(&'static str, Vec<(&'static str, Rational)>)>);
-
-    impl LawVisitor for Seen {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push((law.id(), law.parameters()));
-        }
-    }
-
     #[test]
-    fn every_parameter_of_a_law_can_be_set_and_no_other() {
-        let mut seen = Seen::default();
-        visit_laws(&mut seen);
-        let mut paths: Vec<String> = Vec::new();
-        for (law, parameters) in seen.0 {
-            paths.extend(parameters.iter().map(|(name, _)| format!("{law}.{name}")));
-        }
-        paths.sort();
-        let mut known: Vec<String> = LawParameter::ALL.iter().map(LawParameter::path).collect();
-        known.sort();
-        assert_eq!(paths, known);
-    }
-
-    #[test]
-    fn a_parameter_that_is_set_reaches_its_law() {
-        for parameter in LawParameter::ALL {
-            let mut parameters = Parameters::default();
-            parameters
-                .set(&parameter.path(), Rational::new(3.into(), 7.into()))
-                .expect("in the domain");
-            let mut seen = Seen::default();
-            parameters.visit(&mut seen);
-            let law = seen.0.into_iter().find(|(law, _)| *law == parameter.law);
+    fn a_parameter_that_is_set_reaches_its_law_and_no_other() {
+        assert_eq!(known().count(), 10);
+        for (id, parameter) in known() {
             let value = Rational::new(3.into(), 7.into());
-            let mut of_its_own = law.expect("it is visited").1;
-            of_its_own.retain(|(name, _)| *name == parameter.name);
-            assert_eq!(of_its_own, [(parameter.name, value)]);
+            let mut parameters = Parameters::default();
+            let path = path((id, parameter));
+            parameters.set(&path, Rational::from_integer(1.into())).expect("in the domain");
+            parameters.set(&path, value.clone()).expect("in the domain");
+            for (law, default) in parameters.laws().iter().zip(laws()) {
+                let mut expected = default.parameters();
+                for (name, of_default) in &mut expected {
+                    if (law.info.id, *name) == (id, parameter.name) {
+                        of_default.clone_from(&value);
+                    }
+                }
+                assert_eq!(law.parameters(), expected, "{path}");
+            }
         }
     }
 }

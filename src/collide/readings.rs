@@ -1,8 +1,7 @@
 //! Every law's answer, in every number system, as data for a report.
 
 use crate::impact::bodies::CollideError;
-use crate::impact::laws::LawVisitor;
-use crate::impact::{Contact, ImpactLaw, NoImpulse, Restitution};
+use crate::impact::{Contact, Law, NoImpulse, Restitution};
 use crate::number::{
     Algebraic, Interval, Number as _, Ordered as _, Rational, Rounding, Scaled, encode,
     error_in_ulps, ulp,
@@ -44,54 +43,29 @@ fn of_exact(quantity: Quantity, exact: Option<&Algebraic>) -> Reading {
     }
 }
 
-/// Collects the answers of the laws that it is shown.
-pub(super) struct Readings<'a> {
-    system: &'a System<Rational>,
-    law: Option<&'a str>,
-    pub(super) answers: Vec<LawAnswer>,
-}
-
-impl<'a> Readings<'a> {
-    pub(super) fn new(system: &'a System<Rational>, law: Option<&'a str>) -> Self {
-        Self { system, law, answers: Vec::new() }
+/// The answer of a law, with all lanes and checks if it is asked for in depth.
+pub(super) fn answer(law: &Law, system: &System<Rational>, deeply: bool) -> LawAnswer {
+    let answer = if deeply { in_depth(law, system) } else { in_short(law, system) };
+    let parameters = law.parameters().into_iter();
+    LawAnswer {
+        id: law.info.id,
+        statement: law.info.statement,
+        source: law.info.source,
+        restitution: match law.info.restitution {
+            Restitution::Newton if law.has_frame() => {
+                "Newton, v_n'+ = e'*a' in a frame of the law's own, in which its statement and its cone stand too"
+            }
+            Restitution::Newton => "Newton, v_n+ = e*a",
+            Restitution::Poisson => {
+                "Poisson, the impulse of restitution is e times that of compression"
+            }
+            Restitution::Energetic => {
+                "energetic, the normal work of restitution is e^2 times that of compression"
+            }
+        },
+        parameters: parameters.map(|(name, value)| (name, value.to_string())).collect(),
+        answer,
     }
-}
-
-impl LawVisitor for Readings<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        if self.law.is_some_and(|wanted| wanted != law.id()) {
-            return;
-        }
-        let answer = match self.law {
-            None => in_short(law, self.system),
-            Some(_) => in_depth(law, self.system),
-        };
-        let parameters = law.parameters().into_iter();
-        self.answers.push(LawAnswer {
-            id: law.id(),
-            statement: law.statement(),
-            source: law.source(),
-            restitution: match law.restitution() {
-                Restitution::Newton if has_frame(law) => {
-                    "Newton, v_n'+ = e'*a' in a frame of the law's own, in which its statement and its cone stand too"
-                }
-                Restitution::Newton => "Newton, v_n+ = e*a",
-                Restitution::Poisson => {
-                    "Poisson, the impulse of restitution is e times that of compression"
-                }
-                Restitution::Energetic => {
-                    "energetic, the normal work of restitution is e^2 times that of compression"
-                }
-            },
-            parameters: parameters.map(|(name, value)| (name, value.to_string())).collect(),
-            answer,
-        });
-    }
-}
-
-/// Whether the law stands in a frame of its own.
-fn has_frame<L: ImpactLaw>(law: &L) -> bool {
-    law.frame(&Contact::of_alpha(Rational::one())).is_some()
 }
 
 /// The reason, without the law's name, which stands beside it.
@@ -123,11 +97,7 @@ fn bits(contact: &Contact<Rational>) -> u64 {
 }
 
 /// Runs the exact lane; the checks only if asked for.
-fn exactly<L: ImpactLaw>(
-    law: &L,
-    system: &System<Rational>,
-    checked: bool,
-) -> Result<Exact, String> {
+fn exactly(law: &Law, system: &System<Rational>, checked: bool) -> Result<Exact, String> {
     let measured = match of_system(law, system) {
         Ok(measured) => {
             let checks = if checked { checks(law, system) } else { Ok(Vec::new()) };
@@ -161,15 +131,15 @@ fn in_floats(system: &System<Rational>) -> System<f64> {
 }
 
 /// The answer by way of double-double, rounded once; `None` where it is no float.
-fn in_double_double<L: ImpactLaw>(
-    law: &L,
+fn in_double_double(
+    law: &Law,
     floats: &System<f64>,
 ) -> Result<Measured<f64>, CollideError<Scaled>> {
     let wide = of_system(law, &floats.map(crate::number::Number::widen))?;
     Ok(wide.map(|value| Some(value.to_f64()).filter(|float| float.is_finite())))
 }
 
-fn in_short<L: ImpactLaw>(law: &L, system: &System<Rational>) -> Result<Answer, String> {
+fn in_short(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
     let exact = exactly(law, system, false)?;
     let values = exact.measured.values.iter();
     let told = |quantity: &Quantity| {
@@ -193,7 +163,7 @@ fn is_energy(quantity: &Quantity) -> bool {
     quantity.unit == "J"
 }
 
-fn in_depth<L: ImpactLaw>(law: &L, system: &System<Rational>) -> Result<Answer, String> {
+fn in_depth(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
     let mut exact = exactly(law, system, true)?;
     let regime = exact.measured.regime;
     let mut remarks = Vec::new();
@@ -201,7 +171,8 @@ fn in_depth<L: ImpactLaw>(law: &L, system: &System<Rational>) -> Result<Answer, 
     let floats = in_floats(system);
     let wide = in_double_double(law, &floats);
     let plain = floats.contact().map_err(CollideError::from);
-    let plain = plain.and_then(|contact| at_contact(law, &contact).map_err(CollideError::from));
+    let plain =
+        plain.and_then(|contact| at_contact(law.over(), &contact).map_err(CollideError::from));
     // what the floats should give: the inputs as they are after rounding, without any error
     let rounded = system.map(|exact| nearest(exact).unwrap_or_else(|| exact.clone()));
     let truth = exactly(law, &rounded, false).map(|truth| truth.measured);
@@ -290,7 +261,7 @@ fn holds(enclosure: Interval, exact: &Algebraic) -> bool {
 mod tests {
     use super::*;
     use crate::impact::bodies::{Motion, SphereOnPlane};
-    use crate::impact::laws::{Smith1991, Walton, WangSuLi};
+    use crate::impact::law;
     use crate::number::parse;
 
     fn system() -> System<Rational> {
@@ -305,23 +276,23 @@ mod tests {
         })
     }
 
-    fn agrees<L: ImpactLaw>(law: &L) {
+    fn agrees(law: &Law) {
         let floats = in_floats(&system());
         let ours = in_double_double(law, &floats).expect("the input is ordinary");
-        let theirs = floats.collide(law).expect("the input is ordinary");
+        let theirs = floats.collide(law.over()).expect("the input is ordinary");
         let impulse = theirs.outcome.impulse;
-        assert_eq!(ours.get("p_t"), Some(&impulse.tangential), "{}", law.id());
-        assert_eq!(ours.get("p_n"), Some(&impulse.normal), "{}", law.id());
-        assert_eq!(ours.get("v_t+"), Some(&theirs.outcome.slip), "{}", law.id());
+        assert_eq!(ours.get("p_t"), Some(&impulse.tangential), "{}", law.info.id);
+        assert_eq!(ours.get("p_n"), Some(&impulse.normal), "{}", law.info.id);
+        assert_eq!(ours.get("v_t+"), Some(&theirs.outcome.slip), "{}", law.info.id);
         for (&(symbol, ..), after) in floats.velocities().iter().zip(&theirs.after) {
-            assert_eq!(ours.get(symbol), Some(after), "{} {symbol}", law.id());
+            assert_eq!(ours.get(symbol), Some(after), "{} {symbol}", law.info.id);
         }
     }
 
     #[test]
     fn the_wide_lane_is_what_colliding_floats_gives() {
-        agrees(&WangSuLi);
-        agrees(&Smith1991);
-        agrees(&Walton::default());
+        for id in ["wang-su-li", "smith-1991", "walton"] {
+            agrees(law(id).expect("it is known"));
+        }
     }
 }

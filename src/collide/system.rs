@@ -4,7 +4,7 @@ use crate::impact::bodies::{
     CollideError, Collided, Collision, DoublePendulum, Ledger, Motion, Rebound, SphereOnPlane,
     Swung,
 };
-use crate::impact::{Contact, ImpactLaw, InvalidInput, Outcome};
+use crate::impact::{Contact, InvalidInput, LawOver, Outcome};
 use crate::number::Real;
 
 /// A body, two bodies, or a mechanism, at the moment of touching.
@@ -125,7 +125,7 @@ impl<N: Real> System<N> {
     ///
     /// # Errors
     /// [`CollideError`] as for [`Collision::collide`].
-    pub fn collide<L: ImpactLaw>(&self, law: &L) -> Result<Happened<N>, CollideError<N>> {
+    pub fn collide(&self, law: &dyn LawOver<N::WideReal>) -> Result<Happened<N>, CollideError<N>> {
         let three = |motion: Motion<N>| [motion.vx, motion.vy, motion.omega];
         match self {
             Self::Sphere(sphere) => {

@@ -9,84 +9,18 @@ use std::fmt::Write as _;
 use std::fs;
 
 use kane::audit::Verdict;
-use kane::impact::laws::{LawVisitor, visit_laws};
-use kane::impact::{Alpha, Contact, ImpactLaw, Restitution};
-use kane::number::{Number as _, Rational, parse};
+use kane::impact::{Alpha, Law, LawInfo, Restitution, laws};
+use kane::number::{Rational, parse};
 
 use crate::support::{judged, root};
 
 const PAGE: &str = "docs/laws.md";
 const WRITE: &str = "KANE_WRITE_DOCS";
 
-/// Whose law it is, since when, and k(α) on a sphere, in pieces: up to which α, and the formula.
-struct Headline {
-    id: &'static str,
-    who: &'static str,
-    k: &'static [(&'static str, &'static str)],
-}
-
-const fn line(
-    id: &'static str,
-    who: &'static str,
-    k: &'static [(&'static str, &'static str)],
-) -> Headline {
-    Headline { id, who, k }
-}
-
-const STOPS: &[(&str, &str)] = &[("", "max(0, 1 - 2*alpha)")];
-
-const HEADLINES: [Headline; 21] = [
-    line("wang-su-li", "Wang, Su and Li", &[("", "(1 - alpha)/(1 + alpha)")]),
-    line(
-        "whittaker-uncapped",
-        "Whittaker 1904, as printed by Wang, Su and Li",
-        &[("", "1 - 2*alpha")],
-    ),
-    line("whittaker-stop", "Whittaker 1904, textbook form", STOPS),
-    line("routh-newton", "Routh 1860, with Newton's restitution", STOPS),
-    line("garwin", "Garwin 1969", &[("", "-1")]),
-    line("garwin-capped", "Garwin 1969, with Coulomb's bound", &[("", "max(-1, 1 - 2*alpha)")]),
-    line("kane-levinson", "Kane and Levinson 1985", STOPS),
-    line("brach", "Brach 1984", &[("", "1 - 2*share*alpha")]),
-    line("keller-1986", "Keller 1986", STOPS),
-    line(
-        "keller-printed",
-        "under Keller's name in Wang, Su and Li",
-        &[("3/4", "1 - 4/3*alpha"), ("", "1/2 - 2/3*alpha")],
-    ),
-    line("stronge-1990", "Stronge 1990", STOPS),
-    line(
-        "smith-1991",
-        "Smith 1991",
-        &[("1/2", "1 - 2*alpha"), ("", "alpha - sqrt(alpha^2 + 2*alpha - 1)")],
-    ),
-    line("smith-printed", "under Smith's name in Wang, Su and Li", &[("", "1 - 2*eta*alpha")]),
-    line("walton", "Walton 1993", &[("", "max(-beta0, 1 - 2*alpha)")]),
-    line("chatterjee-ruina", "Chatterjee and Ruina 1998", &[("", "max(-e_t, 1 - 2*alpha)")]),
-    line("louge-adams", "Louge and Adams 2002", NOT_BY_ALPHA),
-    line("kuninaka-hayakawa", "Kuninaka and Hayakawa 2004", NOT_BY_ALPHA),
-    line("djerassi-newton", "Djerassi 2009, part A", STOPS),
-    line("djerassi-poisson", "Djerassi 2009, part B", STOPS),
-    line("djerassi-stronge", "Djerassi 2009, part B", STOPS),
-    line("saitoh", "Saitoh, Bodrova, Hayakawa and Brilliantov 2010", NOT_BY_ALPHA),
-];
-
-/// Of laws in a turned frame, whose k depends on e, μ and the angle of incidence one by one.
-const NOT_BY_ALPHA: &[(&str, &str)] = &[];
-
-fn headline(id: &str) -> &'static Headline {
-    let found = HEADLINES.iter().find(|headline| headline.id == id);
-    found.unwrap_or_else(|| unreachable!("{id} has no line in tests/conformance/laws_page.rs"))
-}
-
 /// What the catalogue says of a law.
 struct Entry {
-    id: &'static str,
-    source: &'static str,
-    statement: &'static str,
+    info: &'static LawInfo,
     parameters: Vec<(&'static str, Rational)>,
-    restitution: Restitution,
-    gap: Option<&'static str>,
     normal: Option<Rational>,
     /// Whether the law stands in a frame of its own.
     turned: bool,
@@ -94,32 +28,22 @@ struct Entry {
     values: Vec<(Rational, Rational)>,
 }
 
-struct Catalogue(Vec<Entry>);
-
-impl LawVisitor for Catalogue {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let value = |alpha: &Rational| {
-            let ratios = law.ratios(&Alpha::Finite(alpha.clone()))?;
-            Some((alpha.clone(), ratios.k))
-        };
-        self.0.push(Entry {
-            id: law.id(),
-            source: law.source(),
-            statement: law.statement(),
-            parameters: law.parameters(),
-            restitution: law.restitution(),
-            gap: law.gap(),
-            normal: law.normal_collision(),
-            turned: law.frame(&Contact::of_alpha(Rational::one())).is_some(),
-            values: alphas().iter().filter_map(value).collect(),
-        });
+fn entry(law: &Law) -> Entry {
+    let value = |alpha: &Rational| {
+        let ratios = law.over().ratios(&Alpha::Finite(alpha.clone()))?;
+        Some((alpha.clone(), ratios.k))
+    };
+    Entry {
+        info: law.info,
+        parameters: law.parameters(),
+        normal: law.normal_collision(),
+        turned: law.has_frame(),
+        values: alphas().iter().filter_map(value).collect(),
     }
 }
 
 fn catalogue() -> Vec<Entry> {
-    let mut catalogue = Catalogue(Vec::new());
-    visit_laws(&mut catalogue);
-    catalogue.0
+    laws().iter().map(entry).collect()
 }
 
 /// The landmarks of the laws; at the last five Smith's square root is rational.
@@ -182,19 +106,19 @@ fn shown(formula: &str) -> String {
     greek.replace("sqrt", "√").replace('*', "·").replace('-', "−")
 }
 
-fn formula(headline: &Headline) -> String {
+fn formula(info: &LawInfo) -> String {
     let piece = |(until, formula): &(&str, &str)| match *until {
         "" => format!("`{}`", shown(formula)),
         until => format!("`{}` up to `α = {until}`, then ", shown(formula)),
     };
-    match headline.k {
-        NOT_BY_ALPHA => "not by `α` alone".into(),
+    match info.on_a_sphere {
+        [] => "not by `α` alone".into(),
         pieces => pieces.iter().map(piece).collect(),
     }
 }
 
 const fn hypothesis(entry: &Entry) -> &'static str {
-    match entry.restitution {
+    match entry.info.restitution {
         Restitution::Newton if entry.turned => "Newton, in a turned frame",
         Restitution::Newton => "Newton",
         Restitution::Poisson => "Poisson",
@@ -230,11 +154,10 @@ fn defaults(entry: &Entry) -> String {
 }
 
 fn section(out: &mut String, entry: &Entry, doc: &Docstring) {
-    let headline = headline(entry.id);
     let _ = write!(
         out,
         "\n## {}\n\n*{}.* In code: `kane::impact::laws::{}`.\n\n",
-        entry.id, headline.who, doc.name
+        entry.info.id, entry.info.who, doc.name
     );
     for line in &doc.lines {
         let _ = writeln!(out, "{}", without_links(line));
@@ -243,7 +166,7 @@ fn section(out: &mut String, entry: &Entry, doc: &Docstring) {
         out,
         "\nIn the derivation language, with momentum and restitution understood{}:\n\n```text\n{}\n```\n\n",
         if entry.turned { ", in the turned frame and where it does not couple" } else { "" },
-        entry.statement
+        entry.info.statement
     );
     let _ = writeln!(out, "- parameters beyond μ and e: {}", defaults(entry));
     let _ = writeln!(out, "- restitution: {}", hypothesis(entry));
@@ -252,7 +175,7 @@ fn section(out: &mut String, entry: &Entry, doc: &Docstring) {
         .as_ref()
         .map_or_else(|| "none".into(), |k| format!("`{}`", shown(&k.to_string())));
     let _ = writeln!(out, "- limit of k in normal collision, `α → ∞`: {limit}");
-    let gap = entry.gap.unwrap_or("nothing, it is total");
+    let gap = entry.info.gap.unwrap_or("nothing, it is total");
     let _ = writeln!(out, "- what it lacks: {gap}");
 }
 
@@ -261,14 +184,13 @@ fn page() -> String {
     let mut out = String::from(HEAD);
     out.push_str("\n| law | who and when | k on a sphere | own parameters | restitution | known by |\n|---|---|---|---|---|---|\n");
     for entry in &entries {
-        let doc = &docs[entry.id];
-        let headline = headline(entry.id);
+        let doc = &docs[entry.info.id];
         let _ = writeln!(
             out,
             "| [`{0}`](#{0}) | {1} | {2} | {3} | {4} | {5} |",
-            entry.id,
-            headline.who,
-            formula(headline),
+            entry.info.id,
+            entry.info.who,
+            formula(entry.info),
             defaults(entry),
             hypothesis(entry),
             provenance(doc),
@@ -277,7 +199,7 @@ fn page() -> String {
     out.push_str(TAIL);
     out.push_str(WITHOUT);
     for entry in &entries {
-        section(&mut out, entry, &docs[entry.id]);
+        section(&mut out, entry, &docs[entry.info.id]);
     }
     out
 }
@@ -350,23 +272,24 @@ fn spelled_out(text: &str) -> String {
 fn every_law_states_its_formula_domain_exactness_bound_and_source() {
     let docs = docstrings();
     for entry in catalogue() {
-        let doc =
-            docs.get(entry.id).unwrap_or_else(|| unreachable!("{} has a docstring", entry.id));
+        let doc = docs
+            .get(entry.info.id)
+            .unwrap_or_else(|| unreachable!("{} has a docstring", entry.info.id));
         let text = doc.lines.join("\n");
         for asked in [" = ", "Domain: ", "Source: ", "xact in\nexact", "n floats"] {
             let plain = text.replace('\n', " ");
-            assert!(plain.contains(&asked.replace('\n', " ")), "{}: no `{asked}`", entry.id);
+            assert!(plain.contains(&asked.replace('\n', " ")), "{}: no `{asked}`", entry.info.id);
         }
         // a line that begins like a quotation or a list would be shown as one
         let marked =
             |line: &&String| line.starts_with(['>', '#', '+', '*', '-']) && !line.starts_with("**");
-        assert_eq!(doc.lines.iter().find(marked), None, "{}", entry.id);
-        assert_ne!(provenance(doc), "not stated", "{} says how it is known", entry.id);
+        assert_eq!(doc.lines.iter().find(marked), None, "{}", entry.info.id);
+        assert_ne!(provenance(doc), "not stated", "{} says how it is known", entry.info.id);
         let told = spelled_out(&text.replace('\n', " "));
-        let source = format!("Source: {}", entry.source);
-        assert!(told.contains(&source), "{}: the docstring has another source", entry.id);
+        let source = format!("Source: {}", entry.info.source);
+        assert!(told.contains(&source), "{}: the docstring has another source", entry.info.id);
     }
-    assert_eq!(docs.len(), HEADLINES.len(), "every struct with an id is in the catalogue");
+    assert_eq!(docs.len(), laws().len(), "every struct with an id is in the catalogue");
 }
 
 /// What leads from Smith's statement to the square root, for the auditor.
@@ -388,16 +311,16 @@ fn the_formulas_for_the_sphere_follow_from_the_statements() {
              given (9): 2*alpha*i_x = 1 - k\n",
         );
         let mut from = String::from("(9)");
-        for (n, line) in entry.statement.lines().enumerate() {
+        for (n, line) in entry.info.statement.lines().enumerate() {
             let _ = writeln!(text, "given s{n}: {line}");
             let _ = write!(from, ", s{n}");
         }
-        if entry.id == "smith-1991" {
+        if entry.info.id == "smith-1991" {
             text.push_str(SMITH);
             from.push_str(", factors, positive");
         }
         let mut lower = "0";
-        for (n, (until, formula)) in headline(entry.id).k.iter().enumerate() {
+        for (n, (until, formula)) in entry.info.on_a_sphere.iter().enumerate() {
             let upper =
                 if until.is_empty() { String::new() } else { format!(", alpha <= {until}") };
             let _ = writeln!(
@@ -409,7 +332,7 @@ fn the_formulas_for_the_sphere_follow_from_the_statements() {
         let audit = judged(&text);
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
             let fine = matches!(judgement.verdict, Verdict::Proved | Verdict::Assumed);
-            assert!(fine, "{}: {} is {}", entry.id, statement.label, judgement.verdict);
+            assert!(fine, "{}: {} is {}", entry.info.id, statement.label, judgement.verdict);
         }
     }
 }
@@ -420,11 +343,11 @@ fn the_formulas_for_the_sphere_are_those_of_the_code() {
     let mut text = String::from("var alpha > 0, share, eta, beta0, e_t\n");
     let mut claims = 0;
     for entry in catalogue() {
-        assert!(entry.values.len() >= 8 || entry.turned, "{} has values", entry.id);
+        assert!(entry.values.len() >= 8 || entry.turned, "{} has values", entry.info.id);
         let parameters: String =
             entry.parameters.iter().map(|(name, value)| format!(", {name} = {value}")).collect();
         for (n, (alpha, k)) in entry.values.iter().enumerate() {
-            let pieces = headline(entry.id).k;
+            let pieces = entry.info.on_a_sphere;
             let inside = |(until, _): &&(&str, &str)| {
                 until.is_empty() || *alpha <= parse(until).expect("a literal")
             };
@@ -432,7 +355,7 @@ fn the_formulas_for_the_sphere_are_those_of_the_code() {
             let _ = writeln!(
                 text,
                 "claim {}-{n}: {formula} = {k} when alpha = {alpha}{parameters}",
-                entry.id
+                entry.info.id
             );
             claims += 1;
         }

@@ -3,8 +3,7 @@
 use std::sync::OnceLock;
 
 use kane::figures::{experiment, figures};
-use kane::impact::laws::{LawVisitor, visit_laws};
-use kane::impact::{Alpha, ImpactLaw, Ratios};
+use kane::impact::{Alpha, Law, Ratios, laws};
 use kane::measure::over_alpha;
 use kane::number::{Algebraic, Number as _, Ordered as _};
 use kane::report::figures::{Content, Figure, Kind, Series, Zone, csv, svg};
@@ -47,8 +46,8 @@ type Shown = (&'static str, fn(&Ratios<f64>) -> f64);
 /// figures, whose values are exact until they are rounded.
 struct Compared(usize);
 
-impl LawVisitor for Compared {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Compared {
+    fn visit(&mut self, law: &Law) {
         let of: [Shown; 3] = [
             ("slip-over-alpha", |r| r.k),
             ("impulse-over-alpha", |r| r.impulse),
@@ -56,15 +55,15 @@ impl LawVisitor for Compared {
         ];
         for (stem, value) in of {
             let (series, _) = curves(stem);
-            let mut lines = series.iter().filter(|one| one.names.iter().any(|n| n == law.id()));
+            let mut lines = series.iter().filter(|one| one.names.iter().any(|n| n == law.info.id));
             let Some(line) = lines.next() else {
-                let at = |alpha| law.ratios(&Alpha::Finite(alpha)).is_none();
-                assert!(at(0.1) && at(1.0) && at(10.0), "{} is missing", law.id());
+                let at = |alpha| law.over().ratios(&Alpha::Finite(alpha)).is_none();
+                assert!(at(0.1) && at(1.0) && at(10.0), "{} is missing", law.info.id);
                 continue;
             };
-            assert!(lines.next().is_none(), "{} is drawn once", law.id());
+            assert!(lines.next().is_none(), "{} is drawn once", law.info.id);
             for (alpha, drawn) in &line.points {
-                let computed = law.ratios(&Alpha::Finite(*alpha)).as_ref().map(value);
+                let computed = law.over().ratios(&Alpha::Finite(*alpha)).as_ref().map(value);
                 // docstrings state at most 7 ulp; forming k of terms up to 1 + 2α adds three at most
                 let size = drawn.map_or(0.0, f64::abs).max(1.0 + 2.0 * alpha);
                 let tolerance = 10.0 * f64::EPSILON * size;
@@ -73,7 +72,7 @@ impl LawVisitor for Compared {
                     (None, None) => true,
                     _ => false,
                 };
-                assert!(agree, "{} at {alpha}: {drawn:?}, {computed:?}", law.id());
+                assert!(agree, "{} at {alpha}: {drawn:?}, {computed:?}", law.info.id);
                 self.0 += 1;
             }
         }
@@ -83,7 +82,9 @@ impl LawVisitor for Compared {
 #[test]
 fn every_curve_is_what_its_law_says() {
     let mut compared = Compared(0);
-    visit_laws(&mut compared);
+    for law in laws() {
+        compared.visit(law);
+    }
     assert!(compared.0 > 18 * 3 * 100, "{} points", compared.0);
 }
 

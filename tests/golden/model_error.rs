@@ -2,29 +2,15 @@
 
 use std::fmt::Write as _;
 
-use kane::impact::Alpha;
-use kane::impact::ImpactLaw;
 use kane::impact::compliant::{
     Bilinear, Compliance, DimensionReduction, HertzMindlin, MawBarberFawcett, Memory, Process,
 };
-use kane::impact::laws::{LawVisitor, visit_laws};
+use kane::impact::{Alpha, law};
 
 use crate::assert_kept;
 
 /// The distinct ones on a sphere that are in use.
 const LAWS: [&str; 5] = ["wang-su-li", "keller-1986", "smith-1991", "walton", "garwin-capped"];
-
-/// k of the chosen laws at α, in their order.
-struct Laws(f64, [f64; LAWS.len()]);
-
-impl LawVisitor for Laws {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        if let Some(place) = LAWS.iter().position(|id| *id == law.id()) {
-            let ratios = law.ratios(&Alpha::Finite(self.0)).expect("total on a sphere");
-            self.1[place] = ratios.k;
-        }
-    }
-}
 
 /// Four decimals without the sign of zero.
 fn shown(x: f64) -> String {
@@ -62,9 +48,10 @@ fn the_model_error_is_what_the_processes_say() {
                 greatest = greatest.max(other - k);
             }
         }
-        let mut laws = Laws(alpha, [f64::NAN; LAWS.len()]);
-        visit_laws(&mut laws);
-        laws.1.iter().for_each(|law| write!(rows, ",{}", shown(law - k)).expect("a string"));
+        for law in LAWS.into_iter().filter_map(law) {
+            let ratios = law.over().ratios(&Alpha::Finite(alpha)).expect("total on a sphere");
+            write!(rows, ",{}", shown(ratios.k - k)).expect("a string");
+        }
         rows.push('\n');
     }
     // the shortcut's error near normal collision was stated as up to 0.7

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use kane_impact::ImpactLaw;
 use kane_impact::bodies::{Collision, Direction, DoublePendulum, Motion, PlanarBody};
-use kane_impact::laws::{KaneLevinson, LawVisitor, visit_laws};
+use kane_impact::laws::KaneLevinson;
 use kane_impact::puzzle::Tip;
+use kane_impact::{Law, laws};
 use kane_number::{Algebraic, Interval, Rational, Real, Rounding, encode, parse};
 
 use crate::assert_kept;
@@ -70,10 +70,10 @@ struct Row<'a> {
     pendulum: &'a DoublePendulum<Rational>,
 }
 
-impl LawVisitor for Row<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Row<'_> {
+    fn visit(&mut self, law: &Law) {
         let exact = self.pendulum.map(|x| Algebraic::from(x.clone()));
-        let cell = match exact.collide(law) {
+        let cell = match exact.collide(law.over()) {
             Ok(swung) => {
                 let float: f64 = swung.energy_ratio.encode(Rounding::NearestEven);
                 let exact = swung.energy_ratio.to_string();
@@ -82,7 +82,7 @@ impl LawVisitor for Row<'_> {
             }
             Err(error) => error.to_string(),
         };
-        writeln!(self.table, "  {:<20} {cell}", law.id()).expect("a string takes all");
+        writeln!(self.table, "  {:<20} {cell}", law.info.id).expect("a string takes all");
     }
 }
 
@@ -97,7 +97,9 @@ fn every_law_on_kanes_pendulum() {
         let friction = number(friction);
         let restitution = number(restitution);
         let pendulum = DoublePendulum { friction, restitution, ..exact_pendulum() };
-        visit_laws(&mut Row { table: &mut table, pendulum: &pendulum });
+        for law in laws() {
+            Row { table: &mut table, pendulum: &pendulum }.visit(law);
+        }
     }
     crate::settings().bind(|| insta::assert_snapshot!("kane-puzzle", table));
 }
@@ -119,10 +121,10 @@ struct RodRow<'a> {
     rod: &'a Collision<Rational>,
 }
 
-impl LawVisitor for RodRow<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl RodRow<'_> {
+    fn visit(&mut self, law: &Law) {
         let exact = self.rod.map(|x| Algebraic::from(x.clone()));
-        let cell = match exact.collide(law) {
+        let cell = match exact.collide(law.over()) {
             Ok(collided) => {
                 let one = Algebraic::from(number("1"));
                 let ratio = one + collided.outcome.work.total() / exact.kinetic_energy();
@@ -130,7 +132,7 @@ impl LawVisitor for RodRow<'_> {
             }
             Err(error) => error.to_string(),
         };
-        writeln!(self.table, "  {:<20} {cell}", law.id()).expect("a string takes all");
+        writeln!(self.table, "  {:<20} {cell}", law.info.id).expect("a string takes all");
     }
 }
 
@@ -142,7 +144,9 @@ fn every_law_on_a_rod_tip() {
     for (friction, restitution) in [("1/2", "1/2"), ("1/2", "1"), ("3/2", "1/2"), ("3/2", "1")] {
         writeln!(table, "\nmu = {friction}, e = {restitution}").expect("a string takes all");
         let rod = rod(friction, restitution);
-        visit_laws(&mut RodRow { table: &mut table, rod: &rod });
+        for law in laws() {
+            RodRow { table: &mut table, rod: &rod }.visit(law);
+        }
     }
     crate::settings().bind(|| insta::assert_snapshot!("rod-tip", table));
 }
@@ -153,8 +157,8 @@ struct Map {
     rows: String,
 }
 
-impl LawVisitor for Map {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Map {
+    fn visit(&mut self, law: &Law) {
         for tenth in 0..=10 {
             let restitution = Rational::new(tenth.into(), 10.into());
             let stretches = self.tip.stretches(law, &restitution).expect("inside the domain");
@@ -167,7 +171,7 @@ impl LawVisitor for Map {
                 let from = decimal(&gain.from);
                 let to = gain.to.as_ref().map_or_else(String::new, decimal);
                 let body = self.body;
-                writeln!(self.rows, "{body},{},{e},{from},{to}", law.id())
+                writeln!(self.rows, "{body},{},{e},{from},{to}", law.info.id)
                     .expect("a string takes all");
             }
         }
@@ -180,9 +184,13 @@ fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
     let tip = Tip::of(&exact_pendulum()).expect("it touches");
     let rows = String::from("body,law,e,mu_from,mu_to\n");
     let mut map = Map { body: "double pendulum", tip, rows };
-    visit_laws(&mut map);
+    for law in laws() {
+        map.visit(law);
+    }
     let contact = rod("0", "0").contact().expect("it touches");
     let mut map = Map { body: "rod tip", tip: Tip::touching(contact), rows: map.rows };
-    visit_laws(&mut map);
+    for law in laws() {
+        map.visit(law);
+    }
     assert_kept("docs/data/kane-puzzle.csv", &map.rows, "puzzle");
 }

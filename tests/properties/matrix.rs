@@ -10,9 +10,10 @@ use std::collections::BTreeMap;
 use kane::kernel::{Certificate, Evidence, Fuel, Proof, check};
 use kane::matrix::{Finding, PROPERTIES, Row, row};
 use kane_impact::bodies::Direction;
-use kane_impact::laws::{ChatterjeeRuina, LawVisitor, LougeAdams, visit_laws};
+use kane_impact::laws::{ChatterjeeRuina, LougeAdams};
 use kane_impact::{
-    Contact, Frame, Guard, ImpactLaw, Impulse, NoImpulse, Outcome, Regime, Relation,
+    Contact, Frame, Guard, ImpactLaw, Impulse, Law, LawInfo, NoImpulse, Outcome, Regime, Relation,
+    laws,
 };
 use kane_number::{Algebraic, Number, Rational};
 use proptest::prelude::*;
@@ -46,10 +47,10 @@ type Exact = Contact<Algebraic>;
 type Said = Outcome<Algebraic>;
 
 /// The outcome in exact numbers: by rationals where they hold it.
-fn resolve<L: ImpactLaw>(law: &L, contact: &Contact<Rational>) -> Result<Said, NoImpulse> {
+fn resolve(law: &Law, contact: &Contact<Rational>) -> Result<Said, NoImpulse> {
     let exact = |x: &Rational| Algebraic::from(x.clone());
-    match law.resolve(contact) {
-        Err(NoImpulse::Unrepresentable { .. }) => law.resolve(&contact.map(exact)),
+    match law.over().resolve(contact) {
+        Err(NoImpulse::Unrepresentable { .. }) => law.over().resolve(&contact.map(exact)),
         other => other.map(|outcome| outcome.map(exact)),
     }
 }
@@ -64,11 +65,7 @@ fn with_speeds(c: &Contact<Rational>, slip: Rational, approach: Rational) -> Con
 }
 
 /// Holds one law's proved cells against one contact that faces forwards, and its decoupled twin.
-fn contradictions<L: ImpactLaw>(
-    law: &L,
-    proved: &[&str],
-    contact: &Contact<Rational>,
-) -> Vec<&'static str> {
+fn contradictions(law: &Law, proved: &[&str], contact: &Contact<Rational>) -> Vec<&'static str> {
     let sphere = decoupled(contact);
     let mut out = Vec::new();
     let mut ask = |id: &'static str, holds: &dyn Fn() -> bool| {
@@ -132,7 +129,7 @@ fn contradictions<L: ImpactLaw>(
     ask("subdivision", &|| {
         let b = contact.approach() * rational(2, 3);
         let whole = with_speeds(&sphere, sphere.slip().clone(), sphere.approach() + &b);
-        let Ok(first) = law.resolve(&exact(&sphere)) else { return true };
+        let Ok(first) = law.over().resolve(&exact(&sphere)) else { return true };
         let e = exact(&sphere);
         let next = Contact::unchecked(
             first.slip,
@@ -141,7 +138,7 @@ fn contradictions<L: ImpactLaw>(
             e.friction().clone(),
             e.restitution().clone(),
         );
-        match (law.resolve(&next), law.resolve(&exact(&whole))) {
+        match (law.over().resolve(&next), law.over().resolve(&exact(&whole))) {
             (Ok(parts), Ok(whole)) => parts.slip == whole.slip,
             _ => true,
         }
@@ -159,8 +156,8 @@ fn loss(c: &Exact, o: &Said) -> Algebraic {
 }
 
 /// The limits, at one slip that is far out: for alpha above 2^40 and below 2^-40.
-fn limits<L: ImpactLaw>(
-    law: &L,
+fn limits(
+    law: &Law,
     sphere: &Contact<Rational>,
     ask: &mut dyn FnMut(&'static str, &dyn Fn() -> bool),
 ) {
@@ -195,11 +192,11 @@ struct Sampled<'a> {
     faults: Vec<String>,
 }
 
-impl LawVisitor for Sampled<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let proved = self.proved.get(law.id()).map(Vec::as_slice).unwrap_or_default();
+impl Sampled<'_> {
+    fn visit(&mut self, law: &Law) {
+        let proved = self.proved.get(law.info.id).map(Vec::as_slice).unwrap_or_default();
         for id in contradictions(law, proved, self.contact) {
-            self.faults.push(format!("{}:{id} at {:?}", law.id(), self.contact));
+            self.faults.push(format!("{}:{id} at {:?}", law.info.id, self.contact));
         }
     }
 }
@@ -216,7 +213,9 @@ fn sample(count: u32) {
         prop_assume!(flows && *contact.friction() != zero);
         let contact = if *contact.slip() < zero { contact.mirrored() } else { contact };
         let mut sampled = Sampled { proved: &proved, contact: &contact, faults: Vec::new() };
-        visit_laws(&mut sampled);
+        for law in laws() {
+            sampled.visit(law);
+        }
         prop_assert!(sampled.faults.is_empty(), "{:?}", sampled.faults);
         Ok(())
     });
@@ -240,24 +239,16 @@ fn a_million_contacts_contradict_no_proved_cell() {
 struct Planted;
 
 impl ImpactLaw for Planted {
-    fn id(&self) -> &'static str {
-        "planted"
-    }
-
-    fn source(&self) -> &'static str {
-        "a fault"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = -1"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "planted",
+        source: "a fault",
+        statement: "i_x = -1",
+        gap: Some("the approach is too fast"),
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         None
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some("the approach is too fast")
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
@@ -291,7 +282,7 @@ fn finding(row: &Row, id: &str) -> Finding {
 }
 
 fn planted() -> Row {
-    row(&Planted, &PROPERTIES.iter().collect::<Vec<_>>(), &mut || {})
+    row(&Law::new(Planted), &PROPERTIES.iter().collect::<Vec<_>>(), &mut || {})
 }
 
 #[test]
@@ -321,17 +312,8 @@ fn planted_faults_are_refuted_where_they_are() {
 struct PlantedJump(Direction<Rational>);
 
 impl ImpactLaw for PlantedJump {
-    fn id(&self) -> &'static str {
-        "planted-jump"
-    }
-
-    fn source(&self) -> &'static str {
-        "a fault"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = 0"
-    }
+    const INFO: LawInfo =
+        LawInfo { id: "planted-jump", source: "a fault", statement: "i_x = 0", ..LawInfo::PLAIN };
 
     fn frame<N: Number>(&self, contact: &Contact<N>) -> Option<Frame<N>> {
         let turn = self.0.map(N::from_rational);
@@ -381,7 +363,7 @@ impl ImpactLaw for PlantedJump {
 
 #[test]
 fn a_jump_in_a_frame_of_the_law_s_own_is_not_called_unique() {
-    let law = PlantedJump(Direction::of_half_tangent(&rational(1, 10)));
+    let law = Law::new(PlantedJump(Direction::of_half_tangent(&rational(1, 10))));
     let unique = PROPERTIES.iter().filter(|property| property.id == "unique");
     let row = row(&law, &unique.collect::<Vec<_>>(), &mut || {});
     assert_eq!(row.cells[0].finding, Finding::Undecided);
@@ -392,8 +374,8 @@ fn a_law_that_creates_energy_in_its_own_frame_is_refuted_there() {
     let energy: Vec<_> =
         PROPERTIES.iter().filter(|p| ["energy-sphere", "energy"].contains(&p.id)).collect();
     let (restitution, tilt) = (rational(2, 1), rational(1, 10));
-    let turned = LougeAdams { tilt, restitution: restitution.clone() };
-    let plain = ChatterjeeRuina { restitution };
+    let turned = Law::new(LougeAdams { tilt, restitution: restitution.clone() });
+    let plain = Law::new(ChatterjeeRuina { restitution });
     for row in [row(&turned, &energy, &mut || {}), row(&plain, &energy, &mut || {})] {
         let findings: Vec<_> = row.cells.iter().map(|cell| cell.finding).collect();
         assert_eq!(findings, [Finding::Refuted; 2], "{}", row.id);

@@ -1,9 +1,9 @@
 //! What every law does on any planar contact, exactly: who covers the domain, keeps in the friction
 //! cone, separates the bodies, and never creates energy.
 
-use kane_impact::laws::{ChatterjeeRuina, LawVisitor, visit_laws};
-use kane_impact::{Contact, Delassus, ImpactLaw, NoImpulse, Restitution};
-use kane_number::{Algebraic, Number, Ordered as _, Rational, Real};
+use kane_impact::laws::{ChatterjeeRuina, law_ids};
+use kane_impact::{Contact, Delassus, ImpactLaw, Law, NoImpulse, NumberSystem, Restitution, laws};
+use kane_number::{Algebraic, Number, Ordered as _, Rational};
 use proptest::prelude::*;
 
 use crate::contacts::{contact, tame_contact};
@@ -59,21 +59,21 @@ struct Check<'a, N> {
     checked: usize,
 }
 
-impl<N: Real + PartialEq> Check<'_, N> {
-    fn require<L: ImpactLaw>(&mut self, law: &L, what: &str, holds: bool) {
+impl<N: NumberSystem + PartialEq> Check<'_, N> {
+    fn require(&mut self, law: &Law, what: &str, holds: bool) {
         if !holds {
-            self.fault = Some(format!("{}: {what} at {:?}", law.id(), self.contact));
+            self.fault = Some(format!("{}: {what} at {:?}", law.info.id, self.contact));
         }
     }
 }
 
-impl<N: Real + PartialEq> LawVisitor for Check<'_, N> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl<N: NumberSystem + PartialEq> Check<'_, N> {
+    fn visit(&mut self, law: &Law) {
         let contact = self.contact;
-        let outcome = match law.resolve(contact) {
+        let outcome = match law.over().resolve(contact) {
             Ok(outcome) => outcome,
             Err(NoImpulse::Outside { .. }) => {
-                self.require(law, "a gap that the law does not own up to", law.gap().is_some());
+                self.require(law, "a gap that the law does not own up to", law.info.gap.is_some());
                 return;
             }
             // a rational contact whose impulse is irrational
@@ -98,36 +98,38 @@ impl<N: Real + PartialEq> LawVisitor for Check<'_, N> {
         self.require(law, "work is the change of energy", -loss.clone() == outcome.work.total());
 
         self.require(law, "the normal impulse pushes", at_least(impulse.normal.clone()));
-        if !PART_ELSEWHERE.contains(&law.id()) {
+        if !PART_ELSEWHERE.contains(&law.info.id) {
             self.require(law, "the bodies separate", at_least(separation));
         }
         // in the frame of the law
-        let (seen, turned) = as_seen(law, contact, impulse);
+        let (seen, turned) = as_seen(law.over::<N>(), contact, impulse);
         let separation = seen.separation_after(&turned);
         self.require(law, "the normal impulse pushes", at_least(turned.normal.clone()));
         self.require(law, "the bodies separate", at_least(separation.clone()));
-        if law.restitution() == Restitution::Newton {
+        if law.info.restitution == Restitution::Newton {
             let newton = seen.restitution().clone() * seen.approach();
             self.require(law, "Newton's restitution", separation == newton);
         }
-        if SAFE.contains(&law.id()) || !coupled && SAFE_UNCOUPLED.contains(&law.id()) {
+        if SAFE.contains(&law.info.id) || !coupled && SAFE_UNCOUPLED.contains(&law.info.id) {
             self.require(law, "energy rises", at_least(loss));
         }
-        if IN_CONE.contains(&law.id()) {
+        if IN_CONE.contains(&law.info.id) {
             let bound = turned.normal.clone() * contact.friction();
             let inside = at_least(bound.clone() - &turned.tangential)
                 && at_least(bound + &turned.tangential);
             self.require(law, "the friction cone", inside);
         }
         // in the mirror everything is the mirror image
-        let mirrored = law.resolve(&contact.mirrored()).ok();
+        let mirrored = law.over().resolve(&contact.mirrored()).ok();
         self.require(law, "odd symmetry", Some(outcome.mirrored()) == mirrored);
     }
 }
 
-fn check<N: Real + PartialEq>(contact: &Contact<N>) -> Result<(), TestCaseError> {
+fn check<N: NumberSystem + PartialEq>(contact: &Contact<N>) -> Result<(), TestCaseError> {
     let mut check = Check { contact, fault: None, checked: 0 };
-    visit_laws(&mut check);
+    for law in laws() {
+        check.visit(law);
+    }
     prop_assert!(check.fault.is_none(), "{}", check.fault.unwrap_or_default());
     prop_assert!(check.checked > 0);
     Ok(())
@@ -196,14 +198,14 @@ struct Gain<'a> {
     gains: Vec<(&'static str, Rational)>,
 }
 
-impl LawVisitor for Gain<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Gain<'_> {
+    fn visit(&mut self, law: &Law) {
         let exact = self.contact.map(|x| Algebraic::from(x.clone()));
-        if let Ok(outcome) = law.resolve(&exact)
+        if let Ok(outcome) = law.over().resolve(&exact)
             && outcome.work.total().sign().is_greater() == Some(true)
         {
             let gain = outcome.work.total().as_rational().cloned();
-            self.gains.push((law.id(), gain.unwrap_or_else(Rational::zero)));
+            self.gains.push((law.info.id, gain.unwrap_or_else(Rational::zero)));
         }
     }
 }
@@ -219,7 +221,9 @@ fn newtons_restitution_creates_energy_on_a_contact_that_couples() {
         Contact::new(rational(-1, 1), rational(2, 1), delassus, rational(2, 1), rational(1, 1))
             .expect("inside the domain");
     let mut gain = Gain { contact: &contact, gains: Vec::new() };
-    visit_laws(&mut gain);
+    for law in laws() {
+        gain.visit(law);
+    }
     let gains: Vec<_> = gain.gains.iter().map(|(id, gain)| format!("{id} {gain}")).collect();
     assert_eq!(
         gains,
@@ -249,26 +253,18 @@ fn every_law_that_is_not_listed_as_safe_creates_energy_somewhere() {
             [(decoupled(&contact), &mut creating_uncoupled), (contact, &mut creating)]
         {
             let mut gain = Gain { contact: &contact, gains: Vec::new() };
-            visit_laws(&mut gain);
+            for law in laws() {
+                gain.visit(law);
+            }
             seen.extend(gain.gains.into_iter().map(|(id, _)| id));
         }
     }
-    let mut all = Ids(Vec::new());
-    visit_laws(&mut all);
     let outside = |safe: &[&[&str]]| -> std::collections::BTreeSet<_> {
         let safe: Vec<_> = safe.concat();
-        all.0.iter().copied().filter(|id| !safe.contains(id)).collect()
+        law_ids().into_iter().filter(|id| !safe.contains(id)).collect()
     };
     assert_eq!(creating_uncoupled, outside(&[&SAFE, &SAFE_UNCOUPLED]));
     // printed for contacts without coupling, where it creates energy already
     creating.insert("keller-printed");
     assert_eq!(creating, outside(&[&SAFE]));
-}
-
-struct Ids(Vec<&'static str>);
-
-impl LawVisitor for Ids {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        self.0.push(law.id());
-    }
 }

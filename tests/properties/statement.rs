@@ -13,8 +13,7 @@
 use kane::algebra::rational_function::RationalFunction;
 use kane::algebra::syntax::{Scope, parse_sentence};
 use kane::kernel::{Expr, Link, Rel, Relation, Sentence, Var};
-use kane_impact::laws::{LawVisitor, visit_laws};
-use kane_impact::{Contact, ImpactLaw, NoImpulse};
+use kane_impact::{Contact, Law, NoImpulse, laws};
 use kane_number::{Algebraic, Number, Ordered as _, Rational, Real};
 use proptest::prelude::*;
 
@@ -32,7 +31,7 @@ pub(crate) struct Statement {
 pub(crate) const SYMBOLS: [&str; 5] = ["k", "i_x", "alpha", "e", "mu"];
 
 impl Statement {
-    pub(crate) fn of<L: ImpactLaw>(law: &L) -> Self {
+    pub(crate) fn of(law: &Law) -> Self {
         let mut scope = Scope::default();
         let (names, parameters): (Vec<_>, Vec<_>) = law.parameters().into_iter().unzip();
         for name in SYMBOLS.into_iter().chain(names) {
@@ -40,7 +39,7 @@ impl Statement {
             scope.declare(var).expect("distinct names");
         }
         let line = |text| parse_sentence(text, &scope).expect("the statement is well formed");
-        Self { lines: law.statement().lines().map(line).collect(), parameters }
+        Self { lines: law.info.statement.lines().map(line).collect(), parameters }
     }
 
     /// All relations, those under `when` included.
@@ -154,10 +153,10 @@ struct Solve<'a> {
     solved: usize,
 }
 
-impl LawVisitor for Solve<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Solve<'_> {
+    fn visit(&mut self, law: &Law) {
         self.at(law, self.contact);
-        if law.frame(self.contact).is_some() {
+        if law.over().frame(self.contact).is_some() {
             self.at(law, &self.contact.mirrored());
         }
     }
@@ -165,25 +164,25 @@ impl LawVisitor for Solve<'_> {
 
 impl Solve<'_> {
     /// At the contact that the law sees as this one, facing either way.
-    fn at<L: ImpactLaw>(&mut self, law: &L, seen: &Contact<Rational>) {
+    fn at(&mut self, law: &Law, seen: &Contact<Rational>) {
         let coupled = seen.delassus().tn() != &rational(0, 1);
-        if coupled && !law.is_stated_for_coupling() {
+        if coupled && !law.info.stated_for_coupling {
             return;
         }
-        let contact = as_given(law, seen);
+        let contact = as_given(law.over::<Rational>(), seen);
         let (slip, approach) = (contact.slip().sign(), contact.approach().sign());
         if slip.is_greater() != Some(true) || approach.is_at_least() != Some(true) {
             return;
         }
         // the law may have another restitution in its frame
-        let seen = law.frame(&contact).map_or_else(|| seen.clone(), |frame| frame.contact);
+        let seen = law.over().frame(&contact).map_or_else(|| seen.clone(), |frame| frame.contact);
         let forward = *seen.slip() > rational(0, 1);
         let solutions =
             solutions(&Statement::of(law), &if forward { seen.clone() } else { seen.mirrored() });
         let exact = contact.map(|x| Algebraic::from(x.clone()));
-        let computed = match law.resolve(&exact) {
+        let computed = match law.over().resolve(&exact) {
             Ok(outcome) => {
-                let (seen, impulse) = as_seen(law, &exact, &outcome.impulse);
+                let (seen, impulse) = as_seen(law.over::<Algebraic>(), &exact, &outcome.impulse);
                 vec![seen.slip_after(&impulse) / seen.slip()]
             }
             // what its acceptance or its gap forbids is not a solution of the statement alone
@@ -191,12 +190,12 @@ impl Solve<'_> {
             Err(error) => unreachable!("exact numbers decide: {error}"),
         };
         self.solved += solutions.len();
-        let refused = computed.is_empty() && law.gap().is_some();
+        let refused = computed.is_empty() && law.info.gap.is_some();
         if solutions != computed && !refused {
             let texts = |all: &[Algebraic]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
             self.fault = Some(format!(
                 "{}: the statement has k = {:?}, the code k = {:?} at {:?}",
-                law.id(),
+                law.info.id,
                 texts(&solutions),
                 texts(&computed),
                 contact,
@@ -222,7 +221,7 @@ proptest! {
         let contact = if *contact.slip() < zero { contact.mirrored() } else { contact };
         let contact = if uncoupled { decoupled(&contact) } else { contact };
         let mut solve = Solve { contact: &contact, fault: None, solved: 0 };
-        visit_laws(&mut solve);
+        for law in laws() { solve.visit(law); }
         prop_assert!(solve.fault.is_none(), "{}", solve.fault.unwrap_or_default());
         prop_assert!(solve.solved > 0);
     }

@@ -16,8 +16,7 @@ use kane::kernel::{
     Bound, Conclusion, Context, Expr, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
 };
 use kane::matrix::{absurd, compare, negated, rel};
-use kane_impact::laws::{LawVisitor, visit_laws};
-use kane_impact::{Contact, Delassus, Guard, ImpactLaw, Regime};
+use kane_impact::{Contact, Delassus, Equation, Law, RegimeOver, laws};
 use kane_number::Number;
 
 use crate::frames::as_given;
@@ -53,9 +52,10 @@ fn contact(coupled: bool) -> Contact<Symbolic> {
     Contact::unchecked(symbol(0), symbol(1), delassus, symbol(5), symbol(6))
 }
 
-/// A guard as a relation.
-fn guard<L: ImpactLaw>(law: &L, guard: &Guard<L, Symbolic>, at: &Contact<Symbolic>) -> Relation {
-    compare(&(guard.quantity)(law, at), rel(guard.relation), &Symbolic::zero())
+/// The guards of a regime as relations.
+fn guards(regime: &dyn RegimeOver<Symbolic>, at: &Contact<Symbolic>) -> Vec<Relation> {
+    let relation = |(quantity, sign)| compare(&quantity, rel(sign), &Symbolic::zero());
+    regime.guards(at).map(relation).collect()
 }
 
 fn given(relations: Vec<Relation>) -> Vec<Hypothesis> {
@@ -124,18 +124,15 @@ struct Tally {
 
 impl Tally {
     /// Every line of the law's statement, in this regime, at what the law sees as this contact.
-    fn regime<L: ImpactLaw>(&mut self, law: &L, index: usize, seen: &Contact<Symbolic>) {
+    fn regime(&mut self, law: &Law, index: usize, seen: &Contact<Symbolic>) {
         let coupled = !seen.delassus().tn().is_zero();
-        let contact = as_given(law, seen);
-        let guards = |regime: &Regime<L, Symbolic>| -> Vec<Relation> {
-            regime.guards.iter().map(|g| guard(law, g, &contact)).collect()
-        };
-        let regimes = law.regimes::<Symbolic>();
-        let regime = &regimes[index];
-        let earlier: Vec<_> = regimes[..index].iter().map(guards).collect();
+        let contact = as_given(law.symbolic(), seen);
+        let regimes = law.symbolic().regimes();
+        let regime = &*regimes[index];
+        let earlier: Vec<_> = regimes[..index].iter().map(|r| guards(&**r, &contact)).collect();
         let root = Symbolic::symbol(ROOT);
-        let outcome = regime.outcome(law, &contact, &root);
-        let frame = law.frame(&contact);
+        let outcome = regime.outcome(&contact, &root);
+        let frame = law.symbolic().frame(&contact);
         let (seen, impulse, slip) = match &frame {
             None => (&contact, outcome.impulse.clone(), outcome.slip.clone()),
             Some(frame) => {
@@ -155,15 +152,14 @@ impl Tally {
         let statement = Statement::of(law);
         symbols.extend(statement.parameters.iter().map(Symbolic::from_rational));
 
-        let mut hypotheses = guards(regime);
+        let mut hypotheses = guards(regime, &contact);
         if frame.is_some() {
             // it faces forwards and approaches in its own frame, too
             hypotheses.push(compare(contact.slip(), Rel::Gt, &Symbolic::zero()));
             hypotheses.push(compare(contact.approach(), Rel::Gt, &Symbolic::zero()));
         }
-        let polynomial = regime.root.as_ref().map(|root_of| {
-            let (lower, upper) = (root_of.between)(law, &contact);
-            let coefficients = (root_of.coefficients)(law, &contact);
+        let polynomial = regime.equation(&contact).map(|equation| {
+            let Equation { coefficients, between: (lower, upper) } = equation;
             let polynomial =
                 coefficients.into_iter().rev().fold(Symbolic::zero(), |sum, c| sum * &root + c);
             hypotheses.push(compare(&lower, Rel::Le, &root));
@@ -199,7 +195,7 @@ impl Tally {
                     match found {
                         Ok(()) => self.certificates += 1,
                         Err(_) => {
-                            let (id, name, line) = (law.id(), regime.name, number + 1);
+                            let (id, name, line) = (law.info.id, regime.name(), number + 1);
                             writeln!(self.open, "{id}, {name}, line {line}, coupled {coupled}")
                                 .expect("a string takes all");
                         }
@@ -221,15 +217,15 @@ fn vanishes(function: &Symbolic, polynomial: Option<&Symbolic>) -> bool {
     })
 }
 
-impl LawVisitor for Tally {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        for index in 0..law.regimes::<Symbolic>().len() {
+impl Tally {
+    fn visit(&mut self, law: &Law) {
+        for index in 0..law.symbolic().regimes().len() {
             self.regime(law, index, &contact(false));
-            if law.is_stated_for_coupling() {
+            if law.info.stated_for_coupling {
                 self.regime(law, index, &contact(true));
             }
             // in a turned frame the slip may be backwards
-            if law.frame(&contact(false)).is_some() {
+            if law.symbolic().frame(&contact(false)).is_some() {
                 self.regime(law, index, &contact(false).mirrored());
             }
         }
@@ -251,7 +247,9 @@ djerassi-stronge, stick from restitution on, line 3, coupled false
 #[test]
 fn the_code_satisfies_its_statement_regime_by_regime() {
     let mut tally = Tally::default();
-    visit_laws(&mut tally);
+    for law in laws() {
+        tally.visit(law);
+    }
     let Tally { identities, certificates, lemmas, open } = tally;
     println!("{identities} identities, {certificates} certificates, {lemmas} lemmas");
     assert_eq!(open, OPEN);
@@ -277,26 +275,22 @@ fn closed(relation: Relation) -> Relation {
 }
 
 impl Seams {
-    fn between<L: ImpactLaw>(&mut self, law: &L, first: usize, second: usize) {
-        let contact = as_given(law, &contact(false));
-        let regimes = law.regimes::<Symbolic>();
-        let guards = |index: usize| -> Vec<Relation> {
-            regimes[index].guards.iter().map(|g| guard(law, g, &contact)).collect()
-        };
+    fn between(&mut self, law: &Law, first: usize, second: usize) {
+        let contact = as_given(law.symbolic(), &contact(false));
+        let regimes = law.symbolic().regimes();
+        let guards = |index: usize| guards(&*regimes[index], &contact);
         let root = Symbolic::symbol(ROOT);
-        let [here, there] =
-            [first, second].map(|index| (regimes[index].impulse)(law, &contact, &root));
-        if regimes[first].root.is_some() {
+        let [here, there] = [first, second].map(|index| regimes[index].impulse(&contact, &root));
+        if regimes[first].equation(&contact).is_some() {
             return; // the other regime's root would have to be told from this one's
         }
         let mut common = guards(second);
-        if law.frame(&contact).is_some() {
+        if law.symbolic().frame(&contact).is_some() {
             common.push(compare(contact.slip(), Rel::Gt, &Symbolic::zero()));
             common.push(compare(contact.approach(), Rel::Ge, &Symbolic::zero()));
         }
-        if let Some(root_of) = &regimes[second].root {
-            let (lower, upper) = (root_of.between)(law, &contact);
-            let coefficients = (root_of.coefficients)(law, &contact);
+        if let Some(equation) = regimes[second].equation(&contact) {
+            let Equation { coefficients, between: (lower, upper) } = equation;
             let polynomial =
                 coefficients.into_iter().rev().fold(Symbolic::zero(), |sum, c| sum * &root + c);
             common.push(compare(&lower, Rel::Le, &root));
@@ -328,8 +322,8 @@ impl Seams {
                 match follows(known, Vec::new(), equal) {
                     Ok(()) => self.agree += 1,
                     Err(reason) => {
-                        let names = (regimes[first].name, regimes[second].name);
-                        writeln!(self.open, "{}: {names:?}: {reason}", law.id())
+                        let names = (regimes[first].name(), regimes[second].name());
+                        writeln!(self.open, "{}: {names:?}: {reason}", law.info.id)
                             .expect("a string takes all");
                     }
                 }
@@ -338,9 +332,9 @@ impl Seams {
     }
 }
 
-impl LawVisitor for Seams {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let count = law.regimes::<Symbolic>().len();
+impl Seams {
+    fn visit(&mut self, law: &Law) {
+        let count = law.symbolic().regimes().len();
         for first in 0..count {
             for second in first + 1..count {
                 self.between(law, first, second);
@@ -352,7 +346,9 @@ impl LawVisitor for Seams {
 #[test]
 fn regimes_agree_where_they_meet() {
     let mut seams = Seams::default();
-    visit_laws(&mut seams);
+    for law in laws() {
+        seams.visit(law);
+    }
     println!("{} seams", seams.agree);
     assert!(seams.open.is_empty(), "{}", seams.open);
 }
@@ -360,19 +356,17 @@ fn regimes_agree_where_they_meet() {
 /// Without coupling, the guards of a law that claims to cover every contact leave nothing out.
 struct Cover(usize);
 
-impl LawVisitor for Cover {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        if law.gap().is_some() {
+impl Cover {
+    fn visit(&mut self, law: &Law) {
+        if law.info.gap.is_some() {
             return;
         }
         let contact = contact(false);
-        let regimes = law.regimes::<Symbolic>().iter();
-        let guards: Vec<Vec<_>> = regimes
-            .map(|regime| regime.guards.iter().map(|g| guard(law, g, &contact)).collect())
-            .collect();
+        let regimes = law.symbolic().regimes();
+        let guards: Vec<Vec<_>> = regimes.iter().map(|r| guards(&**r, &contact)).collect();
         for way in passed_over(&guards) {
             let empty = follows(way, Vec::new(), absurd());
-            assert!(empty.is_ok(), "{}: {empty:?}", law.id());
+            assert!(empty.is_ok(), "{}: {empty:?}", law.info.id);
             self.0 += 1;
         }
     }
@@ -381,6 +375,8 @@ impl LawVisitor for Cover {
 #[test]
 fn guards_leave_nothing_out_where_a_law_claims_to_cover_everything() {
     let mut cover = Cover(0);
-    visit_laws(&mut cover);
+    for law in laws() {
+        cover.visit(law);
+    }
     println!("{} ways to be in no regime, all empty", cover.0);
 }

@@ -2,7 +2,7 @@
 
 use kane_number::{Number, Ordered, Rational, Real};
 
-use crate::{Alpha, Contact, Facing, Frame, Impulse, Outcome, Ratios, Work};
+use crate::{Alpha, Contact, Facing, Frame, Impulse, LawInfo, Outcome, Ratios, Restitution, Work};
 
 /// A sign that a guard asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,44 +94,55 @@ pub enum NoImpulse {
     },
 }
 
-/// The hypothesis by which the coefficient of restitution ends a collision.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Restitution {
-    /// Kinematic: `v_n⁺` = −e·`v_n`, in the law's [frame](ImpactLaw::frame).
-    Newton,
-    /// Kinetic: the normal impulse of restitution is e times that of compression.
-    Poisson,
-    /// Energetic, after Stronge: the normal work of restitution is e² times that of compression.
-    Energetic,
-}
-
 /// A law that gives the impulse of a collision.
-pub trait ImpactLaw: Clone + 'static {
-    /// The name of the law in every table and report; printed and true forms differ.
-    fn id(&self) -> &'static str;
+pub trait ImpactLaw: Clone + Send + Sync + 'static {
+    /// What is said about the law.
+    const INFO: LawInfo;
 
-    /// Who published the law, and what was consulted: one sentence without its full stop.
-    fn source(&self) -> &'static str;
+    /// The values of its own parameters, in the order of [`LawInfo::parameters`].
+    fn values(&self) -> Vec<&Rational> {
+        Vec::new()
+    }
 
-    /// What the law adds to momentum and restitution, in the derivation language, one claim a
-    /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
-    /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.
-    fn statement(&self) -> &'static str;
-
-    /// Whether the statement also determines the impulse on contacts that couple, or only, as for
-    /// the laws that integrate a process, what they come to where the contact does not.
-    fn is_stated_for_coupling(&self) -> bool {
-        true
+    /// The same, to be set.
+    fn values_mut(&mut self) -> Vec<&mut Rational> {
+        Vec::new()
     }
 
     /// The law's own parameters by the names of the statement, beyond μ and e.
     fn parameters(&self) -> Vec<(&'static str, Rational)> {
-        Vec::new()
+        let names = Self::INFO.parameters.iter().map(|parameter| parameter.name);
+        names.zip(self.values().into_iter().cloned()).collect()
+    }
+
+    /// The name of the law in every table and report; printed and true forms differ.
+    fn id(&self) -> &'static str {
+        Self::INFO.id
+    }
+
+    /// Who published the law, and what was consulted: one sentence without its full stop.
+    fn source(&self) -> &'static str {
+        Self::INFO.source
+    }
+
+    /// See [`LawInfo::statement`].
+    fn statement(&self) -> &'static str {
+        Self::INFO.statement
+    }
+
+    /// See [`LawInfo::stated_for_coupling`].
+    fn is_stated_for_coupling(&self) -> bool {
+        Self::INFO.stated_for_coupling
     }
 
     /// The hypothesis of restitution; Newton's unless the law says otherwise.
     fn restitution(&self) -> Restitution {
-        Restitution::Newton
+        Self::INFO.restitution
+    }
+
+    /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
+    fn gap(&self) -> Option<&'static str> {
+        Self::INFO.gap
     }
 
     /// The frame in which the law's statement, friction cone and restitution stand, for a contact
@@ -143,11 +154,6 @@ pub trait ImpactLaw: Clone + 'static {
 
     /// The regimes in order, for contacts that face forwards; the first whose guards hold is taken.
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>];
-
-    /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
-    fn gap(&self) -> Option<&'static str> {
-        None
-    }
 
     /// A quantity of the impulse that must not be negative for the law to accept it, at a contact
     /// that faces forwards; where it is negative there is a [`gap`](Self::gap).

@@ -2,7 +2,7 @@
 //!
 //! A law maps a [`Contact`] to the tangential impulse. It is generic over
 //! [`Number`](kane_number::Number), so the code that runs in `f64` is the code that runs in exact
-//! rationals, and the two can be compared digit by digit. The laws are in [`laws`], what collides is
+//! rationals, and the two can be compared digit by digit. The laws are in [`laws()`], what collides is
 //! in [`bodies`]. What happens in time between elastic bodies is in [`compliant`].
 //!
 //! ```
@@ -48,6 +48,7 @@ mod alpha;
 mod arithmetic;
 pub mod batch;
 pub mod bodies;
+mod catalogue;
 pub mod compliant;
 mod contact;
 pub mod decide;
@@ -56,23 +57,28 @@ pub mod double;
 pub mod exact;
 mod frame;
 mod impulse;
+mod info;
 mod invalid;
 mod law;
 pub mod laws;
 pub mod oracle;
 mod outcome;
+mod over;
 mod spatial;
 mod spatial_contact;
 
 pub mod puzzle;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
+pub use catalogue::{Law, NumberSystem, law, laws};
 pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
 pub use frame::Frame;
 pub use impulse::Impulse;
+pub use info::{LawInfo, Parameter, Restitution};
 pub use invalid::InvalidInput;
-pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Restitution, Root};
+pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
 pub use outcome::{Outcome, Work};
+pub use over::{Equation, Formulas, LawOver, RegimeOver, Taken};
 pub use spatial::{SpatialDelassus, Symmetric};
 pub use spatial_contact::SpatialContact;

@@ -5,7 +5,7 @@
 use kane_number::{Algebraic, Number, Ordered as _, Rational};
 
 use crate::bodies::DoublePendulum;
-use crate::{Contact, ImpactLaw, InvalidInput, NoImpulse};
+use crate::{Contact, InvalidInput, Law, NoImpulse};
 
 /// A stretch of friction coefficients, at one restitution, in which a law creates energy.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,18 +67,19 @@ impl Tip {
     ///
     /// # Errors
     /// [`InvalidInput`] for a friction or restitution outside its domain.
-    pub fn gains<L: ImpactLaw>(
+    pub fn gains(
         &self,
-        law: &L,
+        law: &Law,
         friction: &Rational,
         restitution: &Rational,
     ) -> Result<bool, InvalidInput<Rational>> {
         let contact = self.with(friction, restitution)?;
-        Ok(match law.resolve(&contact) {
+        Ok(match law.over().resolve(&contact) {
             Ok(outcome) => outcome.work.total().sign().is_greater() == Some(true),
             Err(NoImpulse::Unrepresentable { .. }) => {
                 let exact = contact.map(|x| Algebraic::from(x.clone()));
-                law.resolve(&exact)
+                law.over()
+                    .resolve(&exact)
                     .is_ok_and(|outcome| outcome.work.total().sign().is_greater() == Some(true))
             }
             Err(_) => false,
@@ -91,9 +92,9 @@ impl Tip {
     ///
     /// # Errors
     /// [`InvalidInput`] for a restitution outside its domain.
-    pub fn stretches<L: ImpactLaw>(
+    pub fn stretches(
         &self,
-        law: &L,
+        law: &Law,
         restitution: &Rational,
     ) -> Result<Vec<Gain>, InvalidInput<Rational>> {
         let at = |step: i32| Rational::new((step * MOST_FRICTION).into(), STEPS.into());
@@ -122,9 +123,9 @@ impl Tip {
     }
 
     /// Bisects between a lower μ where energy rises, or not, and an upper one where it is otherwise.
-    fn border<L: ImpactLaw>(
+    fn border(
         &self,
-        law: &L,
+        law: &Law,
         restitution: &Rational,
         mut lower: Rational,
         mut upper: Rational,

@@ -1,6 +1,6 @@
 //! The code of a law run on symbols, regime by regime.
 
-use kane_impact::{Contact, Guard, ImpactLaw, Outcome, Regime, Relation as Sign};
+use kane_impact::{Contact, Equation, Law, Outcome, RegimeOver, Relation as Sign};
 use kane_kernel::{Expr, Hypothesis, Link, Poly, Rel, Relation, Sentence};
 use kane_number::Number;
 use num_bigint::BigInt;
@@ -141,15 +141,14 @@ pub fn rel(sign: Sign) -> Rel {
 }
 
 /// The guards of a regime that do not visibly hold; `None` if one visibly fails.
-fn guards<L: ImpactLaw>(
-    law: &L,
-    guards: &[Guard<L, Symbolic>],
+fn guards(
+    regime: &dyn RegimeOver<Symbolic>,
     contact: &Contact<Symbolic>,
     ranges: &Ranges,
 ) -> Option<Vec<Relation>> {
     let mut out = Vec::new();
-    for guard in guards {
-        match ranges.condition(&(guard.quantity)(law, contact), rel(guard.relation)) {
+    for (quantity, sign) in regime.guards(contact) {
+        match ranges.condition(&quantity, rel(sign)) {
             Condition::Always => {}
             Condition::Never => return None,
             Condition::Where(relation) => out.push(relation),
@@ -161,19 +160,19 @@ fn guards<L: ImpactLaw>(
 /// A law's regimes at a contact in symbols, those that are visibly never taken left out; and what
 /// holds where none is taken, if that may be anywhere.
 #[must_use]
-pub fn apply<L: ImpactLaw>(
-    law: &L,
+pub fn apply(
+    law: &Law,
     contact: &Contact<Symbolic>,
     ranges: &Ranges,
     root: usize,
 ) -> (Vec<Applied>, Option<Vec<Premise>>) {
-    let all = 0..law.regimes::<Symbolic>().len();
+    let all = 0..law.symbolic().regimes().len();
     apply_some(law, contact, ranges, root, all)
 }
 
 /// The same for some of its regimes, without those after them.
-pub(super) fn apply_some<L: ImpactLaw>(
-    law: &L,
+pub(super) fn apply_some(
+    law: &Law,
     contact: &Contact<Symbolic>,
     ranges: &Ranges,
     root: usize,
@@ -181,15 +180,15 @@ pub(super) fn apply_some<L: ImpactLaw>(
 ) -> (Vec<Applied>, Option<Vec<Premise>>) {
     let mut out = Vec::new();
     let mut passed: Vec<Premise> = Vec::new();
-    for (index, regime) in law.regimes::<Symbolic>().iter().enumerate().take(wanted.end) {
-        let Some(mine) = guards(law, regime.guards, contact, ranges) else { continue };
-        let label = |what: &str| format!("{what} \"{}\"", regime.name);
+    for (index, regime) in law.symbolic().regimes().iter().enumerate().take(wanted.end) {
+        let Some(mine) = guards(&**regime, contact, ranges) else { continue };
+        let label = |what: &str| format!("{what} \"{}\"", regime.name());
         let premises = || -> Vec<Premise> {
             let own = mine.iter().map(|g| Premise::new(label("guard of"), Vec::new(), g.clone()));
             own.chain(passed.iter().cloned()).collect()
         };
         if wanted.contains(&index)
-            && let Some(applied) = one(law, regime, contact, ranges, (index, root), premises())
+            && let Some(applied) = one(law, &**regime, contact, ranges, (index, root), premises())
         {
             out.push(Applied { guards: mine.clone(), ..applied });
         }
@@ -199,25 +198,25 @@ pub(super) fn apply_some<L: ImpactLaw>(
     (out, Some(passed))
 }
 
-fn one<L: ImpactLaw>(
-    law: &L,
-    regime: &'static Regime<L, Symbolic>,
+fn one(
+    law: &Law,
+    regime: &dyn RegimeOver<Symbolic>,
     contact: &Contact<Symbolic>,
     ranges: &Ranges,
     (index, symbol): (usize, usize),
     mut premises: Vec<Premise>,
 ) -> Option<Applied> {
     let x = Symbolic::symbol(symbol);
-    let root = regime.root.as_ref().map(|root| RootOf {
+    let root = regime.equation(contact).map(|Equation { coefficients, between }| RootOf {
         symbol,
-        between: (root.between)(law, contact),
-        coefficients: (root.coefficients)(law, contact),
+        between,
+        coefficients,
     });
     if let Some(root) = &root {
         premises.extend(root.premises(&x, ranges)?);
     }
-    let outcome = regime.outcome(law, contact, &x);
-    let acceptance = law.acceptance(contact, &outcome.impulse);
+    let outcome = regime.outcome(contact, &x);
+    let acceptance = law.symbolic().acceptance(contact, &outcome.impulse);
     if let Some(quantity) = &acceptance {
         match ranges.condition(quantity, Rel::Ge) {
             Condition::Always => {}
@@ -229,7 +228,7 @@ fn one<L: ImpactLaw>(
     }
     Some(Applied {
         index,
-        name: regime.name,
+        name: regime.name(),
         guards: Vec::new(),
         premises,
         outcome,
@@ -240,13 +239,13 @@ fn one<L: ImpactLaw>(
 
 /// The same regime with its root replaced by a value.
 #[must_use]
-pub(super) fn with_root<L: ImpactLaw>(
-    law: &L,
+pub(super) fn with_root(
+    law: &Law,
     contact: &Contact<Symbolic>,
     applied: &Applied,
     value: &Symbolic,
 ) -> Outcome<Symbolic> {
-    law.regimes::<Symbolic>()[applied.index].outcome(law, contact, value)
+    law.symbolic().regimes()[applied.index].outcome(contact, value)
 }
 
 fn whole(p: &Poly) -> Symbolic {

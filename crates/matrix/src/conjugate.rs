@@ -10,7 +10,7 @@
 //! Newton's restitution in that frame makes E_u = −(1 − e²)·a²/(2·W_nn). Energy does not depend on the
 //! frame, so a law that stands in one of its own is asked there, on every planar contact at once.
 
-use kane_impact::{Contact, ImpactLaw, Outcome, Restitution};
+use kane_impact::{Contact, Law, Outcome, Restitution};
 use kane_kernel::{Expr, Poly, Rel, Relation};
 use kane_number::Number as _;
 
@@ -19,8 +19,8 @@ use crate::setting::{Setting, Symbolic};
 use crate::study::{Family, Part, Question};
 
 /// Proves that a law creates no energy on any contact that slips and approaches.
-pub(crate) fn energy<L: ImpactLaw>(law: &L, approaching: &[&Family]) -> Result<Vec<Part>, String> {
-    if law.restitution() != Restitution::Newton {
+pub(crate) fn energy(law: &Law, approaching: &[&Family]) -> Result<Vec<Part>, String> {
+    if law.info.restitution != Restitution::Newton {
         return Err("the restitution is not Newton's".to_owned());
     }
     let mut parts = Vec::new();

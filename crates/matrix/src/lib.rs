@@ -26,8 +26,7 @@ mod visible;
 
 use std::rc::Rc;
 
-use kane_impact::laws::{LawVisitor, law_ids, visit_laws};
-use kane_impact::{Contact, ImpactLaw};
+use kane_impact::{Contact, Law, laws};
 use kane_number::Rational;
 
 pub use applied::{Applied, Premise, RootOf, absurd, apply, compare, rel};
@@ -87,17 +86,13 @@ const FAMILIES: [Setting; 5] =
     [Setting::Sphere, Setting::Driving, Setting::Braking, Setting::RestingSphere, Setting::Resting];
 
 /// The findings about one law; `progress` is told after each.
-pub fn row<L: ImpactLaw>(
-    law: &L,
-    properties: &[&'static Property],
-    progress: &mut dyn FnMut(),
-) -> Row {
+pub fn row(law: &Law, properties: &[&'static Property], progress: &mut dyn FnMut()) -> Row {
     row_with(&Rc::default(), law, properties, progress)
 }
 
-fn row_with<L: ImpactLaw>(
+fn row_with(
     memo: &Rc<Memo>,
-    law: &L,
+    law: &Law,
     properties: &[&'static Property],
     progress: &mut dyn FnMut(),
 ) -> Row {
@@ -113,11 +108,11 @@ fn row_with<L: ImpactLaw>(
         cell
     });
     let cells = cells.collect();
-    Row { id: law.id(), source: law.source(), parameters: law.parameters(), cells }
+    Row { id: law.info.id, source: law.info.source, parameters: law.parameters(), cells }
 }
 
-fn cell<L: ImpactLaw>(
-    law: &L,
+fn cell(
+    law: &Law,
     property: &Property,
     families: &[Family],
     answers: &[(Contact<Rational>, Exact)],
@@ -126,14 +121,14 @@ fn cell<L: ImpactLaw>(
         return Cell::not_applicable(reason);
     }
     let found = decided(law, property, families, answers);
-    match stands_turned(law) && property.depends_on_frame() {
+    match law.has_frame() && property.depends_on_frame() {
         true => found.remarked(IN_THE_FRAME_OF_THE_CONTACT),
         false => found,
     }
 }
 
-fn decided<L: ImpactLaw>(
-    law: &L,
+fn decided(
+    law: &Law,
     property: &Property,
     families: &[Family],
     answers: &[(Contact<Rational>, Exact)],
@@ -163,71 +158,37 @@ const NO_FUNCTION_OF_ALPHA: &str = "the law's cone and restitution stand about a
 const IN_THE_FRAME_OF_THE_CONTACT: &str = "asked in the contact's frame, while the law's cone and \
      restitution stand about a normal of its own";
 
-/// Whether a law has a frame of its own where there is slip.
-fn stands_turned<L: ImpactLaw>(law: &L) -> bool {
-    law.frame(&Contact::of_alpha(Rational::from_integer(1.into()))).is_some()
-}
-
 /// Why a property has no meaning: one in alpha for a law that stands in a frame of its own, one of
 /// every contact for a law that never speaks of coupled ones.
-fn silent_on<L: ImpactLaw>(
-    law: &L,
-    property: &Property,
-    families: &[Family],
-) -> Option<&'static str> {
-    if property.speaks_of_alpha() && stands_turned(law) {
+fn silent_on(law: &Law, property: &Property, families: &[Family]) -> Option<&'static str> {
+    if property.speaks_of_alpha() && law.has_frame() {
         return Some(NO_FUNCTION_OF_ALPHA);
     }
     let Kind::Pointwise(settings) = property.kind else { return None };
     let coupled = |s: &Setting| matches!(s, Setting::Driving | Setting::Braking);
     let speaks = |f: &Family| coupled(&f.setting) && !f.regimes.is_empty();
     let asked = settings.iter().any(coupled);
-    (asked && !families.iter().any(speaks)).then(|| law.gap()).flatten()
-}
-
-struct Build<'a> {
-    selection: &'a Selection,
-    properties: Vec<&'static Property>,
-    rows: Vec<Row>,
-    memo: Rc<Memo>,
-    done: usize,
-    all: usize,
-    progress: &'a mut dyn FnMut(usize, usize),
-}
-
-impl LawVisitor for Build<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let laws = &self.selection.laws;
-        if laws.as_ref().is_some_and(|ids| ids.iter().all(|id| id != law.id())) {
-            return;
-        }
-        let (done, all) = (&mut self.done, self.all);
-        let progress = &mut *self.progress;
-        let row = row_with(&self.memo, law, &self.properties, &mut || {
-            *done += 1;
-            progress(*done, all);
-        });
-        self.rows.push(row);
-    }
+    (asked && !families.iter().any(speaks)).then_some(law.info.gap).flatten()
 }
 
 /// The matrix, or what is asked for of it. `progress` is told, after each cell, how many are done and
 /// how many there are.
 pub fn matrix(selection: &Selection, progress: &mut dyn FnMut(usize, usize)) -> Matrix {
     let properties = selection.properties();
-    let count = selection.laws.as_ref().map_or_else(|| law_ids().len(), Vec::len);
+    let count = selection.laws.as_ref().map_or_else(|| laws().len(), Vec::len);
     let all = count * properties.len();
-    let mut build = Build {
-        selection,
-        properties,
-        rows: Vec::new(),
-        memo: Rc::default(),
-        done: 0,
-        all,
-        progress,
+    let (memo, mut done) = (Rc::default(), 0);
+    let wanted = |law: &&Law| {
+        selection.laws.as_ref().is_none_or(|ids| ids.iter().any(|id| id == law.info.id))
     };
-    visit_laws(&mut build);
-    Matrix { properties: build.properties, rows: build.rows }
+    let rows = laws().iter().filter(wanted).map(|law| {
+        row_with(&memo, law, &properties, &mut || {
+            done += 1;
+            progress(done, all);
+        })
+    });
+    let rows = rows.collect();
+    Matrix { properties, rows }
 }
 
 impl Matrix {

@@ -5,7 +5,7 @@
 //! searched for. Such a bound is a statement about single contacts, so that it is proved regime by
 //! regime like any other, also where a regime has a root.
 
-use kane_impact::{Contact, Delassus, ImpactLaw};
+use kane_impact::{Contact, Delassus, Law};
 use kane_number::{Number as _, Rational};
 
 use crate::cell::{Cell, Finding};
@@ -18,12 +18,7 @@ use crate::study::Family;
 type Answers = Vec<(Contact<Rational>, Exact)>;
 
 /// Decides `f -> L as alpha -> …`.
-pub(crate) fn decide<L: ImpactLaw>(
-    law: &L,
-    families: &[Family],
-    template: &str,
-    infinite: bool,
-) -> Cell {
+pub(crate) fn decide(law: &Law, families: &[Family], template: &str, infinite: bool) -> Cell {
     let (f, rest) = template.split_once(" -> ").expect("a limit has an arrow");
     let (limit, _) = rest.split_once(" as ").expect("a limit says where");
     let gap = match limit.strip_prefix('-') {
@@ -86,8 +81,8 @@ pub(crate) fn decide<L: ImpactLaw>(
 }
 
 /// Proves a bound if the samples do not speak against it.
-pub(crate) fn attempt<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn attempt(
+    law: &Law,
     families: &[Family],
     text: &str,
     answers: &[(Contact<Rational>, Exact)],
@@ -131,7 +126,7 @@ fn refuted(
 }
 
 /// What the law says towards the end, on contacts with v = a = W_nn = 1 and two ways to choose friction.
-pub(crate) fn answers<L: ImpactLaw>(law: &L, infinite: bool) -> Answers {
+pub(crate) fn answers(law: &Law, infinite: bool) -> Answers {
     let mut out = Vec::new();
     for n in [0, 1, 2, 4, 6, 8, 12, 20] {
         let alpha = if infinite { two_to(n) } else { two_to(n).recip() };
@@ -153,8 +148,8 @@ pub(crate) fn answers<L: ImpactLaw>(law: &L, infinite: bool) -> Answers {
 }
 
 /// Decides whether friction vanishes with the slip: |p_t|·W_tt ≤ C·v, and p_t = 0 without slip.
-pub(crate) fn continuous<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn continuous(
+    law: &Law,
     families: &[Family],
     resting: &[(Contact<Rational>, Exact)],
 ) -> Cell {
@@ -200,7 +195,7 @@ pub(crate) fn continuous<L: ImpactLaw>(
 
 /// Refutes continuity of a law whose normal leans also where the slip is small: of equal bodies with
 /// mu = 1 and e = 0, friction keeps its share of the normal impulse however small the slip is.
-fn turned<L: ImpactLaw>(law: &L, families: &[Family]) -> Option<Cell> {
+fn turned(law: &Law, families: &[Family]) -> Option<Cell> {
     let one = Rational::one;
     let delassus = Delassus::unchecked(one(), Rational::zero(), one());
     let contact = Contact::unchecked(one(), two_to(20), delassus, one(), Rational::zero());

@@ -1,6 +1,6 @@
 //! Whether there is an outcome, and only one.
 
-use kane_impact::{Contact, ImpactLaw, NoImpulse};
+use kane_impact::{Contact, Law, NoImpulse};
 use kane_kernel::{Link, Point, Poly, Rel, Relation};
 use kane_number::Rational;
 
@@ -14,8 +14,8 @@ use crate::study::{Family, Part, Question, impossible, locate};
 use crate::visible::{Condition, negated};
 
 /// Decides existence: a contact without an outcome, or proofs that there is none.
-pub(crate) fn exists<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn exists(
+    law: &Law,
     families: &[Family],
     settings: &[Setting],
     contacts: &[Contact<Rational>],
@@ -40,7 +40,7 @@ pub(crate) fn exists<L: ImpactLaw>(
     Cell::from_parts(parts, Vec::new())
 }
 
-fn in_family<L: ImpactLaw>(law: &L, family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
+fn in_family(law: &Law, family: &Family, parts: &mut Vec<Part>) -> Result<(), String> {
     if let Some(rest) = &family.rest {
         let claim = "some regime applies";
         let found = impossible(family, rest, "none".to_owned(), claim);
@@ -128,9 +128,9 @@ fn obligations(family: &Family, regime: &Applied) -> Vec<(String, Vec<Premise>, 
 }
 
 /// A contact without an outcome as a point that the kernel accepts.
-fn silent<L: ImpactLaw>(law: &L, family: &Family, contact: &Contact<Rational>) -> Option<Part> {
+fn silent(law: &Law, family: &Family, contact: &Contact<Rational>) -> Option<Part> {
     let values = family.setting.values(contact)?;
-    let none = law.regimes::<Rational>().iter().all(|r| r.applies(law, contact) == Some(false));
+    let none = law.over().place(contact).is_none();
     if none {
         let rest = family.rest.as_ref()?;
         let values = values.into_iter().map(|(v, q)| (v, vec![q])).collect();
@@ -157,7 +157,7 @@ fn silent<L: ImpactLaw>(law: &L, family: &Family, contact: &Contact<Rational>) -
 }
 
 /// Decides uniqueness on a family; where a law stands in a frame of its own, as it sees contacts there.
-pub(crate) fn unique<L: ImpactLaw>(law: &L, family: &Family) -> Cell {
+pub(crate) fn unique(law: &Law, family: &Family) -> Cell {
     let (mut parts, mut open) = (Vec::new(), Vec::new());
     if family.seen.is_none() {
         one_impulse(family, &mut parts, &mut open);

@@ -1,6 +1,6 @@
 //! Properties of one outcome at a time.
 
-use kane_impact::{Contact, ImpactLaw, Outcome};
+use kane_impact::{Contact, Law, Outcome};
 use kane_kernel::Rel;
 use kane_number::Rational;
 
@@ -15,8 +15,8 @@ use crate::stopped;
 use crate::study::{Family, Located, Part, contact_at, locate};
 
 /// Decides a pointwise property: a witness among simple contacts, or a proof in every regime.
-pub(crate) fn decide<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn decide(
+    law: &Law,
     families: &[Family],
     settings: &[Setting],
     template: &Template,
@@ -74,8 +74,8 @@ struct Open {
 }
 
 /// Proofs in every regime of a family.
-fn in_family<L: ImpactLaw>(
-    law: &L,
+fn in_family(
+    law: &Law,
     family: &Family,
     template: &Template,
     parts: &mut Vec<Part>,
@@ -116,8 +116,8 @@ fn in_regime(family: &Family, index: usize, template: &Template) -> Result<Vec<P
 }
 
 /// A witness that the kernel accepts.
-fn witness<L: ImpactLaw>(
-    law: &L,
+fn witness(
+    law: &Law,
     families: &[&Family],
     template: &Template,
     contact: &Contact<Rational>,
@@ -171,12 +171,7 @@ fn prove(
 }
 
 /// A witness that the search finds in a regime where no proof was found.
-fn search<L: ImpactLaw>(
-    law: &L,
-    family: &Family,
-    index: usize,
-    template: &Template,
-) -> Option<Cell> {
+fn search(law: &Law, family: &Family, index: usize, template: &Template) -> Option<Cell> {
     let regime = &family.regimes[index];
     for demand in template.demands(&family.contact, &regime.outcome)? {
         let Some((when, conclusion)) = family.relations(&demand) else { continue };

@@ -1,6 +1,6 @@
 //! Simple contacts, and what laws say of them exactly: where witnesses are looked for first.
 
-use kane_impact::{Contact, Delassus, ImpactLaw, NoImpulse, Outcome};
+use kane_impact::{Contact, Delassus, Law, NoImpulse, Outcome};
 use kane_kernel::Rel;
 use kane_number::{Algebraic, Rational};
 
@@ -20,11 +20,11 @@ pub enum Exact {
 ///
 /// # Errors
 /// [`NoImpulse`] where it says nothing.
-pub fn resolve<L: ImpactLaw>(law: &L, contact: &Contact<Rational>) -> Result<Exact, NoImpulse> {
-    match law.resolve(contact) {
+pub fn resolve(law: &Law, contact: &Contact<Rational>) -> Result<Exact, NoImpulse> {
+    match law.over().resolve(contact) {
         Ok(outcome) => Ok(Exact::Rational(outcome.into())),
         Err(NoImpulse::Unrepresentable { .. }) => {
-            law.resolve(&algebraic(contact)).map(|outcome| Exact::Algebraic(outcome.into()))
+            law.over().resolve(&algebraic(contact)).map(|outcome| Exact::Algebraic(outcome.into()))
         }
         Err(error) => Err(error),
     }

@@ -1,7 +1,7 @@
 //! Whether units of speed and of mass matter.
 
 use kane_algebra::rational_function::expression;
-use kane_impact::{Contact, Delassus, ImpactLaw};
+use kane_impact::{Contact, Delassus, Equation, Law};
 use kane_kernel::{Poly, Rel, Relation, exponent};
 use kane_number::{Algebraic, Number, Rational};
 
@@ -53,8 +53,8 @@ impl Unit {
 const UNITS: [Unit; 2] = [Unit::Speed, Unit::Mobility];
 
 /// Decides scale invariance.
-pub(crate) fn decide<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn decide(
+    law: &Law,
     families: &[Family],
     answers: &[(Contact<Rational>, Exact)],
 ) -> Cell {
@@ -98,32 +98,24 @@ fn same(before: &Exact, after: &Exact, factor: &Rational) -> bool {
 }
 
 /// The identities of every regime.
-fn regimes<L: ImpactLaw>(
-    law: &L,
-    family: &Family,
-    unit: Unit,
-    parts: &mut Vec<Part>,
-    open: &mut Vec<String>,
-) {
+fn regimes(law: &Law, family: &Family, unit: Unit, parts: &mut Vec<Part>, open: &mut Vec<String>) {
     let s = Symbolic::symbol(BETA);
     let scaled = unit.scaled(&family.contact, &s);
+    let regimes = law.symbolic().regimes();
     for applied in &family.regimes {
-        let regime = &law.regimes::<Symbolic>()[applied.index];
+        let regime = &regimes[applied.index];
         let mut equal: Vec<(&str, Symbolic, Symbolic)> = Vec::new();
         let mut fits = true;
-        for guard in regime.guards {
-            let (here, there) =
-                ((guard.quantity)(law, &family.contact), (guard.quantity)(law, &scaled));
+        for ((here, _), (there, _)) in regime.guards(&family.contact).zip(regime.guards(&scaled)) {
             match factor(&here, &there) {
                 Some(factor) => equal.push(("a guard", there, here * factor)),
                 None => fits = false,
             }
         }
         let mut root = (Symbolic::zero(), Symbolic::zero());
-        if let (Some(here), Some(of)) = (&applied.root, &regime.root) {
-            let (lower, upper) = (of.between)(law, &scaled);
-            let coefficients = (of.coefficients)(law, &scaled);
-            let there = RootOf { symbol: ROOTS[1], between: (lower, upper), coefficients };
+        if let (Some(here), Some(of)) = (&applied.root, regime.equation(&scaled)) {
+            let Equation { coefficients, between } = of;
+            let there = RootOf { symbol: ROOTS[1], between, coefficients };
             match root_power(here, &there) {
                 Some((m, ends)) => {
                     let f = s.powi(m).expect("s is not zero");
@@ -140,7 +132,7 @@ fn regimes<L: ImpactLaw>(
                         match only_root(family, applied, here) {
                             Ok(found) => parts.extend(found),
                             Err(why) => {
-                                let place = (family.setting.name(), regime.name);
+                                let place = (family.setting.name(), regime.name());
                                 open.push(format!("{}, \"{}\", the root: {why}", place.0, place.1));
                                 return;
                             }
@@ -152,13 +144,13 @@ fn regimes<L: ImpactLaw>(
                 None => fits = false,
             }
         }
-        let here = (regime.impulse)(law, &family.contact, &root.0);
-        let there = (regime.impulse)(law, &scaled, &root.1);
+        let here = regime.impulse(&family.contact, &root.0);
+        let there = regime.impulse(&scaled, &root.1);
         let by = unit.factor(&s);
         equal.push(("p_t", there.tangential, here.tangential * &by));
         equal.push(("p_n", there.normal, here.normal * &by));
         if !fits {
-            open.push(format!("{}, \"{}\": {}", family.setting.name(), regime.name, unit.name()));
+            open.push(format!("{}, \"{}\": {}", family.setting.name(), regime.name(), unit.name()));
             continue;
         }
         for (what, there, here) in equal {
@@ -175,7 +167,7 @@ fn regimes<L: ImpactLaw>(
                 match question.on(&[]) {
                     Ok(part) => parts.push(part),
                     Err(why) => {
-                        let place = (family.setting.name(), regime.name);
+                        let place = (family.setting.name(), regime.name());
                         open.push(format!("{}, \"{}\", {what}: {why}", place.0, place.1));
                     }
                 }
@@ -246,8 +238,8 @@ fn power(here: &Symbolic, there: &Symbolic) -> Option<i32> {
 }
 
 /// Both applications at a point, the second impulse not the multiple of the first.
-fn witness<L: ImpactLaw>(
-    law: &L,
+fn witness(
+    law: &Law,
     family: &Family,
     contact: &Contact<Rational>,
     scaled: &Contact<Rational>,
@@ -260,11 +252,11 @@ fn witness<L: ImpactLaw>(
     point.values.sort_by_key(|(v, _)| *v);
     let s = Symbolic::symbol(BETA);
     let (after, _) = apply(law, &unit.scaled(&family.contact, &s), &family.ranges, ROOTS[1]);
-    let index =
-        law.regimes::<Rational>().iter().position(|r| r.applies(law, scaled) == Some(true))?;
+    let index = law.over().place(scaled)?;
     let there = after.iter().find(|applied| applied.index == index)?;
     if there.root.is_some() {
-        add_root(&mut point, ROOTS[1], &law.regime(&crate::sample::algebraic(scaled)).ok()?.root)?;
+        let chosen = law.over().regime(&crate::sample::algebraic(scaled)).ok()?;
+        add_root(&mut point, ROOTS[1], &chosen.root?)?;
     }
     let here = &family.regimes[located.regime];
     let premises: Vec<Premise> = [&here.premises[..], &there.premises].concat();

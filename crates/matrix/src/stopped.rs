@@ -16,7 +16,7 @@
 //! Each is a bijection from an orthant, and together they are all contacts that couple, slip and approach
 //! and on which the slip stops before v_n = e·a.
 
-use kane_impact::{Contact, Delassus, ImpactLaw, Restitution};
+use kane_impact::{Contact, Delassus, Law, Restitution};
 use kane_kernel::{Rel, Relation};
 use kane_number::Number as _;
 
@@ -165,8 +165,8 @@ impl Stop {
 }
 
 /// The families of contacts that slow down, of a family that couples; none for laws that are not asked so.
-pub(crate) fn families<L: ImpactLaw>(law: &L, family: &Family) -> Vec<Family> {
-    if law.restitution() == Restitution::Newton {
+pub(crate) fn families(law: &Law, family: &Family) -> Vec<Family> {
+    if law.info.restitution == Restitution::Newton {
         return Vec::new();
     }
     let stops = Stop::of(family.setting).iter();
@@ -177,8 +177,8 @@ pub(crate) fn families<L: ImpactLaw>(law: &L, family: &Family) -> Vec<Family> {
 type Prove<'f> = dyn FnMut(&Family, usize) -> Result<Vec<Part>, String> + 'f;
 
 /// A proof in one regime of a family, as the process sees its contacts: first that they slow down.
-pub(crate) fn each<L: ImpactLaw>(
-    law: &L,
+pub(crate) fn each(
+    law: &Law,
     family: &Family,
     index: usize,
     prove: &mut Prove<'_>,

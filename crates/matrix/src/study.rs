@@ -4,7 +4,7 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use kane_impact::{Contact, Frame, ImpactLaw, Outcome};
+use kane_impact::{Contact, Frame, Law, Outcome};
 use kane_kernel::{
     Conclusion, Context, Evidence, Goal, Link, Model, Point, Rel, Relation, Root as KernelRoot,
     digest,
@@ -205,7 +205,7 @@ impl Question<'_> {
 }
 
 impl Family {
-    pub(crate) fn new<L: ImpactLaw>(memo: &Rc<Memo>, law: &L, setting: Setting) -> Self {
+    pub(crate) fn new(memo: &Rc<Memo>, law: &Law, setting: Setting) -> Self {
         let context = setting.context();
         let ranges = Ranges::of(&context);
         Self::of(memo, law, setting, (context, ranges), setting.contact(), Vec::new())
@@ -213,16 +213,16 @@ impl Family {
 
     /// The contacts that a law sees in its own frame as those of a family, as far as they slip forwards
     /// and approach in theirs; `None` if the law's frame depends on the contact.
-    pub(crate) fn seen<L: ImpactLaw>(memo: &Rc<Memo>, law: &L, setting: Setting) -> Option<Self> {
+    pub(crate) fn seen(memo: &Rc<Memo>, law: &Law, setting: Setting) -> Option<Self> {
         let (context, seen) = (setting.context(), setting.contact());
         let ranges = Ranges::of(&context);
         let some = Contact::of_alpha(Rational::one());
-        let Some(frame) = law.frame(&some) else {
+        let Some(frame) = law.over::<Rational>().frame(&some) else {
             return Some(Self::of(memo, law, setting, (context, ranges), seen, Vec::new()));
         };
         let turn = frame.turn.map(<Symbolic as kane_number::Number>::from_rational);
         let contact = seen.turned(&turn.mirrored());
-        let again = law.frame(&contact)?;
+        let again = law.symbolic().frame(&contact)?;
         let fits = again.turn == turn
             && seen.slip() == again.contact.slip()
             && seen.approach() == again.contact.approach()
@@ -234,9 +234,9 @@ impl Family {
         fits.then(|| Self::of(memo, law, setting, (context, known), contact, premises.into()))
     }
 
-    fn of<L: ImpactLaw>(
+    fn of(
         memo: &Rc<Memo>,
-        law: &L,
+        law: &Law,
         setting: Setting,
         (context, ranges): (Context, Ranges),
         contact: Contact<Symbolic>,
@@ -249,7 +249,7 @@ impl Family {
         let solved = Vec::new();
         let lemmas = regimes.iter().map(|_| OnceCell::new()).collect();
         let slips = !matches!(setting, Setting::RestingSphere | Setting::Resting);
-        let seen = law.frame(&contact).filter(|_| slips);
+        let seen = law.symbolic().frame(&contact).filter(|_| slips);
         let mut family = Self {
             memo: memo.clone(),
             setting,
@@ -269,7 +269,7 @@ impl Family {
     }
 
     /// The root of a regime as a rational function, proved to be it.
-    fn solve<L: ImpactLaw>(&self, law: &L, regime: &Applied) -> Option<(Outcome<Symbolic>, Part)> {
+    fn solve(&self, law: &Law, regime: &Applied) -> Option<(Outcome<Symbolic>, Part)> {
         let root = regime.root.as_ref()?;
         root.rational().iter().find_map(|value| {
             let x = Symbolic::symbol(root.symbol);
@@ -358,20 +358,15 @@ pub(crate) struct Located {
 }
 
 /// Finds a contact in a family: the regime that applies, its root, and the values of all symbols.
-pub(crate) fn locate<L: ImpactLaw>(
-    law: &L,
-    family: &Family,
-    contact: &Contact<Rational>,
-) -> Option<Located> {
+pub(crate) fn locate(law: &Law, family: &Family, contact: &Contact<Rational>) -> Option<Located> {
     let values = family.setting.values(contact)?;
-    let index =
-        law.regimes::<Rational>().iter().position(|r| r.applies(law, contact) == Some(true))?;
+    let index = law.over().place(contact)?;
     let regime = family.regimes.iter().position(|applied| applied.index == index)?;
     let mut point = Point { generator: None, values: Vec::new() };
     point.values = values.into_iter().map(|(symbol, value)| (symbol, vec![value])).collect();
     if family.regimes[regime].root.is_some() {
-        let chosen = law.regime(&algebraic(contact)).ok()?;
-        add_root(&mut point, ROOTS[0], &chosen.root)?;
+        let chosen = law.over().regime(&algebraic(contact)).ok()?;
+        add_root(&mut point, ROOTS[0], &chosen.root?)?;
     }
     Some(Located { regime, point })
 }

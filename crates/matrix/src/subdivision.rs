@@ -1,7 +1,7 @@
 //! Whether a law is a process: two parts of the normal impulse, one after the other, do what the
 //! whole does.
 
-use kane_impact::{Contact, ImpactLaw};
+use kane_impact::{Contact, Law};
 use kane_kernel::{Point, Rel};
 use kane_number::{Algebraic, Number, Ordered as _, Rational};
 
@@ -54,7 +54,7 @@ struct Way<'a> {
 }
 
 /// Decides invariance under subdivision on contacts that do not couple.
-pub(crate) fn decide<L: ImpactLaw>(law: &L, family: &Family) -> Cell {
+pub(crate) fn decide(law: &Law, family: &Family) -> Cell {
     if let Some(cell) = refuted(law, family) {
         return cell;
     }
@@ -93,8 +93,8 @@ fn question<'a>(
 }
 
 /// A regime with its root put in, where it is a rational function, and the proof that it is.
-fn solved<L: ImpactLaw>(
-    law: &L,
+fn solved(
+    law: &Law,
     family: &Family,
     contact: &Contact<Symbolic>,
     applied: &Applied,
@@ -128,11 +128,11 @@ struct Regimes {
 }
 
 /// All ways, or one, with the premises of each; roots are put in where all are asked for.
-fn each<L: ImpactLaw>(law: &L, family: &Family, one: Option<&Regimes>, found: &mut Found<'_>) {
+fn each(law: &Law, family: &Family, one: Option<&Regimes>, found: &mut Found<'_>) {
     let solve = one.is_none();
     let wanted = |of: fn(&Regimes) -> usize| match one.map(of) {
         Some(index) => index..index + 1,
-        None => 0..law.regimes::<Symbolic>().len(),
+        None => 0..law.symbolic().regimes().len(),
     };
     let contact = &family.contact;
     let (v, a) = (contact.slip().clone(), contact.approach().clone());
@@ -181,19 +181,19 @@ struct Trial {
     whole: (Contact<Algebraic>, kane_impact::Outcome<Algebraic>),
 }
 
-fn trial<L: ImpactLaw>(law: &L, contact: &Contact<Rational>, b: &Rational) -> Option<Trial> {
+fn trial(law: &Law, contact: &Contact<Rational>, b: &Rational) -> Option<Trial> {
     let exact = algebraic(contact);
     let b = Algebraic::from(b.clone());
-    let first = law.resolve(&exact).ok()?;
+    let first = law.over().resolve(&exact).ok()?;
     let next = at(&exact, first.slip.clone(), b.clone());
-    let second = law.resolve(&next).ok()?;
+    let second = law.over().resolve(&next).ok()?;
     let together = at(&exact, exact.slip().clone(), exact.approach().clone() + &b);
-    let whole = law.resolve(&together).ok()?;
+    let whole = law.over().resolve(&together).ok()?;
     Some(Trial { first: (exact, first), second: (next, second), whole: (together, whole) })
 }
 
 /// A simple contact at which the parts do not make the whole.
-fn refuted<L: ImpactLaw>(law: &L, family: &Family) -> Option<Cell> {
+fn refuted(law: &Law, family: &Family) -> Option<Cell> {
     let parts: Vec<Rational> = [(1, 1), (2, 1), (1, 2), (1, 4), (4, 1)]
         .map(|(n, d)| Rational::new(n.into(), d.into()))
         .to_vec();
@@ -201,15 +201,15 @@ fn refuted<L: ImpactLaw>(law: &L, family: &Family) -> Option<Cell> {
     refuted_among(law, family, &parts, true).or_else(|| refuted_among(law, family, &parts, false))
 }
 
-fn refuted_among<L: ImpactLaw>(
-    law: &L,
+fn refuted_among(
+    law: &Law,
     family: &Family,
     parts: &[Rational],
     rational_parts: bool,
 ) -> Option<Cell> {
     let is_rational = |contact: &Contact<Rational>, b: &Rational| {
-        let Ok(first) = law.resolve(contact) else { return false };
-        law.resolve(&at(contact, first.slip, b.clone())).is_ok()
+        let Ok(first) = law.over().resolve(contact) else { return false };
+        law.over().resolve(&at(contact, first.slip, b.clone())).is_ok()
     };
     let mut tried = 0;
     for contact in contacts(&[Setting::Sphere]) {
@@ -248,8 +248,8 @@ fn rational(contact: &Contact<Algebraic>) -> Option<Contact<Rational>> {
     Some(contact.map(|x| q(x).unwrap_or_else(|| slip.clone())))
 }
 
-fn witness<L: ImpactLaw>(
-    law: &L,
+fn witness(
+    law: &Law,
     family: &Family,
     contact: &Contact<Rational>,
     b: &Rational,
@@ -261,13 +261,10 @@ fn witness<L: ImpactLaw>(
     point.values.push((BETA, vec![b / contact.approach()]));
     point.values.sort_by_key(|(v, _)| *v);
     let mut regime = |contact: &Contact<Algebraic>, symbol: usize| {
-        let chosen = law.regime(contact).ok()?;
-        let index = law
-            .regimes::<Algebraic>()
-            .iter()
-            .position(|r| r.applies(law, &chosen.contact) == Some(true))?;
-        if chosen.regime.root.is_some() {
-            add_root(&mut point, symbol, &chosen.root)?;
+        let chosen = law.over().regime(contact).ok()?;
+        let index = law.over().place(&chosen.contact)?;
+        if let Some(root) = &chosen.root {
+            add_root(&mut point, symbol, root)?;
         }
         Some(index)
     };

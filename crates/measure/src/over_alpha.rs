@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use kane_impact::laws::{LawVisitor, visit_laws};
-use kane_impact::{Alpha, Contact, ImpactLaw, Ratios};
+use kane_impact::{Alpha, Contact, Law, Ratios, laws};
 use kane_number::{Algebraic, Rational};
 
 /// All laws over α; what coincides is kept once.
@@ -31,15 +30,14 @@ pub struct Curve {
 #[must_use]
 pub fn over_alpha() -> OverAlpha {
     let grid = grid();
-    let mut borders = Borders { grid: &grid, found: BTreeSet::new() };
-    visit_laws(&mut borders);
-    let mut alphas = borders.found;
+    // where some law changes its regime, a curve may have a corner or jump
+    let borders = laws().iter().flat_map(|law| changes(&grid, HALVINGS, |alpha| state(law, alpha)));
+    let mut alphas: BTreeSet<Rational> = borders.flatten().collect();
     alphas.extend(grid);
     let alphas = alphas.into_iter().collect();
-    let mut asked = Asked { alphas, curves: Vec::new(), without: Vec::new() };
-    visit_laws(&mut asked);
-    let Asked { alphas, curves, without } = asked;
-    OverAlpha { alphas, curves, without }
+    let mut asked = OverAlpha { alphas, curves: Vec::new(), without: Vec::new() };
+    laws().iter().for_each(|law| asked.ask(law));
+    asked
 }
 
 /// Decimals of two or three digits, about 48 to the decade.
@@ -80,48 +78,30 @@ pub fn changes<S: PartialEq>(
     out
 }
 
-/// Looks for the α at which some law changes its regime, where a curve may have a corner or jump.
-struct Borders<'a> {
-    grid: &'a [Rational],
-    found: BTreeSet<Rational>,
-}
-
-impl LawVisitor for Borders<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let enclosed = changes(self.grid, HALVINGS, |alpha| state(law, alpha));
-        self.found.extend(enclosed.into_iter().flatten());
-    }
-}
-
 /// Which regime applies, and whether the law accepts what it gives.
-fn state<L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<(usize, bool)> {
+fn state(law: &Law, alpha: &Rational) -> Option<(usize, bool)> {
+    let law = law.over();
     let contact = Contact::of_alpha(alpha.clone());
     if law.frame(&contact).is_some() {
         return None;
     }
-    let regimes = law.regimes::<Rational>();
-    let index = regimes.iter().position(|regime| regime.applies(law, &contact) == Some(true))?;
+    let index = law.place(&contact)?;
     // a root need not be rational, so that its absence would tell nothing
-    let has_root = regimes.get(index)?.root.is_some();
+    let has_root = law.regimes().get(index)?.equation(&contact).is_some();
     Some((index, has_root || law.ratios(&Alpha::Finite(alpha.clone())).is_some()))
 }
 
-struct Asked {
-    alphas: Vec<Rational>,
-    curves: Vec<Curve>,
-    without: Vec<&'static str>,
-}
-
-impl LawVisitor for Asked {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
-        let ask = |alpha: &Rational| law.ratios(&Alpha::Finite(Algebraic::from(alpha.clone())));
+impl OverAlpha {
+    fn ask(&mut self, law: &Law) {
+        let exactly = law.over();
+        let ask = |alpha: &Rational| exactly.ratios(&Alpha::Finite(Algebraic::from(alpha.clone())));
         let ratios: Vec<_> = self.alphas.iter().map(ask).collect();
         if ratios.iter().all(Option::is_none) {
-            self.without.push(law.id());
+            self.without.push(law.info.id);
         } else if let Some(curve) = self.curves.iter_mut().find(|curve| curve.ratios == ratios) {
-            curve.laws.push(law.id());
+            curve.laws.push(law.info.id);
         } else {
-            self.curves.push(Curve { laws: vec![law.id()], ratios });
+            self.curves.push(Curve { laws: vec![law.info.id], ratios });
         }
     }
 }

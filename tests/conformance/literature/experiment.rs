@@ -14,8 +14,8 @@ use kane::impact::bodies::{Motion, SphereOnPlane};
 use kane::impact::compliant::{
     Bilinear, DimensionReduction, HertzMindlin, MawBarberFawcett, Memory, Process,
 };
-use kane::impact::laws::{LawVisitor, Walton, visit_laws};
-use kane::impact::{Alpha, ImpactLaw};
+use kane::impact::laws::Walton;
+use kane::impact::{Alpha, ImpactLaw, Law, laws};
 use kane::number::{Number, Rational};
 
 use super::exact;
@@ -64,15 +64,15 @@ struct Fit {
 
 struct Fits<'a>(&'a [Point], Vec<Fit>);
 
-impl LawVisitor for Fits<'_> {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Fits<'_> {
+    fn visit(&mut self, law: &Law) {
         let value = |point: &Point| {
             let sphere = sphere(point.degrees);
-            let rebound = sphere.collide(law).ok()?;
+            let rebound = sphere.collide(law.over()).ok()?;
             Some(rebound.slip / sphere.before.vx)
         };
         let k = self.0.iter().map(value).collect();
-        self.add(law.id(), k);
+        self.add(law.info.id, k);
     }
 }
 
@@ -89,7 +89,9 @@ impl Fits<'_> {
 
 fn fits(points: &[Point]) -> Vec<Fit> {
     let mut fits = Fits(points, Vec::new());
-    visit_laws(&mut fits);
+    for law in laws() {
+        fits.visit(law);
+    }
     for process in processes() {
         let value = |point: &Point| {
             let outcome = process.outcome(&Alpha::Finite(point.alpha)).ok()?;

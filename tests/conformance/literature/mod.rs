@@ -3,8 +3,7 @@
 //! Each test cites its source. Where an original could not be consulted, the test says through whom
 //! it is known; nothing here is evidence about an original that nobody has read.
 
-use kane::impact::laws::{LawVisitor, visit_laws};
-use kane::impact::{Alpha, ImpactLaw};
+use kane::impact::{Alpha, Law, law};
 use kane::number::{Algebraic, Number, Rational, decode, parse};
 
 mod compliant; // what every compliant process is held to
@@ -48,26 +47,13 @@ fn assert_printed(what: &str, value: f64, printed: &str) {
 }
 
 /// k and i_x at a rational α, exactly.
-fn ratios<L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<[Algebraic; 2]> {
-    let ratios = law.ratios(&Alpha::Finite(Algebraic::from(alpha.clone())))?;
+fn ratios(law: &Law, alpha: &Rational) -> Option<[Algebraic; 2]> {
+    let ratios = law.over().ratios(&Alpha::Finite(Algebraic::from(alpha.clone())))?;
     Some([ratios.k, ratios.impulse])
 }
 
 /// The value of k at α by the law of that id, with its default parameters.
 fn k_by_id(id: &str, alpha: &Rational) -> Option<Algebraic> {
-    struct Named<'a> {
-        id: &'a str,
-        alpha: &'a Rational,
-        found: Option<Option<Algebraic>>,
-    }
-    impl LawVisitor for Named<'_> {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            if law.id() == self.id {
-                self.found = Some(ratios(law, self.alpha).map(|[k, _]| k));
-            }
-        }
-    }
-    let mut named = Named { id, alpha, found: None };
-    visit_laws(&mut named);
-    named.found.unwrap_or_else(|| unreachable!("there is no law {id}"))
+    let law = law(id).unwrap_or_else(|| unreachable!("there is no law {id}"));
+    ratios(law, alpha).map(|[k, _]| k)
 }

@@ -1,9 +1,7 @@
 //! Single values that the closed forms give.
 
-use kane::impact::laws::{
-    ChatterjeeRuina, Garwin, Keller1986, LawVisitor, Smith1991, WangSuLi, visit_laws,
-};
-use kane::impact::{Alpha, ImpactLaw};
+use kane::impact::laws::{ChatterjeeRuina, Garwin, Keller1986, Smith1991, WangSuLi};
+use kane::impact::{Alpha, ImpactLaw, laws};
 use kane::number::{Algebraic, Number, Rational, decode};
 
 use super::{assert_printed, exact, k_by_id};
@@ -16,19 +14,15 @@ fn alphas() -> [Rational; 14] {
 /// Momentum: `i_x` = (1 − k)/(2α), equation (9) of Wang, Su and Li, whatever the law; exactly.
 #[test]
 fn momentum_ties_the_impulse_to_the_slip_under_every_law() {
-    struct Tied(Algebraic, usize);
-    impl LawVisitor for Tied {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            if let Some(ratios) = law.ratios(&Alpha::Finite(self.0.clone())) {
-                assert!(ratios.is_consistent(&self.0), "{} at α = {}", law.id(), self.0);
-                self.1 += 1;
+    for alpha in alphas().map(Algebraic::from) {
+        let mut tied = 0;
+        for law in laws() {
+            if let Some(ratios) = law.over().ratios(&Alpha::Finite(alpha.clone())) {
+                assert!(ratios.is_consistent(&alpha), "{} at α = {alpha}", law.info.id);
+                tied += 1;
             }
         }
-    }
-    for alpha in alphas() {
-        let mut tied = Tied(alpha.into(), 0);
-        visit_laws(&mut tied);
-        assert!(tied.1 >= 17, "at α = {} only {} laws have an answer", tied.0, tied.1);
+        assert!(tied >= 17, "at α = {alpha} only {tied} laws have an answer");
     }
 }
 
@@ -36,16 +30,12 @@ fn momentum_ties_the_impulse_to_the_slip_under_every_law() {
 /// at most 3·10⁻¹⁴ as |k| < 200, and 2α ≥ 1/5 divides them by 400 times as much where k is that large.
 #[test]
 fn floats_are_tied_to_a_millionth_of_a_millionth() {
-    struct Tied(f64);
-    impl LawVisitor for Tied {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            let Some(ratios) = law.ratios(&Alpha::Finite(self.0)) else { return };
-            let difference = ratios.impulse - (1.0 - ratios.k) / (2.0 * self.0);
-            assert!(difference.abs() < 1e-12, "{} at α = {}: {difference}", law.id(), self.0);
+    for alpha in alphas().map(|alpha| f64::from_rational(&alpha)) {
+        for law in laws() {
+            let Some(ratios) = law.over().ratios(&Alpha::Finite(alpha)) else { continue };
+            let difference = ratios.impulse - (1.0 - ratios.k) / (2.0 * alpha);
+            assert!(difference.abs() < 1e-12, "{} at α = {alpha}: {difference}", law.info.id);
         }
-    }
-    for alpha in alphas() {
-        visit_laws(&mut Tied(f64::from_rational(&alpha)));
     }
 }
 

@@ -94,6 +94,8 @@ pub struct Evaluator<'a> {
     known: HashMap<usize, Result<Jet, NoValue>>,
     /// values of definitions under the present `moved`
     known_moved: HashMap<usize, Result<Jet, NoValue>>,
+    /// values at the point of definitions that are continuous there under the present `moved`
+    pub(super) known_continuous: HashMap<usize, Result<BigRational, NoValue>>,
     /// symbols under differentiation, outermost first; the level is the position, from 1
     pub(super) moved: Vec<(usize, Jet)>,
 }
@@ -107,6 +109,7 @@ impl<'a> Evaluator<'a> {
             point,
             known: HashMap::new(),
             known_moved: HashMap::new(),
+            known_continuous: HashMap::new(),
             moved: Vec::new(),
         }
     }
@@ -250,8 +253,10 @@ impl<'a> Evaluator<'a> {
         let level = self.moved.len() + 1;
         self.moved.push((x, Jet::dual(level, at, Jet::one())));
         let known = std::mem::take(&mut self.known_moved);
+        let continuous = std::mem::take(&mut self.known_continuous);
         let result = self.jet(f);
         self.known_moved = known;
+        self.known_continuous = continuous;
         self.moved.pop();
         Ok(result?.split(level).1.unwrap_or_else(Jet::zero))
     }

@@ -70,8 +70,13 @@ impl Evaluator<'_> {
         match e {
             Expr::Num(_) | Expr::Var(_) => self.at_rest(e),
             Expr::Let(index) => {
+                if let Some(known) = self.known_continuous.get(index) {
+                    return known.clone();
+                }
                 let definition = context.lets.get(*index).ok_or(NoValue::Unassigned)?;
-                self.continuous(&definition.body)
+                let value = self.continuous(&definition.body);
+                self.known_continuous.insert(*index, value.clone());
+                value
             }
             Expr::Sqrt(a) => {
                 if self.continuous(a)?.is_zero() {
@@ -92,9 +97,8 @@ impl Evaluator<'_> {
                 _ => self.at_rest(e).and(Err(NoValue::Unsettled)),
             },
             _ => {
-                let parts = e.children();
                 let mut reason = None;
-                for part in parts {
+                for part in e.children() {
                     let Err(why) = self.continuous(part) else { continue };
                     if reason.is_none_or(|known: NoValue| !known.is_undefined()) {
                         reason = Some(why);

@@ -1,4 +1,5 @@
 use kane_algebra::syntax::{NoValue, eval, holds, parse_expr, parse_relations};
+use kane_kernel::{Definition, Expr};
 use num_rational::BigRational;
 
 use super::{ratio, scope};
@@ -99,6 +100,24 @@ fn derivatives_stop_at_boundaries() {
     }
     assert_eq!(at(0, "d(x/x, x)"), Err(NoValue::DivisionByZero));
     assert_eq!(at(0, "d(cases { x - x > 0: x; else: 5 }, x)"), Err(NoValue::Unsettled));
+}
+
+#[test]
+fn definitions_that_double_are_followed_once_near_a_point() {
+    // a(0) = x + 1, a(n) = a(n − 1) + a(n − 1): the side of the guard in |a(60)| has 2^60 parts
+    let mut context = scope().context().clone();
+    let first = context.lets.len();
+    let mut body = parse_expr("x + 1", &scope()).expect("it is well formed");
+    for i in 0..=60 {
+        context.lets.push(Definition { name: format!("a{i}"), body });
+        let half = || Box::new(Expr::Let(first + i));
+        body = Expr::Add(half(), half());
+    }
+    let slope = Expr::Deriv(Expr::Abs(Expr::Let(first + 60).into()).into(), 0);
+    let slope_at = |x| eval(&slope, &context, &[ratio(x, 1)]);
+    assert_eq!(slope_at(0), Ok(ratio(1 << 60, 1)));
+    assert_eq!(slope_at(-2), Ok(ratio(-(1 << 60), 1)));
+    assert_eq!(slope_at(-1), Err(NoValue::NotDifferentiable));
 }
 
 #[test]

@@ -270,7 +270,7 @@ pub(crate) fn value(
         let at_zero = |p: &Poly, order: u32| -> Option<BigInt> {
             let mut sum = BigInt::zero();
             for (m, c) in p.terms() {
-                match &m[..] {
+                match m {
                     [] if order == 0 => sum += c,
                     [(v, e)] if *v == t => {
                         if *e == order {

@@ -5,7 +5,7 @@ use kane_number::{Number, Ordered as _, Real};
 use super::{
     CollideError, Motion, PlanarBody, Wide, half, narrow, narrow_contact, narrow_error, resolve,
 };
-use crate::{Contact, ImpactLaw, Impulse, InvalidInput, Outcome};
+use crate::{Contact, Impulse, InvalidInput, LawOver, Outcome};
 
 /// A planar collision: a body, and what it meets.
 ///
@@ -145,7 +145,7 @@ impl<N: Real> Collision<N> {
     /// # Errors
     /// [`CollideError`] if the input is invalid, if the law gives no impulse, or if a result leaves
     /// the range of the number system. No NaN is ever returned.
-    pub fn collide<L: ImpactLaw>(&self, law: &L) -> Result<Collided<N>, CollideError<N>> {
+    pub fn collide(&self, law: &dyn LawOver<Wide<N>>) -> Result<Collided<N>, CollideError<N>> {
         let wide: Collision<Wide<N>> = self.map(N::widen);
         let contact = wide.contact_here().map_err(narrow_error)?;
         let (result, outcome) = resolve(law, &contact)?;

@@ -4,7 +4,7 @@ use kane_number::{Number, Real};
 
 use super::{CollideError, Wide, half, narrow, narrow_contact, narrow_error, resolve};
 use crate::invalid::{finite, positive};
-use crate::{Contact, Delassus, ImpactLaw, Impulse, InvalidInput, Outcome};
+use crate::{Contact, Delassus, Impulse, InvalidInput, LawOver, Outcome};
 
 /// A direction in the plane, as cosine and sine.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,7 +160,7 @@ impl<N: Real> DoublePendulum<N> {
     ///
     /// # Errors
     /// [`CollideError`] as for [`Collision::collide`](super::Collision::collide).
-    pub fn collide<L: ImpactLaw>(&self, law: &L) -> Result<Swung<N>, CollideError<N>> {
+    pub fn collide(&self, law: &dyn LawOver<Wide<N>>) -> Result<Swung<N>, CollideError<N>> {
         let wide: DoublePendulum<Wide<N>> = self.map(N::widen);
         let contact = wide.contact_here().map_err(narrow_error)?;
         let (result, outcome) = resolve(law, &contact)?;

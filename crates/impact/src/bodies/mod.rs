@@ -19,7 +19,7 @@ pub use sphere_on_plane::{Rebound, SphereOnPlane};
 
 use kane_number::{Number, Real};
 
-use crate::{Contact, ImpactLaw, InvalidInput, NoImpulse, Outcome};
+use crate::{Contact, InvalidInput, LawOver, NoImpulse, Outcome};
 
 /// The planar motion of a body.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,8 +98,8 @@ fn narrow_outcome<N: Real>(wide: &Outcome<Wide<N>>) -> Result<Outcome<N>, Invali
 type Resolved<N> = (Outcome<Wide<N>>, Outcome<N>);
 
 /// Resolves a wide contact, and narrows the outcome.
-fn resolve<L: ImpactLaw, N: Real>(
-    law: &L,
+fn resolve<N: Real>(
+    law: &dyn LawOver<Wide<N>>,
     contact: &Contact<Wide<N>>,
 ) -> Result<Resolved<N>, CollideError<N>> {
     let wide = law.resolve(contact)?;

@@ -2,9 +2,9 @@
 
 use kane_number::{Number, Real};
 
-use super::{CollideError, Collided, Collision, Ledger, Motion, PlanarBody};
+use super::{CollideError, Collided, Collision, Ledger, Motion, PlanarBody, Wide};
 use crate::invalid::positive;
-use crate::{Contact, ImpactLaw, InvalidInput, Work};
+use crate::{Contact, InvalidInput, LawOver, Work};
 
 /// A sphere (or a disc) at the moment it touches a fixed plane; SI units, signs as in the crate docs.
 ///
@@ -118,7 +118,7 @@ impl<N: Real> SphereOnPlane<N> {
     /// # Errors
     /// [`CollideError`] if the input is invalid, if the law gives no impulse, or if a result leaves
     /// the range of the number system. No NaN is ever returned.
-    pub fn collide<L: ImpactLaw>(&self, law: &L) -> Result<Rebound<N>, CollideError<N>> {
+    pub fn collide(&self, law: &dyn LawOver<Wide<N>>) -> Result<Rebound<N>, CollideError<N>> {
         positive("the radius", self.radius.clone())?;
         let Collided { outcome, after, energy, .. } = self.collision().collide(law)?;
         Ok(Rebound {

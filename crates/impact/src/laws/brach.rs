@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use super::share::{Share, regimes};
-use crate::{Contact, ImpactLaw, Impulse, Regime};
+use crate::{Contact, ImpactLaw, Impulse, LawInfo, Parameter, Regime};
 
 /// A given ratio of the impulses, `p_t` = −`μ_B`·`p_n`, admitted where it does not create energy
 /// (id `brach`).
@@ -31,9 +31,17 @@ pub struct Brach {
 impl Default for Brach {
     /// `μ_B` = μ.
     fn default() -> Self {
-        Self { share: Rational::one() }
+        Self { share: SHARE.default() }
     }
 }
+
+const SHARE: Parameter = Parameter {
+    name: "share",
+    meaning: "mu_B/mu, the ratio of the impulses by mu",
+    least: 0,
+    greatest: None,
+    default: (1, 1),
+};
 
 impl Share for Brach {
     fn share(&self) -> &Rational {
@@ -42,28 +50,29 @@ impl Share for Brach {
 }
 
 impl ImpactLaw for Brach {
-    fn id(&self) -> &'static str {
-        "brach"
+    const INFO: LawInfo = LawInfo {
+        id: "brach",
+        who: "Brach 1984",
+        source: "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2",
+        statement: "i_x = share",
+        gap: Some(
+            "the impulse ratio mu_B would create energy, or has no normal impulse that pushes",
+        ),
+        parameters: &[SHARE],
+        on_a_sphere: &[("", "1 - 2*share*alpha")],
+        ..LawInfo::PLAIN
+    };
+
+    fn values(&self) -> Vec<&Rational> {
+        vec![&self.share]
     }
 
-    fn source(&self) -> &'static str {
-        "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = share"
-    }
-
-    fn parameters(&self) -> Vec<(&'static str, Rational)> {
-        vec![("share", self.share.clone())]
+    fn values_mut(&mut self) -> Vec<&mut Rational> {
+        vec![&mut self.share]
     }
 
     fn normal_collision(&self) -> Option<Rational> {
         None // k falls without bound, until the bound forbids it
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some("the impulse ratio mu_B would create energy, or has no normal impulse that pushes")
     }
 
     fn acceptance<N: Number>(&self, contact: &Contact<N>, impulse: &Impulse<N>) -> Option<N> {

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::walton::Rebounds;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Parameter, Regime, Relation};
 
 /// Between the frictionless and the sticking plastic impulse, inside the cone (id
 /// `chatterjee-ruina`).
@@ -38,9 +38,17 @@ pub struct ChatterjeeRuina {
 impl Default for ChatterjeeRuina {
     /// e_t = 0.
     fn default() -> Self {
-        Self { restitution: Rational::zero() }
+        Self { restitution: E_T.default() }
     }
 }
+
+const E_T: Parameter = Parameter {
+    name: "e_t",
+    meaning: "the tangential restitution",
+    least: -1,
+    greatest: Some(1),
+    default: (0, 1),
+};
 
 /// Where the law stands: in the contact's frame, or in one of the law's own.
 pub(crate) trait View<L> {
@@ -168,24 +176,23 @@ impl Rebounds for ChatterjeeRuina {
 }
 
 impl ImpactLaw for ChatterjeeRuina {
-    fn id(&self) -> &'static str {
-        "chatterjee-ruina"
+    const INFO: LawInfo = LawInfo {
+        id: "chatterjee-ruina",
+        who: "Chatterjee and Ruina 1998",
+        source: "A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939-951, in the form in which the public library OpenTissue implements it; abstract consulted, original not consulted",
+        statement: "k >= -e_t\ni_x = 1 when k > -e_t\ni_x <= 1 when k = -e_t",
+        stated_for_coupling: false,
+        parameters: &[E_T],
+        on_a_sphere: &[("", "max(-e_t, 1 - 2*alpha)")],
+        ..LawInfo::PLAIN
+    };
+
+    fn values(&self) -> Vec<&Rational> {
+        vec![&self.restitution]
     }
 
-    fn source(&self) -> &'static str {
-        "A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939-951, in the form in which the public library OpenTissue implements it; abstract consulted, original not consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k >= -e_t\ni_x = 1 when k > -e_t\ni_x <= 1 when k = -e_t"
-    }
-
-    fn parameters(&self) -> Vec<(&'static str, Rational)> {
-        vec![("e_t", self.restitution.clone())]
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
+    fn values_mut(&mut self) -> Vec<&mut Rational> {
+        vec![&mut self.restitution]
     }
 
     fn normal_collision(&self) -> Option<Rational> {

@@ -54,13 +54,16 @@ pub struct DjerassiStronge;
 process_law!(
     DjerassiNewton,
     "djerassi-newton",
+    "Djerassi 2009, part A",
     "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37-54, part A, from memory of its use in the literature: that Newton's hypothesis needs criteria of acceptance; original not consulted, and the criterion is ours",
     Newton: newton, newton,
     "Newton's hypothesis would create energy here, so its solution is not accepted" by energy_loss
 );
 process_law!(
-    DjerassiPoisson, "djerassi-poisson", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted: the solution exists, is unique, coherent and energy-consistent", Poisson: poisson_compression, poisson_restitution
+    DjerassiPoisson, "djerassi-poisson",
+    "Djerassi 2009, part B", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted: the solution exists, is unique, coherent and energy-consistent", Poisson: poisson_compression, poisson_restitution
 );
 process_law!(
-    DjerassiStronge, "djerassi-stronge", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted", Energetic: energetic_compression, energetic_restitution
+    DjerassiStronge, "djerassi-stronge",
+    "Djerassi 2009, part B", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted", Energetic: energetic_compression, energetic_restitution
 );

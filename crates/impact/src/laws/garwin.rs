@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use super::walton::{PULL, Rebounds, rebound, slide_on};
-use crate::{ImpactLaw, Regime};
+use crate::{ImpactLaw, LawInfo, Regime};
 
 /// The superball: the slip is reversed whatever friction it takes, k = −1 (id `garwin`).
 ///
@@ -50,24 +50,18 @@ const fn reverse<L: Rebounds, N: Number>() -> Regime<L, N> {
 }
 
 impl ImpactLaw for Garwin {
-    fn id(&self) -> &'static str {
-        "garwin"
-    }
-
-    fn source(&self) -> &'static str {
-        "R. L. Garwin, Am. J. Phys. 37 (1969) 88-92, for e = 1; abstract consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k = -1"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "garwin",
+        who: "Garwin 1969",
+        source: "R. L. Garwin, Am. J. Phys. 37 (1969) 88-92, for e = 1; abstract consulted",
+        statement: "k = -1",
+        gap: Some(PULL),
+        on_a_sphere: &[("", "-1")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(-Rational::one())
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some(PULL)
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
@@ -76,24 +70,18 @@ impl ImpactLaw for Garwin {
 }
 
 impl ImpactLaw for GarwinCapped {
-    fn id(&self) -> &'static str {
-        "garwin-capped"
-    }
-
-    fn source(&self) -> &'static str {
-        "Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original not consulted; derived here"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k >= -1\ni_x = 1 when k > -1\ni_x <= 1 when k = -1"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "garwin-capped",
+        who: "Garwin 1969, with Coulomb's bound",
+        source: "Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original not consulted; derived here",
+        statement: "k >= -1\ni_x = 1 when k > -1\ni_x <= 1 when k = -1",
+        gap: Some(PULL),
+        on_a_sphere: &[("", "max(-1, 1 - 2*alpha)")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(-Rational::one())
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some(PULL)
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

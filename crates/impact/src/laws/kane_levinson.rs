@@ -3,8 +3,9 @@
 use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
+use crate::info::STOPS;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
 
 /// Friction that opposes the slip *after* the collision (id `kane-levinson`).
 ///
@@ -31,17 +32,14 @@ fn margin<N: Number>(contact: &Contact<N>, tangential: fn(N) -> N) -> N {
 }
 
 impl ImpactLaw for KaneLevinson {
-    fn id(&self) -> &'static str {
-        "kane-levinson"
-    }
-
-    fn source(&self) -> &'static str {
-        "T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications (1985), as quoted in the literature on the puzzle; original not consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = 1 when k > 0\ni_x <= 1 when k = 0\ni_x >= -1 when k = 0\ni_x = -1 when k < 0"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "kane-levinson",
+        who: "Kane and Levinson 1985",
+        source: "T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications (1985), as quoted in the literature on the puzzle; original not consulted",
+        statement: "i_x = 1 when k > 0\ni_x <= 1 when k = 0\ni_x >= -1 when k = 0\ni_x = -1 when k < 0",
+        on_a_sphere: STOPS,
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())

@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Relation};
 
 /// Two straight pieces: k = 1 − 4α/3 while k > 0, then k = 1/2 − 2α/3 (id `keller-printed`).
 ///
@@ -32,28 +32,19 @@ fn opposing<N: Number>(contact: &Contact<N>, friction: N) -> Impulse<N> {
 }
 
 impl ImpactLaw for KellerPrinted {
-    fn id(&self) -> &'static str {
-        "keller-printed"
-    }
-
-    fn source(&self) -> &'static str {
-        "Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which contradicts momentum; we follow (26). Original consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0"
-    }
-
-    fn is_stated_for_coupling(&self) -> bool {
-        false
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "keller-printed",
+        who: "under Keller's name in Wang, Su and Li",
+        source: "Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which contradicts momentum; we follow (26). Original consulted",
+        statement: "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0",
+        stated_for_coupling: false,
+        gap: Some("the law is printed for contacts that do not couple, W_tn = 0"),
+        on_a_sphere: &[("3/4", "1 - 4/3*alpha"), ("", "1/2 - 2/3*alpha")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         None // k falls without bound
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some("the law is printed for contacts that do not couple, W_tn = 0")
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

@@ -34,50 +34,8 @@ pub use wang_su_li::WangSuLi;
 pub use whittaker_stop::WhittakerStop;
 pub use whittaker_uncapped::WhittakerUncapped;
 
-use crate::ImpactLaw;
-
-/// Something to do with every law, whatever its type.
-pub trait LawVisitor {
-    /// Is given one law.
-    fn visit<L: ImpactLaw>(&mut self, law: &L);
-}
-
-/// Shows a visitor every law with its default parameters, in the order of tables and reports: the
-/// paper's, then by the year of the idea.
-pub fn visit_laws(visitor: &mut impl LawVisitor) {
-    visitor.visit(&WangSuLi);
-    visitor.visit(&WhittakerUncapped);
-    visitor.visit(&WhittakerStop);
-    visitor.visit(&RouthNewton);
-    visitor.visit(&Garwin);
-    visitor.visit(&GarwinCapped);
-    visitor.visit(&KaneLevinson);
-    visitor.visit(&Brach::default());
-    visitor.visit(&Keller1986);
-    visitor.visit(&KellerPrinted);
-    visitor.visit(&Stronge1990);
-    visitor.visit(&Smith1991);
-    visitor.visit(&SmithPrinted::default());
-    visitor.visit(&Walton::default());
-    visitor.visit(&ChatterjeeRuina::default());
-    visitor.visit(&LougeAdams::default());
-    visitor.visit(&KuninakaHayakawa::default());
-    visitor.visit(&DjerassiNewton);
-    visitor.visit(&DjerassiPoisson);
-    visitor.visit(&DjerassiStronge);
-    visitor.visit(&Saitoh::default());
-}
-
-/// The ids of all laws, in the order of [`visit_laws`].
+/// The ids of all laws, in the order of [`laws`](crate::laws()).
 #[must_use]
 pub fn law_ids() -> Vec<&'static str> {
-    struct Ids(Vec<&'static str>);
-    impl LawVisitor for Ids {
-        fn visit<L: ImpactLaw>(&mut self, law: &L) {
-            self.0.push(law.id());
-        }
-    }
-    let mut ids = Ids(Vec::new());
-    visit_laws(&mut ids);
-    ids.0
+    crate::laws().iter().map(|law| law.info.id).collect()
 }

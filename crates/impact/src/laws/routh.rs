@@ -299,38 +299,26 @@ pub(crate) const UNCOUPLED: &str = "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k 
 
 /// The implementation of a law that is the process under one hypothesis.
 macro_rules! process_law {
-    ($law:ty, $id:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
+    ($law:ty, $id:literal, $who:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
      $(, $refuses:literal by $acceptance:ident)?) => {
         impl $crate::ImpactLaw for $law {
-            fn id(&self) -> &'static str {
-                $id
-            }
-
-            fn source(&self) -> &'static str {
-                $source
-            }
-
-            fn statement(&self) -> &'static str {
-                $crate::laws::routh::UNCOUPLED
-            }
-
-            fn is_stated_for_coupling(&self) -> bool {
-                false
-            }
-
-            fn restitution(&self) -> $crate::Restitution {
-                $crate::Restitution::$hypothesis
-            }
+            const INFO: $crate::LawInfo = $crate::LawInfo {
+                id: $id,
+                who: $who,
+                source: $source,
+                statement: $crate::laws::routh::UNCOUPLED,
+                stated_for_coupling: false,
+                on_a_sphere: $crate::info::STOPS,
+                restitution: $crate::Restitution::$hypothesis,
+                $(gap: Some($refuses),)?
+                ..$crate::LawInfo::PLAIN
+            };
 
             fn normal_collision(&self) -> Option<kane_number::Rational> {
                 Some(kane_number::Number::zero())
             }
 
             $(
-                fn gap(&self) -> Option<&'static str> {
-                    Some($refuses)
-                }
-
                 fn acceptance<N: kane_number::Number>(
                     &self,
                     contact: &$crate::Contact<N>,
@@ -351,18 +339,21 @@ pub(crate) use process_law;
 process_law!(
     RouthNewton,
     "routh-newton",
+    "Routh 1860, with Newton's restitution",
     "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642, abstract consulted; Routh's original not consulted",
     Newton: newton, newton
 );
 process_law!(
     Keller1986,
     "keller-1986",
+    "Keller 1986",
     "J. B. Keller, J. Appl. Mech. 53 (1986) 1-4, abstract consulted: Coulomb friction at every instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from memory of the literature; closed form derived here",
     Poisson: poisson_compression, poisson_restitution
 );
 process_law!(
     Stronge1990,
     "stronge-1990",
+    "Stronge 1990",
     "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181, from memory of its use in the literature, and J. Appl. Mech. 58 (1991) 1049-1055, abstract consulted; closed form derived here",
     Energetic: energetic_compression, energetic_restitution
 );

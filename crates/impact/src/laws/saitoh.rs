@@ -3,9 +3,9 @@
 use kane_number::{Number, Rational};
 
 use super::tilted::{Turns, turned_law};
-use super::walton::Walton;
+use super::walton::BETA0;
 use crate::bodies::Direction;
-use crate::{Contact, Frame, Guard, Relation};
+use crate::{Contact, Frame, Guard, Parameter, Relation};
 
 /// The bodies part along another normal than that on which they met (id `saitoh`).
 ///
@@ -47,10 +47,17 @@ pub struct Saitoh {
 
 impl Default for Saitoh {
     fn default() -> Self {
-        let turn = Rational::new(1.into(), 5.into());
-        Self { turn, restitution: Walton::default().restitution }
+        Self { turn: TURN.default(), restitution: BETA0.default() }
     }
 }
+
+const TURN: Parameter = Parameter {
+    name: "turn",
+    meaning: "the tangent of half the angle by which the normal turns",
+    least: 0,
+    greatest: Some(1),
+    default: (1, 5),
+};
 
 impl Turns for Saitoh {
     fn turned<N: Number>(&self, contact: &Contact<N>) -> Frame<N> {
@@ -76,8 +83,9 @@ const fn approaches<N: Number>() -> Guard<Saitoh, N> {
 turned_law!(
     Saitoh,
     "saitoh",
+    "Saitoh, Bodrova, Hayakawa and Brilliantov 2010",
     "K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010) 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
-    turn,
+    turn = TURN,
     "the bodies do not approach along the normal on which they would part, or the cone about it reaches below the surface, mu*tan(phi) > 1",
     [approaches()]
 );

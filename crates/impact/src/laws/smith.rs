@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Root};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Root};
 
 /// Friction along the mean of the slip before and after, weighted by speed (id `smith-1991`):
 /// `p_t` = −μ·`p_n`·(|v|·v + |v⁺|·v⁺)/(v² + v⁺²), that is `i_x` = (1 + k·|k|)/(1 + k²).
@@ -59,17 +59,14 @@ fn cubic<N: Number>(contact: &Contact<N>) -> [N; 4] {
 }
 
 impl ImpactLaw for Smith1991 {
-    fn id(&self) -> &'static str {
-        "smith-1991"
-    }
-
-    fn source(&self) -> &'static str {
-        "C. E. Smith, J. Appl. Mech. 58 (1991) 754-758, as quoted by Chatterjee and Ruina (1998); original not consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = 1 when k >= 0\ni_x = (1 - k^2)/(1 + k^2) when k <= 0"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "smith-1991",
+        who: "Smith 1991",
+        source: "C. E. Smith, J. Appl. Mech. 58 (1991) 754-758, as quoted by Chatterjee and Ruina (1998); original not consulted",
+        statement: "i_x = 1 when k >= 0\ni_x = (1 - k^2)/(1 + k^2) when k <= 0",
+        on_a_sphere: &[("1/2", "1 - 2*alpha"), ("", "alpha - sqrt(alpha^2 + 2*alpha - 1)")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(-Rational::one())

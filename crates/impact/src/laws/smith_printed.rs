@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::share::{Share, regimes};
 use super::whittaker_uncapped::JAM;
-use crate::{ImpactLaw, Regime};
+use crate::{ImpactLaw, LawInfo, Parameter, Regime};
 
 /// Sliding with the share η of the friction: `i_x` = η (id `smith-printed`).
 ///
@@ -26,9 +26,17 @@ pub struct SmithPrinted {
 
 impl Default for SmithPrinted {
     fn default() -> Self {
-        Self { share: Rational::new(2.into(), 5.into()) }
+        Self { share: ETA.default() }
     }
 }
+
+const ETA: Parameter = Parameter {
+    name: "eta",
+    meaning: "the share of the friction",
+    least: 0,
+    greatest: None,
+    default: (2, 5),
+};
 
 impl Share for SmithPrinted {
     fn share(&self) -> &Rational {
@@ -37,28 +45,27 @@ impl Share for SmithPrinted {
 }
 
 impl ImpactLaw for SmithPrinted {
-    fn id(&self) -> &'static str {
-        "smith-printed"
+    const INFO: LawInfo = LawInfo {
+        id: "smith-printed",
+        who: "under Smith's name in Wang, Su and Li",
+        source: "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_xW = 1 for it, which contradicts momentum. Original consulted",
+        statement: "i_x = eta",
+        gap: Some(JAM),
+        parameters: &[ETA],
+        on_a_sphere: &[("", "1 - 2*eta*alpha")],
+        ..LawInfo::PLAIN
+    };
+
+    fn values(&self) -> Vec<&Rational> {
+        vec![&self.share]
     }
 
-    fn source(&self) -> &'static str {
-        "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_xW = 1 for it, which contradicts momentum. Original consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = eta"
-    }
-
-    fn parameters(&self) -> Vec<(&'static str, Rational)> {
-        vec![("eta", self.share.clone())]
+    fn values_mut(&mut self) -> Vec<&mut Rational> {
+        vec![&mut self.share]
     }
 
     fn normal_collision(&self) -> Option<Rational> {
         None // k falls without bound
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some(JAM)
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

@@ -3,9 +3,9 @@
 use kane_number::{Number, Rational};
 
 use super::chatterjee_ruina::View;
-use super::walton::{Rebounds, Walton};
+use super::walton::{BETA0, Rebounds};
 use crate::bodies::Direction;
-use crate::{Contact, Frame, Guard, Impulse, Relation};
+use crate::{Contact, Frame, Guard, Impulse, Parameter, Relation};
 
 /// Walton's law about a normal that leans against the slip (id `louge-adams`).
 ///
@@ -106,7 +106,7 @@ pub(crate) const fn cone_pushes<L: Turns, N: Number>() -> Guard<L, N> {
 
 /// The implementation of a law in a frame of its own, with what it asks there.
 macro_rules! turned_law {
-    ($law:ty, $id:literal, $source:literal, $parameter:ident, $lacks:literal,
+    ($law:ty, $id:literal, $who:literal, $source:literal, $parameter:ident = $named:expr, $lacks:literal,
      [$($guard:expr),*] $(, $acceptance:item)?) => {
         impl $crate::laws::walton::Rebounds for $law {
             fn share<N: kane_number::Number>(&self) -> N {
@@ -115,27 +115,23 @@ macro_rules! turned_law {
         }
 
         impl $crate::ImpactLaw for $law {
-            fn id(&self) -> &'static str {
-                $id
+            const INFO: $crate::LawInfo = $crate::LawInfo {
+                id: $id,
+                who: $who,
+                source: $source,
+                statement: $crate::laws::chatterjee_ruina::UNCOUPLED,
+                stated_for_coupling: false,
+                parameters: &[$named, $crate::laws::walton::BETA0],
+                gap: Some($lacks),
+                ..$crate::LawInfo::PLAIN
+            };
+
+            fn values(&self) -> Vec<&kane_number::Rational> {
+                vec![&self.$parameter, &self.restitution]
             }
 
-            fn source(&self) -> &'static str {
-                $source
-            }
-
-            fn statement(&self) -> &'static str {
-                $crate::laws::chatterjee_ruina::UNCOUPLED
-            }
-
-            fn is_stated_for_coupling(&self) -> bool {
-                false
-            }
-
-            fn parameters(&self) -> Vec<(&'static str, kane_number::Rational)> {
-                vec![
-                    (stringify!($parameter), self.$parameter.clone()),
-                    ("beta0", self.restitution.clone()),
-                ]
+            fn values_mut(&mut self) -> Vec<&mut kane_number::Rational> {
+                vec![&mut self.$parameter, &mut self.restitution]
             }
 
             fn frame<N: kane_number::Number>(
@@ -147,10 +143,6 @@ macro_rules! turned_law {
 
             fn normal_collision(&self) -> Option<kane_number::Rational> {
                 None // k is no function of α
-            }
-
-            fn gap(&self) -> Option<&'static str> {
-                Some($lacks)
             }
 
             $($acceptance)?
@@ -201,14 +193,23 @@ macro_rules! turned_law {
 }
 pub(crate) use turned_law;
 
+/// The tilt of both.
+const TILT: Parameter = Parameter {
+    name: "tilt",
+    meaning: "the tangent of half the angle by which the normal leans",
+    least: 0,
+    greatest: Some(1),
+    default: (1, 10),
+};
+
 /// The two laws of a normal that leans against the slip.
 macro_rules! tilted_law {
-    ($law:ident, $id:literal, $source:literal) => {
+    ($law:ident, $id:literal, $who:literal, $source:literal) => {
         impl Default for $law {
             fn default() -> Self {
                 Self {
-                    tilt: Rational::new(1.into(), 10.into()),
-                    restitution: Walton::default().restitution,
+                    tilt: TILT.default(),
+                    restitution: BETA0.default(),
                 }
             }
         }
@@ -221,7 +222,7 @@ macro_rules! tilted_law {
         }
 
         turned_law!(
-            $law, $id, $source, tilt,
+            $law, $id, $who, $source, tilt = TILT,
             "the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1, or the surfaces would not separate",
             [],
             fn acceptance<N: Number>(
@@ -238,10 +239,12 @@ macro_rules! tilted_law {
 tilted_law!(
     LougeAdams,
     "louge-adams",
+    "Louge and Adams 2002",
     "M. Y. Louge and M. E. Adams, Phys. Rev. E 65 (2002) 021303, from memory of its use in the literature, original not consulted: oblique impacts of a hard sphere on an elastoplastic plate. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's"
 );
 tilted_law!(
     KuninakaHayakawa,
     "kuninaka-hayakawa",
+    "Kuninaka and Hayakawa 2004",
     "H. Kuninaka and H. Hayakawa, Phys. Rev. Lett. 93 (2004) 154301, abstract consulted, original not consulted: the formula from memory, and derived anew. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's. For coupled frames the law is carried over here"
 );

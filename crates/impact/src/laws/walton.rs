@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Parameter, Regime, Relation};
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
 ///
@@ -28,9 +28,18 @@ pub struct Walton {
 
 impl Default for Walton {
     fn default() -> Self {
-        Self { restitution: Rational::new(11.into(), 25.into()) }
+        Self { restitution: BETA0.default() }
     }
 }
+
+/// β0 of glass spheres.
+pub(crate) const BETA0: Parameter = Parameter {
+    name: "beta0",
+    meaning: "the tangential restitution at sticking",
+    least: 0,
+    greatest: Some(1),
+    default: (11, 25),
+};
 
 /// A law that reverses a fixed share of the slip where it does not slide.
 pub(crate) trait Rebounds: ImpactLaw {
@@ -82,28 +91,27 @@ impl Rebounds for Walton {
 }
 
 impl ImpactLaw for Walton {
-    fn id(&self) -> &'static str {
-        "walton"
+    const INFO: LawInfo = LawInfo {
+        id: "walton",
+        who: "Walton 1993",
+        source: "O. R. Walton, in Particulate Two-Phase Flow, ed. Roco (1993), as quoted by Foerster et al. (1994); original not consulted. The default beta0 = 0.44 is theirs for glass spheres, from memory",
+        statement: "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0",
+        gap: Some(PULL),
+        parameters: &[BETA0],
+        on_a_sphere: &[("", "max(-beta0, 1 - 2*alpha)")],
+        ..LawInfo::PLAIN
+    };
+
+    fn values(&self) -> Vec<&Rational> {
+        vec![&self.restitution]
     }
 
-    fn source(&self) -> &'static str {
-        "O. R. Walton, in Particulate Two-Phase Flow, ed. Roco (1993), as quoted by Foerster et al. (1994); original not consulted. The default beta0 = 0.44 is theirs for glass spheres, from memory"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0"
-    }
-
-    fn parameters(&self) -> Vec<(&'static str, Rational)> {
-        vec![("beta0", self.restitution.clone())]
+    fn values_mut(&mut self) -> Vec<&mut Rational> {
+        vec![&mut self.restitution]
     }
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(-self.restitution.clone())
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some(PULL)
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

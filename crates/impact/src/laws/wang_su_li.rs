@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use crate::arithmetic::two_sum;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Relation, Root};
 
 /// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
 ///
@@ -60,17 +60,14 @@ fn coefficients<N: Number>(contact: &Contact<N>) -> Vec<N> {
 }
 
 impl ImpactLaw for WangSuLi {
-    fn id(&self) -> &'static str {
-        "wang-su-li"
-    }
-
-    fn source(&self) -> &'static str {
-        "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = (k + 1)/2"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "wang-su-li",
+        who: "Wang, Su and Li",
+        source: "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted",
+        statement: "i_x = (k + 1)/2",
+        on_a_sphere: &[("", "(1 - alpha)/(1 + alpha)")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(-Rational::one())

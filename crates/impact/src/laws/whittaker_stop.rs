@@ -3,8 +3,9 @@
 use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
+use crate::info::STOPS;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
 
 /// Friction that slides to the end, or else stops the slip: k = max(0, 1 − 2α) on a sphere
 /// (id `whittaker-stop`).
@@ -27,24 +28,18 @@ use crate::{Contact, Guard, ImpactLaw, Regime, Relation};
 pub struct WhittakerStop;
 
 impl ImpactLaw for WhittakerStop {
-    fn id(&self) -> &'static str {
-        "whittaker-stop"
-    }
-
-    fn source(&self) -> &'static str {
-        "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "whittaker-stop",
+        who: "Whittaker 1904, textbook form",
+        source: "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted",
+        statement: "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0",
+        gap: Some("neither sliding nor stopping the slip has a normal impulse that pushes"),
+        on_a_sphere: STOPS,
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         Some(Rational::zero())
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some("neither sliding nor stopping the slip has a normal impulse that pushes")
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

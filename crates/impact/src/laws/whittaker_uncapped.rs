@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime};
 
 /// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
@@ -44,24 +44,18 @@ pub(crate) fn frictionless<L, N: Number>(_: &L, contact: &Contact<N>, _: &N) -> 
 }
 
 impl ImpactLaw for WhittakerUncapped {
-    fn id(&self) -> &'static str {
-        "whittaker-uncapped"
-    }
-
-    fn source(&self) -> &'static str {
-        "E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original not consulted"
-    }
-
-    fn statement(&self) -> &'static str {
-        "i_x = 1"
-    }
+    const INFO: LawInfo = LawInfo {
+        id: "whittaker-uncapped",
+        who: "Whittaker 1904, as printed by Wang, Su and Li",
+        source: "E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original not consulted",
+        statement: "i_x = 1",
+        gap: Some(JAM),
+        on_a_sphere: &[("", "1 - 2*alpha")],
+        ..LawInfo::PLAIN
+    };
 
     fn normal_collision(&self) -> Option<Rational> {
         None // k falls without bound
-    }
-
-    fn gap(&self) -> Option<&'static str> {
-        Some(JAM)
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {

@@ -264,6 +264,30 @@ fn definitions_are_expanded_near_a_point_too() {
 }
 
 #[test]
+fn what_is_known_of_a_definition_near_a_point_answers_one_question() {
+    // u = |x|, which has no derivative by x at 0.
+    let body = abs(var(X));
+    let context = Context { lets: vec![Definition { name: "u".into(), body }], ..plain().context };
+    let (x, u, twice) = (|| var(X), || Expr::Let(0), || mul(number(2, 1), var(X)));
+    let at_zero = |e: &Expr| found(&context, e, &[q(0, 1), q(1, 1)]);
+    // By y it has one, whichever of the two is asked for first.
+    let by_y = || Expr::Deriv(u().into(), Y);
+    assert_eq!(at_zero(&by_y()), Ok(Some(q(0, 1))));
+    for both in [add(slope(u()), by_y()), add(by_y(), slope(u()))] {
+        assert_eq!(at_zero(&both), Ok(None), "{both:?}");
+    }
+    // As the side of a guard it has to be continuous, no more, and is; what the guard chooses has
+    // to have a derivative. Either may be asked for first.
+    let small = || relation(u(), Rel::Lt, number(1, 1));
+    let guarded = || slope(either(small(), x(), twice()));
+    assert_eq!(at_zero(&guarded()), Ok(Some(q(1, 1))));
+    assert_eq!(at_zero(&slope(either(small(), x(), u()))), Ok(Some(q(1, 1))));
+    for both in [add(slope(u()), guarded()), add(guarded(), slope(u()))] {
+        assert_eq!(at_zero(&both), Ok(None), "{both:?}");
+    }
+}
+
+#[test]
 fn a_derivative_is_undefined_where_a_guard_jumps() {
     // g jumps at x = 1 from 1 to −1, and with it f from x to 2·x.
     let cases = |rel, side: Expr, edge, yes: Expr, no: Expr| {

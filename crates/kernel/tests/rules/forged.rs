@@ -2,14 +2,14 @@
 
 use kane_kernel::{
     Approach, Bound, Certificate, Conclusion, Definition, Evidence, Expr, Failure, Finding, Fuel,
-    Functions, Germ, Goal, Hypothesis, Inside, Link, Model, Point, Proof, Rejection, Rel, Sentence,
-    SideProof, Target, check, digest,
+    Functions, Germ, Goal, Hypothesis, Inside, Link, Model, Point, Poly, Proof, Rejection, Rel,
+    Sentence, SideProof, Target, check, digest,
 };
 use num_bigint::BigInt;
 
 use crate::support::{
-    Q, X, Y, equal, given, judged, limit, link, n, nothing, number, plain, q, relation, root, side,
-    var, with_function,
+    Q, X, Y, cited, div, equal, given, judged, limit, link, n, nothing, number, plain, q, relation,
+    root, side, term, var, with_function,
 };
 
 #[test]
@@ -243,6 +243,63 @@ fn a_monomial_written_otherwise_is_no_other_monomial() {
         assert_eq!(a.mul(&other, &fuel), b.mul(&other, &fuel));
         assert_eq!(other.mul(&a, &fuel), other.mul(&b, &fuel));
     }
+}
+
+/// 1/x = 1/x, which is nowhere false, and undefined at 0.
+fn itself() -> Link {
+    let inverse = || div(number(1, 1), var(X));
+    link(inverse(), Rel::Eq, inverse())
+}
+
+/// x ≠ 0 as atom 0 and x = 0 as atom 1 contradict each other.
+fn zero_or_not() -> Proof {
+    Proof::Positive {
+        terms: vec![term(1, n(1), vec![(0, 2)])],
+        cofactors: vec![(1, Poly::var(X).neg())],
+    }
+}
+
+fn at_point(x: i64) -> Evidence {
+    Evidence::Model(Model::Point(Point { generator: None, values: vec![(X, vec![q(x, 1)])] }))
+}
+
+#[test]
+fn nothing_is_shown_to_hold_where_it_is_undefined() {
+    let sentence = Sentence { when: Vec::new(), links: vec![itself()] };
+    // As a claim, which is proved, and as what is said not to follow, which is refuted.
+    for (conclusion, holds, undefined) in [
+        (Conclusion::Link(itself()), Finding::Proved, Finding::IllDefined),
+        (Conclusion::NotImplied(sentence), Finding::Refuted, Finding::Proved),
+    ] {
+        let goal = Goal { conclusion, ..plain() };
+        let never = Proof::Assume { formula: 1, cases: Vec::new() };
+        let verdict = judged(&goal, holds, Evidence::Contradiction(never));
+        assert_eq!(verdict, Err(Rejection::CaseCount(1, 0)), "it fails at 0");
+        assert_eq!(judged(&goal, undefined, at_point(0)), Ok(()));
+        assert!(judged(&goal, undefined, at_point(1)).is_err());
+        let when = vec![relation(var(X), Rel::Ne, number(0, 1))];
+        let elsewhere = Goal { when, ..goal };
+        let fails = Proof::Assume { formula: 1, cases: vec![zero_or_not()] };
+        let proof = Proof::Assume { formula: 0, cases: vec![fails] };
+        assert_eq!(judged(&elsewhere, holds, Evidence::Contradiction(proof)), Ok(()));
+        assert!(judged(&elsewhere, undefined, at_point(0)).is_err());
+    }
+}
+
+#[test]
+fn a_citation_does_not_show_that_it_is_defined() {
+    let claim = |given: bool| Goal {
+        hypotheses: vec![Hypothesis { given, ..cited(vec![itself()]) }],
+        conclusion: Conclusion::Link(link(var(X), Rel::Ne, number(0, 1))),
+        ..plain()
+    };
+    let fails = Proof::Assume { formula: 2, cases: vec![zero_or_not()] };
+    let proof = Evidence::Contradiction(Proof::Assume { formula: 0, cases: vec![fails] });
+    assert_eq!(judged(&claim(true), Finding::Proved, proof.clone()), Ok(()));
+    assert_eq!(judged(&claim(false), Finding::Proved, proof), Err(Rejection::CaseCount(2, 1)));
+    let missed = Err(Rejection::NotAModel(Some(0)));
+    assert_eq!(judged(&claim(true), Finding::Refuted, at_point(0)), missed);
+    assert_eq!(judged(&claim(false), Finding::Refuted, at_point(0)), Ok(()));
 }
 
 #[test]

@@ -175,6 +175,41 @@ fn every_premise_holds_on_the_whole_domain() {
 }
 
 #[test]
+fn hypotheses_are_consistent_where_the_condition_of_the_claim_holds() {
+    // The claim of the hyperbola speaks of x > 1 alone.
+    let goal = hyperbola();
+    let f = |x: Q| functions(&goal, inverse(1), &far(1), &at(x));
+    assert_eq!(judge(&goal, Finding::Consistent, &f(q(2, 1))), Ok(()));
+    assert!(judge(&goal, Finding::Consistent, &f(q(1, 1))).is_err());
+    let nowhere = Goal { when: vec![relation(var(X), Rel::Lt, number(0, 1))], ..goal.clone() };
+    let f = |x: Q| functions(&nowhere, inverse(1), &far(1), &at(x));
+    assert!(
+        [q(2, 1), q(-2, 1)]
+            .into_iter()
+            .all(|x| { judge(&nowhere, Finding::Consistent, &f(x)).is_err() })
+    );
+}
+
+#[test]
+fn a_function_keeps_within_both_ends_of_its_range() {
+    // y = a, of which nothing is said but that it is a function of x in a range.
+    let judge_at = |lower, upper, a| {
+        let mut goal = with_function();
+        (goal.context.vars[Y].lower, goal.context.vars[Y].upper) = (lower, upper);
+        goal.when = vec![relation(var(Y), Rel::Eq, var(Y))];
+        let f = functions(&goal, vec![(Y, number(a, 1))], &[], &at(q(0, 1)));
+        judge(&goal, Finding::Consistent, &f).is_ok()
+    };
+    let end = |strict| bound(q(0, 1), strict);
+    for strict in [true, false] {
+        let above = [-1, 0, 1].map(|a| judge_at(end(strict), None, a));
+        assert_eq!(above, [false, !strict, true]);
+        let below = [-1, 0, 1].map(|a| judge_at(None, end(strict), a));
+        assert_eq!(below, [true, !strict, false]);
+    }
+}
+
+#[test]
 fn a_premised_limit_is_proved_from_each_side() {
     let goal = hyperbola();
     let f = functions(&goal, inverse(1), &far(1), &at(q(2, 1)));

@@ -8,9 +8,9 @@ use kane_kernel::{
 
 use crate::oracle::inside;
 use crate::support::{
-    Q, X, Y, at_least, bound, closing, distinct, div, equal, germ, given, judged, limit, link,
-    minus_one, n, nothing, number, one_is_zero, plain, plenty, positive, q, relation, side, symbol,
-    term, times, var, with_function, x,
+    Q, X, Y, at_least, bound, cited, closing, distinct, div, equal, germ, given, judged, limit,
+    link, minus_one, n, nothing, number, one_is_zero, plain, plenty, positive, q, relation, side,
+    symbol, term, times, var, with_function, x,
 };
 
 /// 1/x as x → ∞, as a goal, and its proof with x = 1/t.
@@ -70,6 +70,34 @@ fn a_limit_is_proved_along_its_germ_and_at_its_end() {
     assert!(with(&|p| *p.along = nothing()).is_err());
     assert!(with(&|p| *p.at_zero = nothing()).is_err());
     assert!(judged(&goal, Finding::Proved, Evidence::Limit(Vec::new())).is_err());
+}
+
+#[test]
+fn a_limit_proof_shows_that_the_limit_holds_and_nothing_else() {
+    let (goal, proof) = tends_to_zero();
+    for finding in [Finding::Refuted, Finding::IllDefined, Finding::Vacuous, Finding::Consistent] {
+        let verdict = judged(&goal, finding, Evidence::Limit(vec![proof.clone()]));
+        assert_eq!(verdict, Err(Rejection::WrongEvidence), "{finding:?}");
+    }
+}
+
+#[test]
+fn a_citation_is_known_where_it_is_defined_at_a_point_and_along_a_germ() {
+    // c/c = 1 as a given says that c is not 0; as a citation it does not.
+    let (c, above) = (|| var(Y), side(Some(q(0, 1)), true));
+    let known = |given: bool| {
+        let premise =
+            Hypothesis { given, ..cited(vec![link(div(c(), c()), Rel::Eq, number(1, 1))]) };
+        let goal = Goal { hypotheses: vec![premise], ..plain() };
+        let scope = scope(&goal, plenty()).expect("small");
+        [Place::Point, Place::Constants(X), Place::Germ(&above)].map(|place| {
+            let formulas = premises(&scope, &goal, place).expect("small");
+            let holds = |value: i64| formulas[0].iter().any(|case| inside(case, &|_| q(value, 1)));
+            (holds(0), holds(5))
+        })
+    };
+    assert_eq!(known(true), [(false, true); 3]);
+    assert_eq!(known(false), [(true, true); 3]);
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! Goals as the propositions that people read.
 
-use kane_algebra::syntax::{coq, coq_relation};
+use kane_algebra::syntax::{coq, coq_relation, rebuild};
 use kane_kernel::{Expr, Hypothesis, Relation, Sentence};
 use num_traits::Zero;
 
 use super::NotEmitted;
-use super::reify::{Symbols, rebuild};
+use super::reify::Symbols;
 use super::slopes::Slope;
 
 /// Propositions as people read them.

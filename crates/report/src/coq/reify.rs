@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use kane_algebra::syntax::canonical_name;
+use kane_algebra::syntax::{canonical_name, rebuild};
 use kane_kernel::{Context, Expr, Poly, Power, Rel, Relation, Scope, Sentence, Target};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -333,42 +333,6 @@ fn expand(context: &Context, e: &Expr, depth: usize) -> Result<Expr, NotEmitted>
         }
         Expr::Var(v) => context.value(*v).map(|e| expand(context, e, depth)).transpose(),
         _ => Ok(None),
-    })
-}
-
-/// The expression with some parts replaced, from the outside in.
-pub(super) fn rebuild(
-    e: &Expr,
-    replace: &mut dyn FnMut(&Expr) -> Result<Option<Expr>, NotEmitted>,
-) -> Result<Expr, NotEmitted> {
-    if let Some(other) = replace(e)? {
-        return Ok(other);
-    }
-    let mut go = |e: &Expr| rebuild(e, replace).map(Box::new);
-    Ok(match e {
-        Expr::Num(_) | Expr::Var(_) | Expr::Let(_) => e.clone(),
-        Expr::Neg(a) => Expr::Neg(go(a)?),
-        Expr::Add(a, b) => Expr::Add(go(a)?, go(b)?),
-        Expr::Sub(a, b) => Expr::Sub(go(a)?, go(b)?),
-        Expr::Mul(a, b) => Expr::Mul(go(a)?, go(b)?),
-        Expr::Div(a, b) => Expr::Div(go(a)?, go(b)?),
-        Expr::Pow(a, n) => Expr::Pow(go(a)?, *n),
-        Expr::Abs(a) => Expr::Abs(go(a)?),
-        Expr::Min(a, b) => Expr::Min(go(a)?, go(b)?),
-        Expr::Max(a, b) => Expr::Max(go(a)?, go(b)?),
-        Expr::Sqrt(a) => Expr::Sqrt(go(a)?),
-        Expr::Deriv(a, x) => Expr::Deriv(go(a)?, *x),
-        Expr::Cases(branches, otherwise) => {
-            let mut out = Vec::new();
-            for (guards, body) in branches {
-                let mut all = Vec::new();
-                for g in guards {
-                    all.push(Relation { lhs: *go(&g.lhs)?, rel: g.rel, rhs: *go(&g.rhs)? });
-                }
-                out.push((all, *go(body)?));
-            }
-            Expr::Cases(out, otherwise.as_deref().map(go).transpose()?)
-        }
     })
 }
 

@@ -1,28 +1,28 @@
 //! α close to where a law changes its regime: the error of k, absolute.
 
 use kane_algebra::sign_table::simplest_between;
-use kane_impact::laws::{LawVisitor, RouthNewton, Walton, WangSuLi, visit_laws};
-use kane_impact::{Contact, ImpactLaw};
+use kane_impact::laws::{RouthNewton, Walton, WangSuLi};
+use kane_impact::{Contact, Law, laws};
 use kane_measure::changes;
-use kane_number::{Number as _, Rational};
+use kane_number::{Number, Rational};
 
 use super::{Row, integer, ratio};
 use crate::coordinate::Coordinate;
 
 /// The absolute error of k at a contact with the given α, a float; ∞ where floats have no answer, `None`
 /// where the law has none in rational numbers.
-fn k_error<N: Coordinate, L: ImpactLaw>(law: &L, alpha: &Rational) -> Option<f64> {
-    let exact = law.resolve(&Contact::of_alpha(alpha.clone())).ok()?.slip.double();
-    let found = law.resolve(&Contact::of_alpha(N::from_rational(alpha))).ok();
+fn k_error(law: &Law, alpha: &Rational) -> Option<f64> {
+    let exact = law.over().resolve(&Contact::of_alpha(alpha.clone())).ok()?.slip.double();
+    let found = law.over().resolve(&Contact::of_alpha(<f64 as Number>::from_rational(alpha))).ok();
     let found = found.and_then(|outcome| outcome.slip.double().exact());
     Some(found.map_or(f64::INFINITY, |k| num_traits::Signed::abs(&(k - exact)).to_f64()))
 }
 
 /// The α below 5 at which the law changes its regime on contacts of α: found between sixteenths, and then
 /// the simplest fraction where bisection ends.
-pub(super) fn kinks<L: ImpactLaw>(law: &L) -> Vec<Rational> {
+pub(super) fn kinks(law: &Law) -> Vec<Rational> {
     let regime = |alpha: &Rational| {
-        law.resolve(&Contact::of_alpha(alpha.clone())).ok().map(|outcome| outcome.regime)
+        law.over().resolve(&Contact::of_alpha(alpha.clone())).ok().map(|outcome| outcome.regime)
     };
     let sixteenths: Vec<Rational> = (1..=80).map(|n| ratio(n, 16)).collect();
     let mut out: Vec<Rational> = changes(&sixteenths, 40, regime)
@@ -41,11 +41,11 @@ struct Worst {
     errors: Vec<f64>,
 }
 
-impl LawVisitor for Worst {
-    fn visit<L: ImpactLaw>(&mut self, law: &L) {
+impl Worst {
+    fn visit(&mut self, law: &Law) {
         for kink in kinks(law) {
             for (offset, worst) in self.offsets.iter().zip(&mut self.errors) {
-                let error = k_error::<f64, _>(law, &(&kink + offset));
+                let error = k_error(law, &(&kink + offset));
                 *worst = worst.max(error.unwrap_or(0.0));
             }
         }
@@ -60,7 +60,7 @@ pub(super) fn rows(rows: &mut Vec<Row>) {
     let offset = |(power, sign): &(u32, i64)| ratio(*sign, 1) / integer(1 << power);
     let offsets: Vec<Rational> = places.iter().map(offset).collect();
     let mut worst = Worst { errors: vec![0.0; offsets.len()], offsets };
-    visit_laws(&mut worst);
+    laws().iter().for_each(|law| worst.visit(law));
     for (n, (power, sign)) in places.iter().enumerate() {
         let tiny = &worst.offsets[n];
         let to = format!("{}2^-{power}", if *sign < 0 { "-" } else { "+" });
@@ -69,13 +69,13 @@ pub(super) fn rows(rows: &mut Vec<Row>) {
             rows.push(Row { case: "kink, error of k", pushed, to, method, error });
         };
         let beside = |place: Rational| place + tiny;
-        let half = k_error::<f64, _>(&RouthNewton, &beside(ratio(1, 2)));
+        let half = k_error(&Law::new(RouthNewton), &beside(ratio(1, 2)));
         push("alpha from 1/2 by", "coulomb/f64", half);
         // with a share of 1/2 given back sliding ends at (1 + 1/2)/2
         let walton = Walton { restitution: ratio(1, 2) };
-        let at_end = k_error::<f64, _>(&walton, &beside(ratio(3, 4)));
+        let at_end = k_error(&Law::new(walton), &beside(ratio(3, 4)));
         push("alpha from 3/4 by", "grip/f64", at_end);
-        let turned = k_error::<f64, _>(&WangSuLi, &beside(integer(1)));
+        let turned = k_error(&Law::new(WangSuLi), &beside(integer(1)));
         push("alpha from 1 by", "wang-su-li/f64", turned);
         push("alpha from a kink by", "all laws, worst", Some(worst.errors[n]));
     }
@@ -87,8 +87,8 @@ mod tests {
 
     #[test]
     fn the_kinks_of_laws_are_where_their_formulas_meet() {
-        assert_eq!(kinks(&RouthNewton), [ratio(1, 2)], "k = 1 - 2*alpha meets 0");
-        assert_eq!(kinks(&Walton { restitution: ratio(1, 2) }), [ratio(3, 4)]);
-        assert!(kinks(&WangSuLi).is_empty(), "one formula for all alpha");
+        assert_eq!(kinks(&Law::new(RouthNewton)), [ratio(1, 2)], "k = 1 - 2*alpha meets 0");
+        assert_eq!(kinks(&Law::new(Walton { restitution: ratio(1, 2) })), [ratio(3, 4)]);
+        assert!(kinks(&Law::new(WangSuLi)).is_empty(), "one formula for all alpha");
     }
 }

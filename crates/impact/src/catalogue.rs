@@ -1,0 +1,204 @@
+//! Laws as values.
+
+use std::fmt;
+use std::sync::{Arc, LazyLock};
+
+use kane_algebra::rational_function::RationalFunction;
+use kane_number::{Algebraic, Interval, Rational, Real, Scaled};
+
+use crate::laws::{
+    Brach, ChatterjeeRuina, DjerassiNewton, DjerassiPoisson, DjerassiStronge, Garwin, GarwinCapped,
+    KaneLevinson, Keller1986, KellerPrinted, KuninakaHayakawa, LougeAdams, RouthNewton, Saitoh,
+    Smith1991, SmithPrinted, Stronge1990, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
+};
+use crate::{Formulas, ImpactLaw, LawInfo, LawOver};
+
+/// A law with the values of its parameters: what is said about it, and the same code over every
+/// number system.
+#[derive(Clone)]
+pub struct Law {
+    /// What is said about the law.
+    pub info: &'static LawInfo,
+    faces: Arc<dyn Faces>,
+}
+
+/// A law over every number system, instantiated here and nowhere above.
+trait Faces:
+    Formulas<RationalFunction>
+    + LawOver<f64>
+    + LawOver<Scaled>
+    + LawOver<Interval>
+    + LawOver<Rational>
+    + LawOver<Algebraic>
+    + Send
+    + Sync
+{
+    fn parameters(&self) -> Vec<(&'static str, Rational)>;
+    fn normal_collision(&self) -> Option<Rational>;
+    fn with(&self, name: &str, value: &Rational) -> Option<Law>;
+}
+
+impl<L: ImpactLaw> Faces for L {
+    fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        ImpactLaw::parameters(self)
+    }
+
+    fn normal_collision(&self) -> Option<Rational> {
+        ImpactLaw::normal_collision(self)
+    }
+
+    fn with(&self, name: &str, value: &Rational) -> Option<Law> {
+        let place = L::INFO.parameters.iter().position(|parameter| parameter.name == name)?;
+        let mut law = self.clone();
+        law.values_mut().get_mut(place)?.clone_from(value);
+        Some(Law::new(law))
+    }
+}
+
+/// A number system over which every law stands.
+pub trait NumberSystem: Real<WideReal = <Self as NumberSystem>::WideSystem> {
+    /// The same type as [`WideReal`](Real::WideReal), named again to promise that it is one too.
+    type WideSystem: NumberSystem;
+
+    /// The law over this system.
+    fn face(law: &Law) -> &dyn LawOver<Self>;
+}
+
+macro_rules! number_systems {
+    ($($number:ty),*) => {
+        $(impl NumberSystem for $number {
+            type WideSystem = <Self as Real>::WideReal;
+
+            fn face(law: &Law) -> &dyn LawOver<Self> {
+                &*law.faces
+            }
+        })*
+    };
+}
+number_systems!(f64, Scaled, Interval, Rational, Algebraic);
+
+impl Law {
+    /// A law as its author wrote it.
+    pub fn new<L: ImpactLaw>(law: L) -> Self {
+        Self { info: const { &L::INFO }, faces: Arc::new(law) }
+    }
+
+    /// The law over a number system.
+    #[must_use]
+    pub fn over<N: NumberSystem>(&self) -> &dyn LawOver<N> {
+        N::face(self)
+    }
+
+    /// The law's formulas in symbols.
+    #[must_use]
+    pub fn symbolic(&self) -> &dyn Formulas<RationalFunction> {
+        &*self.faces
+    }
+
+    /// Its own parameters by the names of the statement, beyond μ and e.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<(&'static str, Rational)> {
+        self.faces.parameters()
+    }
+
+    /// The limit of k in normal collision, see [`ImpactLaw::normal_collision`].
+    #[must_use]
+    pub fn normal_collision(&self) -> Option<Rational> {
+        self.faces.normal_collision()
+    }
+
+    /// The law with another value of a parameter, whose range is the caller's; `None` if it has no
+    /// such parameter.
+    #[must_use]
+    pub fn with(&self, name: &str, value: &Rational) -> Option<Self> {
+        self.faces.with(name, value)
+    }
+
+    /// Whether the law stands in a frame of its own where there is slip.
+    #[must_use]
+    pub fn has_frame(&self) -> bool {
+        let one = Rational::from_integer(1.into());
+        self.over::<Rational>().frame(&crate::Contact::of_alpha(one)).is_some()
+    }
+}
+
+impl fmt::Debug for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Law")
+            .field("id", &self.info.id)
+            .field("parameters", &self.parameters())
+            .finish_non_exhaustive()
+    }
+}
+
+/// Every published law with the defaults of its parameters, in the order of tables and reports: the
+/// paper's, then by the year of the idea.
+#[must_use]
+pub fn laws() -> &'static [Law] {
+    static LAWS: LazyLock<[Law; 21]> = LazyLock::new(|| {
+        [
+            Law::new(WangSuLi),
+            Law::new(WhittakerUncapped),
+            Law::new(WhittakerStop),
+            Law::new(RouthNewton),
+            Law::new(Garwin),
+            Law::new(GarwinCapped),
+            Law::new(KaneLevinson),
+            Law::new(Brach::default()),
+            Law::new(Keller1986),
+            Law::new(KellerPrinted),
+            Law::new(Stronge1990),
+            Law::new(Smith1991),
+            Law::new(SmithPrinted::default()),
+            Law::new(Walton::default()),
+            Law::new(ChatterjeeRuina::default()),
+            Law::new(LougeAdams::default()),
+            Law::new(KuninakaHayakawa::default()),
+            Law::new(DjerassiNewton),
+            Law::new(DjerassiPoisson),
+            Law::new(DjerassiStronge),
+            Law::new(Saitoh::default()),
+        ]
+    });
+    &*LAWS
+}
+
+/// The law of this id, with the defaults of its parameters.
+#[must_use]
+pub fn law(id: &str) -> Option<&'static Law> {
+    laws().iter().find(|law| law.info.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parameter_of_a_law_is_what_its_data_say() {
+        let mut seen = 0;
+        for law in laws() {
+            let defaults = law.info.parameters.iter().map(|p| (p.name, p.default()));
+            assert_eq!(law.parameters(), defaults.collect::<Vec<_>>(), "{}", law.info.id);
+            for parameter in law.info.parameters {
+                let value = Rational::new(3.into(), 7.into());
+                assert!(parameter.admits(&parameter.default()) && parameter.admits(&value));
+                let changed = law.with(parameter.name, &value).expect("the law has it");
+                let found = changed.parameters().into_iter().filter(|(_, x)| *x == value);
+                assert_eq!(found.collect::<Vec<_>>(), [(parameter.name, value)]);
+                seen += 1;
+            }
+            assert!(law.with("no such parameter", &Rational::from_integer(1.into())).is_none());
+        }
+        assert_eq!(seen, 10);
+    }
+
+    #[test]
+    fn a_law_is_found_by_its_id_and_no_two_share_one() {
+        for (place, known) in laws().iter().enumerate() {
+            assert_eq!(law(known.info.id).map(|law| law.info), Some(known.info));
+            let first = laws().iter().position(|other| other.info.id == known.info.id);
+            assert_eq!(first, Some(place));
+        }
+        assert!(law("no such law").is_none());
+    }
+}

@@ -1,0 +1,100 @@
+//! What is said about a law, as data beside its code.
+
+use kane_number::Rational;
+
+/// The hypothesis by which the coefficient of restitution ends a collision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Restitution {
+    /// Kinematic: `v_n⁺` = −e·`v_n`, in the law's [frame](crate::ImpactLaw::frame).
+    Newton,
+    /// Kinetic: the normal impulse of restitution is e times that of compression.
+    Poisson,
+    /// Energetic, after Stronge: the normal work of restitution is e² times that of compression.
+    Energetic,
+}
+
+/// A parameter of a law, and its domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// The name in the law's statement.
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub meaning: &'static str,
+    /// The least value.
+    pub least: i8,
+    /// The greatest value, or `None` without bound.
+    pub greatest: Option<i8>,
+    /// Numerator and denominator, which is not zero, of the value where none is given.
+    pub default: (i64, i64),
+}
+
+impl Parameter {
+    /// The value where none is given.
+    #[must_use]
+    pub fn default(&self) -> Rational {
+        Rational::new(self.default.0.into(), self.default.1.into())
+    }
+
+    /// Whether a value is in the domain.
+    #[must_use]
+    pub fn admits(&self, value: &Rational) -> bool {
+        let bound = |n: i8| Rational::from_integer(n.into());
+        *value >= bound(self.least)
+            && self.greatest.is_none_or(|greatest| *value <= bound(greatest))
+    }
+
+    /// The domain in words.
+    #[must_use]
+    pub fn domain(&self) -> String {
+        match self.greatest {
+            Some(greatest) => format!("at least {} and at most {greatest}", self.least),
+            None => format!("at least {}", self.least),
+        }
+    }
+}
+
+/// On a sphere, the slip slows down by friction until it stops.
+pub(crate) const STOPS: &[(&str, &str)] = &[("", "max(0, 1 - 2*alpha)")];
+
+/// What is said about a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LawInfo {
+    /// The name of the law in every table and report; printed and true forms differ.
+    pub id: &'static str,
+    /// Whose law it is, and since when, in a few words.
+    pub who: &'static str,
+    /// Who published the law, and what was consulted: one sentence without its full stop.
+    pub source: &'static str,
+    /// What the law adds to momentum and restitution, in the derivation language, one claim a
+    /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
+    /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.
+    pub statement: &'static str,
+    /// k(α) on a sphere, in pieces: up to which α, or nothing for the last, and the formula. Empty
+    /// for a law in a frame of its own, whose k depends on e, μ and the angle of incidence one by one.
+    pub on_a_sphere: &'static [(&'static str, &'static str)],
+    /// Whether the statement also determines the impulse on contacts that couple, or only, as for
+    /// the laws that integrate a process, what they come to where the contact does not.
+    pub stated_for_coupling: bool,
+    /// The law's own parameters, beyond μ and e.
+    pub parameters: &'static [Parameter],
+    /// The hypothesis of restitution.
+    pub restitution: Restitution,
+    /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
+    pub gap: Option<&'static str>,
+}
+
+impl LawInfo {
+    /// What most laws have in common: Newton's restitution, no parameters, no gap, and a statement
+    /// that determines the impulse everywhere. The texts are empty.
+    pub const PLAIN: Self = Self {
+        id: "",
+        who: "",
+        source: "",
+        statement: "",
+        on_a_sphere: &[],
+        stated_for_coupling: true,
+        parameters: &[],
+        restitution: Restitution::Newton,
+        gap: None,
+    };
+}
