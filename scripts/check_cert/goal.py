@@ -194,29 +194,27 @@ class Goal:
         return State(self.ranges(self.mentioned), formulas + (self.failure(finding) if finding else []))
 
     def depends(self, relation, variable):
-        """Does a relation depend on the variable of a limit?"""
-        return any(self.document.depends(side, variable) for side in relation[1:])
+        """Does a relation or a limit depend on a variable?"""
+        return any(self.document.depends(e, variable) for e in relation[1:] if isinstance(e, tuple))
+
+    def free_items(self, statement, variable):
+        """The relations of a cited statement that it says of constants; None if it says nothing."""
+        whole = statement.when if statement.kind == "given" else [*statement.items, *statement.when]
+        if any(self.depends(relation, variable) for relation in whole):
+            return None
+        return [r for r in statement.relations if not self.depends(r, variable)]
 
     def of_constants(self, statement, variable):
         """What a cited statement says of constants."""
-        if any(self.depends(relation, variable) for relation in statement.when):
-            return HERE
-        items = [r for r in statement.relations if not self.depends(r, variable)]
-        if statement.kind == "claim" and any(
-            self.document.varies(self.document.mentioned(e), variable)
-            for e in statement.expressions()
-        ):
-            return HERE
-        return self.holds(statement, items)
+        items = self.free_items(statement, variable)
+        return HERE if items is None else self.holds(statement, items)
 
     def told_of_constants(self, variable):
         """The expressions in conditions on constants and in what cited statements say of them."""
         told = [r for r in self.when if not self.depends(r, variable)]
         for statement in self.cited:
-            free = [r for r in statement.relations if not self.depends(r, variable)]
-            whole = statement.kind == "given" or len(free) == len(statement.relations)
-            if whole and not any(self.depends(r, variable) for r in statement.when):
-                told += [*statement.when, *free]
+            items = self.free_items(statement, variable)
+            told += [] if items is None else [*statement.when, *items]
         return sides(told)
 
     def when_of_constants(self, variable):

@@ -200,6 +200,8 @@ pub(crate) struct AuditArgs {
     pub(crate) only: Vec<String>,
 
     /// Coefficient operations that one search may take before its claim is undecided [default: 40000000]
+    ///
+    /// With fewer, the number of states and of functions that are tried shrinks in the same measure.
     #[arg(long, value_name = "OPERATIONS")]
     pub(crate) budget: Option<u64>,
 

@@ -102,3 +102,18 @@ fn a_judge_that_is_not_installed_is_no_judge() {
     assert!(run.stdout.contains("Coq: NOT CHECKED"), "{}", run.stdout);
     assert!(run.stdout.contains("z3: NOT CHECKED"), "{}", run.stdout);
 }
+
+#[test]
+fn what_a_budget_does_not_reach_is_undecided_and_the_report_names_the_budget() {
+    let dir = scratch("budget");
+    let text = "var x\nclaim a: x^8 + 1 >= 2*x^4\nclaim b: x^2 >= 0";
+    let path = document(&dir, "budget.md", text);
+    let whole = kane(&["audit", &path]);
+    assert_eq!(whole.code, 0, "{}", whole.stdout);
+    let little = kane(&["audit", &path, "--budget", "1"]);
+    assert_eq!(little.code, 1, "{}", little.stdout);
+    assert!(little.stdout.contains("undecided"), "{}", little.stdout);
+    assert!(little.stdout.contains("--budget 1"), "{}", little.stdout);
+    let nothing = kane(&["audit", &path, "--budget", "much"]);
+    assert_eq!(nothing.code, 2, "{}", nothing.stderr);
+}

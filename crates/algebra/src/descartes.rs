@@ -1,10 +1,10 @@
 //! Descartes' bound on the roots of a polynomial on any interval of the line. The kernel knows it on
 //! bounded ones only.
 
-use kane_kernel::{Fuel, Rejection};
+use kane_kernel::{Fuel, Rejection, shift};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 /// Sign variations after mapping the open interval onto (0, ∞): an upper bound on the number of
 /// roots there, with multiplicity; 0 and 1 are exact (Descartes 1637). `None` stands for ∓∞.
@@ -46,21 +46,6 @@ pub fn descartes(
 /// p(−x)
 fn reflect(p: &[BigInt]) -> Vec<BigInt> {
     p.iter().enumerate().map(|(i, c)| if i % 2 == 0 { c.clone() } else { -c }).collect()
-}
-
-/// A positive multiple of p(x + a).
-fn shift(p: &[BigInt], a: &BigRational) -> Vec<BigInt> {
-    // With a = n/d: Taylor coefficients of d^k·p(x/d) at n, then x := d·x.
-    let powers = |c: &BigInt| Some(c * a.denom());
-    let powers: Vec<_> = std::iter::successors(Some(BigInt::one()), powers).take(p.len()).collect();
-    let mut out: Vec<BigInt> = p.iter().zip(powers.iter().rev()).map(|(c, d)| c * d).collect();
-    for i in 0..out.len() {
-        for j in (i + 1..out.len()).rev() {
-            let carry = &out[j] * a.numer();
-            out[j - 1] += carry;
-        }
-    }
-    out.iter().zip(&powers).map(|(c, d)| c * d).collect()
 }
 
 fn variations(p: &[BigInt]) -> usize {

@@ -29,4 +29,4 @@ pub use poly::{Fraction, Fuel, Monomial, Poly, Power, exponent};
 pub use proof::*;
 pub use rejection::{Checked, Rejection};
 pub use state::{Passages, State};
-pub use univariate::{descartes, sign, sign_at};
+pub use univariate::{descartes, shift, sign, sign_at};

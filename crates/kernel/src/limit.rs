@@ -97,11 +97,12 @@ pub fn narrowing(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
 }
 
 /// What a premise says of constants while x varies: the items of a given's list that are free of x;
-/// a cited claim as a whole, or nothing.
+/// a cited claim as a whole, its limits too, or nothing.
 fn of_constants(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
     let free = |r: &Relation| [&r.lhs, &r.rhs].iter().all(|e| !depends(scope, e, x));
     let s = &h.sentence;
-    let whole = s.when.iter().all(free) && (h.given || s.relations().all(free));
+    let links = if h.given { &[] } else { &s.links[..] };
+    let whole = expressions(&s.when, links).all(|e| !depends(scope, e, x));
     match whole {
         true => s.only(free),
         false => Sentence { when: Vec::new(), links: Vec::new() },

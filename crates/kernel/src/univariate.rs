@@ -47,8 +47,10 @@ pub fn descartes(p: &[BigInt], lo: &BigRational, hi: &BigRational, fuel: &Fuel) 
     Ok(signs.windows(2).filter(|w| w[0] != w[1]).count())
 }
 
-/// A positive multiple of p(x + a).
-fn shift(p: &[BigInt], a: &BigRational) -> Vec<BigInt> {
+/// A positive multiple of p(x + a), exact: d^k·p(x + a) for a = n/d and k + 1
+/// coefficients.
+#[must_use]
+pub fn shift(p: &[BigInt], a: &BigRational) -> Vec<BigInt> {
     // With a = n/d: Taylor coefficients of d^k·p(x/d) at n, then x := d·x.
     let powers = |c: &BigInt| Some(c * a.denom());
     let powers: Vec<_> = std::iter::successors(Some(BigInt::one()), powers).take(p.len()).collect();
