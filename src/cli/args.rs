@@ -37,7 +37,7 @@ Exit codes:
   2  bad input or usage
   3  no document has a claim, or a judge is not installed";
 
-const COLLIDE_EXAMPLES: &str = "\
+pub(super) const COLLIDE_EXAMPLES: &str = "\
 Examples:
   kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98
                                     all laws, for a solid sphere at 20° from the normal
@@ -49,10 +49,9 @@ Examples:
                                     an exact direction, cos = 4/5; a law's own parameter
   kane collide docs/collisions/double-pendulum.toml
                                     other bodies, from a file; see docs/collide-format.md
+";
 
-Numbers are exact: 0.092 is 23/250, and 1/3 is a third. Parameters of laws:
-  brach.share (1), smith-printed.eta (2/5), walton.beta0 (11/25), chatterjee-ruina.e_t (0)
-
+pub(super) const COLLIDE_EXIT: &str = "\
 Exit codes:
   0  there is an answer
   1  a check of the law asked for fails
@@ -115,20 +114,19 @@ Exit codes:
   1  a cell is undecided
   2  bad input or usage";
 
-const SCENE_EXAMPLES: &str = "\
+pub(super) const SCENE_EXAMPLES: &str = "\
 Examples:
   kane scene docs/scenes/backspin.toml           the answer by the least model, and why that one
   kane scene docs/scenes/rest.toml --out out     also writes out/rest.html, .json, .md, -motion.svg,
                                                  -ledger.svg, -states.csv and -models.csv
-  kane scene docs/scenes/backspin.toml --model sliding
+  kane scene docs/scenes/backspin.toml --model whittaker-uncapped
                                                  by another model, with its error
   kane scene docs/scenes/two-spheres.toml --compare
                                                  every model that applies, by cost and error
 
-A scene says what collides, what is asked and how accurately; see docs/scene-format.md. Models, from
-the least: normal-only, sliding, wang-su-li, coulomb, grip, energetic, chain, compliant, annuli; each
-in f64, or as in coulomb/rational in f32, f64, double-double or rational.
+A scene says what collides, what is asked and how accurately; see docs/scene-format.md.";
 
+pub(super) const SCENE_EXIT: &str = "\
 Exit codes:
   0  the model shown is good enough; the report says whether by a bound, as documented, or by an
      estimate
@@ -145,7 +143,6 @@ pub(crate) enum Verb {
     #[command(after_help = LAWS_EXAMPLES)]
     Laws(LawsArgs),
     /// Put one collision to every law, exactly and in floats
-    #[command(after_help = COLLIDE_EXAMPLES)]
     Collide(Box<CollideArgs>),
     /// Chart speed against accuracy: what the next digit costs
     #[command(after_help = CHART_EXAMPLES)]
@@ -154,7 +151,6 @@ pub(crate) enum Verb {
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
     /// Answer a scene by the least model that is good enough
-    #[command(after_help = SCENE_EXAMPLES)]
     Scene(SceneArgs),
 }
 

@@ -5,6 +5,7 @@ mod audit;
 mod chart;
 mod collide;
 mod delivery;
+mod help;
 mod input;
 mod labels;
 mod laws;
@@ -17,7 +18,7 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::FromArgMatches as _;
 
 use args::{Cli, Verb};
 use delivery::Written;
@@ -48,7 +49,9 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the program.
 pub(crate) fn run() -> ExitCode {
-    let outcome = match Cli::parse().verb {
+    let matches = help::command().get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let outcome = match cli.verb {
         Verb::Audit(args) => audit::run(&args),
         Verb::Laws(args) => laws::run(&args),
         Verb::Collide(args) => collide::run(&args),

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use kane::impact::laws;
 use kane::report::scene::{
     SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
     states_csv, text,
@@ -21,7 +22,7 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
         Ok(text) => text,
         Err(error) => return bad_input(&format!("cannot read {name}: {error}")),
     };
-    let wanted = match args.model.as_deref().map(str::parse::<Model>).transpose() {
+    let wanted = match args.model.as_deref().map(|name| Model::named(name, laws())).transpose() {
         Ok(wanted) => wanted,
         Err(error) => return bad_input(&format!("--model: {error}")),
     };
@@ -34,7 +35,8 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
     };
     let effort = if args.compare { Effort::All } else { Effort::Chosen };
     let mut progress = Progress::counting("models");
-    let answered = answer(&scene, wanted, effort, &mut |done, all| progress.update(done, all));
+    let answered =
+        answer(&scene, laws(), wanted, effort, &mut |done, all| progress.update(done, all));
     drop(progress);
     let answer = match answered {
         Ok(answer) => answer,

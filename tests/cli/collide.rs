@@ -60,7 +60,7 @@ fn each_wrong_value_is_named_with_its_flag_and_domain() {
         ("--law", "smith", "did you mean `smith-1991` or `smith-printed`?"),
         ("--law", "waltom", "did you mean `walton`?"),
         ("--param", "walton.beta0", "`walton.beta0` has no value"),
-        ("--param", "walton.beta0=2", "walton.beta0 is 2, but must be at least 0 and at most 1"),
+        ("--param", "walton.beta0=2", "walton.beta0 is 2, but must be from 0 to 1"),
         ("--param", "walton.beta=0", "there are brach.share"),
     ] {
         let run = run(&with(flag, value));
@@ -297,9 +297,17 @@ fn help_shows_examples_parameters_and_exit_codes() {
     for part in [
         "kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98",
         "docs/collisions/double-pendulum.toml",
-        "walton.beta0 (11/25)",
+        "walton.beta0 = 11/25",
         "Exit codes:",
     ] {
         assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
+    }
+    for law in kane::impact::laws() {
+        for parameter in law.info.parameters {
+            let name = format!("{}.{} = {}", law.info.id, parameter.name, parameter.default());
+            let line = run.stdout.lines().find(|line| line.trim_start().starts_with(&name));
+            let told = line.is_some_and(|line| line.contains(parameter.meaning));
+            assert!(told, "{name} is missing from\n{}", run.stdout);
+        }
     }
 }

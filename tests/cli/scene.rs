@@ -12,7 +12,7 @@ fn a_scene_is_answered_and_written_in_every_form() {
     let file = "docs/scenes/backspin.toml";
     let run = kane(&["scene", file, "--compare", "--out", out.to_str().expect("UTF-8")]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    assert!(run.stdout.contains("coulomb/f32: all that is asked for is within its tolerance"));
+    assert!(run.stdout.contains("routh-newton/f32: all that is asked for is within its tolerance"));
     assert!(run.stdout.contains(&format!("kane scene {file} --compare")), "{}", run.stdout);
     for ending in
         [".md", ".json", "-motion.svg", "-ledger.svg", "-compare.svg", "-states.csv", "-models.csv"]
@@ -53,10 +53,10 @@ fn every_shipped_scene_with_its_pictures_takes_less_than_two_seconds() {
 
 #[test]
 fn another_model_says_by_how_much_it_misses() {
-    let run = kane(&["scene", "docs/scenes/backspin.toml", "--model", "sliding"]);
+    let run = kane(&["scene", "docs/scenes/backspin.toml", "--model", "whittaker-uncapped"]);
     assert_eq!(run.code, 1, "{}", run.stderr);
     assert!(run.stdout.contains("omega_rad_s off by"), "{}", run.stdout);
-    let run = kane(&["scene", "docs/scenes/rod-jam.toml", "--model", "sliding"]);
+    let run = kane(&["scene", "docs/scenes/rod-jam.toml", "--model", "whittaker-uncapped"]);
     assert_eq!(run.code, 3);
     assert!(run.stderr.contains("the contact jams"), "{}", run.stderr);
 }
@@ -70,13 +70,16 @@ fn bad_input_is_shown_with_its_line() {
     for arguments in [
         vec!["scene", file],
         vec!["scene", "no-such-file.toml"],
-        vec!["scene", "docs/scenes/rest.toml", "--model", "coulom"],
+        vec!["scene", "docs/scenes/rest.toml", "--model", "routh-newto"],
     ] {
         let run = kane(&arguments);
         assert_eq!(run.code, 2, "{arguments:?}");
         assert!(run.stdout.is_empty() && run.stderr.starts_with("error"), "{}", run.stderr);
     }
     assert!(kane(&["scene", file]).stderr.contains("exactly one of"));
-    let hint = kane(&["scene", "docs/scenes/rest.toml", "--model", "coulom"]).stderr;
-    assert!(hint.contains("did you mean `coulomb`?"), "{hint}");
+    let hint = kane(&["scene", "docs/scenes/rest.toml", "--model", "routh-newto"]).stderr;
+    assert!(hint.contains("did you mean `routh-newton`?"), "{hint}");
+    let former = kane(&["scene", "docs/scenes/rest.toml", "--model", "coulomb/f32"]);
+    assert_eq!(former.code, 2);
+    assert!(former.stderr.contains("its law has the id `routh-newton`"), "{}", former.stderr);
 }

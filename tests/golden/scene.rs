@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use kane::impact::laws;
 use kane::report::Page;
 use kane::report::scene::{
     SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
@@ -16,7 +17,7 @@ fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&file);
     let source = read::load(&path).expect("the scene is shipped");
     let scene = read::scene(&file, &source).expect("it is well formed");
-    let answer = answer(&scene, None, effort, &mut |_, _| {}).expect("it has an answer");
+    let answer = answer(&scene, laws(), None, effort, &mut |_, _| {}).expect("it has an answer");
     let command = format!("kane scene {file}");
     check(&SceneReport { answer: &answer, title: scene.title.clone(), command });
 }
@@ -76,7 +77,7 @@ fn all_forms_of_a_report_tell_the_same() {
     shipped("backspin", Effort::All, |report| {
         let value: serde_json::Value = serde_json::from_str(&json(report)).expect("it is JSON");
         assert_eq!(value["schema"]["name"], "kane-scene");
-        assert_eq!(value["chosen"], "coulomb/f32");
+        assert_eq!(value["chosen"], "routh-newton/f32");
         let models = value["models"].as_array().expect("a list");
         assert_eq!(models_csv(report).lines().count(), models.len() + 1);
         let impacts = value["impacts"].as_array().expect("a list");
@@ -84,7 +85,7 @@ fn all_forms_of_a_report_tell_the_same() {
         assert_eq!(states_csv(report).lines().count(), impacts.len() + 2);
         assert!(markdown(report).contains("| wang-su-li/f64 |"));
         let picture = compare_picture(report).expect("it can be drawn");
-        assert!(picture.contains("coulomb/f32, f64") || picture.contains("coulomb/f64"));
+        assert!(picture.contains("routh-newton/f32, f64") || picture.contains("routh-newton/f64"));
     });
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::{Arc, LazyLock};
 
 use kane_algebra::rational_function::RationalFunction;
-use kane_number::{Algebraic, Interval, Rational, Real, Scaled};
+use kane_number::{Algebraic, DoubleDouble, Interval, Rational, Real, Scaled};
 
 use crate::laws::{
     Brach, ChatterjeeRuina, DjerassiNewton, DjerassiPoisson, DjerassiStronge, Garwin, GarwinCapped,
@@ -25,7 +25,9 @@ pub struct Law {
 /// A law over every number system, instantiated here and nowhere above.
 trait Faces:
     Formulas<RationalFunction>
+    + LawOver<f32>
     + LawOver<f64>
+    + LawOver<DoubleDouble>
     + LawOver<Scaled>
     + LawOver<Interval>
     + LawOver<Rational>
@@ -75,7 +77,7 @@ macro_rules! number_systems {
         })*
     };
 }
-number_systems!(f64, Scaled, Interval, Rational, Algebraic);
+number_systems!(f32, f64, DoubleDouble, Scaled, Interval, Rational, Algebraic);
 
 impl Law {
     /// A law as its author wrote it.
@@ -121,6 +123,15 @@ impl Law {
         self.over::<Rational>().frame(&crate::Contact::of_alpha(one)).is_some()
     }
 }
+
+/// Laws are equal that have the same id and the same values of their parameters.
+impl PartialEq for Law {
+    fn eq(&self, other: &Self) -> bool {
+        self.info.id == other.info.id && self.parameters() == other.parameters()
+    }
+}
+
+impl Eq for Law {}
 
 impl fmt::Debug for Law {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

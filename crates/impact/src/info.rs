@@ -47,10 +47,20 @@ impl Parameter {
     #[must_use]
     pub fn domain(&self) -> String {
         match self.greatest {
-            Some(greatest) => format!("at least {} and at most {greatest}", self.least),
+            Some(greatest) => format!("from {} to {greatest}", self.least),
             None => format!("at least {}", self.least),
         }
     }
+}
+
+/// What whoever chooses between models needs to know of a law that is one of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ModelInfo {
+    /// What the law is, in words that follow "by".
+    pub words: &'static str,
+    /// Additions, multiplications, divisions and roots of an impact of a ball, the most over little
+    /// and much slip: what a test counts in the law's code (a fused multiply-add is two).
+    pub operations: [u64; 4],
 }
 
 /// On a sphere, the slip slows down by friction until it stops.
@@ -75,12 +85,17 @@ pub struct LawInfo {
     /// Whether the statement also determines the impulse on contacts that couple, or only, as for
     /// the laws that integrate a process, what they come to where the contact does not.
     pub stated_for_coupling: bool,
+    /// Whether the law is the process of [`oracle::integrate`](crate::oracle::integrate) under its
+    /// restitution.
+    pub is_process: bool,
     /// The law's own parameters, beyond μ and e.
     pub parameters: &'static [Parameter],
     /// The hypothesis of restitution.
     pub restitution: Restitution,
     /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
     pub gap: Option<&'static str>,
+    /// For a law that scenes may be answered by.
+    pub model: Option<ModelInfo>,
 }
 
 impl LawInfo {
@@ -93,8 +108,10 @@ impl LawInfo {
         statement: "",
         on_a_sphere: &[],
         stated_for_coupling: true,
+        is_process: false,
         parameters: &[],
         restitution: Restitution::Newton,
         gap: None,
+        model: None,
     };
 }

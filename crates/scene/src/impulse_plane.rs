@@ -1,7 +1,7 @@
 //! Routh's diagram: an impact as a path in the plane of its impulse.
 
+use kane_impact::Contact;
 use kane_impact::oracle::{Event, integrate};
-use kane_impact::{Contact, Restitution};
 
 use crate::choose::{Failed, Mechanics, resolve_tip};
 use crate::picture::contact_of;
@@ -39,12 +39,11 @@ impl ImpulsePlane {
     pub(crate) fn of(scene: &Scene, mechanics: Mechanics) -> Result<Self, Failed> {
         let missing = || Failed::Invalid("no single contact".to_owned());
         let contact = contact_of(scene).ok_or_else(missing)?;
-        let hypothesis = match mechanics {
-            Mechanics::Energetic => Some(Restitution::Energetic),
-            Mechanics::Coulomb => Some(Restitution::Newton),
+        let process = match mechanics {
+            Mechanics::Law(law) if law.info.is_process => Some(law.info.restitution),
             _ => None,
         };
-        let followed = hypothesis.and_then(|hypothesis| integrate(&contact, hypothesis).ok());
+        let followed = process.and_then(|restitution| integrate(&contact, restitution).ok());
         let path = match followed {
             Some(path) => path
                 .events

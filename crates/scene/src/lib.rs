@@ -5,6 +5,7 @@
 //! the values with their errors, the energy ledger and the motion.
 //!
 //! ```
+//! use kane_impact::laws;
 //! use kane_scene::{Effort, answer, read};
 //!
 //! let text = r#"
@@ -27,7 +28,7 @@
 //! time_s = 0
 //! "#;
 //! let scene = read::scene("ball.toml", text).expect("the scene is well formed");
-//! let answer = answer(&scene, None, Effort::Chosen, &mut |_, _| {}).expect("there is an answer");
+//! let answer = answer(&scene, laws(), None, Effort::Chosen, &mut |_, _| {}).expect("there is an answer");
 //! // it falls for 1/2 s and bounces for 2·5/2/(10·(1 − 1/2)) s, infinitely many times
 //! assert_eq!((answer.lines[0].value, answer.lines[0].error), (1.5, Some(0.0)));
 //! // and as every number on the way is a float of single precision, those are enough
@@ -50,14 +51,14 @@ mod world;
 
 pub use choose::{
     Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Shown, Spread,
-    UnknownModel, Verdict, answer,
+    UnknownModel, Verdict, answer, model_names,
 };
 pub use coordinate::Coordinate;
 pub use impulse_plane::{ImpulsePlane, PlaneLine};
 pub use kane_impact::oracle::Event;
 pub use picture::Picture;
 pub use quantity::{Kind, Quantity};
-pub use resolver::{ByLaw, Elastic, NormalOnly, Process, Resolver};
+pub use resolver::{Elastic, NormalOnly, Process, Resolver};
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
 pub use strobe::{Frame, Strobe};
 pub use tip::{Tip, TipBody};

@@ -1,7 +1,7 @@
 //! What resolves an impact: a law, or a process.
 
 use kane_impact::compliant::{self, Bilinear, Compliance, DimensionReduction, MawBarberFawcett};
-use kane_impact::{Alpha, Contact, Delassus, ImpactLaw, Impulse, NoImpulse, Outcome, Work};
+use kane_impact::{Alpha, Contact, Delassus, Impulse, Law, NoImpulse, NumberSystem, Outcome, Work};
 use kane_number::{Interval, Number as _, Ordered as _, Rational, Real};
 
 use crate::coordinate::{Coordinate, half};
@@ -15,13 +15,9 @@ pub trait Resolver<N> {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse>;
 }
 
-/// An impact law, in every number system.
-#[derive(Clone, Debug)]
-pub struct ByLaw<L>(pub L);
-
-impl<L: ImpactLaw, N: Real> Resolver<N> for ByLaw<L> {
+impl<N: NumberSystem> Resolver<N> for Law {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
-        self.0.resolve(contact)
+        self.over().resolve(contact)
     }
 }
 

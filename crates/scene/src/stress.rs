@@ -6,13 +6,13 @@
 mod kinks;
 mod penalty;
 
-use kane_impact::ImpactLaw;
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
+use kane_impact::{Law, NumberSystem};
 use kane_number::Rational;
 
 use crate::coordinate::Coordinate;
 use crate::read;
-use crate::resolver::{ByLaw, NormalOnly};
+use crate::resolver::NormalOnly;
 use crate::scene::Setup;
 use crate::simulate::{Budget, Chain, Until, collide_chain, run};
 use crate::tip::{Tip, TipBody};
@@ -96,13 +96,12 @@ fn ball(
 }
 
 /// The body after one impact, in two number systems.
-fn once<N: Coordinate, L: ImpactLaw>(
+fn once<N: Coordinate + NumberSystem>(
     world: &World<Rational>,
-    law: &L,
+    law: &Law,
 ) -> (Option<Round<N>>, Option<Round<Rational>>) {
-    fn end<N: Coordinate, L: ImpactLaw>(world: &World<N>, law: &L) -> Option<Round<N>> {
-        let law = ByLaw(law.clone());
-        let end = run(world, &law, &Until::Impacts(1), Budget::default(), &mut |_| {}).ok()?;
+    fn end<N: Coordinate + NumberSystem>(world: &World<N>, law: &Law) -> Option<Round<N>> {
+        let end = run(world, law, &Until::Impacts(1), Budget::default(), &mut |_| {}).ok()?;
         end.bodies.into_iter().next()
     }
     (end(&world.map(N::from_rational), law), end(world, law))
@@ -113,14 +112,14 @@ fn grazing(rows: &mut Vec<Row>) {
     for power in [1, 2, 4, 8, 16] {
         let down = -ten_to(-power);
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), down / integer(3)], ratio(9, 10));
-        let (found, exact) = once::<f64, _>(&world, &RouthNewton);
+        let (found, exact) = once::<f64>(&world, &Law::new(RouthNewton));
         let Some(exact) = exact else { continue };
         let error = relative(found.as_ref().map(|b| &b.motion.omega), &exact.motion.omega);
         rows.push(Row {
             case: "grazing, error of the spin",
             pushed: "v_y by v_x",
             to: format!("1e-{power}"),
-            method: "coulomb/f64",
+            method: "routh-newton/f64",
             error,
         });
     }
@@ -135,13 +134,13 @@ fn ends_of_restitution(rows: &mut Vec<Row>) {
         ("1", integer(1)),
     ] {
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), ratio(-1, 7)], e);
-        let (found, exact) = once::<f64, _>(&world, &RouthNewton);
+        let (found, exact) = once::<f64>(&world, &Law::new(RouthNewton));
         let Some(exact) = exact else { continue };
         rows.push(Row {
             case: "restitution, error of v_y",
             pushed: "e",
             to: to.to_owned(),
-            method: "coulomb/f64",
+            method: "routh-newton/f64",
             error: relative(found.as_ref().map(|b| &b.motion.vy), &exact.motion.vy),
         });
     }
@@ -183,17 +182,17 @@ fn jam(rows: &mut Vec<Row>) {
                     error,
                 });
             };
-            measure("sliding/f64", tip_error(&tip, &WhittakerUncapped));
-            measure("coulomb/f64", tip_error(&tip, &RouthNewton));
+            measure("whittaker-uncapped/f64", tip_error(&tip, &Law::new(WhittakerUncapped)));
+            measure("routh-newton/f64", tip_error(&tip, &Law::new(RouthNewton)));
         }
     }
 }
 
-fn tip_error<L: ImpactLaw>(tip: &Tip<Rational>, law: &L) -> f64 {
+fn tip_error(tip: &Tip<Rational>, law: &Law) -> f64 {
     let Ok((exact, _)) = tip.contact() else { return f64::INFINITY };
     let Ok((contact, _)) = tip.map(Coordinate::to_f64).contact() else { return f64::INFINITY };
-    let found = law.impulse(&contact).ok().map(|impulse| impulse.normal);
-    match law.impulse(&exact) {
+    let found = law.over().impulse(&contact).ok().map(|impulse| impulse.normal);
+    match law.over().impulse(&exact) {
         Ok(exact) => relative(found.as_ref(), &exact.normal),
         Err(_) => f64::INFINITY,
     }
@@ -204,8 +203,8 @@ fn inertia(rows: &mut Vec<Row>) {
     for power in [2, 8, 16, 100] {
         let world = ball(ratio(1, 3), ten_to(-power), [ratio(1, 3), ratio(-1, 7)], ratio(9, 10));
         for (method, (found, exact)) in [
-            ("coulomb/f64", once::<f64, _>(&world, &RouthNewton)),
-            ("wang-su-li/f64", once::<f64, _>(&world, &WangSuLi)),
+            ("routh-newton/f64", once::<f64>(&world, &Law::new(RouthNewton))),
+            ("wang-su-li/f64", once::<f64>(&world, &Law::new(WangSuLi))),
         ] {
             let Some(exact) = exact else { continue };
             rows.push(Row {
@@ -288,12 +287,12 @@ fn drift(rows: &mut Vec<Row>) {
     }
 }
 
-fn bounced<N: Coordinate>(power: u32) -> f64 {
+fn bounced<N: Coordinate + NumberSystem>(power: u32) -> f64 {
     let mut world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), ratio(-1, 3)], integer(1));
     world.gravity = ratio(981, 100);
     let count = 10_u64.pow(power);
     let budget = Budget { impacts: count, ..Budget::default() };
-    let law = ByLaw(RouthNewton);
+    let law = Law::new(RouthNewton);
     let until = Until::Impacts(count);
     let end = run(&world.map(N::from_rational), &law, &until, budget, &mut |_| {}).ok();
     // it starts on the floor, so that the first impact is at once

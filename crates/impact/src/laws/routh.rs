@@ -300,7 +300,7 @@ pub(crate) const UNCOUPLED: &str = "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k 
 /// The implementation of a law that is the process under one hypothesis.
 macro_rules! process_law {
     ($law:ty, $id:literal, $who:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
-     $(, $refuses:literal by $acceptance:ident)?) => {
+     $(, model $model:expr)? $(, $refuses:literal by $acceptance:ident)?) => {
         impl $crate::ImpactLaw for $law {
             const INFO: $crate::LawInfo = $crate::LawInfo {
                 id: $id,
@@ -308,9 +308,11 @@ macro_rules! process_law {
                 source: $source,
                 statement: $crate::laws::routh::UNCOUPLED,
                 stated_for_coupling: false,
+                is_process: true,
                 on_a_sphere: $crate::info::STOPS,
                 restitution: $crate::Restitution::$hypothesis,
                 $(gap: Some($refuses),)?
+                $(model: Some($model),)?
                 ..$crate::LawInfo::PLAIN
             };
 
@@ -341,7 +343,8 @@ process_law!(
     "routh-newton",
     "Routh 1860, with Newton's restitution",
     "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642, abstract consulted; Routh's original not consulted",
-    Newton: newton, newton
+    Newton: newton, newton,
+    model crate::ModelInfo { words: "Coulomb friction on rigid bodies", operations: [29, 30, 7, 0] }
 );
 process_law!(
     Keller1986,
@@ -355,5 +358,9 @@ process_law!(
     "stronge-1990",
     "Stronge 1990",
     "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181, from memory of its use in the literature, and J. Appl. Mech. 58 (1991) 1049-1055, abstract consulted; closed form derived here",
-    Energetic: energetic_compression, energetic_restitution
+    Energetic: energetic_compression, energetic_restitution,
+    model crate::ModelInfo {
+        words: "Coulomb friction with energetic restitution",
+        operations: [62, 60, 18, 1],
+    }
 );

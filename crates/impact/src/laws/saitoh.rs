@@ -53,7 +53,7 @@ impl Default for Saitoh {
 
 const TURN: Parameter = Parameter {
     name: "turn",
-    meaning: "the tangent of half the angle by which the normal turns",
+    meaning: "tangent of half the angle by which the normal turns",
     least: 0,
     greatest: Some(1),
     default: (1, 5),

@@ -196,7 +196,7 @@ pub(crate) use turned_law;
 /// The tilt of both.
 const TILT: Parameter = Parameter {
     name: "tilt",
-    meaning: "the tangent of half the angle by which the normal leans",
+    meaning: "tangent of half the angle by which the normal leans",
     least: 0,
     greatest: Some(1),
     default: (1, 10),

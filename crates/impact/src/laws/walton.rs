@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, LawInfo, Parameter, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, ModelInfo, Parameter, Regime, Relation};
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
 ///
@@ -99,6 +99,10 @@ impl ImpactLaw for Walton {
         gap: Some(PULL),
         parameters: &[BETA0],
         on_a_sphere: &[("", "max(-beta0, 1 - 2*alpha)")],
+        model: Some(ModelInfo {
+            words: "Coulomb friction with tangential restitution",
+            operations: [21, 27, 4, 0],
+        }),
         ..LawInfo::PLAIN
     };
 

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use crate::arithmetic::two_sum;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Relation, Root};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime, Relation, Root};
 
 /// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
 ///
@@ -66,6 +66,7 @@ impl ImpactLaw for WangSuLi {
         source: "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted",
         statement: "i_x = (k + 1)/2",
         on_a_sphere: &[("", "(1 - alpha)/(1 + alpha)")],
+        model: Some(ModelInfo { words: "the law of Wang, Su and Li", operations: [29, 24, 11, 0] }),
         ..LawInfo::PLAIN
     };
 

@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime};
 
 /// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
@@ -51,6 +51,10 @@ impl ImpactLaw for WhittakerUncapped {
         statement: "i_x = 1",
         gap: Some(JAM),
         on_a_sphere: &[("", "1 - 2*alpha")],
+        model: Some(ModelInfo {
+            words: "friction in full against the slip",
+            operations: [9, 12, 4, 0],
+        }),
         ..LawInfo::PLAIN
     };
 

@@ -1,14 +1,13 @@
 //! A scene under one model.
 
-use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
-use kane_impact::{Contact, Outcome};
+use kane_impact::{Contact, Law, NumberSystem, Outcome};
 use kane_measure::chart::System;
 use kane_number::{Interval, Number as _, Rational};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
-use crate::resolver::{ByLaw, COMPLIANT, Elastic, NormalOnly, Process, Resolver};
+use crate::resolver::{COMPLIANT, Elastic, NormalOnly, Process, Resolver};
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
 use crate::tip::Tip;
@@ -61,7 +60,7 @@ pub(super) struct Found<N> {
 }
 
 /// Runs the scene; keeps up to `kept` impacts.
-pub(super) fn evaluate<N: Coordinate>(
+pub(super) fn evaluate<N: Coordinate + NumberSystem>(
     scene: &Scene,
     setup: &Setup<N>,
     mechanics: Mechanics,
@@ -71,7 +70,7 @@ pub(super) fn evaluate<N: Coordinate>(
 }
 
 /// The same with so many impacts of a ball that comes to rest followed one by one.
-pub(super) fn evaluate_with<N: Coordinate>(
+pub(super) fn evaluate_with<N: Coordinate + NumberSystem>(
     scene: &Scene,
     setup: &Setup<N>,
     mechanics: Mechanics,
@@ -89,22 +88,13 @@ pub(super) fn evaluate_with<N: Coordinate>(
 }
 
 /// What resolves one contact at a time.
-fn resolver<N: Coordinate>(
+fn resolver<N: Coordinate + NumberSystem>(
     scene: &Scene,
     mechanics: Mechanics,
 ) -> Result<Box<dyn Resolver<N>>, Failed> {
     Ok(match mechanics {
         Mechanics::NormalOnly => Box::new(NormalOnly),
-        Mechanics::Sliding => Box::new(ByLaw(WhittakerUncapped)),
-        Mechanics::WangSuLi => Box::new(ByLaw(WangSuLi)),
-        Mechanics::Coulomb => Box::new(ByLaw(RouthNewton)),
-        Mechanics::Energetic => Box::new(ByLaw(Stronge1990)),
-        Mechanics::Grip => {
-            let Tangential::Grip(share) = &scene.tangential else {
-                return Err(missing("tangential_restitution"));
-            };
-            Box::new(ByLaw(Walton { restitution: share.clone() }))
-        }
+        Mechanics::Law(law) => Box::new(stated(law, &scene.tangential)?),
         Mechanics::Compliant | Mechanics::Annuli => {
             Box::new(contact(&scene.tangential, mechanics)?)
         }
@@ -112,6 +102,16 @@ fn resolver<N: Coordinate>(
             return Err(Failed::Invalid("a chain is no single contact".to_owned()));
         }
     })
+}
+
+/// The law with what the scene states of it: the share of the slip that comes back.
+fn stated(law: &Law, tangential: &Tangential) -> Result<Law, Failed> {
+    let with = match (law.info.parameters, tangential) {
+        ([], _) => Some(law.clone()),
+        ([share], Tangential::Grip(value)) => law.with(share.name, value),
+        _ => None,
+    };
+    with.ok_or_else(|| missing("tangential_restitution"))
 }
 
 /// The outcome of a tip's contact in floats.

@@ -1,5 +1,6 @@
 //! Whether a model is good enough.
 
+use kane_impact::NumberSystem;
 use kane_measure::chart::System;
 use kane_number::{DoubleDouble, Interval, Rational};
 
@@ -113,35 +114,37 @@ fn verdict(
         return Verdict::Meets;
     }
     // the same formulas over the whole uncertainty?
-    if let Ok(found) = over
-        && equal(model.mechanics, found)
+    let others =
+        over.as_ref().ok().zip(evaluate(scene, &scene.enclosed(), model.mechanics, 1).ok());
+    if let Some((found, other)) = &others
+        && equal(model.mechanics, found, other)
     {
         return Verdict::Meets;
     }
     if let Some(miss) = corner(scene, reference, model.mechanics) {
         return miss;
     }
-    if let Ok(found) = over
-        && within(scene, found, model.mechanics)
+    if let Some((found, other)) = &others
+        && within(scene, found, other)
     {
         return Verdict::Meets;
     }
     Verdict::Uncertified("it is not certified over the stated uncertainty")
 }
 
-/// Whether the model's formulas are those of the reference, given what happened at every impact.
-fn equal(model: Mechanics, found: &Found<Interval>) -> bool {
+/// Whether the model's formulas are those of the reference, given what happened at every impact under
+/// either: all laws that slide all the time slide alike.
+fn equal(model: Mechanics, found: &Found<Interval>, other: &Found<Interval>) -> bool {
     match model {
         Mechanics::NormalOnly => found.no_slip,
-        Mechanics::Sliding | Mechanics::Coulomb => found.slides,
+        Mechanics::Law(_) => found.slides && other.slides,
         _ => false,
     }
 }
 
 /// Whether the two enclosures over the whole uncertainty are so close that any two of their members
 /// are within the tolerance.
-fn within(scene: &Scene, found: &Found<Interval>, model: Mechanics) -> bool {
-    let Ok(other) = evaluate(scene, &scene.enclosed(), model, 1) else { return false };
+fn within(scene: &Scene, found: &Found<Interval>, other: &Found<Interval>) -> bool {
     scene.asked.iter().zip(found.values.iter().zip(&other.values)).all(|(asked, (a, b))| {
         let width = a.hull(b).ends().map(|(low, high)| high - low);
         width.is_ok_and(|width| width <= asked.tolerance)
@@ -170,7 +173,10 @@ fn corner(scene: &Scene, reference: &Reference, model: Mechanics) -> Option<Verd
 /// The model's values as exact numbers. Chains and processes say how far they are off themselves, and
 /// that is in the reference already.
 fn exact_values(scene: &Scene, model: Model) -> Result<Vec<Rational>, String> {
-    fn of<N: Coordinate>(scene: &Scene, model: Model) -> Result<Vec<Rational>, String> {
+    fn of<N: Coordinate + NumberSystem>(
+        scene: &Scene,
+        model: Model,
+    ) -> Result<Vec<Rational>, String> {
         let setup = scene.nominal().map(N::from_rational);
         let found = evaluate(scene, &setup, model.mechanics, 1).map_err(|f| f.to_string())?;
         let exact = found.values.iter().zip(&scene.asked).map(|(value, asked)| {

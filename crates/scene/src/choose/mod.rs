@@ -12,9 +12,10 @@ mod reasons;
 mod reference;
 
 pub use judge::{Judged, Verdict};
-pub use model::{Mechanics, Model, UnknownModel};
+pub use model::{Mechanics, Model, UnknownModel, model_names};
 pub use reference::{Known, Spread};
 
+use kane_impact::{Law, NumberSystem};
 use kane_number::{Rational, Rounding, encode};
 use num_traits::Signed as _;
 
@@ -126,19 +127,20 @@ pub struct NoAnswer {
     pub reason: String,
 }
 
-/// Answers a scene by the least model, or by the one given. `progress` hears how many of how many
+/// Answers a scene by the least model that these laws and the processes offer, or by the one given. `progress` hears how many of how many
 /// models are judged.
 ///
 /// # Errors
 /// [`NoAnswer`] if the model to be shown has none.
 pub fn answer(
     scene: &Scene,
+    laws: &'static [Law],
     wanted: Option<Model>,
     effort: Effort,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Answer, NoAnswer> {
     let reference = Reference::of(scene);
-    let candidates = model::candidates(reference.mechanics);
+    let candidates = model::candidates(reference.mechanics, laws);
     let mut judged = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         progress(index, candidates.len());
@@ -211,7 +213,7 @@ const KEPT: usize = 5_000;
 
 fn of_model(scene: &Scene, model: Model) -> Result<Told, String> {
     use kane_measure::chart::System;
-    fn told<N: Coordinate>(scene: &Scene, model: Model) -> Result<Told, String> {
+    fn told<N: Coordinate + NumberSystem>(scene: &Scene, model: Model) -> Result<Told, String> {
         let setup = scene.nominal().map(N::from_rational);
         let found: Found<N> =
             evaluate(scene, &setup, model.mechanics, KEPT).map_err(|failed| failed.to_string())?;

@@ -1,26 +1,20 @@
 //! The models, and what they cost.
 
 use std::fmt;
-use std::str::FromStr;
+use std::sync::LazyLock;
 
 use kane_algebra::syntax::nearest;
+use kane_impact::laws::{RouthNewton, Stronge1990, Walton};
+use kane_impact::{Law, Restitution};
 use kane_measure::chart::{System, weights};
 
 /// How impacts are resolved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mechanics {
     /// One dimension: no friction at all.
     NormalOnly,
-    /// Friction in full against the slip before, all the time: k = 1 − 2α.
-    Sliding,
-    /// The law of Wang, Su and Li.
-    WangSuLi,
-    /// Coulomb friction on rigid bodies, Newton's restitution: slide, then stick.
-    Coulomb,
-    /// The same where sticking gives a share of the slip back, after Walton.
-    Grip,
-    /// Coulomb friction on rigid bodies, Stronge's energetic restitution.
-    Energetic,
+    /// By a law.
+    Law(&'static Law),
     /// Spheres that touch at once, Hertz's springs.
     Chain,
     /// An elastic contact: a half-space as a row of springs, or a pair of springs if that is stated.
@@ -29,30 +23,45 @@ pub enum Mechanics {
     Annuli,
 }
 
+/// Coulomb friction on rigid bodies, Newton's restitution: slide, then stick.
+pub(super) static COULOMB: LazyLock<Law> = LazyLock::new(|| Law::new(RouthNewton));
+/// The same with Stronge's energetic restitution.
+pub(super) static ENERGETIC: LazyLock<Law> = LazyLock::new(|| Law::new(Stronge1990));
+/// The same where sticking gives a share of the slip back.
+pub(super) static GRIP: LazyLock<Law> = LazyLock::new(|| Law::new(Walton::default()));
+
+/// The names that laws had here when they had two.
+const FORMER: [(&str, &str); 4] = [
+    ("sliding", "whittaker-uncapped"),
+    ("coulomb", "routh-newton"),
+    ("grip", "walton"),
+    ("energetic", "stronge-1990"),
+];
+
+/// Additions, multiplications, divisions and roots of a ball's fall, and of the look for its next
+/// impact: what a test counts in this code.
+const FLIGHT: [u64; 4] = [34, 21, 10, 1];
+
+/// Of an impact without friction.
+const NORMAL: [u64; 4] = [7, 6, 3, 0];
+
 impl Mechanics {
-    /// From the least.
-    pub const ALL: [Self; 9] = [
-        Self::NormalOnly,
-        Self::Sliding,
-        Self::WangSuLi,
-        Self::Coulomb,
-        Self::Grip,
-        Self::Energetic,
-        Self::Chain,
-        Self::Compliant,
-        Self::Annuli,
-    ];
+    /// All that there are with these laws, from the least.
+    fn all(laws: &'static [Law]) -> Vec<Self> {
+        let by_law = laws.iter().filter(|law| law.info.model.is_some()).map(Self::Law);
+        let mut all = vec![Self::NormalOnly];
+        all.extend(by_law);
+        all.sort_by_key(|mechanics| mechanics.operations());
+        all.extend([Self::Chain, Self::Compliant, Self::Annuli]);
+        all
+    }
 
     /// Its name.
     #[must_use]
-    pub const fn id(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Self::NormalOnly => "normal-only",
-            Self::Sliding => "sliding",
-            Self::WangSuLi => "wang-su-li",
-            Self::Coulomb => "coulomb",
-            Self::Grip => "grip",
-            Self::Energetic => "energetic",
+            Self::Law(law) => law.info.id,
             Self::Chain => "chain",
             Self::Compliant => "compliant",
             Self::Annuli => "annuli",
@@ -61,14 +70,10 @@ impl Mechanics {
 
     /// What it is, in words that follow "by".
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub fn words(self) -> &'static str {
         match self {
             Self::NormalOnly => "normal impulses alone",
-            Self::Sliding => "friction in full against the slip",
-            Self::WangSuLi => "the law of Wang, Su and Li",
-            Self::Coulomb => "Coulomb friction on rigid bodies",
-            Self::Grip => "Coulomb friction with tangential restitution",
-            Self::Energetic => "Coulomb friction with energetic restitution",
+            Self::Law(law) => law.info.model.map_or(law.info.id, |model| model.words),
             Self::Chain => "the chain of Hertz's springs",
             Self::Compliant => "an elastic contact",
             Self::Annuli => "an elastic contact by annuli",
@@ -83,26 +88,29 @@ impl Mechanics {
     }
 
     /// Additions, multiplications, divisions and roots of a ball's fall, its impact and the look for
-    /// the next one, the most over little and much slip: what a test counts in this code (a fused
-    /// multiply-add is two). Those of the integrations are estimates to the nearest power of ten.
+    /// the next one. Those of the integrations are estimates to the nearest power of ten.
     #[must_use]
-    pub const fn operations(self) -> [u64; 4] {
+    pub fn operations(self) -> [u64; 4] {
+        let with_flight =
+            |impact: [u64; 4]| std::array::from_fn(|kind| FLIGHT[kind] + impact[kind]);
         match self {
-            Self::NormalOnly => [41, 27, 13, 1],
-            Self::Sliding => [43, 33, 14, 1],
-            Self::WangSuLi => [63, 45, 21, 1],
-            Self::Coulomb => [63, 51, 17, 1],
-            Self::Grip => [55, 48, 14, 1],
-            Self::Energetic => [96, 81, 28, 2],
+            Self::NormalOnly => with_flight(NORMAL),
+            Self::Law(law) => with_flight(law.info.model.map_or([0; 4], |model| model.operations)),
             Self::Chain => [100_000, 100_000, 10_000, 1_000],
             Self::Compliant => [100_000, 100_000, 1_000, 1_000],
             Self::Annuli => [10_000_000, 10_000_000, 100_000, 1_000],
         }
     }
+
+    /// Whether it may stand in for any rigid law: it asks for nothing but μ and e.
+    fn stands_in(law: &Law) -> bool {
+        let plain = law.info.parameters.is_empty() && law.info.restitution == Restitution::Newton;
+        law.info.model.is_some() && plain
+    }
 }
 
 /// A way to resolve impacts, in a number system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Model {
     /// How.
     pub mechanics: Mechanics,
@@ -131,13 +139,13 @@ impl fmt::Display for Model {
 #[error("{0}")]
 pub struct UnknownModel(String);
 
-impl FromStr for Model {
-    type Err = UnknownModel;
-
-    /// `coulomb`, which is in `f64`, or `coulomb/rational`.
-    fn from_str(text: &str) -> Result<Self, UnknownModel> {
+impl Model {
+    /// The model of a name: `routh-newton`, which is in `f64`, or `routh-newton/rational`.
+    ///
+    /// # Errors
+    /// [`UnknownModel`], with the name that may be meant.
+    pub fn named(text: &str, laws: &'static [Law]) -> Result<Self, UnknownModel> {
         let (name, system) = text.split_once('/').unwrap_or((text, "f64"));
-        let names = || Mechanics::ALL.iter().map(|mechanics| mechanics.id());
         let unknown = |what: &str, word: &str, names: Vec<String>| {
             let near = nearest(word, names.iter().map(String::as_str));
             let hint = match near {
@@ -146,9 +154,15 @@ impl FromStr for Model {
             };
             UnknownModel(format!("no {what} is called `{word}`; {hint}"))
         };
-        let mechanics = Mechanics::ALL.into_iter().find(|mechanics| mechanics.id() == name);
-        let mechanics = mechanics
-            .ok_or_else(|| unknown("model", name, names().map(str::to_owned).collect()))?;
+        if let Some((former, id)) = FORMER.iter().find(|(former, _)| *former == name) {
+            return Err(UnknownModel(format!(
+                "no model is called `{former}` any more; its law has the id `{id}`"
+            )));
+        }
+        let all = Mechanics::all(laws);
+        let mechanics = all.iter().copied().find(|mechanics| mechanics.id() == name);
+        let names = || all.iter().map(|mechanics| mechanics.id().to_owned()).collect();
+        let mechanics = mechanics.ok_or_else(|| unknown("model", name, names()))?;
         let found = System::ALL.into_iter().find(|known| known.to_string() == system);
         let systems = || System::ALL.iter().map(ToString::to_string).collect();
         let system = found.ok_or_else(|| unknown("number system", system, systems()))?;
@@ -156,20 +170,27 @@ impl FromStr for Model {
     }
 }
 
+/// The names of the models with these laws, from the least.
+#[must_use]
+pub fn model_names(laws: &'static [Law]) -> Vec<&'static str> {
+    Mechanics::all(laws).into_iter().map(Mechanics::id).collect()
+}
+
 /// What may stand in for a reference, the reference among them, from the cheapest; among equals the
 /// shorter floats first.
-pub(super) fn candidates(reference: Mechanics) -> Vec<Model> {
-    use Mechanics::{
-        Annuli, Chain, Compliant, Coulomb, Energetic, Grip, NormalOnly, Sliding, WangSuLi,
-    };
-    let mechanics: &[Mechanics] = match reference {
-        NormalOnly => &[NormalOnly],
-        Chain => &[NormalOnly, Chain],
-        Grip => &[NormalOnly, Sliding, WangSuLi, Coulomb, Grip],
-        Energetic => &[NormalOnly, Sliding, WangSuLi, Coulomb, Energetic],
-        Compliant => &[NormalOnly, Sliding, WangSuLi, Coulomb, Compliant, Annuli],
-        _ => &[NormalOnly, Sliding, WangSuLi, Coulomb],
-    };
+pub(super) fn candidates(reference: Mechanics, laws: &'static [Law]) -> Vec<Model> {
+    use Mechanics::{Annuli, Chain, Compliant, NormalOnly};
+    let mut mechanics = vec![NormalOnly];
+    if !matches!(reference, NormalOnly | Chain) {
+        let laws = laws.iter().filter(|law| Mechanics::stands_in(law));
+        mechanics.extend(laws.map(Mechanics::Law));
+    }
+    if !mechanics.contains(&reference) {
+        mechanics.push(reference);
+    }
+    if reference == Compliant {
+        mechanics.push(Annuli);
+    }
     let systems = |mechanics: Mechanics| match mechanics {
         Chain | Compliant | Annuli => vec![System::F64],
         _ => vec![System::F32, System::F64, System::DoubleDouble, System::Rational],

@@ -3,7 +3,7 @@
 use kane_number::{Interval, Rational, decode};
 
 use super::evaluate::{Failed, Found, evaluate};
-use super::model::Mechanics;
+use super::model::{COULOMB, ENERGETIC, GRIP, Mechanics};
 use crate::coordinate::Coordinate as _;
 use crate::scene::{Scene, Setup, Tangential};
 
@@ -152,9 +152,9 @@ fn mechanics(scene: &Scene) -> Mechanics {
     match (&scene.tangential, &scene.setup) {
         _ if scene.stiffness.is_some() => Mechanics::Chain,
         _ if frictionless => Mechanics::NormalOnly,
-        (Tangential::Grip(_), _) => Mechanics::Grip,
+        (Tangential::Grip(_), _) => Mechanics::Law(&GRIP),
         (Tangential::Elastic(_) | Tangential::Springs(_), _) => Mechanics::Compliant,
-        (Tangential::Rigid, Setup::Tip(_)) => Mechanics::Energetic,
-        (Tangential::Rigid, Setup::Bodies(_)) => Mechanics::Coulomb,
+        (Tangential::Rigid, Setup::Tip(_)) => Mechanics::Law(&ENERGETIC),
+        (Tangential::Rigid, Setup::Bodies(_)) => Mechanics::Law(&COULOMB),
     }
 }

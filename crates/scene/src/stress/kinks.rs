@@ -70,11 +70,11 @@ pub(super) fn rows(rows: &mut Vec<Row>) {
         };
         let beside = |place: Rational| place + tiny;
         let half = k_error(&Law::new(RouthNewton), &beside(ratio(1, 2)));
-        push("alpha from 1/2 by", "coulomb/f64", half);
+        push("alpha from 1/2 by", "routh-newton/f64", half);
         // with a share of 1/2 given back sliding ends at (1 + 1/2)/2
         let walton = Walton { restitution: ratio(1, 2) };
         let at_end = k_error(&Law::new(walton), &beside(ratio(3, 4)));
-        push("alpha from 3/4 by", "grip/f64", at_end);
+        push("alpha from 3/4 by", "walton/f64", at_end);
         let turned = k_error(&Law::new(WangSuLi), &beside(integer(1)));
         push("alpha from 1 by", "wang-su-li/f64", turned);
         push("alpha from a kink by", "all laws, worst", Some(worst.errors[n]));

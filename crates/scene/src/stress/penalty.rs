@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
+use kane_impact::Law;
 use kane_impact::bodies::Motion;
 use kane_impact::laws::RouthNewton;
 use num_traits::Signed as _;
 
 use super::{Row, ball, box_of_discs, integer, ratio};
 use crate::coordinate::Coordinate;
-use crate::resolver::ByLaw;
 use crate::simulate::{Budget, Penalty, Until, energy_by_penalty, run};
 use crate::world::{Round, World};
 
@@ -72,7 +72,7 @@ fn grazing() -> Contrast {
     world.bodies[0].position[1] = ratio(1001, 1000);
     let before = world.bodies[0].kinetic_energy();
     let budget = Budget::default();
-    let end = run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), budget, &mut |_| {}).ok();
+    let end = run(&world, &Law::new(RouthNewton), &Until::Impacts(1), budget, &mut |_| {}).ok();
     let after = end.map_or_else(|| before.clone(), |end| end.bodies[0].kinetic_energy());
     Contrast {
         name: "grazing",

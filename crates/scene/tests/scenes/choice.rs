@@ -1,29 +1,34 @@
 //! The chooser is right: the chosen model meets the tolerance, the next cheaper one misses.
 
+use kane_impact::laws;
 use kane_scene::{Answer, Effort, Known, Model, Scene, Verdict, answer, read};
 
 /// The shipped scenes, and the model that each is answered by.
 const SHIPPED: [(&str, &str, &str); 11] = [
-    ("paper-sphere", include_str!("../../../../docs/scenes/paper-sphere.toml"), "sliding/f32"),
-    ("backspin", include_str!("../../../../docs/scenes/backspin.toml"), "coulomb/f32"),
-    ("superball", include_str!("../../../../docs/scenes/superball.toml"), "grip/f64"),
-    ("rest", include_str!("../../../../docs/scenes/rest.toml"), "coulomb/rational"),
-    ("two-spheres", include_str!("../../../../docs/scenes/two-spheres.toml"), "coulomb/f64"),
-    ("rod-jam", include_str!("../../../../docs/scenes/rod-jam.toml"), "energetic/f64"),
+    (
+        "paper-sphere",
+        include_str!("../../../../docs/scenes/paper-sphere.toml"),
+        "whittaker-uncapped/f32",
+    ),
+    ("backspin", include_str!("../../../../docs/scenes/backspin.toml"), "routh-newton/f32"),
+    ("superball", include_str!("../../../../docs/scenes/superball.toml"), "walton/f64"),
+    ("rest", include_str!("../../../../docs/scenes/rest.toml"), "routh-newton/rational"),
+    ("two-spheres", include_str!("../../../../docs/scenes/two-spheres.toml"), "routh-newton/f64"),
+    ("rod-jam", include_str!("../../../../docs/scenes/rod-jam.toml"), "stronge-1990/f64"),
     (
         "double-pendulum",
         include_str!("../../../../docs/scenes/double-pendulum.toml"),
-        "energetic/f32",
+        "stronge-1990/f32",
     ),
     ("cradle-apart", include_str!("../../../../docs/scenes/cradle-apart.toml"), "normal-only/f64"),
     ("cradle-touching", include_str!("../../../../docs/scenes/cradle-touching.toml"), "chain/f64"),
     ("alumina", include_str!("../../../../docs/scenes/alumina.toml"), "compliant/f64"),
-    ("discs", include_str!("../../../../docs/scenes/discs.toml"), "coulomb/f64"),
+    ("discs", include_str!("../../../../docs/scenes/discs.toml"), "routh-newton/f64"),
 ];
 
 fn answered(name: &str, text: &str, wanted: Option<Model>) -> (Scene, Answer) {
     let scene = read::scene(name, text).expect("the scene is well formed");
-    let answer = answer(&scene, wanted, Effort::Chosen, &mut |_, _| {});
+    let answer = answer(&scene, laws(), wanted, Effort::Chosen, &mut |_, _| {});
     (scene, answer.expect("there is an answer"))
 }
 
@@ -97,7 +102,7 @@ fn a_process_answers_where_an_elastic_contact_does_not_slide() {
 fn two_ways_through_the_half_space_agree_on_the_alumina_sphere() {
     let (_, text, _) = SHIPPED[9];
     let (_, rows) = answered("alumina", text, None);
-    let (_, annuli) = answered("alumina", text, Some("annuli".parse().unwrap()));
+    let (_, annuli) = answered("alumina", text, Some(Model::named("annuli", laws()).unwrap()));
     let k = |answer: &Answer| answer.lines[0].value;
     // Kharaz, Gorham and Salman (2001) measured −0.41 at 20.08°
     assert!((k(&rows) - k(&annuli)).abs() < 0.01, "{} {}", k(&rows), k(&annuli));
@@ -143,7 +148,7 @@ fn an_estimate_is_never_called_a_bound() {
 fn comparing_all_models_changes_no_reason() {
     let (name, text, chosen) = SHIPPED[6];
     let (scene, answer) = answered(name, text, None);
-    let all = kane_scene::answer(&scene, None, Effort::All, &mut |_, _| {}).unwrap();
+    let all = kane_scene::answer(&scene, laws(), None, Effort::All, &mut |_, _| {}).unwrap();
     assert_eq!((all.chosen, &all.reasons), (answer.chosen, &answer.reasons));
     assert_eq!(all.shown.to_string(), chosen);
     assert!(all.judged.len() > answer.judged.len());
@@ -214,13 +219,20 @@ fn where_nothing_is_good_enough_the_reason_is_named() {
 
 #[test]
 fn another_model_is_answered_with_its_error() {
-    let model = "sliding".parse().unwrap();
+    let model = Model::named("whittaker-uncapped", laws()).unwrap();
     let (_, answer) = answered("backspin", SHIPPED[1].1, Some(model));
     assert_eq!((answer.shown, answer.chosen), (model, None));
     assert!(answer.lines.iter().any(|line| line.error.unwrap() > line.tolerance));
-    for (bad, message) in [("slidin", "did you mean `sliding`?"), ("coulomb/f65", "number system")]
-    {
-        let error = bad.parse::<Model>().unwrap_err().to_string();
+    for (bad, message) in [
+        ("routh-newto", "did you mean `routh-newton`?"),
+        ("routh-newton/f65", "number system"),
+        ("smith-1991", "no model is called"),
+        ("coulomb/f32", "its law has the id `routh-newton`"),
+        ("sliding", "its law has the id `whittaker-uncapped`"),
+        ("grip", "its law has the id `walton`"),
+        ("energetic", "its law has the id `stronge-1990`"),
+    ] {
+        let error = Model::named(bad, laws()).unwrap_err().to_string();
         assert!(error.contains(message), "{error}");
     }
 }

@@ -5,10 +5,11 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
+use kane_impact::{Contact, ImpactLaw, NoImpulse, Outcome, law, laws};
 use kane_measure::chart::System;
 use kane_number::{Comparison, Interval, Number, Ordered, Rational, Real};
 use kane_scene::simulate::{Budget, Until, run};
-use kane_scene::{ByLaw, Coordinate, Mechanics, NormalOnly, Resolver};
+use kane_scene::{Coordinate, Model, NormalOnly, Resolver, model_names};
 
 use crate::{above_floor, ball};
 
@@ -142,18 +143,41 @@ impl Coordinate for Counted {
     }
 }
 
-/// The operations of the fall of a ball, its impact, and the look for the next one; the most over
-/// impacts with little slip and much.
-fn operations(resolver: &dyn Resolver<Counted>) -> [u64; 4] {
-    let mut most = [0; 4];
+/// A law on the number that counts, which no law as a value knows.
+struct Generic<L>(L);
+
+impl<L: ImpactLaw> Resolver<Counted> for Generic<L> {
+    fn resolve(&self, contact: &Contact<Counted>) -> Result<Outcome<Counted>, NoImpulse> {
+        self.0.resolve(contact)
+    }
+}
+
+/// Keeps the operations of the impact alone.
+struct Impact<'r>(&'r dyn Resolver<Counted>, Cell<[u64; 4]>);
+
+impl Resolver<Counted> for Impact<'_> {
+    fn resolve(&self, contact: &Contact<Counted>) -> Result<Outcome<Counted>, NoImpulse> {
+        let before = COUNTS.with(Cell::get);
+        let outcome = self.0.resolve(contact);
+        let after = COUNTS.with(Cell::get);
+        self.1.set(std::array::from_fn(|kind| after[kind] - before[kind]));
+        outcome
+    }
+}
+
+/// The operations of the fall of a ball, its impact, and the look for the next one, and those of the
+/// impact alone; the most over impacts with little slip and much.
+fn operations(resolver: &dyn Resolver<Counted>) -> [[u64; 4]; 2] {
+    let mut most = [[0; 4]; 2];
     for slip in ["1/10", "1/2", "3"] {
         let ball = ball("1/3", "1/2", ["0", "2"], [slip, "-1", "1/7"]);
         let world = above_floor(vec![ball], "10", "1/5", "3/4").map(Counted::from_rational);
         COUNTS.with(|counts| counts.set([0; 4]));
-        run(&world, resolver, &Until::Impacts(1), Budget::default(), &mut |_| {})
+        let impact = Impact(resolver, Cell::default());
+        run(&world, &impact, &Until::Impacts(1), Budget::default(), &mut |_| {})
             .expect("it falls and bounces");
-        let counted = COUNTS.with(Cell::get);
-        for (most, counted) in most.iter_mut().zip(counted) {
+        let counted = [COUNTS.with(Cell::get), impact.1.get()];
+        for (most, counted) in most.iter_mut().flatten().zip(counted.into_iter().flatten()) {
             *most = counted.max(*most);
         }
     }
@@ -163,20 +187,28 @@ fn operations(resolver: &dyn Resolver<Counted>) -> [u64; 4] {
 #[test]
 fn the_costs_of_models_are_counted_in_the_code() {
     let half = crate::n("1/2");
-    let found: [(Mechanics, Box<dyn Resolver<Counted>>); 6] = [
-        (Mechanics::NormalOnly, Box::new(NormalOnly)),
-        (Mechanics::Sliding, Box::new(ByLaw(WhittakerUncapped))),
-        (Mechanics::WangSuLi, Box::new(ByLaw(WangSuLi))),
-        (Mechanics::Coulomb, Box::new(ByLaw(RouthNewton))),
-        (Mechanics::Grip, Box::new(ByLaw(Walton { restitution: half }))),
-        (Mechanics::Energetic, Box::new(ByLaw(Stronge1990))),
+    let found: [(&str, Box<dyn Resolver<Counted>>); 6] = [
+        ("normal-only", Box::new(NormalOnly)),
+        ("whittaker-uncapped", Box::new(Generic(WhittakerUncapped))),
+        ("wang-su-li", Box::new(Generic(WangSuLi))),
+        ("routh-newton", Box::new(Generic(RouthNewton))),
+        ("walton", Box::new(Generic(Walton { restitution: half }))),
+        ("stronge-1990", Box::new(Generic(Stronge1990))),
     ];
-    let counted = found.iter().map(|(mechanics, resolver)| (*mechanics, operations(&**resolver)));
-    let counted: Vec<_> = counted.collect();
-    let committed: Vec<_> = counted.iter().map(|(of, _)| (*of, of.operations())).collect();
-    assert_eq!(counted, committed);
-    for mechanics in Mechanics::ALL {
-        let is_counted = counted.iter().any(|(of, _)| *of == mechanics);
-        assert_eq!(mechanics.is_counted(), is_counted, "{mechanics:?}");
+    for (name, resolver) in &found {
+        let [whole, impact] = operations(&**resolver);
+        let mechanics = Model::named(name, laws()).expect("it is a model").mechanics;
+        assert_eq!((name, mechanics.operations()), (name, whole));
+        if let Some(law) = law(name) {
+            let model = law.info.model.expect("it is a model");
+            assert_eq!((name, model.operations), (name, impact));
+        }
     }
+    let names = model_names(laws());
+    for name in &names {
+        let counted = found.iter().any(|(known, _)| known == name);
+        let mechanics = Model::named(name, laws()).expect("it is a model").mechanics;
+        assert_eq!(mechanics.is_counted(), counted, "{name}");
+    }
+    assert!(found.iter().all(|(name, _)| names.contains(name)), "{names:?}");
 }

@@ -1,10 +1,11 @@
 //! Flights and impacts, each by two ways.
 
+use kane_impact::Law;
 use kane_impact::bodies::{Collision, Motion, PlanarBody};
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
 use kane_number::{Interval, Rational};
 use kane_scene::simulate::{Budget, Chain, ChainError, Ending, Stopped, Until, collide_chain, run};
-use kane_scene::{ByLaw, Coordinate as _, NormalOnly, Side, Wall, World};
+use kane_scene::{Coordinate as _, NormalOnly, Side, Wall, World};
 
 use crate::{above_floor, ball, energy, n, of};
 
@@ -14,7 +15,7 @@ fn an_impact_is_that_of_the_bodies_of_the_laws() {
         above_floor(vec![ball("2", "1/10", ["0", "1/10"], ["3", "-2", "7"])], "10", "1/5", "3/4");
     let mut seen = Vec::new();
     let observer = &mut |bounce: &kane_scene::simulate::Bounce<Rational>| seen.push(bounce.clone());
-    run(&world, &ByLaw(WangSuLi), &Until::Impacts(1), Budget::default(), observer).unwrap();
+    run(&world, &Law::new(WangSuLi), &Until::Impacts(1), Budget::default(), observer).unwrap();
 
     let ball = &world.bodies[0];
     let body = PlanarBody {
@@ -45,8 +46,9 @@ fn two_bodies_part_as_the_laws_say_and_keep_their_momentum() {
     // they meet off centre unless both have the same velocity along x
     let mut world = world;
     world.bodies[1].motion.vx = n("1/3");
-    let end = run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
-        .unwrap();
+    let end =
+        run(&world, &Law::new(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
+            .unwrap();
     let planar = |body: &kane_scene::Round<Rational>, arm: Rational| PlanarBody {
         mass: body.mass.clone(),
         inertia: body.inertia.clone(),
@@ -100,7 +102,7 @@ fn every_side_of_a_room_is_the_floor_turned() {
             restitution: n("3/4"),
         };
         let end =
-            run(&world, &ByLaw(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
+            run(&world, &Law::new(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
                 .unwrap();
         let motion = &end.bodies[0].motion;
         let vt = integer(xt) * &motion.vx + integer(yt) * &motion.vy;
@@ -123,7 +125,7 @@ fn the_end_of_infinitely_many_impacts_does_not_depend_on_where_the_sum_begins() 
         );
         let rest = |shown| {
             let budget = Budget { shown, ..Budget::default() };
-            run(&world, &ByLaw(RouthNewton), &Until::Rest, budget, &mut |_| {}).unwrap()
+            run(&world, &Law::new(RouthNewton), &Until::Rest, budget, &mut |_| {}).unwrap()
         };
         let (early, late) = (rest(1), rest(30));
         assert!(early.impacts < late.impacts);
@@ -134,7 +136,7 @@ fn the_end_of_infinitely_many_impacts_does_not_depend_on_where_the_sum_begins() 
         // the 200th impact is within e^200 of it
         let until = Until::Impacts(200);
         let far =
-            run(&of::<f64>(&world), &ByLaw(RouthNewton), &until, Budget::default(), &mut |_| {})
+            run(&of::<f64>(&world), &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {})
                 .unwrap();
         assert!((far.time - 3.5).abs() < 1e-12);
         assert!((far.bodies[0].position[0] - early.bodies[0].position[0].to_f64()).abs() < 1e-12);
@@ -148,8 +150,9 @@ fn a_ball_that_rests_slides_on_until_it_rolls() {
         above_floor(vec![ball("1", "1/10", ["0", "27/20"], ["2", "0", "0"])], "10", "1/100", "3/4");
     let at = |time: &str| {
         let until = Until::Duration(n(time));
-        run(&world, &ByLaw(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap().bodies[0]
-            .clone()
+        run(&world, &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap().bodies
+            [0]
+        .clone()
     };
     // μ·g = 1/10 m/s² from the end of bouncing on, while it slides
     let (early, later) = (at("4"), at("5"));
@@ -168,7 +171,7 @@ fn the_ledger_and_the_work_of_gravity_are_all_that_changes_the_energy() {
         above_floor(vec![ball("3", "1/10", ["0", "27/20"], ["2", "0", "9"])], "10", "1/5", "3/4");
     let mut sum = energy(&world.bodies);
     let mut last = world.bodies[0].clone();
-    run(&world, &ByLaw(WangSuLi), &Until::Impacts(5), Budget::default(), &mut |bounce| {
+    run(&world, &Law::new(WangSuLi), &Until::Impacts(5), Budget::default(), &mut |bounce| {
         sum = sum.clone() + bounce.ledger.total() + &bounce.gravity;
         last = bounce.after.0.clone();
         assert_eq!(sum, last.kinetic_energy());
@@ -185,7 +188,7 @@ fn intervals_hold_the_exact_motion() {
         "3/4",
     );
     let until = Until::Impacts(9);
-    let law = ByLaw(RouthNewton);
+    let law = Law::new(RouthNewton);
     let exact = run(&world, &law, &until, Budget::default(), &mut |_| {}).unwrap();
     let until = Until::Impacts(9);
     let enclosed =
@@ -307,7 +310,8 @@ fn sliding_all_the_time_is_coulomb_friction_while_it_slides() {
     );
     let until = Until::Impacts(10);
     let slid =
-        run(&world, &ByLaw(WhittakerUncapped), &until, Budget::default(), &mut |_| {}).unwrap();
-    let coulomb = run(&world, &ByLaw(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap();
+        run(&world, &Law::new(WhittakerUncapped), &until, Budget::default(), &mut |_| {}).unwrap();
+    let coulomb =
+        run(&world, &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap();
     assert_eq!(slid, coulomb);
 }

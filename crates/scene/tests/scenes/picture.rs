@@ -1,6 +1,7 @@
 //! What pictures show is what the answer says.
 
-use kane_scene::{Answer, Effort, Event, Picture, PlaneLine, answer, read};
+use kane_impact::laws;
+use kane_scene::{Answer, Effort, Event, Model, Picture, PlaneLine, answer, read};
 
 const ROD: &str = include_str!("../../../../docs/scenes/rod-jam.toml");
 const PENDULUM: &str = include_str!("../../../../docs/scenes/double-pendulum.toml");
@@ -8,8 +9,8 @@ const CRADLE: &str = include_str!("../../../../docs/scenes/cradle-touching.toml"
 
 fn answered(text: &str, model: Option<&str>) -> Answer {
     let scene = read::scene("scene", text).expect("it is well formed");
-    let model = model.map(|model| model.parse().expect("a model"));
-    answer(&scene, model, Effort::Chosen, &mut |_, _| {}).expect("it has an answer")
+    let model = model.map(|model| Model::named(model, laws()).expect("a model"));
+    answer(&scene, laws(), model, Effort::Chosen, &mut |_, _| {}).expect("it has an answer")
 }
 
 /// The distance of a point from the line through two others, by the size of the frame.
