@@ -3,7 +3,7 @@
 use std::io;
 
 use kane::algebra::syntax::nearest;
-use kane::impact::laws::law_ids;
+use kane::impact::laws;
 use kane::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{MatrixReport, csv, explain, html, json, markdown, picture, text};
@@ -20,7 +20,7 @@ pub(super) fn run(args: &LawsArgs) -> Outcome {
         Err(message) => return bad_input(&message),
     };
     let mut progress = Progress::counting("cells");
-    let matrix = matrix(&selection, &mut |done, all| progress.update(done, all));
+    let matrix = matrix(laws(), &selection, &mut |done, all| progress.update(done, all));
     drop(progress);
 
     let report = MatrixReport { matrix: &matrix, command: command(args) };
@@ -52,7 +52,8 @@ fn selection(args: &LawsArgs) -> Result<Selection, String> {
         columns.push(property.to_owned());
     }
     let properties: Vec<&str> = PROPERTIES.iter().map(|p| p.id).collect();
-    known("law", &wanted, &law_ids())?;
+    let laws: Vec<&str> = laws().iter().map(|law| law.info.id).collect();
+    known("law", &wanted, &laws)?;
     known("property", &columns, &properties)?;
     let chosen = |ids: Vec<String>| (!ids.is_empty()).then_some(ids);
     Ok(Selection { laws: chosen(wanted), properties: chosen(columns) })
@@ -123,7 +124,7 @@ mod tests {
                 witness: Vec::new(),
             };
             let cells = findings.iter().map(cell).collect();
-            let row = Row { id: "one-law", source: "nobody", parameters: Vec::new(), cells };
+            let row = Row { law: laws()[0].clone(), cells };
             Matrix { properties: PROPERTIES.iter().take(findings.len()).collect(), rows: vec![row] }
         };
         let decided = [Finding::Proved, Finding::Refuted, Finding::NotApplicable];

@@ -111,7 +111,7 @@ struct HalfSpace {
 }
 
 pub(super) fn figures(progress: &mut dyn FnMut(usize, usize)) -> Result<[Figure; 3], NoOutcome> {
-    let laws = over_alpha();
+    let laws = over_alpha(kane_impact::laws());
     let half_space = half_space(&laws.alphas, progress)?;
     let observed = experiment::observed();
     Ok(quantities().map(|quantity| figure(quantity, &laws, &half_space, &observed)))

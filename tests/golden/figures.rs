@@ -92,7 +92,7 @@ fn every_curve_is_what_its_law_says() {
 /// and the other zone is where `i_x` leaves [−1, 1].
 #[test]
 fn the_zones_are_where_energy_grows_and_where_the_cone_ends() {
-    let laws = over_alpha();
+    let laws = over_alpha(laws());
     let one = Algebraic::from_rational(&kane::number::parse("1").expect("a literal"));
     let mut inside = [0, 0];
     for stem in ["slip-over-alpha", "impulse-over-alpha", "friction-over-alpha"] {

@@ -1,5 +1,6 @@
 //! The matrix of laws and properties, as the program prints it.
 
+use kane::impact::{law, laws};
 use kane::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{
@@ -11,7 +12,7 @@ use crate::{assert_kept, settings};
 /// In every form, by one test: making the matrix takes longest.
 #[test]
 fn the_matrix_in_every_form() {
-    let matrix = matrix(&Selection::default(), &mut |_, _| {});
+    let matrix = matrix(laws(), &Selection::default(), &mut |_, _| {});
     as_text(&matrix);
     as_markdown(&matrix);
     as_json(&matrix);
@@ -63,11 +64,12 @@ fn as_page(matrix: &Matrix) {
     }
     assert_eq!(page.matches("Formula, source and domain").count(), matrix.rows.len());
     for row in &matrix.rows {
-        let known =
-            page.matches(&format!("impact::laws::{}</code>", in_code(row.id, laws))).count();
-        assert_eq!(known, 1, "what is known of {} stands there once", row.id);
+        let known = page
+            .matches(&format!("impact::laws::{}</code>", in_code(row.law.info.id, laws)))
+            .count();
+        assert_eq!(known, 1, "what is known of {} stands there once", row.law.info.id);
         for (property, cell) in matrix.properties.iter().zip(&row.cells) {
-            let id = format!("{}:{}", row.id, property.id);
+            let id = format!("{}:{}", row.law.info.id, property.id);
             let (_, entry) = page.split_once(&format!(" id=\"{id}\"")).expect("a cell");
             let entry = entry.split("</details>").next().expect("it is closed");
             let is_whole = cell.parts.iter().all(|part| entry.contains(&part.digest()));
@@ -106,27 +108,25 @@ fn the_picture_of_a_matrix() {
         witness: Vec::new(),
     };
     let row = |id, findings: [Finding; 4]| Row {
-        id,
-        source: "nobody",
-        parameters: Vec::new(),
+        law: law(id).expect("it is known").clone(),
         cells: findings.map(cell).to_vec(),
     };
     let properties = [0, 5, 6, 9].map(|index| &PROPERTIES[index]).to_vec();
     let rows = vec![
-        row("one-law", [Proved, Refuted, NotApplicable, Undecided]),
-        row("another", [Refuted, Proved, Proved, Proved]),
+        row("garwin", [Proved, Refuted, NotApplicable, Undecided]),
+        row("walton", [Refuted, Proved, Proved, Proved]),
     ];
     let matrix = Matrix { properties, rows };
     let shown = picture(&report(&matrix)).expect("a picture can be drawn");
     settings().bind(|| insta::assert_snapshot!("picture", shown));
     let table = csv(&report(&matrix));
-    assert!(table.contains("one-law,cone,not applicable,0,\"because, \"\"so\"\"\"\n"), "{table}");
+    assert!(table.contains("garwin,cone,not applicable,0,\"because, \"\"so\"\"\"\n"), "{table}");
 }
 
 fn no_cell_is_undecided(matrix: &Matrix) {
     let cells = matrix.rows.iter().flat_map(|row| {
         let cells = matrix.properties.iter().zip(&row.cells);
-        cells.map(|(property, cell)| (format!("{}:{}", row.id, property.id), cell.finding))
+        cells.map(|(property, cell)| (format!("{}:{}", row.law.info.id, property.id), cell.finding))
     });
     let open: Vec<String> =
         cells.filter(|(_, f)| *f == Finding::Undecided).map(|(name, _)| name).collect();
@@ -141,7 +141,7 @@ fn some_cells_in_full(matrix: &Matrix) {
         ("kane-levinson", "energy"),
         ("keller-printed", "cone"),
     ] {
-        let row = matrix.rows.iter().find(|row| row.id == law).expect("a law");
+        let row = matrix.rows.iter().find(|row| row.law.info.id == law).expect("a law");
         let index = matrix.properties.iter().position(|p| p.id == property).expect("a property");
         let shown = explain(row, matrix.properties[index], &row.cells[index]);
         settings().bind(|| insta::assert_snapshot!(format!("{law}-{property}"), shown));

@@ -117,7 +117,7 @@ fn the_page_holds_all_and_loads_nothing() {
 
 #[test]
 fn the_committed_stress_is_the_program_s() {
-    let rows = stress::rows();
+    let rows = stress::rows(laws());
     let picture = stress_picture(&rows).expect("it can be drawn");
     for (file, shown) in
         [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]

@@ -378,7 +378,7 @@ fn a_law_that_creates_energy_in_its_own_frame_is_refuted_there() {
     let plain = Law::new(ChatterjeeRuina { restitution });
     for row in [row(&turned, &energy, &mut || {}), row(&plain, &energy, &mut || {})] {
         let findings: Vec<_> = row.cells.iter().map(|cell| cell.finding).collect();
-        assert_eq!(findings, [Finding::Refuted; 2], "{}", row.id);
+        assert_eq!(findings, [Finding::Refuted; 2], "{}", row.law.info.id);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::laws::{
     KaneLevinson, Keller1986, KellerPrinted, KuninakaHayakawa, LougeAdams, RouthNewton, Saitoh,
     Smith1991, SmithPrinted, Stronge1990, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
-use crate::{Formulas, ImpactLaw, LawInfo, LawOver};
+use crate::{Formulas, ImpactLaw, LawInfo, LawOver, Restitution};
 
 /// A law with the values of its parameters: what is said about it, and the same code over every
 /// number system.
@@ -109,6 +109,17 @@ impl Law {
         self.faces.normal_collision()
     }
 
+    /// What its restitution says, and where.
+    #[must_use]
+    pub fn restitution(&self) -> &'static str {
+        match self.info.restitution {
+            Restitution::Newton if self.has_frame() => {
+                "Newton, v_n'+ = e'*a' in a frame of the law's own, in which its statement and its cone stand too"
+            }
+            other => other.in_words(),
+        }
+    }
+
     /// The law with another value of a parameter, whose range is the caller's; `None` if it has no
     /// such parameter.
     #[must_use]
@@ -183,6 +194,7 @@ pub fn law(id: &str) -> Option<&'static Law> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Provenance;
 
     #[test]
     fn a_parameter_of_a_law_is_what_its_data_say() {
@@ -201,6 +213,25 @@ mod tests {
             assert!(law.with("no such parameter", &Rational::from_integer(1.into())).is_none());
         }
         assert_eq!(seen, 10);
+    }
+
+    /// The words in which a source says what was read.
+    #[test]
+    fn what_is_known_of_a_law_is_what_its_source_says() {
+        for law in laws() {
+            let source = law.info.source.to_lowercase();
+            let has = |words: &[&str]| words.iter().any(|words| source.contains(words));
+            let original = !has(&["original not consulted", "originals not consulted"]);
+            let an_abstract = has(&["abstract consulted", "sequel consulted"]);
+            let known = match (original, an_abstract) {
+                (true, true) => Provenance::Abstract,
+                (true, false) => Provenance::Original,
+                (false, true) => Provenance::OthersAndAbstract,
+                (false, false) => Provenance::Others,
+            };
+            let said = known != Provenance::Original || has(&["original consulted"]);
+            assert!(said && known == law.info.known_by, "{}", law.info.id);
+        }
     }
 
     #[test]

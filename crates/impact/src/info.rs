@@ -13,6 +13,56 @@ pub enum Restitution {
     Energetic,
 }
 
+impl Restitution {
+    /// Its name in a table.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Newton => "Newton",
+            Self::Poisson => "Poisson",
+            Self::Energetic => "energetic",
+        }
+    }
+
+    /// What it says.
+    #[must_use]
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            Self::Newton => "Newton, v_n+ = e*a",
+            Self::Poisson => "Poisson, the impulse of restitution is e times that of compression",
+            Self::Energetic => {
+                "energetic, the normal work of restitution is e^2 times that of compression"
+            }
+        }
+    }
+}
+
+/// What was read of the publication of a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Provenance {
+    /// The publication itself.
+    Original,
+    /// Its abstract; the formula was derived anew from what that says.
+    Abstract,
+    /// Other publications that quote it, and its abstract or one of a sequel.
+    OthersAndAbstract,
+    /// Other publications that quote it.
+    Others,
+}
+
+impl Provenance {
+    /// Its name in a table.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Original => "original",
+            Self::Abstract => "abstract",
+            Self::OthersAndAbstract => "through others, and an abstract",
+            Self::Others => "through others",
+        }
+    }
+}
+
 /// A parameter of a law, and its domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parameter {
@@ -71,10 +121,16 @@ pub(crate) const STOPS: &[(&str, &str)] = &[("", "max(0, 1 - 2*alpha)")];
 pub struct LawInfo {
     /// The name of the law in every table and report; printed and true forms differ.
     pub id: &'static str,
-    /// Whose law it is, and since when, in a few words.
-    pub who: &'static str,
+    /// Whose law it is.
+    pub people: &'static str,
+    /// The year of the publication, where the law is named after one.
+    pub year: Option<u16>,
+    /// Which form of their law this is, or under which name they print it; empty for the only one.
+    pub form: &'static str,
     /// Who published the law, and what was consulted: one sentence without its full stop.
     pub source: &'static str,
+    /// On what the formula rests.
+    pub known_by: Provenance,
     /// What the law adds to momentum and restitution, in the derivation language, one claim a
     /// line, for a contact that faces forwards: in the symbols k = `v_t⁺`/`v_t`, `i_x` =
     /// −`p_t`/(μ·`p_n`), alpha, e, mu and the law's own parameters.
@@ -103,8 +159,11 @@ impl LawInfo {
     /// that determines the impulse everywhere. The texts are empty.
     pub const PLAIN: Self = Self {
         id: "",
-        who: "",
+        people: "",
+        year: None,
+        form: "",
         source: "",
+        known_by: Provenance::Others,
         statement: "",
         on_a_sphere: &[],
         stated_for_coupling: true,
@@ -114,4 +173,12 @@ impl LawInfo {
         gap: None,
         model: None,
     };
+
+    /// Whose law it is, and since when: `Garwin 1969, with Coulomb's bound`.
+    #[must_use]
+    pub fn who(&self) -> String {
+        let year = self.year.map_or_else(String::new, |year| format!(" {year}"));
+        let form = if self.form.is_empty() { "" } else { ", " };
+        format!("{}{year}{form}{}", self.people, self.form)
+    }
 }

@@ -26,7 +26,7 @@ mod visible;
 
 use std::rc::Rc;
 
-use kane_impact::{Contact, Law, laws};
+use kane_impact::{Contact, Law};
 use kane_number::Rational;
 
 pub use applied::{Applied, Premise, RootOf, absurd, apply, compare, rel};
@@ -44,12 +44,8 @@ use study::{Family, Memo};
 /// A law and its cells.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// the law's id
-    pub id: &'static str,
-    /// who published it, and what was consulted
-    pub source: &'static str,
-    /// its own parameters, as they are here
-    pub parameters: Vec<(&'static str, Rational)>,
+    /// the law, with its own parameters as they are here
+    pub law: Law,
     /// one cell a property, in the order of [`Matrix::properties`]
     pub cells: Vec<Cell>,
 }
@@ -108,7 +104,7 @@ fn row_with(
         cell
     });
     let cells = cells.collect();
-    Row { id: law.info.id, source: law.info.source, parameters: law.parameters(), cells }
+    Row { law: law.clone(), cells }
 }
 
 fn cell(
@@ -171,17 +167,21 @@ fn silent_on(law: &Law, property: &Property, families: &[Family]) -> Option<&'st
     (asked && !families.iter().any(speaks)).then_some(law.info.gap).flatten()
 }
 
-/// The matrix, or what is asked for of it. `progress` is told, after each cell, how many are done and
-/// how many there are.
-pub fn matrix(selection: &Selection, progress: &mut dyn FnMut(usize, usize)) -> Matrix {
+/// The matrix of these laws, or what is asked for of it. `progress` is told, after each cell, how many
+/// are done and how many there are.
+pub fn matrix(
+    laws: &[Law],
+    selection: &Selection,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Matrix {
     let properties = selection.properties();
-    let count = selection.laws.as_ref().map_or_else(|| laws().len(), Vec::len);
-    let all = count * properties.len();
-    let (memo, mut done) = (Rc::default(), 0);
     let wanted = |law: &&Law| {
         selection.laws.as_ref().is_none_or(|ids| ids.iter().any(|id| id == law.info.id))
     };
-    let rows = laws().iter().filter(wanted).map(|law| {
+    let laws: Vec<&Law> = laws.iter().filter(wanted).collect();
+    let all = laws.len() * properties.len();
+    let (memo, mut done) = (Rc::default(), 0);
+    let rows = laws.into_iter().map(|law| {
         row_with(&memo, law, &properties, &mut || {
             done += 1;
             progress(done, all);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use kane_impact::{Alpha, Contact, Law, Ratios, laws};
+use kane_impact::{Alpha, Contact, Law, Ratios};
 use kane_number::{Algebraic, Rational};
 
 /// All laws over α; what coincides is kept once.
@@ -26,17 +26,17 @@ pub struct Curve {
     pub ratios: Vec<Option<Ratios<Algebraic>>>,
 }
 
-/// Asks every law of the registry, with its default parameters, for α from 1/50 to 20.
+/// Asks the laws for α from 1/50 to 20.
 #[must_use]
-pub fn over_alpha() -> OverAlpha {
+pub fn over_alpha(laws: &[Law]) -> OverAlpha {
     let grid = grid();
     // where some law changes its regime, a curve may have a corner or jump
-    let borders = laws().iter().flat_map(|law| changes(&grid, HALVINGS, |alpha| state(law, alpha)));
+    let borders = laws.iter().flat_map(|law| changes(&grid, HALVINGS, |alpha| state(law, alpha)));
     let mut alphas: BTreeSet<Rational> = borders.flatten().collect();
     alphas.extend(grid);
     let alphas = alphas.into_iter().collect();
     let mut asked = OverAlpha { alphas, curves: Vec::new(), without: Vec::new() };
-    laws().iter().for_each(|law| asked.ask(law));
+    laws.iter().for_each(|law| asked.ask(law));
     asked
 }
 

@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use super::share::{Share, regimes};
-use crate::{Contact, ImpactLaw, Impulse, LawInfo, Parameter, Regime};
+use crate::{Contact, ImpactLaw, Impulse, LawInfo, Parameter, Provenance, Regime};
 
 /// A given ratio of the impulses, `p_t` = −`μ_B`·`p_n`, admitted where it does not create energy
 /// (id `brach`).
@@ -16,10 +16,6 @@ use crate::{Contact, ImpactLaw, Impulse, LawInfo, Parameter, Regime};
 /// Domain: contacts on which the ratio has a normal impulse that pushes, `W_nn` > `μ_B`·`W_tn`, and
 /// creates no energy; elsewhere, and so for large α, the law has no answer. Without tangential
 /// impulse at `v_t` = 0. Exact in exact numbers.
-///
-/// Source: R. M. Brach, J. Appl. Mech. 51 (1984) 164–170 and 56 (1989) 133–138, from memory of
-/// their use in the literature, originals not consulted; the energy bound is derived here from ΔT =
-/// p·(v + v⁺)/2.
 ///
 /// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,8 +48,10 @@ impl Share for Brach {
 impl ImpactLaw for Brach {
     const INFO: LawInfo = LawInfo {
         id: "brach",
-        who: "Brach 1984",
+        people: "Brach",
+        year: Some(1984),
         source: "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2",
+        known_by: Provenance::Others,
         statement: "i_x = share",
         gap: Some(
             "the impulse ratio mu_B would create energy, or has no normal impulse that pushes",

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::walton::Rebounds;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Parameter, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Parameter, Provenance, Regime, Relation};
 
 /// Between the frictionless and the sticking plastic impulse, inside the cone (id
 /// `chatterjee-ruina`).
@@ -23,9 +23,6 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Parameter, Regime, Rela
 ///
 /// Domain: every contact, with 0 ≤ e ≤ 1 and −1 ≤ `e_t` ≤ 1; the range of `e_t` is the caller's.
 /// Exact in exact numbers.
-///
-/// Source: A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939–951, in the form in which the
-/// public library OpenTissue implements it; abstract consulted, original not consulted.
 ///
 /// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
 /// few ulp.
@@ -178,8 +175,10 @@ impl Rebounds for ChatterjeeRuina {
 impl ImpactLaw for ChatterjeeRuina {
     const INFO: LawInfo = LawInfo {
         id: "chatterjee-ruina",
-        who: "Chatterjee and Ruina 1998",
+        people: "Chatterjee and Ruina",
+        year: Some(1998),
         source: "A. Chatterjee and A. Ruina, J. Appl. Mech. 65 (1998) 939-951, in the form in which the public library OpenTissue implements it; abstract consulted, original not consulted",
+        known_by: Provenance::OthersAndAbstract,
         statement: "k >= -e_t\ni_x = 1 when k > -e_t\ni_x <= 1 when k = -e_t",
         stated_for_coupling: false,
         parameters: &[E_T],

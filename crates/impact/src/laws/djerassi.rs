@@ -1,6 +1,7 @@
 //! Djerassi's solutions of the planar collision with friction.
 
-use super::routh::process_law;
+use super::routh::{PROCESS, process_law};
+use crate::{LawInfo, Provenance, Restitution};
 
 /// Routh's process with Newton's restitution, accepted where energy does not rise (id
 /// `djerassi-newton`).
@@ -10,10 +11,6 @@ use super::routh::process_law;
 ///
 /// Domain: contacts on which that impulse creates no energy, among them all that do not couple,
 /// with k = max(0, 1 − 2α); elsewhere the law has no answer. Exact in exact numbers.
-///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37–54, part A, from memory of its use in the
-/// literature: that Newton's hypothesis needs criteria of acceptance; original not consulted, and
-/// the criterion is ours.
 ///
 /// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
 /// few ulp.
@@ -25,10 +22,6 @@ pub struct DjerassiNewton;
 /// The impulse of [`Keller1986`](crate::laws::Keller1986), always accepted.
 ///
 /// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers.
-///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B, original not consulted;
-/// introduction of its sequel consulted: the solution exists, is unique, coherent and
-/// energy-consistent.
 ///
 /// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
 /// few ulp.
@@ -43,9 +36,6 @@ pub struct DjerassiPoisson;
 /// algebraic ones hold the square root, rational ones only where it is rational, as it always is
 /// without coupling.
 ///
-/// Source: S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55–70, part B, original not consulted;
-/// introduction of its sequel consulted.
-///
 /// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
 /// stopped, plain floats have no bound, and intervals enclose the impulse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,17 +43,47 @@ pub struct DjerassiStronge;
 
 process_law!(
     DjerassiNewton,
-    "djerassi-newton",
-    "Djerassi 2009, part A",
-    "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37-54, part A, from memory of its use in the literature: that Newton's hypothesis needs criteria of acceptance; original not consulted, and the criterion is ours",
-    Newton: newton, newton,
-    "Newton's hypothesis would create energy here, so its solution is not accepted" by energy_loss
+    newton,
+    newton,
+    LawInfo {
+        id: "djerassi-newton",
+        people: "Djerassi",
+        year: Some(2009),
+        form: "part A",
+        source: "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 37-54, part A, from memory of its use in the literature: that Newton's hypothesis needs criteria of acceptance; original not consulted, and the criterion is ours",
+        known_by: Provenance::Others,
+        gap: Some("Newton's hypothesis would create energy here, so its solution is not accepted"),
+        ..PROCESS
+    },
+    accepted by energy_loss
 );
 process_law!(
-    DjerassiPoisson, "djerassi-poisson",
-    "Djerassi 2009, part B", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted: the solution exists, is unique, coherent and energy-consistent", Poisson: poisson_compression, poisson_restitution
+    DjerassiPoisson,
+    poisson_compression,
+    poisson_restitution,
+    LawInfo {
+        id: "djerassi-poisson",
+        people: "Djerassi",
+        year: Some(2009),
+        form: "part B",
+        source: "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted: the solution exists, is unique, coherent and energy-consistent",
+        known_by: Provenance::OthersAndAbstract,
+        restitution: Restitution::Poisson,
+        ..PROCESS
+    }
 );
 process_law!(
-    DjerassiStronge, "djerassi-stronge",
-    "Djerassi 2009, part B", "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted", Energetic: energetic_compression, energetic_restitution
+    DjerassiStronge,
+    energetic_compression,
+    energetic_restitution,
+    LawInfo {
+        id: "djerassi-stronge",
+        people: "Djerassi",
+        year: Some(2009),
+        form: "part B",
+        source: "S. Djerassi, Multibody Syst. Dyn. 21 (2009) 55-70, part B, original not consulted; introduction of its sequel consulted",
+        known_by: Provenance::OthersAndAbstract,
+        restitution: Restitution::Energetic,
+        ..PROCESS
+    }
 );

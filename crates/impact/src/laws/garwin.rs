@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use super::walton::{PULL, Rebounds, rebound, slide_on};
-use crate::{ImpactLaw, LawInfo, Regime};
+use crate::{ImpactLaw, LawInfo, Provenance, Regime};
 
 /// The superball: the slip is reversed whatever friction it takes, k = −1 (id `garwin`).
 ///
@@ -11,8 +11,6 @@ use crate::{ImpactLaw, LawInfo, Regime};
 ///
 /// Domain: contacts on which the reversal has a normal impulse that pushes, among them all that do
 /// not couple, with `i_x` = 1/α; elsewhere the law has no answer. Exact in exact numbers.
-///
-/// Source: R. L. Garwin, Am. J. Phys. 37 (1969) 88–92, for e = 1; abstract consulted.
 ///
 /// In floats, barring under- and overflow, within 4 ulp where the contact does not couple.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,9 +22,6 @@ pub struct Garwin;
 /// reversal.
 ///
 /// Domain: that of [`Garwin`], and all contacts that slide. Exact in exact numbers.
-///
-/// Source: Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original
-/// not consulted; derived here.
 ///
 /// In floats, barring under- and overflow, within 7 ulp where the contact does not couple.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,8 +47,10 @@ const fn reverse<L: Rebounds, N: Number>() -> Regime<L, N> {
 impl ImpactLaw for Garwin {
     const INFO: LawInfo = LawInfo {
         id: "garwin",
-        who: "Garwin 1969",
+        people: "Garwin",
+        year: Some(1969),
         source: "R. L. Garwin, Am. J. Phys. 37 (1969) 88-92, for e = 1; abstract consulted",
+        known_by: Provenance::Abstract,
         statement: "k = -1",
         gap: Some(PULL),
         on_a_sphere: &[("", "-1")],
@@ -72,8 +69,11 @@ impl ImpactLaw for Garwin {
 impl ImpactLaw for GarwinCapped {
     const INFO: LawInfo = LawInfo {
         id: "garwin-capped",
-        who: "Garwin 1969, with Coulomb's bound",
+        people: "Garwin",
+        year: Some(1969),
+        form: "with Coulomb's bound",
         source: "Garwin's law with Coulomb's bound, as used for balls by Cross (2002), original not consulted; derived here",
+        known_by: Provenance::Others,
         statement: "k >= -1\ni_x = 1 when k > -1\ni_x <= 1 when k = -1",
         gap: Some(PULL),
         on_a_sphere: &[("", "max(-1, 1 - 2*alpha)")],

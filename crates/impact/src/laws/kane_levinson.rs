@@ -5,7 +5,7 @@ use kane_number::{Number, Rational};
 use super::whittaker_uncapped::slide;
 use crate::info::STOPS;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Provenance, Regime, Relation};
 
 /// Friction that opposes the slip *after* the collision (id `kane-levinson`).
 ///
@@ -16,9 +16,6 @@ use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
 /// energy: this is the setting in which Kane found his puzzle.
 ///
 /// Domain: every contact. Exact in exact numbers.
-///
-/// Source: T. R. Kane and D. A. Levinson, *Dynamics: Theory and Applications* (1985), as quoted in
-/// the literature on the puzzle; original not consulted.
 ///
 /// In floats each regime is a quotient of few terms; with coupling they may cancel, and the bound
 /// is the width of the result on intervals.
@@ -34,8 +31,10 @@ fn margin<N: Number>(contact: &Contact<N>, tangential: fn(N) -> N) -> N {
 impl ImpactLaw for KaneLevinson {
     const INFO: LawInfo = LawInfo {
         id: "kane-levinson",
-        who: "Kane and Levinson 1985",
+        people: "Kane and Levinson",
+        year: Some(1985),
         source: "T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications (1985), as quoted in the literature on the puzzle; original not consulted",
+        known_by: Provenance::Others,
         statement: "i_x = 1 when k > 0\ni_x <= 1 when k = 0\ni_x >= -1 when k = 0\ni_x = -1 when k < 0",
         on_a_sphere: STOPS,
         ..LawInfo::PLAIN

@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Provenance, Regime, Relation};
 
 /// Two straight pieces: k = 1 − 4α/3 while k > 0, then k = 1/2 − 2α/3 (id `keller-printed`).
 ///
@@ -13,9 +13,6 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Relation};
 ///
 /// Domain: contacts that do not couple; without tangential impulse at `v_t` = 0. Exact in exact
 /// numbers.
-///
-/// Source: Wang, Su and Li, equation (26). Their (27) prints `i_x` = 1/3 on the second piece, which
-/// contradicts momentum; we follow (26). Original consulted.
 ///
 /// In floats, barring under- and overflow, at most 7 roundings of positive terms, 7 ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,8 +31,10 @@ fn opposing<N: Number>(contact: &Contact<N>, friction: N) -> Impulse<N> {
 impl ImpactLaw for KellerPrinted {
     const INFO: LawInfo = LawInfo {
         id: "keller-printed",
-        who: "under Keller's name in Wang, Su and Li",
+        people: "Wang, Su and Li",
+        form: "under Keller's name",
         source: "Wang, Su and Li, equation (26). Their (27) prints i_x = 1/3 on the second piece, which contradicts momentum; we follow (26). Original consulted",
+        known_by: Provenance::Original,
         statement: "k = 1 - 4/3*alpha when k > 0\nk = 1/2 - 2/3*alpha when k <= 0",
         stated_for_coupling: false,
         gap: Some("the law is printed for contacts that do not couple, W_tn = 0"),

@@ -3,7 +3,10 @@
 use kane_number::Number;
 
 use crate::arithmetic::difference_of_products;
-use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
+use crate::{
+    Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime, Relation,
+    Restitution, Root,
+};
 
 /// Routh's process with Newton's restitution (id `routh-newton`).
 ///
@@ -25,10 +28,6 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, Regime, Relation, Root};
 ///
 /// Domain: every contact. Exact in exact numbers.
 ///
-/// Source: E. J. Routh, *Dynamics of a System of Rigid Bodies*, for the process; closed form
-/// derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635–642, abstract
-/// consulted; Routh's original not consulted.
-///
 /// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
 /// few ulp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,10 +39,6 @@ pub struct RouthNewton;
 /// of compression, `p_f` = (1 + e)·`p_c` with `v_n`(`p_c`) = 0. Energy never rises for 0 ≤ e ≤ 1.
 ///
 /// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers.
-///
-/// Source: J. B. Keller, J. Appl. Mech. 53 (1986) 1–4, abstract consulted: Coulomb friction at every
-/// instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from
-/// memory of the literature; closed form derived here.
 ///
 /// In floats the bound with coupling is the width of the result on intervals; without, heuristic: a
 /// few ulp.
@@ -61,9 +56,6 @@ pub struct Keller1986;
 /// Domain: every contact; where it does not couple, k = max(0, 1 − 2α). Exact in exact numbers:
 /// algebraic ones hold the square root, rational ones only where it is rational, as it always is
 /// without coupling.
-///
-/// Source: W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169–181, from memory of its use in the
-/// literature, and J. Appl. Mech. 58 (1991) 1049–1055, abstract consulted; closed form derived here.
 ///
 /// In floats heuristic: a few ulp where the contact does not couple; with coupling, once the slip has
 /// stopped, plain floats have no bound, and intervals enclose the impulse.
@@ -297,24 +289,20 @@ impl When {
 /// What the process comes to on a contact that does not couple, under every hypothesis.
 pub(crate) const UNCOUPLED: &str = "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0";
 
+/// What is said of every law that is the process.
+pub(crate) const PROCESS: LawInfo = LawInfo {
+    statement: UNCOUPLED,
+    stated_for_coupling: false,
+    is_process: true,
+    on_a_sphere: crate::info::STOPS,
+    ..LawInfo::PLAIN
+};
+
 /// The implementation of a law that is the process under one hypothesis.
 macro_rules! process_law {
-    ($law:ty, $id:literal, $who:literal, $source:expr, $hypothesis:ident: $compression:ident, $restitution:ident
-     $(, model $model:expr)? $(, $refuses:literal by $acceptance:ident)?) => {
+    ($law:ty, $compression:ident, $restitution:ident, $info:expr $(, accepted by $acceptance:ident)?) => {
         impl $crate::ImpactLaw for $law {
-            const INFO: $crate::LawInfo = $crate::LawInfo {
-                id: $id,
-                who: $who,
-                source: $source,
-                statement: $crate::laws::routh::UNCOUPLED,
-                stated_for_coupling: false,
-                is_process: true,
-                on_a_sphere: $crate::info::STOPS,
-                restitution: $crate::Restitution::$hypothesis,
-                $(gap: Some($refuses),)?
-                $(model: Some($model),)?
-                ..$crate::LawInfo::PLAIN
-            };
+            const INFO: $crate::LawInfo = $info;
 
             fn normal_collision(&self) -> Option<kane_number::Rational> {
                 Some(kane_number::Number::zero())
@@ -340,27 +328,51 @@ pub(crate) use process_law;
 
 process_law!(
     RouthNewton,
-    "routh-newton",
-    "Routh 1860, with Newton's restitution",
-    "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642, abstract consulted; Routh's original not consulted",
-    Newton: newton, newton,
-    model crate::ModelInfo { words: "Coulomb friction on rigid bodies", operations: [29, 30, 7, 0] }
+    newton,
+    newton,
+    LawInfo {
+        id: "routh-newton",
+        people: "Routh",
+        year: Some(1860),
+        form: "with Newton's restitution",
+        source: "E. J. Routh, Dynamics of a System of Rigid Bodies, for the process; closed form derived here, following Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635-642, abstract consulted; Routh's original not consulted",
+        known_by: Provenance::OthersAndAbstract,
+        model: Some(ModelInfo {
+            words: "Coulomb friction on rigid bodies",
+            operations: [29, 30, 7, 0],
+        }),
+        ..PROCESS
+    }
 );
 process_law!(
     Keller1986,
-    "keller-1986",
-    "Keller 1986",
-    "J. B. Keller, J. Appl. Mech. 53 (1986) 1-4, abstract consulted: Coulomb friction at every instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from memory of the literature; closed form derived here",
-    Poisson: poisson_compression, poisson_restitution
+    poisson_compression,
+    poisson_restitution,
+    LawInfo {
+        id: "keller-1986",
+        people: "Keller",
+        year: Some(1986),
+        source: "J. B. Keller, J. Appl. Mech. 53 (1986) 1-4, abstract consulted: Coulomb friction at every instant, and a coefficient of restitution for the normal impulse. That this is Poisson's is from memory of the literature; closed form derived here",
+        known_by: Provenance::Abstract,
+        restitution: Restitution::Poisson,
+        ..PROCESS
+    }
 );
 process_law!(
     Stronge1990,
-    "stronge-1990",
-    "Stronge 1990",
-    "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181, from memory of its use in the literature, and J. Appl. Mech. 58 (1991) 1049-1055, abstract consulted; closed form derived here",
-    Energetic: energetic_compression, energetic_restitution,
-    model crate::ModelInfo {
-        words: "Coulomb friction with energetic restitution",
-        operations: [62, 60, 18, 1],
+    energetic_compression,
+    energetic_restitution,
+    LawInfo {
+        id: "stronge-1990",
+        people: "Stronge",
+        year: Some(1990),
+        source: "W. J. Stronge, Proc. R. Soc. Lond. A 431 (1990) 169-181, from memory of its use in the literature, and J. Appl. Mech. 58 (1991) 1049-1055, abstract consulted; closed form derived here",
+        known_by: Provenance::Abstract,
+        restitution: Restitution::Energetic,
+        model: Some(ModelInfo {
+            words: "Coulomb friction with energetic restitution",
+            operations: [62, 60, 18, 1],
+        }),
+        ..PROCESS
     }
 );

@@ -2,10 +2,10 @@
 
 use kane_number::{Number, Rational};
 
-use super::tilted::{Turns, turned_law};
+use super::tilted::{TURNED, Turns, turned_law};
 use super::walton::BETA0;
 use crate::bodies::Direction;
-use crate::{Contact, Frame, Guard, Parameter, Relation};
+use crate::{Contact, Frame, Guard, LawInfo, Parameter, Provenance, Relation};
 
 /// The bodies part along another normal than that on which they met (id `saitoh`).
 ///
@@ -30,10 +30,6 @@ use crate::{Contact, Frame, Guard, Parameter, Relation};
 /// so that all of the cone about n' pushes along n; 0 ≤ turn ≤ 1 and 0 ≤ β0 ≤ 1 are the caller's.
 /// Without slip the normal does not turn. Of any outcome only v⁺·n' ≥ 0 is promised. Exact in exact
 /// numbers.
-///
-/// Source: K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010)
-/// 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The
-/// default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's.
 ///
 /// In floats heuristic: turning may cancel, so plain floats are not used, and intervals enclose the
 /// impulse.
@@ -82,10 +78,18 @@ const fn approaches<N: Number>() -> Guard<Saitoh, N> {
 
 turned_law!(
     Saitoh,
-    "saitoh",
-    "Saitoh, Bodrova, Hayakawa and Brilliantov 2010",
-    "K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010) 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
-    turn = TURN,
-    "the bodies do not approach along the normal on which they would part, or the cone about it reaches below the surface, mu*tan(phi) > 1",
+    turn,
+    LawInfo {
+        id: "saitoh",
+        people: "Saitoh, Bodrova, Hayakawa and Brilliantov",
+        year: Some(2010),
+        source: "K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010) 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
+        known_by: Provenance::OthersAndAbstract,
+        parameters: &[TURN, BETA0],
+        gap: Some(
+            "the bodies do not approach along the normal on which they would part, or the cone about it reaches below the surface, mu*tan(phi) > 1",
+        ),
+        ..TURNED
+    },
     [approaches()]
 );

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Root};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Provenance, Regime, Root};
 
 /// Friction along the mean of the slip before and after, weighted by speed (id `smith-1991`):
 /// `p_t` = −μ·`p_n`·(|v|·v + |v⁺|·v⁺)/(v² + v⁺²), that is `i_x` = (1 + k·|k|)/(1 + k²).
@@ -23,9 +23,6 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Regime, Root};
 ///
 /// Domain: every contact. Exact in exact numbers: algebraic ones hold the root, rational ones only
 /// where it is rational, and always where the slip is not reversed.
-///
-/// Source: C. E. Smith, J. Appl. Mech. 58 (1991) 754–758, as quoted by Chatterjee and Ruina (1998);
-/// original not consulted.
 ///
 /// In floats, from an exact α, [`ratios`](ImpactLaw::ratios) has no cancellation: k is formed as
 /// (1 − 2α)·x/(2 − x) with the root x = 1 + k. With coupling plain floats are heuristic where the
@@ -61,8 +58,10 @@ fn cubic<N: Number>(contact: &Contact<N>) -> [N; 4] {
 impl ImpactLaw for Smith1991 {
     const INFO: LawInfo = LawInfo {
         id: "smith-1991",
-        who: "Smith 1991",
+        people: "Smith",
+        year: Some(1991),
         source: "C. E. Smith, J. Appl. Mech. 58 (1991) 754-758, as quoted by Chatterjee and Ruina (1998); original not consulted",
+        known_by: Provenance::Others,
         statement: "i_x = 1 when k >= 0\ni_x = (1 - k^2)/(1 + k^2) when k <= 0",
         on_a_sphere: &[("1/2", "1 - 2*alpha"), ("", "alpha - sqrt(alpha^2 + 2*alpha - 1)")],
         ..LawInfo::PLAIN

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::share::{Share, regimes};
 use super::whittaker_uncapped::JAM;
-use crate::{ImpactLaw, LawInfo, Parameter, Regime};
+use crate::{ImpactLaw, LawInfo, Parameter, Provenance, Regime};
 
 /// Sliding with the share η of the friction: `i_x` = η (id `smith-printed`).
 ///
@@ -13,9 +13,6 @@ use crate::{ImpactLaw, LawInfo, Parameter, Regime};
 ///
 /// Domain: contacts on which the ratio has a normal impulse that pushes, `W_nn` > η·μ·`W_tn`;
 /// without tangential impulse at `v_t` = 0. Exact in exact numbers.
-///
-/// Source: Wang, Su and Li, the text above equation (24), with η = 0.4; their (25) prints `i_xW` =
-/// 1 for it, which contradicts momentum. Original consulted.
 ///
 /// In floats, barring under- and overflow, 6 roundings, 6 ulp, where the contact does not couple.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,8 +44,10 @@ impl Share for SmithPrinted {
 impl ImpactLaw for SmithPrinted {
     const INFO: LawInfo = LawInfo {
         id: "smith-printed",
-        who: "under Smith's name in Wang, Su and Li",
+        people: "Wang, Su and Li",
+        form: "under Smith's name",
         source: "Wang, Su and Li, the text above equation (24), with eta = 0.4; their (25) prints i_xW = 1 for it, which contradicts momentum. Original consulted",
+        known_by: Provenance::Original,
         statement: "i_x = eta",
         gap: Some(JAM),
         parameters: &[ETA],

@@ -2,10 +2,10 @@
 
 use kane_number::{Number, Rational};
 
-use super::chatterjee_ruina::View;
+use super::chatterjee_ruina::{UNCOUPLED, View};
 use super::walton::{BETA0, Rebounds};
 use crate::bodies::Direction;
-use crate::{Contact, Frame, Guard, Impulse, Parameter, Relation};
+use crate::{Contact, Frame, Guard, Impulse, LawInfo, Parameter, Provenance, Relation};
 
 /// Walton's law about a normal that leans against the slip (id `louge-adams`).
 ///
@@ -16,10 +16,6 @@ use crate::{Contact, Frame, Guard, Impulse, Parameter, Relation};
 /// Domain: contacts with μ·tan φ ≤ 1 on which the surfaces then separate, with 0 ≤ tilt ≤ 1 and
 /// 0 ≤ β0 ≤ 1; the ranges of the parameters are the caller's. Without slip the normal does not lean.
 /// Exact in exact numbers.
-///
-/// Source: M. Y. Louge and M. E. Adams, Phys. Rev. E 65 (2002) 021303, from memory of its use in the
-/// literature, original not consulted: oblique impacts of a hard sphere on an elastoplastic plate.
-/// The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's.
 ///
 /// In floats heuristic: turning may cancel, so plain floats are not used, and intervals enclose the
 /// impulse.
@@ -59,10 +55,6 @@ pub struct LougeAdams {
 ///
 /// Domain: contacts with μ·tan φ ≤ 1, so that all of the tilted cone pushes, on which the surfaces
 /// then separate, `v_n⁺` ≥ 0; 0 ≤ tilt ≤ 1 and 0 ≤ β0 ≤ 1 are the caller's. Exact in exact numbers.
-///
-/// Source: H. Kuninaka and H. Hayakawa, Phys. Rev. Lett. 93 (2004) 154301, abstract consulted, original
-/// not consulted: the formula from memory, and derived anew. The default tilt = 1/10 is chosen here
-/// and belongs to no material; beta0 = 0.44 is Walton's. For coupled frames the law is carried over here.
 ///
 /// In floats heuristic: turning may cancel, so plain floats are not used, and intervals enclose the
 /// impulse.
@@ -104,10 +96,13 @@ pub(crate) const fn cone_pushes<L: Turns, N: Number>() -> Guard<L, N> {
     })
 }
 
+/// What is said of every law in a frame of its own.
+pub(crate) const TURNED: LawInfo =
+    LawInfo { statement: UNCOUPLED, stated_for_coupling: false, ..LawInfo::PLAIN };
+
 /// The implementation of a law in a frame of its own, with what it asks there.
 macro_rules! turned_law {
-    ($law:ty, $id:literal, $who:literal, $source:literal, $parameter:ident = $named:expr, $lacks:literal,
-     [$($guard:expr),*] $(, $acceptance:item)?) => {
+    ($law:ty, $parameter:ident, $info:expr, [$($guard:expr),*] $(, $acceptance:item)?) => {
         impl $crate::laws::walton::Rebounds for $law {
             fn share<N: kane_number::Number>(&self) -> N {
                 N::from_rational(&self.restitution)
@@ -115,16 +110,7 @@ macro_rules! turned_law {
         }
 
         impl $crate::ImpactLaw for $law {
-            const INFO: $crate::LawInfo = $crate::LawInfo {
-                id: $id,
-                who: $who,
-                source: $source,
-                statement: $crate::laws::chatterjee_ruina::UNCOUPLED,
-                stated_for_coupling: false,
-                parameters: &[$named, $crate::laws::walton::BETA0],
-                gap: Some($lacks),
-                ..$crate::LawInfo::PLAIN
-            };
+            const INFO: $crate::LawInfo = $info;
 
             fn values(&self) -> Vec<&kane_number::Rational> {
                 vec![&self.$parameter, &self.restitution]
@@ -204,13 +190,10 @@ const TILT: Parameter = Parameter {
 
 /// The two laws of a normal that leans against the slip.
 macro_rules! tilted_law {
-    ($law:ident, $id:literal, $who:literal, $source:literal) => {
+    ($law:ident, $info:expr) => {
         impl Default for $law {
             fn default() -> Self {
-                Self {
-                    tilt: TILT.default(),
-                    restitution: BETA0.default(),
-                }
+                Self { tilt: TILT.default(), restitution: BETA0.default() }
             }
         }
 
@@ -222,8 +205,9 @@ macro_rules! tilted_law {
         }
 
         turned_law!(
-            $law, $id, $who, $source, tilt = TILT,
-            "the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1, or the surfaces would not separate",
+            $law,
+            tilt,
+            $info,
             [],
             fn acceptance<N: Number>(
                 &self,
@@ -236,15 +220,34 @@ macro_rules! tilted_law {
     };
 }
 
+/// What is said of both.
+const TILTED: LawInfo = LawInfo {
+    parameters: &[TILT, BETA0],
+    gap: Some(
+        "the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1, or the surfaces would not separate",
+    ),
+    ..TURNED
+};
+
 tilted_law!(
     LougeAdams,
-    "louge-adams",
-    "Louge and Adams 2002",
-    "M. Y. Louge and M. E. Adams, Phys. Rev. E 65 (2002) 021303, from memory of its use in the literature, original not consulted: oblique impacts of a hard sphere on an elastoplastic plate. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's"
+    LawInfo {
+        id: "louge-adams",
+        people: "Louge and Adams",
+        year: Some(2002),
+        source: "M. Y. Louge and M. E. Adams, Phys. Rev. E 65 (2002) 021303, from memory of its use in the literature, original not consulted: oblique impacts of a hard sphere on an elastoplastic plate. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
+        known_by: Provenance::Others,
+        ..TILTED
+    }
 );
 tilted_law!(
     KuninakaHayakawa,
-    "kuninaka-hayakawa",
-    "Kuninaka and Hayakawa 2004",
-    "H. Kuninaka and H. Hayakawa, Phys. Rev. Lett. 93 (2004) 154301, abstract consulted, original not consulted: the formula from memory, and derived anew. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's. For coupled frames the law is carried over here"
+    LawInfo {
+        id: "kuninaka-hayakawa",
+        people: "Kuninaka and Hayakawa",
+        year: Some(2004),
+        source: "H. Kuninaka and H. Hayakawa, Phys. Rev. Lett. 93 (2004) 154301, abstract consulted, original not consulted: the formula from memory, and derived anew. The default tilt = 1/10 is chosen here and belongs to no material; beta0 = 0.44 is Walton's. For coupled frames the law is carried over here",
+        known_by: Provenance::OthersAndAbstract,
+        ..TILTED
+    }
 );

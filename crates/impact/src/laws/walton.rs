@@ -4,7 +4,9 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, LawInfo, ModelInfo, Parameter, Regime, Relation};
+use crate::{
+    Contact, Guard, ImpactLaw, LawInfo, ModelInfo, Parameter, Provenance, Regime, Relation,
+};
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
 ///
@@ -14,10 +16,6 @@ use crate::{Contact, Guard, ImpactLaw, LawInfo, ModelInfo, Parameter, Regime, Re
 ///
 /// Domain: contacts on which the rebound has a normal impulse that pushes, among them all that do
 /// not couple, with 0 ≤ β0 ≤ 1; the range of β0 is the caller's. Exact in exact numbers.
-///
-/// Source: O. R. Walton, in *Particulate Two-Phase Flow*, ed. Roco (1993), as quoted by Foerster et
-/// al. (1994); original not consulted. The default β0 = 0.44 is theirs for glass spheres, from
-/// memory.
 ///
 /// In floats, barring under- and overflow, within 7 ulp where the contact does not couple.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,8 +91,10 @@ impl Rebounds for Walton {
 impl ImpactLaw for Walton {
     const INFO: LawInfo = LawInfo {
         id: "walton",
-        who: "Walton 1993",
+        people: "Walton",
+        year: Some(1993),
         source: "O. R. Walton, in Particulate Two-Phase Flow, ed. Roco (1993), as quoted by Foerster et al. (1994); original not consulted. The default beta0 = 0.44 is theirs for glass spheres, from memory",
+        known_by: Provenance::Others,
         statement: "k >= -beta0\ni_x = 1 when k > -beta0\ni_x <= 1 when k = -beta0",
         gap: Some(PULL),
         parameters: &[BETA0],

@@ -4,7 +4,9 @@ use kane_number::{Number, Rational};
 
 use crate::arithmetic::two_sum;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime, Relation, Root};
+use crate::{
+    Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime, Relation, Root,
+};
 
 /// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
 ///
@@ -14,10 +16,9 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime, Rela
 /// k = (1 − α)/(1 + α)    i_x = 1/(1 + α)    Δe = −1/(1 + α)²
 /// ```
 ///
-/// Source: X. Wang, Q. Su, S. Li, "Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies",
-/// equations (15) to (17) and (19); original consulted. Theirs is `v_t` > 0; here the law is total:
-/// odd in the slip, and without tangential impulse at `v_t` = 0, where `I_x` = μ·`I_y`/(1 + α)
-/// tends to zero from both sides. At μ·`I_y` = 0 and `v_t` ≠ 0 nothing happens, k = 1.
+/// The paper has `v_t` > 0; here the law is total: odd in the slip, and without tangential impulse
+/// at `v_t` = 0, where `I_x` = μ·`I_y`/(1 + α) tends to zero from both sides. Where μ·`I_y` = 0 and
+/// `v_t` ≠ 0 nothing happens, k = 1.
 ///
 /// They derive it for a sphere. On a contact that couples, the ansatz `i_x` = (1 + k)/2 with
 /// Newton's restitution is a quadratic equation in k, of which exactly one root has `p_n` > 0:
@@ -62,8 +63,9 @@ fn coefficients<N: Number>(contact: &Contact<N>) -> Vec<N> {
 impl ImpactLaw for WangSuLi {
     const INFO: LawInfo = LawInfo {
         id: "wang-su-li",
-        who: "Wang, Su and Li",
+        people: "Wang, Su and Li",
         source: "X. Wang, Q. Su, S. Li, \"Resolving Kane's Puzzle in Oblique Collisions of Rigid Bodies\", equations (15) to (17) and (19); original consulted",
+        known_by: Provenance::Original,
         statement: "i_x = (k + 1)/2",
         on_a_sphere: &[("", "(1 - alpha)/(1 + alpha)")],
         model: Some(ModelInfo { words: "the law of Wang, Su and Li", operations: [29, 24, 11, 0] }),

@@ -5,7 +5,7 @@ use kane_number::{Number, Rational};
 use super::whittaker_uncapped::slide;
 use crate::info::STOPS;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Provenance, Regime, Relation};
 
 /// Friction that slides to the end, or else stops the slip: k = max(0, 1 − 2α) on a sphere
 /// (id `whittaker-stop`).
@@ -18,9 +18,6 @@ use crate::{Contact, Guard, ImpactLaw, LawInfo, Regime, Relation};
 /// Domain: contacts on which sliding or stopping has a normal impulse that pushes, among them all
 /// that do not couple. Exact in exact numbers.
 ///
-/// Source: the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not
-/// consulted.
-///
 /// In floats, barring under- and overflow, each regime is a quotient of few positive terms where
 /// the contact does not couple: the impulse is within 6 ulp. With coupling the bound is the width
 /// of the result on intervals.
@@ -30,8 +27,11 @@ pub struct WhittakerStop;
 impl ImpactLaw for WhittakerStop {
     const INFO: LawInfo = LawInfo {
         id: "whittaker-stop",
-        who: "Whittaker 1904, textbook form",
+        people: "Whittaker",
+        year: Some(1904),
+        form: "textbook form",
         source: "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted",
+        known_by: Provenance::Others,
         statement: "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0",
         gap: Some("neither sliding nor stopping the slip has a normal impulse that pushes"),
         on_a_sphere: STOPS,

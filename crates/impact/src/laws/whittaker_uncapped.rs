@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime};
+use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime};
 
 /// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
@@ -21,9 +21,7 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Regime};
 /// Domain: contacts with `W_nn` > μ·`W_tn`, among them all that do not couple; elsewhere the law
 /// has no answer. k has no limit for α → ∞. Exact in exact numbers.
 ///
-/// Source: E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original
-/// not consulted. As published the law is said to stop the slip at zero; this is the form without
-/// that stop.
+/// As published the law is said to stop the slip at zero; this is the form without that stop.
 ///
 /// In floats, barring under- and overflow, the impulse has at most five roundings, 5 ulp, where the
 /// contact does not couple; k and Δe of [`ratios`](ImpactLaw::ratios) are correctly rounded.
@@ -46,8 +44,11 @@ pub(crate) fn frictionless<L, N: Number>(_: &L, contact: &Contact<N>, _: &N) -> 
 impl ImpactLaw for WhittakerUncapped {
     const INFO: LawInfo = LawInfo {
         id: "whittaker-uncapped",
-        who: "Whittaker 1904, as printed by Wang, Su and Li",
+        people: "Whittaker",
+        year: Some(1904),
+        form: "as printed by Wang, Su and Li",
         source: "E. T. Whittaker (1904) as quoted by Wang, Su and Li, equations (20) to (23); original not consulted",
+        known_by: Provenance::Others,
         statement: "i_x = 1",
         gap: Some(JAM),
         on_a_sphere: &[("", "1 - 2*alpha")],

@@ -13,7 +13,7 @@ pub fn csv(report: &MatrixReport<'_>) -> String {
         for (property, cell) in report.matrix.properties.iter().zip(&row.cells) {
             let (finding, parts) = (word(cell.finding), cell.parts.len());
             let reason = quoted(&cell.reason);
-            let _ = writeln!(out, "{},{},{finding},{parts},{reason}", row.id, property.id);
+            let _ = writeln!(out, "{},{},{finding},{parts},{reason}", row.law.info.id, property.id);
         }
     }
     out

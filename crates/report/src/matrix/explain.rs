@@ -17,8 +17,8 @@ pub fn explain(row: &Row, property: &Property, cell: &Cell) -> String {
     let mut out = String::new();
     let with = parameters(row);
     let with = if with.is_empty() { with } else { format!(" with {with}") };
-    let _ = writeln!(out, "{}:{}: {}", row.id, property.id, word(cell.finding));
-    let _ = writeln!(out, "  {}{with}", row.source);
+    let _ = writeln!(out, "{}:{}: {}", row.law.info.id, property.id, word(cell.finding));
+    let _ = writeln!(out, "  {}{with}", row.law.info.source);
     let _ = writeln!(out, "\n{}, for {}:", property.name, property.domain);
     let _ = writeln!(out, "  {}", property.template);
     let _ = writeln!(out, "  {}", property.meaning);

@@ -18,7 +18,7 @@ pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
     let told = Told::of(laws);
     let mut contents =
         vec![("matrix", html! { "The matrix" }), ("properties", html! { "What is asked" })];
-    contents.extend(matrix.rows.iter().map(|row| (row.id, html! { (row.id) })));
+    contents.extend(matrix.rows.iter().map(|row| (row.law.info.id, html! { (row.law.info.id) })));
     let content = html! {
         (filter(report))
         (table(report))
@@ -80,10 +80,10 @@ fn table(report: &MatrixReport<'_>) -> Markup {
                     }
                 } }
                 tbody { @for row in &matrix.rows { tr {
-                    th scope="row" { a href={ "#" (row.id) } { (row.id) } }
+                    th scope="row" { a href={ "#" (row.law.info.id) } { (row.law.info.id) } }
                     @for (p, cell) in matrix.properties.iter().zip(&row.cells) {
                         td class=(class(cell.finding)) {
-                            a href={ "#" (row.id) ":" (p.id) } title={ (row.id) ", " (p.name) } {
+                            a href={ "#" (row.law.info.id) ":" (p.id) } title={ (row.law.info.id) ", " (p.name) } {
                                 span aria-hidden="true" { (mark(cell.finding)) }
                                 span.quiet { (word(cell.finding)) }
                             }
@@ -112,11 +112,11 @@ fn question(property: &Property) -> Markup {
 fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
     let with = parameters(row);
     html! {
-        section aria-labelledby=(row.id) {
-            h3 id=(row.id) { (row.id) }
-            p { (row.source) "." }
+        section aria-labelledby=(row.law.info.id) {
+            h3 id=(row.law.info.id) { (row.law.info.id) }
+            p { (row.law.info.source) "." }
             @if !with.is_empty() { p { "Here with " (with) "." } }
-            @if let Some(words) = told.law(row.id) {
+            @if let Some(words) = told.law(row.law.info.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }
             }
             @for (property, cell) in properties.iter().zip(&row.cells) { (entry(row, property, cell)) }
@@ -150,12 +150,12 @@ fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
                 (marked(cell.finding)) " " (property.name)
                 @if cell.finding != Finding::Proved { span.why { (sentence(&cell.reason, &names)) } }
             }
-            div id={ (row.id) ":" (property.id) } {
+            div id={ (row.law.info.id) ":" (property.id) } {
                 p {
                     a href={ "#" (property.id) } { (sentence(property.template, &names)) }
                     @if cell.finding == Finding::Proved { ": " (cell.reason) }
                     @if is_long {
-                        ", here in outline; " code { "kane laws --explain " (row.id) ":" (property.id) }
+                        ", here in outline; " code { "kane laws --explain " (row.law.info.id) ":" (property.id) }
                         " tells every step"
                     }
                 }

@@ -56,23 +56,56 @@ impl Column {
 #[derive(Serialize)]
 struct Law<'a> {
     id: &'static str,
+    people: &'static str,
+    year: Option<u16>,
+    form: &'static str,
     source: &'static str,
+    known_by: &'static str,
+    statement: &'static str,
+    restitution: &'static str,
+    lacks: Option<&'static str>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     parameters: BTreeMap<&'static str, String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parameters_are: Vec<Parameter>,
     cells: BTreeMap<&'static str, Entry<'a>>,
 }
 
 impl<'a> Law<'a> {
     fn of(matrix: &Matrix, row: &'a Row) -> Self {
-        let parameters = row.parameters.iter().map(|(name, value)| (*name, value.to_string()));
+        let info = row.law.info;
+        let parameters_are = info.parameters.iter().map(|own| Parameter {
+            name: own.name,
+            meaning: own.meaning,
+            domain: own.domain(),
+            default: own.default().to_string(),
+        });
+        let parameters = row.law.parameters().into_iter();
+        let parameters = parameters.map(|(name, value)| (name, value.to_string()));
         let cells = matrix.properties.iter().zip(&row.cells);
         Self {
-            id: row.id,
-            source: row.source,
+            id: info.id,
+            people: info.people,
+            year: info.year,
+            form: info.form,
+            source: info.source,
+            known_by: info.known_by.name(),
+            statement: info.statement,
+            restitution: row.law.restitution(),
+            lacks: info.gap,
             parameters: parameters.collect(),
+            parameters_are: parameters_are.collect(),
             cells: cells.map(|(property, cell)| (property.id, Entry::of(cell))).collect(),
         }
     }
+}
+
+#[derive(Serialize)]
+struct Parameter {
+    name: &'static str,
+    meaning: &'static str,
+    domain: String,
+    default: String,
 }
 
 #[derive(Serialize)]

@@ -19,7 +19,8 @@ pub fn markdown(report: &MatrixReport<'_>) -> String {
             Finding::Refuted => "**no**",
             other => mark(other),
         });
-        let _ = writeln!(out, "| {} | {} |", row.id, cells.collect::<Vec<_>>().join(" | "));
+        let _ =
+            writeln!(out, "| {} | {} |", row.law.info.id, cells.collect::<Vec<_>>().join(" | "));
     }
     out.push_str("\nyes: proved, no: refuted, -: not applicable, ?: undecided; * for every planar contact, else W_tn = 0.\n\n");
     for property in &matrix.properties {
@@ -31,7 +32,7 @@ pub fn markdown(report: &MatrixReport<'_>) -> String {
         );
     }
     for row in &matrix.rows {
-        let _ = writeln!(out, "\n## {}\n\n{}.", row.id, row.source);
+        let _ = writeln!(out, "\n## {}\n\n{}.", row.law.info.id, row.law.info.source);
         let with = parameters(row);
         if !with.is_empty() {
             let _ = writeln!(out, "Here with {with}.");

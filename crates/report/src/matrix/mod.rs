@@ -82,6 +82,6 @@ pub(crate) fn mark(finding: Finding) -> &'static str {
 
 /// The law's own parameters, `name = value, …`.
 pub(crate) fn parameters(row: &Row) -> String {
-    let pairs = row.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
+    let pairs = row.law.parameters().into_iter().map(|(name, value)| format!("{name} = {value}"));
     pairs.collect::<Vec<_>>().join(", ")
 }

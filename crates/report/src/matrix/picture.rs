@@ -47,7 +47,7 @@ pub fn picture(report: &MatrixReport<'_>) -> Result<String, PictureError> {
         }
         for (row, line) in matrix.rows.iter().zip(0..) {
             let at = (MARGIN, TITLE + HEADS + CELL.1 * line + CELL.1 / 2);
-            area.draw(&Text::new(row.id, pixel(at), words.clone()))?;
+            area.draw(&Text::new(row.law.info.id, pixel(at), words.clone()))?;
         }
         for finding in FINDINGS {
             let places = matrix.rows.iter().zip(0..).flat_map(|(row, line)| {

@@ -28,7 +28,7 @@ pub fn text(report: &MatrixReport<'_>, page: Page) -> String {
     let heads: String = matrix.properties.iter().map(|p| padded(p.head, CELL)).collect();
     let _ = writeln!(out, "{}{}", padded("law", ID), heads.trim_end());
     for row in &matrix.rows {
-        let _ = write!(out, "{}", padded(row.id, ID));
+        let _ = write!(out, "{}", padded(row.law.info.id, ID));
         for (index, cell) in row.cells.iter().enumerate() {
             let ink = ink(style(cell.finding));
             let last = index + 1 == row.cells.len();
@@ -55,8 +55,8 @@ pub fn text(report: &MatrixReport<'_>, page: Page) -> String {
         }
         let with = parameters(row);
         let with = if with.is_empty() { with } else { format!(", {with}") };
-        let _ = writeln!(out, "\n{bold}{}{with}{bold:#}", row.id);
-        let _ = writeln!(out, "{}", shorten(&format!("  {}", row.source), width));
+        let _ = writeln!(out, "\n{bold}{}{with}{bold:#}", row.law.info.id);
+        let _ = writeln!(out, "{}", shorten(&format!("  {}", row.law.info.source), width));
         for (property, cell) in remarks {
             let ink = ink(style(cell.finding));
             let line = format!(

@@ -2,7 +2,7 @@
 
 use kane_algebra::sign_table::simplest_between;
 use kane_impact::laws::{RouthNewton, Walton, WangSuLi};
-use kane_impact::{Contact, Law, laws};
+use kane_impact::{Contact, Law};
 use kane_measure::changes;
 use kane_number::{Number, Rational};
 
@@ -54,13 +54,13 @@ impl Worst {
 
 /// α beside 1/2, where sliding ends, beside 3/4, where it does if half of the slip comes back, beside 1,
 /// where the paper's k changes its sign, and beside every kink of every law.
-pub(super) fn rows(rows: &mut Vec<Row>) {
+pub(super) fn rows(laws: &[Law], rows: &mut Vec<Row>) {
     let places: Vec<(u32, i64)> =
         [10, 20, 30, 40, 50].into_iter().flat_map(|power| [(power, -1), (power, 1)]).collect();
     let offset = |(power, sign): &(u32, i64)| ratio(*sign, 1) / integer(1 << power);
     let offsets: Vec<Rational> = places.iter().map(offset).collect();
     let mut worst = Worst { errors: vec![0.0; offsets.len()], offsets };
-    laws().iter().for_each(|law| worst.visit(law));
+    laws.iter().for_each(|law| worst.visit(law));
     for (n, (power, sign)) in places.iter().enumerate() {
         let tiny = &worst.offsets[n];
         let to = format!("{}2^-{power}", if *sign < 0 { "-" } else { "+" });

@@ -1,7 +1,7 @@
 //! Drift, reversal, Zeno, grazing, penalty steps: what the table of stress says, asserted.
 
-use kane_impact::Law;
 use kane_impact::laws::RouthNewton;
+use kane_impact::{Law, laws};
 use kane_scene::simulate::{Budget, Until, run};
 use kane_scene::stress::{Row, box_of_discs, rows, there_and_back};
 use kane_scene::{NormalOnly, World};
@@ -13,7 +13,7 @@ const U: f64 = 1.0 / (1_u64 << 53) as f64;
 
 #[test]
 fn hard_inputs_cost_no_more_digits_than_they_must() {
-    let rows = rows();
+    let rows = rows(laws());
     let of = |case: &'static str| rows.iter().filter(move |row| row.case.starts_with(case));
     let all = |case, bound: f64| {
         assert!(of(case).count() > 2, "{case}");
@@ -70,7 +70,7 @@ fn hard_inputs_cost_no_more_digits_than_they_must() {
 fn a_million_bounces_drift_by_no_more_than_their_roundings() {
     // n equal flights: the sum errs by at most n·u relatively, the flight by 2u; the velocity turns
     // exactly
-    let rows = rows();
+    let rows = rows(laws());
     let worst = rows
         .iter()
         .find(|row| row.case.starts_with("drift") && row.to == "1e6" && row.method == "f64");
