@@ -106,7 +106,6 @@
 //!
 //! `cli`, on by default: the program `kane` and everything that only it needs.
 
-pub mod collide;
 pub mod figures;
 pub mod judges;
 
@@ -119,3 +118,4 @@ pub use kane_measure as measure;
 pub use kane_number as number;
 pub use kane_report as report;
 pub use kane_scene as scene;
+pub use kane_scene::collide;

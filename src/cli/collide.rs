@@ -1,19 +1,18 @@
 //! `kane collide`: one collision, from flags or a file, under all laws or one in depth.
 
-mod file;
 mod flags;
 
 use std::path::Path;
 
 use kane::algebra::syntax::nearest;
-use kane::collide::{Parameters, answer, law_ids};
-use kane::impact::InvalidInput;
+use kane::collide::{Collision, Question, answer, in_depth};
+use kane::impact::{InvalidInput, Law, laws, set_parameter};
 use kane::number::{Algebraic, Rational};
 use kane::report::Page;
-use kane::report::collision::{self, Collision};
-use kane::scene::read::read as read_number;
+use kane::report::collision;
+use kane::scene::read;
 
-use super::args::{CollideArgs, Format};
+use super::args::{BodyArgs, CollideArgs, Format};
 use super::delivery::Written;
 use super::input::quoted;
 use super::{Outcome, bad_input, deliver, output};
@@ -69,28 +68,43 @@ impl From<String> for Fault {
 
 /// Reads the input and puts it to the laws.
 fn collision(args: &CollideArgs) -> Result<Collision, Fault> {
-    let law = args.law.as_deref();
-    if let Some(law) = law {
-        known_law(law)?;
-    }
+    let place = args.law.as_deref().map(known_law).transpose()?;
     for (flag, value) in flags::pairs(&args.body) {
         if value.starts_with("--") {
             return Err(Fault::Message(format!("{flag} has no value: `{value}` follows")));
         }
     }
-    let parameters = parameters(&args.param)?;
+    let laws = with_parameters(&args.param)?;
     let mut question = match &args.file {
-        Some(path) => file::question(path, &args.body)?,
+        Some(path) => question_of(path, &args.body)?,
         None => flags::question(&args.body)?,
     };
-    question.parameters = parameters;
     for param in &args.param {
         question.command.push_str(&format!(" --param {}", quoted(param)));
     }
-    if let Some(law) = law {
+    if let Some(law) = &args.law {
         question.command.push_str(&format!(" --law {}", quoted(law)));
     }
-    answer(&question, law).map_err(|error| Fault::Message(in_words(error)))
+    let answered = match place {
+        Some(place) => in_depth(&question, &laws[place]),
+        None => answer(&question, &laws),
+    };
+    answered.map_err(|error| Fault::Message(in_words(error)))
+}
+
+/// What is asked by a file.
+fn question_of(path: &Path, flags: &BodyArgs) -> Result<Question, Fault> {
+    if let Some((flag, _)) = flags::pairs(flags).first() {
+        return Err(Fault::Message(format!(
+            "{flag} and {} describe two collisions; give one of them",
+            path.display()
+        )));
+    }
+    let name = path.display().to_string();
+    let text = read::load(path).map_err(|error| format!("cannot read {name}: {error}"))?;
+    let mut question = read::collision(&name, &text)?;
+    question.command = format!("kane collide {}", quoted(&name));
+    Ok(question)
 }
 
 /// A value outside the domain that showed only when the contact was formed.
@@ -104,11 +118,11 @@ fn in_words(error: InvalidInput<Rational>) -> String {
     }
 }
 
-/// Whether the law is one of ours.
-fn known_law(law: &str) -> Result<(), String> {
-    let ids = law_ids();
-    if ids.contains(&law) {
-        return Ok(());
+/// The place of a law among all.
+fn known_law(law: &str) -> Result<usize, String> {
+    let ids: Vec<&str> = laws().iter().map(|law| law.info.id).collect();
+    if let Some(place) = ids.iter().position(|id| *id == law) {
+        return Ok(place);
     }
     let family: Vec<&str> = ids.iter().copied().filter(|id| id.contains(law)).collect();
     if !law.is_empty() && !family.is_empty() {
@@ -121,19 +135,19 @@ fn known_law(law: &str) -> Result<(), String> {
     }
 }
 
-/// The laws' parameters, from `law.name=value`.
-fn parameters(given: &[String]) -> Result<Parameters, String> {
-    let mut parameters = Parameters::default();
+/// All laws, with the parameters of `law.name=value`.
+fn with_parameters(given: &[String]) -> Result<Vec<Law>, String> {
+    let mut laws = laws().to_vec();
     for text in given {
         let Some((path, value)) = text.split_once('=') else {
             return Err(format!(
                 "--param: `{text}` has no value; write LAW.NAME=VALUE, as in walton.beta0=0.44"
             ));
         };
-        let value = read_number(value).map_err(|error| format!("--param {path} {error}"))?;
-        parameters.set(path, value).map_err(|error| format!("--param: {error}"))?;
+        let value = read::read(value).map_err(|error| format!("--param {path} {error}"))?;
+        set_parameter(&mut laws, path, &value).map_err(|error| format!("--param: {error}"))?;
     }
-    Ok(parameters)
+    Ok(laws)
 }
 
 /// What the files of `--out` are called.

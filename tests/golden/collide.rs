@@ -3,11 +3,12 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use kane::collide::{Parameters, Question, System, answer};
+use kane::collide::{Collision, Question, System, answer};
 use kane::impact::bodies::{Motion, Shape, SphereOnPlane};
+use kane::impact::laws;
 use kane::number::parse;
 use kane::report::Page;
-use kane::report::collision::{Collision, text};
+use kane::report::collision::text;
 
 const EXAMPLE: &str = "--sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98";
 
@@ -63,9 +64,9 @@ fn hoop() -> Collision {
         restitution: n("1"),
         before: Motion { vx: n("1/2"), vy: n("2"), omega: n("0") },
     };
-    let mut question = Question::new(System::Sphere(sphere), Parameters::default());
+    let mut question = Question::new(System::Sphere(sphere));
     question.command = "kane collide --body hoop --vx 1/2 --vy 2 --mu 1 --e 1".to_owned();
-    answer(&question, None).expect("the input is in its domain")
+    answer(&question, laws()).expect("the input is in its domain")
 }
 
 #[test]

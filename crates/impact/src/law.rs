@@ -254,7 +254,7 @@ fn outside<L: ImpactLaw>(law: &L) -> NoImpulse {
     NoImpulse::Outside { law: law.id(), reason }
 }
 
-fn accept<L: ImpactLaw, N: Real>(
+pub(crate) fn accept<L: ImpactLaw, N: Real>(
     law: &L,
     regime: &'static str,
     contact: &Contact<N>,

@@ -64,6 +64,7 @@ pub mod laws;
 pub mod oracle;
 mod outcome;
 mod over;
+mod parameters;
 mod spatial;
 mod spatial_contact;
 
@@ -80,5 +81,6 @@ pub use invalid::InvalidInput;
 pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
 pub use outcome::{Outcome, Work};
 pub use over::{Equation, Formulas, LawOver, RegimeOver, Taken};
+pub use parameters::{UnknownParameter, set_parameter};
 pub use spatial::{SpatialDelassus, Symmetric};
 pub use spatial_contact::SpatialContact;

@@ -5,9 +5,10 @@
 
 use kane_number::{Number, Real};
 
+use crate::law::accept;
 use crate::{
-    Alpha, Contact, Facing, Frame, ImpactLaw, Impulse, LawInfo, NoImpulse, Outcome, Ratios, Regime,
-    Relation,
+    Alpha, Chosen, Contact, Facing, Frame, ImpactLaw, Impulse, LawInfo, NoImpulse, Outcome, Ratios,
+    Regime, Relation,
 };
 
 /// The equation of a regime's root at a contact.
@@ -78,6 +79,13 @@ pub trait LawOver<N: Real>: Formulas<N> {
     /// # Errors
     /// As there.
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse>;
+
+    /// The outcome, and the root of its regime if that has one.
+    ///
+    /// # Errors
+    /// As [`ImpactLaw::resolve`].
+    fn resolve_with_root(&self, contact: &Contact<N>)
+    -> Result<(Outcome<N>, Option<N>), NoImpulse>;
 
     /// See [`ImpactLaw::ratios`].
     fn ratios(&self, alpha: &Alpha<N>) -> Option<Ratios<N>>;
@@ -154,7 +162,7 @@ impl<L: ImpactLaw, N: Number> Formulas<N> for L {
 
 impl<L: ImpactLaw, N: Real> LawOver<N> for L {
     fn regime(&self, contact: &Contact<N>) -> Result<Taken<N>, NoImpulse> {
-        let crate::Chosen { regime, facing, contact, root } = ImpactLaw::regime(self, contact)?;
+        let Chosen { regime, facing, contact, root } = ImpactLaw::regime(self, contact)?;
         let root = regime.root.as_ref().map(|_| root);
         Ok(Taken { name: regime.name, facing, contact, root })
     }
@@ -170,6 +178,20 @@ impl<L: ImpactLaw, N: Real> LawOver<N> for L {
 
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
         ImpactLaw::resolve(self, contact)
+    }
+
+    fn resolve_with_root(
+        &self,
+        contact: &Contact<N>,
+    ) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
+        let Chosen { regime, facing, contact, root } = ImpactLaw::regime(self, contact)?;
+        let outcome = regime.outcome(self, &contact, &root);
+        accept(self, regime.name, &contact, &outcome.impulse)?;
+        let outcome = match facing {
+            Facing::Forward => outcome,
+            Facing::Backward => outcome.mirrored(),
+        };
+        Ok((outcome, regime.root.as_ref().map(|_| root)))
     }
 
     fn ratios(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {

@@ -36,6 +36,7 @@
 //! ```
 
 mod choose;
+pub mod collide;
 mod coordinate;
 mod impulse_plane;
 mod picture;

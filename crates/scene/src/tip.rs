@@ -2,9 +2,9 @@
 
 use kane_impact::bodies::{Collision, Direction, DoublePendulum, Motion, PlanarBody};
 use kane_impact::{Contact, InvalidInput};
-use kane_number::Rational;
+use kane_number::{Rational, Real};
 
-use crate::coordinate::Coordinate;
+use crate::collide::System;
 
 /// What has the tip; SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,32 +67,37 @@ impl<N> Tip<N> {
     }
 }
 
-impl<N: Coordinate> Tip<N> {
-    /// The contact, and the kinetic energy before in J.
-    ///
-    /// # Errors
-    /// [`InvalidInput`] for the first value outside its domain.
-    pub fn contact(&self) -> Result<(Contact<N>, N), InvalidInput<N>> {
+impl<N: Real> Tip<N> {
+    /// The collision that this is.
+    #[must_use]
+    pub fn system(&self) -> System<N> {
         let (friction, restitution) = (self.friction.clone(), self.restitution.clone());
         match &self.body {
             TipBody::Rod { mass, length, direction, motion } => {
                 let direction = direction.map(N::from_rational);
                 let body =
                     PlanarBody::rod_tip(mass.clone(), length.clone(), &direction, motion.clone());
-                let collision = Collision { body, other: None, friction, restitution };
-                Ok((collision.contact()?, collision.kinetic_energy()))
+                System::Planar(Collision { body, other: None, friction, restitution })
             }
             TipBody::Pendulum { mass, length, angles: [first, second], speeds } => {
-                let pendulum = DoublePendulum {
+                System::Pendulum(DoublePendulum {
                     mass: mass.clone(),
                     length: length.clone(),
                     angles: [first.map(N::from_rational), second.map(N::from_rational)],
                     before: speeds.clone(),
                     friction,
                     restitution,
-                };
-                Ok((pendulum.contact()?, pendulum.kinetic_energy()))
+                })
             }
         }
+    }
+
+    /// The contact, and the kinetic energy before in J.
+    ///
+    /// # Errors
+    /// [`InvalidInput`] for the first value outside its domain.
+    pub fn contact(&self) -> Result<(Contact<N>, N), InvalidInput<N>> {
+        let system = self.system();
+        Ok((system.contact()?, system.kinetic_energy()))
     }
 }

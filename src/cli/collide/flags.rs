@@ -1,24 +1,29 @@
 //! A round body on a plane, from flags.
 
-use kane::collide::{Parameters, Question, System, direction};
+use kane::collide::{Given, Question, System};
 use kane::impact::bodies::{Direction, Motion, Shape, SphereOnPlane};
-use kane::number::{Algebraic, Rational};
-use kane::report::collision::Given;
+use kane::number::Rational;
+use kane::scene::read::{Domain, Flags, Reader, name};
 
+use super::Fault;
 use crate::cli::args::BodyArgs;
 use crate::cli::input::quoted;
-use kane::scene::read::{Domain, read_in};
 
 /// What is asked by the flags.
-pub(super) fn question(args: &BodyArgs) -> Result<Question, String> {
-    let mut reader = Reader { given: Vec::new(), notes: Vec::new() };
-    let gyration = reader.gyration(args)?;
-    let mass = reader.or("mass", "m", "kg", args.mass.as_deref(), Domain::Positive, 1)?;
-    let radius = reader.or("radius", "r", "m", args.radius.as_deref(), Domain::Positive, 1)?;
-    let (vx, vy) = reader.velocity(args)?;
-    let omega = reader.or("spin", "omega0", "rad/s", args.spin.as_deref(), Domain::Any, 0)?;
-    let friction = reader.needed("mu", "mu", args.mu.as_deref(), Domain::NotNegative, MU)?;
-    let restitution = reader.needed("e", "e", args.e.as_deref(), Domain::Fraction, E)?;
+pub(super) fn question(args: &BodyArgs) -> Result<Question, Fault> {
+    let flags = Flags::new(&pairs(args));
+    let mut reader = Reader::new(flags.source());
+    let gyration = gyration(&mut reader, &flags)?;
+    let (m, r) = (name("", "m", "kg"), name("", "r", "m"));
+    let mass = reader.number_or(flags.get("--mass"), m, Domain::Positive, 1)?;
+    let radius = reader.number_or(flags.get("--radius"), r, Domain::Positive, 1)?;
+    let (vx, vy) = velocity(&mut reader, &flags)?;
+    let spin = name("", "omega0", "rad/s");
+    let omega = reader.number_or(flags.get("--spin"), spin, Domain::Any, 0)?;
+    let mu = flags.get("--mu").ok_or_else(|| format!("--mu is missing: {MU}"))?;
+    let friction = reader.number(mu, name("", "mu", ""), Domain::NotNegative)?;
+    let e = flags.get("--e").ok_or_else(|| format!("--e is missing: {E}"))?;
+    let restitution = reader.number(e, name("", "e", ""), Domain::Fraction)?;
     let sphere = SphereOnPlane {
         inertia: &mass * &radius * &radius * gyration,
         mass,
@@ -27,7 +32,7 @@ pub(super) fn question(args: &BodyArgs) -> Result<Question, String> {
         restitution,
         before: Motion { vx, vy, omega },
     };
-    let mut question = Question::new(System::Sphere(sphere), Parameters::default());
+    let mut question = Question::new(System::Sphere(sphere));
     question.given = reader.given;
     question.notes.append(&mut reader.notes);
     question.command = command(args);
@@ -67,159 +72,86 @@ fn command(args: &BodyArgs) -> String {
     command
 }
 
-struct Reader {
-    given: Vec<Given>,
-    notes: Vec<String>,
+/// J/(m·r²).
+fn gyration(reader: &mut Reader<'_>, flags: &Flags) -> Result<Rational, Fault> {
+    match (flags.get("--sphere"), flags.word("--body")) {
+        (Some(_), Some(_)) => {
+            Err("--sphere and --body say the same in two ways; give one of them".to_owned().into())
+        }
+        (Some(ratio), None) => {
+            let text = ratio.get_ref().as_str().unwrap_or_default();
+            if text.parse::<Shape>().is_ok() {
+                return Err(Fault::Message(format!(
+                    "--sphere takes the mobility ratio, as in --sphere 7/2; for a word, write --body {text}"
+                )));
+            }
+            Ok(reader.gyration(ratio, "j_p")?)
+        }
+        (None, Some(word)) => {
+            let shape = reader.shape(&word, "body")?;
+            let value = shape.mobility_ratio().to_string();
+            reader.given.push(Given { symbol: "j_p".to_owned(), value, unit: "", assumed: false });
+            Ok(shape.gyration())
+        }
+        (None, None) => Err(Fault::Message(
+            "what collides? Give --sphere J_P (7/2 for a solid sphere), --body SHAPE, or a FILE.toml; see kane collide --help".to_owned(),
+        )),
+    }
 }
 
-impl Reader {
-    fn note(&mut self, symbol: &str, value: &str, unit: &'static str, assumed: bool) {
-        let (symbol, value) = (symbol.to_owned(), value.to_owned());
-        self.given.push(Given { symbol, value, unit, assumed });
-    }
-
-    fn read(
-        &mut self,
-        (flag, symbol, unit): (&str, &str, &'static str),
-        text: &str,
-        domain: Domain,
-    ) -> Result<Rational, String> {
-        let value = read_in(text, domain).map_err(|error| format!("--{flag} {error}"))?;
-        self.note(symbol, text, unit, false);
-        Ok(value)
-    }
-
-    /// A flag with a default.
-    fn or(
-        &mut self,
-        flag: &str,
-        symbol: &str,
-        unit: &'static str,
-        text: Option<&str>,
-        domain: Domain,
-        default: u8,
-    ) -> Result<Rational, String> {
-        match text {
-            Some(text) => self.read((flag, symbol, unit), text, domain),
-            None => {
-                self.note(symbol, &default.to_string(), unit, true);
-                Ok(Rational::from_integer(default.into()))
-            }
+/// v_x0 and v_y0.
+fn velocity(reader: &mut Reader<'_>, flags: &Flags) -> Result<(Rational, Rational), Fault> {
+    let given = |names: &[&str]| names.iter().any(|name| flags.get(name).is_some());
+    let polar = given(&["--speed", "--angle", "--half-tangent"]);
+    match (given(&["--vx", "--vy"]), polar) {
+        (true, true) => {
+            Err("give either --speed with its direction, or --vx and --vy".to_owned().into())
         }
-    }
-
-    /// A flag without one.
-    fn needed(
-        &mut self,
-        flag: &str,
-        symbol: &str,
-        text: Option<&str>,
-        domain: Domain,
-        meaning: &str,
-    ) -> Result<Rational, String> {
-        match text {
-            Some(text) => self.read((flag, symbol, ""), text, domain),
-            None => Err(format!("--{flag} is missing: {meaning}")),
-        }
-    }
-
-    /// J/(m·r²).
-    fn gyration(&mut self, args: &BodyArgs) -> Result<Rational, String> {
-        match (&args.sphere, &args.body) {
-            (Some(_), Some(_)) => Err(
-                "--sphere and --body say the same in two ways; give one of them".to_owned(),
-            ),
-            (Some(text), None) => {
-                if text.parse::<Shape>().is_ok() {
-                    return Err(format!(
-                        "--sphere takes the mobility ratio, as in --sphere 7/2; for a word, write --body {text}"
-                    ));
+        (false, false) => Err(Fault::Message(
+            "how fast? Give --speed with --angle (or --half-tangent), or --vx and --vy".to_owned(),
+        )),
+        (true, false) => {
+            let along = name("", "v_x0", "m/s");
+            let vx = reader.number_or(flags.get("--vx"), along, Domain::Any, 0)?;
+            let missing = || "--vy is missing: the velocity into the plane, at least 0".to_owned();
+            let given = flags.get("--vy").ok_or_else(missing)?;
+            let vy = reader.number(given, name("", "v_y0", "m/s"), Domain::NotNegative);
+            let away = given.get_ref().as_str().is_some_and(|text| text.starts_with('-'));
+            let vy = vy.map_err(|mut fault| {
+                if away && fault.message.contains("at least") {
+                    fault.message.push_str(
+                        ": y points into the plane, and a body that moves away does not collide",
+                    );
                 }
-                let ratio = self.read(("sphere", "j_p", ""), text, Domain::AboveOne)?;
-                Ok((ratio - Rational::from_integer(1.into())).recip())
-            }
-            (None, Some(word)) => {
-                let shape: Shape = word.parse().map_err(|error| format!("--body: {error}"))?;
-                self.note("body", shape.name(), "", false);
-                self.note("j_p", &shape.mobility_ratio().to_string(), "", false);
-                Ok(shape.gyration())
-            }
-            (None, None) => Err(
-                "what collides? Give --sphere J_P (7/2 for a solid sphere), --body SHAPE, or a FILE.toml; see kane collide --help".to_owned(),
-            ),
+                fault
+            })?;
+            Ok((vx, vy))
         }
-    }
-
-    /// v_x0 and v_y0.
-    fn velocity(&mut self, args: &BodyArgs) -> Result<(Rational, Rational), String> {
-        let along = args.vx.is_some() || args.vy.is_some();
-        let polar = args.speed.is_some() || args.angle.is_some() || args.half_tangent.is_some();
-        match (along, polar) {
-            (true, true) => {
-                Err("give either --speed with its direction, or --vx and --vy".to_owned())
-            }
-            (false, false) => {
-                Err("how fast? Give --speed with --angle (or --half-tangent), or --vx and --vy"
-                    .to_owned())
-            }
-            (true, false) => {
-                let vx = self.or("vx", "v_x0", "m/s", args.vx.as_deref(), Domain::Any, 0)?;
-                let Some(vy) = &args.vy else {
-                    return Err(
-                        "--vy is missing: the velocity into the plane, at least 0".to_owned()
-                    );
-                };
-                let vy = self
-                    .read(("vy", "v_y0", "m/s"), vy, Domain::NotNegative)
-                    .map_err(|error| match vy.starts_with('-') && error.contains("at least") {
-                        true => format!("{error}: y points into the plane, and a body that moves away does not collide"),
-                        false => error,
-                    })?;
-                Ok((vx, vy))
-            }
-            (false, true) => {
-                let Some(speed) = &args.speed else {
-                    return Err(
-                        "--speed is missing: the speed of the centre, at least 0".to_owned()
-                    );
-                };
-                let speed = self.read(("speed", "v", "m/s"), speed, Domain::NotNegative)?;
-                let Direction { cos, sin } = self.direction(args)?;
-                Ok((&speed * sin, speed * cos))
-            }
-        }
-    }
-
-    fn direction(&mut self, args: &BodyArgs) -> Result<Direction<Rational>, String> {
-        match (&args.angle, &args.half_tangent) {
-            (Some(_), Some(_)) => {
-                Err("--angle and --half-tangent are both directions; give one of them".to_owned())
-            }
-            (None, None) => Err(
-                "--angle is missing: the direction of the speed from the normal, in degrees (or --half-tangent)"
-                    .to_owned(),
-            ),
-            (Some(text), None) => {
-                let degrees = self.read(("angle", "angle", "°"), text, Domain::Within(90))?;
-                let direction = direction(&degrees);
-                self.notes.push(of_floats(&direction, "angle"));
-                Ok(direction)
-            }
-            (None, Some(text)) => {
-                let name = ("half-tangent", "tan(angle/2)", "");
-                let tangent = self.read(name, text, Domain::Within(1))?;
-                Ok(Direction::of_half_tangent(&tangent))
-            }
+        (false, true) => {
+            let missing = || "--speed is missing: the speed of the centre, at least 0".to_owned();
+            let speed = flags.get("--speed").ok_or_else(missing)?;
+            let speed = reader.number(speed, name("", "v", "m/s"), Domain::NotNegative)?;
+            let Direction { cos, sin } = direction(reader, flags)?;
+            Ok((&speed * sin, speed * cos))
         }
     }
 }
 
-/// Says what stands for an angle in degrees.
-pub(super) fn of_floats(direction: &Direction<Rational>, angle: &str) -> String {
-    let float = |x: &Rational| Algebraic::from(x.clone()).to_f64();
-    format!(
-        "{angle}: the direction is the float pair cos = {}, sin = {}, taken exactly.",
-        float(&direction.cos),
-        float(&direction.sin)
-    )
+fn direction(reader: &mut Reader<'_>, flags: &Flags) -> Result<Direction<Rational>, Fault> {
+    match (flags.get("--angle"), flags.get("--half-tangent")) {
+        (Some(_), Some(_)) => Err(Fault::Message(
+            "--angle and --half-tangent are both directions; give one of them".to_owned(),
+        )),
+        (None, None) => Err(Fault::Message(
+            "--angle is missing: the direction of the speed from the normal, in degrees (or --half-tangent)"
+                .to_owned(),
+        )),
+        (Some(degrees), None) => {
+            Ok(reader.degrees(degrees, name("", "angle", "°"), Domain::Within(90))?)
+        }
+        (None, Some(tangent)) => {
+            let symbol = name("", "tan(angle/2)", "");
+            Ok(reader.half_tangent(tangent, symbol, Domain::Within(1))?)
+        }
+    }
 }

@@ -3,7 +3,8 @@
 use kane_number::{Number, Ordered as _, Real};
 
 use super::{
-    CollideError, Motion, PlanarBody, Wide, half, narrow, narrow_contact, narrow_error, resolve,
+    CollideError, Motion, PlanarBody, Wide, half, narrow, narrow_contact, narrow_error,
+    narrow_outcome,
 };
 use crate::{Contact, Impulse, InvalidInput, LawOver, Outcome};
 
@@ -146,9 +147,17 @@ impl<N: Real> Collision<N> {
     /// [`CollideError`] if the input is invalid, if the law gives no impulse, or if a result leaves
     /// the range of the number system. No NaN is ever returned.
     pub fn collide(&self, law: &dyn LawOver<Wide<N>>) -> Result<Collided<N>, CollideError<N>> {
+        let contact = self.map(N::widen).contact_here().map_err(narrow_error)?;
+        self.collided(&law.resolve(&contact)?)
+    }
+
+    /// What follows of an outcome at the contact, whichever law it is by.
+    ///
+    /// # Errors
+    /// [`CollideError`] if a result leaves the range of the number system.
+    pub fn collided(&self, result: &Outcome<Wide<N>>) -> Result<Collided<N>, CollideError<N>> {
         let wide: Collision<Wide<N>> = self.map(N::widen);
-        let contact = wide.contact_here().map_err(narrow_error)?;
-        let (result, outcome) = resolve(law, &contact)?;
+        let outcome = narrow_outcome(result)?;
         let opposite = Impulse {
             tangential: -result.impulse.tangential.clone(),
             normal: -result.impulse.normal.clone(),

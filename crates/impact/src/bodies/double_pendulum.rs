@@ -2,7 +2,7 @@
 
 use kane_number::{Number, Real};
 
-use super::{CollideError, Wide, half, narrow, narrow_contact, narrow_error, resolve};
+use super::{CollideError, Wide, half, narrow, narrow_contact, narrow_error, narrow_outcome};
 use crate::invalid::{finite, positive};
 use crate::{Contact, Delassus, Impulse, InvalidInput, LawOver, Outcome};
 
@@ -161,9 +161,17 @@ impl<N: Real> DoublePendulum<N> {
     /// # Errors
     /// [`CollideError`] as for [`Collision::collide`](super::Collision::collide).
     pub fn collide(&self, law: &dyn LawOver<Wide<N>>) -> Result<Swung<N>, CollideError<N>> {
+        let contact = self.map(N::widen).contact_here().map_err(narrow_error)?;
+        self.swung(&law.resolve(&contact)?)
+    }
+
+    /// What follows of an outcome at the contact, whichever law it is by.
+    ///
+    /// # Errors
+    /// [`CollideError`] if a result leaves the range of the number system.
+    pub fn swung(&self, result: &Outcome<Wide<N>>) -> Result<Swung<N>, CollideError<N>> {
         let wide: DoublePendulum<Wide<N>> = self.map(N::widen);
-        let contact = wide.contact_here().map_err(narrow_error)?;
-        let (result, outcome) = resolve(law, &contact)?;
+        let outcome = narrow_outcome(result)?;
         let [u1, u2] = wide.after(&result.impulse);
         let one = <Wide<N> as Number>::one();
         let change = result.work.total().checked_div(&wide.kinetic_energy());

@@ -19,7 +19,7 @@ pub use sphere_on_plane::{Rebound, SphereOnPlane};
 
 use kane_number::{Number, Real};
 
-use crate::{Contact, InvalidInput, LawOver, NoImpulse, Outcome};
+use crate::{Contact, InvalidInput, NoImpulse, Outcome};
 
 /// The planar motion of a body.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,19 +92,6 @@ fn narrow_outcome<N: Real>(wide: &Outcome<Wide<N>>) -> Result<Outcome<N>, Invali
         crate::invalid::finite(quantity, value.clone())?;
     }
     Ok(narrowed)
-}
-
-/// An outcome as computed, and as rounded.
-type Resolved<N> = (Outcome<Wide<N>>, Outcome<N>);
-
-/// Resolves a wide contact, and narrows the outcome.
-fn resolve<N: Real>(
-    law: &dyn LawOver<Wide<N>>,
-    contact: &Contact<Wide<N>>,
-) -> Result<Resolved<N>, CollideError<N>> {
-    let wide = law.resolve(contact)?;
-    let narrowed = narrow_outcome(&wide)?;
-    Ok((wide, narrowed))
 }
 
 fn half<N: Number>(x: N) -> N {

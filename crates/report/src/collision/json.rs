@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::envelope::{Program, Schema, written};
 
-use super::Collision;
+use kane_scene::collide::{self, Collision};
 
 /// The name of the schema.
 pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
@@ -19,7 +19,7 @@ pub fn json(collision: &Collision) -> String {
         program: Program::THIS,
         command: &collision.command,
         title: &collision.title,
-        headline: collision.headline(),
+        headline: super::headline(collision),
         as_expected: collision.as_expected(),
         given: collision
             .given
@@ -114,7 +114,7 @@ struct Lanes {
 }
 
 impl<'a> Reading<'a> {
-    fn of(reading: &'a super::Reading) -> Self {
+    fn of(reading: &'a collide::Reading) -> Self {
         // zero has no sign here
         let positive = |float: f64| if float == 0.0 { 0.0 } else { float };
         let finite = |float: f64| Some(float).filter(|float| float.is_finite()).map(positive);
@@ -136,7 +136,7 @@ impl<'a> Reading<'a> {
 }
 
 impl<'a> Law<'a> {
-    fn of(law: &'a super::LawAnswer) -> Self {
+    fn of(law: &'a collide::LawAnswer) -> Self {
         Self {
             id: law.id,
             statement: law.statement,

@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
+use kane_scene::collide::{Answer, Collision, Energy, LawAnswer, Reading};
+
 use super::text::{ERRORS, enclosure};
-use super::{Answer, Collision, Energy, LawAnswer, Reading, brief, full, ulps};
+use super::{brief, full, headline, in_words, ulps};
 use crate::markdown::{code, escape};
 
 /// The collision as Markdown.
@@ -11,9 +13,9 @@ use crate::markdown::{code, escape};
 pub fn markdown(collision: &Collision) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "# Collision: {}\n", escape(&collision.title));
-    let _ = writeln!(out, "**{}**\n", escape(&collision.headline()));
+    let _ = writeln!(out, "**{}**\n", escape(&headline(collision)));
     for given in &collision.given {
-        let _ = writeln!(out, "- {}", escape(&given.in_words()));
+        let _ = writeln!(out, "- {}", escape(&in_words(given)));
     }
     out.push('\n');
     for note in &collision.notes {

@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
+use kane_scene::collide::{Answer, Collision, Energy, LawAnswer, Reading};
 
-use super::{Answer, Collision, Energy, LawAnswer, Reading, brief, full, ulps};
+use super::{brief, full, headline, in_words, ulps};
 use crate::Page;
 use crate::columns::{Column, lines, wrapped};
 use crate::shorten::padded;
@@ -28,12 +29,12 @@ pub fn text(collision: &Collision, page: Page) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "{}", collision.title);
     let bold = ink(Style::new().bold());
-    let _ = writeln!(out, "{bold}{}{bold:#}\n", collision.headline());
+    let _ = writeln!(out, "{bold}{}{bold:#}\n", headline(collision));
     let label = |word: &str| label(collision, word);
-    let given: Vec<String> = collision.given.iter().map(super::Given::in_words).collect();
+    let given: Vec<String> = collision.given.iter().map(in_words).collect();
     paragraph(&mut out, &label("given"), &unbroken(&given), width);
     if !collision.in_depth {
-        let before: Vec<String> = collision.before.iter().filter_map(in_words).collect();
+        let before: Vec<String> = collision.before.iter().filter_map(measured).collect();
         paragraph(&mut out, &label("before"), &unbroken(&before), width);
     }
     for note in &collision.notes {
@@ -58,7 +59,7 @@ fn unbroken(items: &[String]) -> String {
 }
 
 /// `alpha = 0.87441`, `T- = 7.6050 J`.
-fn in_words(reading: &Reading) -> Option<String> {
+fn measured(reading: &Reading) -> Option<String> {
     let value = brief(reading.float?);
     let space = if reading.unit.is_empty() { "" } else { " " };
     Some(format!("{} = {value}{space}{}", reading.symbol, reading.unit))

@@ -13,7 +13,7 @@ const PI: &str = "31415926535897932384626433832795028841971693993751058209749445
 /// The floats are the same on every machine: the series are summed in exact numbers with an error
 /// below 2^−250, and rounded once. Multiples of 90° are exact. Meant for angles up to a few turns.
 #[must_use]
-pub fn direction(degrees: &Rational) -> Direction<Rational> {
+pub(super) fn direction(degrees: &Rational) -> Direction<Rational> {
     let quarter = Rational::from_integer(90.into());
     let turns = (degrees / &quarter).round().to_integer();
     let rest = degrees - Rational::from_integer(turns.clone()) * quarter;

@@ -5,12 +5,11 @@ use kane_number::Rational;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::angle::direction;
 use super::file::MOST_BODIES;
 use super::number::{Domain, read_in};
+use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::Stated;
-use crate::tip::TipBody;
 use crate::world::Round;
 
 #[derive(Deserialize)]
@@ -41,36 +40,36 @@ pub(super) struct Discs {
 /// A rod that strikes with its tip, as a file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Rod {
+pub(super) struct Rod {
     /// m > 0; kg.
-    pub mass_kg: Number,
+    pub(super) mass_kg: Number,
     /// l > 0; m.
-    pub length_m: Number,
+    pub(super) length_m: Number,
     /// Between the surface and the way from the tip up to the centre, unless its half tangent is given;
     /// degrees.
-    pub angle_deg: Option<Number>,
+    pub(super) angle_deg: Option<Number>,
     /// The tangent of half of that angle.
-    pub half_tangent: Option<Number>,
+    pub(super) half_tangent: Option<Number>,
     /// Of the centre, x and y; m/s.
-    pub velocity_m_s: [Number; 2],
+    pub(super) velocity_m_s: [Number; 2],
     /// ω, 0 if it is not given; rad/s.
-    pub spin_rad_s: Option<Number>,
+    pub(super) spin_rad_s: Option<Number>,
 }
 
 /// Kane's double pendulum, as a file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Pendulum {
+pub(super) struct Pendulum {
     /// m > 0 of each of its two rods; kg.
-    pub mass_kg: Number,
+    pub(super) mass_kg: Number,
     /// l > 0 of each; m.
-    pub length_m: Number,
+    pub(super) length_m: Number,
     /// Of both rods from the vertical, unless their half tangents are given; degrees.
-    pub angles_deg: Option<[Number; 2]>,
+    pub(super) angles_deg: Option<[Number; 2]>,
     /// The tangents of half of those angles.
-    pub half_tangents: Option<[Number; 2]>,
+    pub(super) half_tangents: Option<[Number; 2]>,
     /// Of both rods; rad/s.
-    pub angular_velocities_rad_s: [Number; 2],
+    pub(super) angular_velocities_rad_s: [Number; 2],
 }
 
 /// A number, or a table `{ value = …, within = … }`.
@@ -119,47 +118,17 @@ fn after_key(table: &str, key: &str) -> String {
     of_key.unwrap_or_default()
 }
 
-fn motion(
-    source: Source<'_>,
-    [vx, vy]: &[Number; 2],
-    spin: Option<&Number>,
-) -> Result<Motion<Stated>, Fault> {
-    let velocity = |number| stated(source, number, "velocity_m_s", Domain::Any);
-    let omega = match spin {
-        Some(spin) => stated(source, spin, "spin_rad_s", Domain::Any)?,
-        None => Stated::default(),
-    };
-    Ok(Motion { vx: velocity(vx)?, vy: velocity(vy)?, omega })
-}
-
-pub(super) fn round(source: Source<'_>, body: &Body) -> Result<Round<Stated>, Fault> {
-    let mass = source.number(&body.mass_kg, "mass_kg", Domain::Positive)?;
-    let radius = source.number(&body.radius_m, "radius_m", Domain::Positive)?;
-    let gyration = match (&body.shape, &body.mobility_ratio) {
-        (None, None) => Shape::Sphere.gyration(),
-        (Some(word), None) => {
-            let shape: Shape = word
-                .get_ref()
-                .parse()
-                .map_err(|error| source.fault(word.span(), format!("{error}")))?;
-            shape.gyration()
-        }
-        (None, Some(ratio)) => {
-            let ratio = source.number(ratio, "mobility_ratio", Domain::AboveOne)?;
-            (ratio - Rational::from_integer(1.into())).recip()
-        }
-        (Some(word), Some(_)) => {
-            return Err(source.fault(word.span(), "shape and mobility_ratio; give one of them"));
-        }
-    };
-    let [x, y] = &body.position_m;
-    let place = |number| stated(source, number, "position_m", Domain::Any);
+pub(super) fn round(reader: &mut Reader<'_>, body: &Body) -> Result<Round<Stated>, Fault> {
+    let Body { mass_kg, radius_m, shape, mobility_ratio, .. } = body;
+    let [mass, radius, inertia] =
+        reader.round([mass_kg, radius_m], shape.as_ref(), mobility_ratio.as_ref(), "")?;
+    let place = ["x", "y"];
     Ok(Round {
-        inertia: (&mass * &radius * &radius * gyration).into(),
+        inertia: inertia.into(),
         mass: mass.into(),
         radius: radius.into(),
-        position: [place(x)?, place(y)?],
-        motion: motion(source, &body.velocity_m_s, body.spin_rad_s.as_ref())?,
+        position: reader.pair(&body.position_m, "position_m", place, "m", Domain::Any)?,
+        motion: reader.motion(&body.velocity_m_s, body.spin_rad_s.as_ref(), "0")?,
     })
 }
 
@@ -207,51 +176,4 @@ pub(super) fn discs(source: Source<'_>, table: &Discs) -> Result<Vec<Round<State
         });
     }
     Ok(bodies)
-}
-
-fn heading(
-    source: Source<'_>,
-    degrees: Option<&Number>,
-    tangent: Option<&Number>,
-) -> Result<Direction<Rational>, Fault> {
-    match (degrees, tangent) {
-        (Some(degrees), None) => {
-            Ok(direction(&source.number(degrees, "angle_deg", Domain::Within(u8::MAX))?))
-        }
-        (None, Some(tangent)) => {
-            Ok(Direction::of_half_tangent(&source.number(tangent, "half_tangent", Domain::Any)?))
-        }
-        (Some(both), Some(_)) => {
-            Err(source.fault(both.span(), "an angle in degrees and half a tangent; give one"))
-        }
-        (None, None) => {
-            Err(source.fault(0..0, "the direction is missing: angle_deg or half_tangent"))
-        }
-    }
-}
-
-pub(super) fn rod_tip(source: Source<'_>, rod: &Rod) -> Result<TipBody<Stated>, Fault> {
-    Ok(TipBody::Rod {
-        mass: source.number(&rod.mass_kg, "mass_kg", Domain::Positive)?.into(),
-        length: source.number(&rod.length_m, "length_m", Domain::Positive)?.into(),
-        direction: heading(source, rod.angle_deg.as_ref(), rod.half_tangent.as_ref())?,
-        motion: motion(source, &rod.velocity_m_s, rod.spin_rad_s.as_ref())?,
-    })
-}
-
-pub(super) fn hinged(source: Source<'_>, pendulum: &Pendulum) -> Result<TipBody<Stated>, Fault> {
-    let angle = |index: usize| {
-        let degrees = pendulum.angles_deg.as_ref().map(|pair| &pair[index]);
-        heading(source, degrees, pendulum.half_tangents.as_ref().map(|pair| &pair[index]))
-    };
-    let speed = |index: usize| {
-        let speeds = &pendulum.angular_velocities_rad_s;
-        stated(source, &speeds[index], "angular_velocities_rad_s", Domain::Any)
-    };
-    Ok(TipBody::Pendulum {
-        mass: source.number(&pendulum.mass_kg, "mass_kg", Domain::Positive)?.into(),
-        length: source.number(&pendulum.length_m, "length_m", Domain::Positive)?.into(),
-        angles: [angle(0)?, angle(1)?],
-        speeds: [speed(0)?, speed(1)?],
-    })
 }

@@ -8,8 +8,9 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::ask::{UntilTable, asked, until};
-use super::bodies::{Body, Discs, Pendulum, Rod, discs, hinged, rod_tip, round, stated};
+use super::bodies::{Body, Discs, Pendulum, Rod, discs, round, stated};
 use super::number::Domain;
+use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::Stated;
 use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
@@ -57,8 +58,7 @@ struct File {
 /// # Errors
 /// The first thing wrong with it, with its place.
 pub fn scene(name: &str, text: &str) -> Result<Scene, Fault> {
-    let source = Source { name, text };
-    read(source)
+    read(Source::file(name, text))
 }
 
 fn read(source: Source<'_>) -> Result<Scene, Fault> {
@@ -178,11 +178,12 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     }
     let friction = stated(source, &file.friction, "friction", Domain::NotNegative)?;
     let restitution = stated(source, &file.restitution, "restitution", Domain::Fraction)?;
+    let mut reader = Reader::of_uncertain(source);
     if let Some(rod) = &file.rod_tip {
-        return Ok(Setup::Tip(Tip { body: rod_tip(source, rod)?, friction, restitution }));
+        return Ok(Setup::Tip(Tip { body: reader.rod_tip(rod)?, friction, restitution }));
     }
     if let Some(pendulum) = &file.double_pendulum {
-        return Ok(Setup::Tip(Tip { body: hinged(source, pendulum)?, friction, restitution }));
+        return Ok(Setup::Tip(Tip { body: reader.hinged(pendulum)?, friction, restitution }));
     }
     let gravity = match &file.gravity {
         Some(gravity) => source.number(gravity, "gravity_m_s2", Domain::NotNegative)?,
@@ -201,7 +202,7 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     }
     let bodies = match (&file.body, &file.discs) {
         (Some(bodies), _) => {
-            bodies.iter().map(|body| round(source, body)).collect::<Result<Vec<_>, _>>()?
+            bodies.iter().map(|body| round(&mut reader, body)).collect::<Result<Vec<_>, _>>()?
         }
         (None, Some(table)) => discs(source, table.get_ref())?,
         (None, None) => Vec::new(),

@@ -3,14 +3,18 @@
 mod angle;
 mod ask;
 mod bodies;
+mod collision;
 mod file;
+mod flags;
 mod number;
+mod reader;
 mod source;
 mod stated;
 
-pub use angle::direction;
-pub use bodies::{Pendulum, Rod};
+pub use collision::collision;
 pub use file::scene;
+pub use flags::Flags;
 pub use number::{Domain, read, read_in};
+pub use reader::{Name, Reader, name};
 pub use source::{Fault, Number, Source, load};
 pub use stated::Stated;

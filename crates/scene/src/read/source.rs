@@ -43,6 +43,22 @@ pub struct Source<'a> {
     pub name: &'a str,
     /// all of it
     pub text: &'a str,
+    /// whether it is a command's flags, by which faults call their values
+    of_flags: bool,
+}
+
+impl<'a> Source<'a> {
+    /// A file.
+    #[must_use]
+    pub const fn file(name: &'a str, text: &'a str) -> Self {
+        Self { name, text, of_flags: false }
+    }
+
+    /// The flags of a command.
+    #[must_use]
+    pub const fn flags(text: &'a str) -> Self {
+        Self { name: "the command line", text, of_flags: true }
+    }
 }
 
 impl Source<'_> {
@@ -78,11 +94,18 @@ impl Source<'_> {
         }
     }
 
+    /// The flag before a number.
+    fn name_of(&self, number: &Number) -> Option<&str> {
+        let before = self.text.get(..number.span().start).filter(|_| self.of_flags)?;
+        before.trim_end().rsplit(' ').next()
+    }
+
     /// The number as written, exactly.
     ///
     /// # Errors
     /// That it is no number, an uncertain one, or outside the domain; `symbol` says which.
     pub fn number(&self, number: &Number, symbol: &str, domain: Domain) -> Result<Rational, Fault> {
+        let symbol = self.name_of(number).unwrap_or(symbol);
         if number.get_ref().is_table() {
             let message = format!("{symbol} is known exactly or not at all: write one number");
             return Err(self.fault(number.span(), message));

@@ -1,17 +1,16 @@
 //! Every law's answer, in every number system, as data for a report.
 
-use crate::impact::bodies::CollideError;
-use crate::impact::{Contact, Law, NoImpulse, Restitution};
-use crate::number::{
+use kane_impact::bodies::CollideError;
+use kane_impact::{Contact, Law, NoImpulse, NumberSystem};
+use kane_number::{
     Algebraic, Interval, Number as _, Ordered as _, Rational, Rounding, Scaled, encode,
     error_in_ulps, ulp,
 };
-use crate::report::collision::{Answer, Check, Energy, Errors, LawAnswer, Reading};
 
 use super::checks::checks;
 use super::lanes::{Measured, Quantity, at_contact, of_contact, of_system};
 use super::written::near;
-use super::{System, written};
+use super::{Answer, Check, Energy, Errors, LawAnswer, Reading, System, written};
 
 /// The contact and the energy before, above the answers.
 pub(super) fn before(system: &System<Rational>, contact: &Contact<Rational>) -> Vec<Reading> {
@@ -51,18 +50,7 @@ pub(super) fn answer(law: &Law, system: &System<Rational>, deeply: bool) -> LawA
         id: law.info.id,
         statement: law.info.statement,
         source: law.info.source,
-        restitution: match law.info.restitution {
-            Restitution::Newton if law.has_frame() => {
-                "Newton, v_n'+ = e'*a' in a frame of the law's own, in which its statement and its cone stand too"
-            }
-            Restitution::Newton => "Newton, v_n+ = e*a",
-            Restitution::Poisson => {
-                "Poisson, the impulse of restitution is e times that of compression"
-            }
-            Restitution::Energetic => {
-                "energetic, the normal work of restitution is e^2 times that of compression"
-            }
-        },
+        restitution: law.restitution(),
         parameters: parameters.map(|(name, value)| (name, value.to_string())).collect(),
         answer,
     }
@@ -98,24 +86,26 @@ fn bits(contact: &Contact<Rational>) -> u64 {
 
 /// Runs the exact lane; the checks only if asked for.
 fn exactly(law: &Law, system: &System<Rational>, checked: bool) -> Result<Exact, String> {
-    let measured = match of_system(law, system) {
-        Ok(measured) => {
-            let checks = if checked { checks(law, system) } else { Ok(Vec::new()) };
-            let measured = measured.map(|exact| Some(Algebraic::from(exact)));
-            (measured, checks.map_err(|error| reason(&error))?)
-        }
+    fn run<N: NumberSystem<WideSystem = N>>(
+        law: &Law,
+        system: &System<N>,
+        checked: bool,
+    ) -> Result<(Measured<N>, Vec<Check>), CollideError<N>> {
+        let happened = of_system(law, system)?;
+        let checks = if checked { checks(law, system, &happened) } else { Vec::new() };
+        Ok((happened.measured, checks))
+    }
+    let (measured, checks) = match run(law, system, checked) {
+        Ok((measured, checks)) => (measured.map(|exact| Some(Algebraic::from(exact))), checks),
         Err(CollideError::NoImpulse(NoImpulse::Unrepresentable { .. })) => {
             if system.contact().is_ok_and(|contact| bits(&contact) > MOST_BITS) {
                 return Err(TOO_LONG.to_owned());
             }
             let system = system.map(|exact| Algebraic::from(exact.clone()));
-            let measured = of_system(law, &system).map_err(|error| reason(&error))?;
-            let checks = if checked { checks(law, &system) } else { Ok(Vec::new()) };
-            (measured, checks.map_err(|error| reason(&error))?)
+            run(law, &system, checked).map_err(|error| reason(&error))?
         }
         Err(error) => return Err(reason(&error)),
     };
-    let (measured, checks) = measured;
     let sign = measured.get("dE").map(Algebraic::sign);
     let energy = match sign {
         Some(sign) if sign.is_greater() == Some(true) => Energy::Created,
@@ -135,8 +125,8 @@ fn in_double_double(
     law: &Law,
     floats: &System<f64>,
 ) -> Result<Measured<f64>, CollideError<Scaled>> {
-    let wide = of_system(law, &floats.map(crate::number::Number::widen))?;
-    Ok(wide.map(|value| Some(value.to_f64()).filter(|float| float.is_finite())))
+    let wide = of_system(law, &floats.map(kane_number::Number::widen))?;
+    Ok(wide.measured.map(|value| Some(value.to_f64()).filter(|float| float.is_finite())))
 }
 
 fn in_short(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
@@ -171,16 +161,21 @@ fn in_depth(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
     let floats = in_floats(system);
     let wide = in_double_double(law, &floats);
     let plain = floats.contact().map_err(CollideError::from);
-    let plain =
-        plain.and_then(|contact| at_contact(law.over(), &contact).map_err(CollideError::from));
+    let plain = plain.and_then(|contact| {
+        let (measured, _) = at_contact(law.over(), &contact)?;
+        Ok(measured)
+    });
     // what the floats should give: the inputs as they are after rounding, without any error
     let rounded = system.map(|exact| nearest(exact).unwrap_or_else(|| exact.clone()));
     let truth = exactly(law, &rounded, false).map(|truth| truth.measured);
     let enclosed = of_system(law, &system.map(Interval::from_rational));
+    let enclosed = enclosed.map(|happened| happened.measured);
 
-    note(&mut remarks, "plain f64", regime, plain.as_ref().map_err(reason));
-    note(&mut remarks, "double-double", regime, wide.as_ref().map_err(reason));
-    note(&mut remarks, "intervals", regime, enclosed.as_ref().map_err(reason));
+    let of_floats = truth.as_ref().ok().map(|truth| truth.regime);
+    let regimes = (regime, of_floats);
+    note(&mut remarks, "plain f64", regimes, plain.as_ref().map_err(reason));
+    note(&mut remarks, "double-double", regimes, wide.as_ref().map_err(reason));
+    note(&mut remarks, "intervals", regimes, enclosed.as_ref().map_err(reason));
     if exact.measured.values.iter().flat_map(|(_, value)| value).any(|v| v.as_rational().is_none())
     {
         remarks.push("the regime's root is irrational: exact numbers are algebraic".to_owned());
@@ -226,19 +221,23 @@ fn in_depth(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
     Ok(Answer { regime, energy: exact.energy, readings, checks: exact.checks, remarks })
 }
 
-/// Says so if a lane has no answer, or another regime's.
+/// Says so if a lane has no answer, or another regime's than the exact one; beside that stands the exact
+/// regime of the inputs as floats.
 fn note<N>(
     remarks: &mut Vec<String>,
     lane: &str,
-    regime: &str,
+    (regime, of_floats): (&str, Option<&str>),
     answer: Result<&Measured<N>, String>,
 ) {
     match answer {
         Ok(measured) if measured.regime == regime => {}
-        Ok(measured) => remarks.push(format!(
-            "{lane}: takes the regime \"{}\", for inputs rounded to floats lie on the other side of a boundary",
-            measured.regime
-        )),
+        Ok(Measured { regime, .. }) => {
+            let why = match of_floats == Some(*regime) {
+                true => "inputs rounded to floats lie on the other side of a boundary",
+                false => "it rounds across a boundary",
+            };
+            remarks.push(format!("{lane}: takes the regime \"{regime}\", for {why}"));
+        }
         Err(reason) => remarks.push(format!("{lane}: no answer; {reason}")),
     }
 }
@@ -246,12 +245,12 @@ fn note<N>(
 /// The float nearest to an exact number, exactly.
 fn nearest(exact: &Rational) -> Option<Rational> {
     let float: f64 = encode(exact, Rounding::NearestEven);
-    crate::number::decode(float).ok()
+    kane_number::decode(float).ok()
 }
 
 /// Whether the exact number is inside.
 fn holds(enclosure: Interval, exact: &Algebraic) -> bool {
-    let end = |float: f64| crate::number::decode(float).ok().map(Algebraic::from);
+    let end = |float: f64| kane_number::decode(float).ok().map(Algebraic::from);
     let above = end(enclosure.lower()).is_none_or(|lower| lower <= *exact);
     let below = end(enclosure.upper()).is_none_or(|upper| *exact <= upper);
     above && below
@@ -260,32 +259,33 @@ fn holds(enclosure: Interval, exact: &Algebraic) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::impact::bodies::{Motion, SphereOnPlane};
-    use crate::impact::law;
-    use crate::number::parse;
+    use kane_impact::bodies::{Motion, SphereOnPlane};
+    use kane_impact::law;
+    use kane_number::parse;
 
-    fn system() -> System<Rational> {
+    fn sphere() -> SphereOnPlane<Rational> {
         let n = |text| parse(text).expect("a literal");
-        System::Sphere(SphereOnPlane {
+        SphereOnPlane {
             mass: n("0.3"),
             radius: n("0.7"),
             inertia: n("0.0588"),
             friction: n("0.092"),
             restitution: n("0.98"),
             before: Motion { vx: n("1.3"), vy: n("3.6"), omega: n("-0.2") },
-        })
+        }
     }
 
     fn agrees(law: &Law) {
-        let floats = in_floats(&system());
-        let ours = in_double_double(law, &floats).expect("the input is ordinary");
+        let floats = sphere().map(|exact| encode(exact, Rounding::NearestEven));
+        let ours = in_double_double(law, &System::Sphere(floats.clone()));
+        let ours = ours.expect("the input is ordinary");
         let theirs = floats.collide(law.over()).expect("the input is ordinary");
-        let impulse = theirs.outcome.impulse;
-        assert_eq!(ours.get("p_t"), Some(&impulse.tangential), "{}", law.info.id);
-        assert_eq!(ours.get("p_n"), Some(&impulse.normal), "{}", law.info.id);
-        assert_eq!(ours.get("v_t+"), Some(&theirs.outcome.slip), "{}", law.info.id);
-        for (&(symbol, ..), after) in floats.velocities().iter().zip(&theirs.after) {
-            assert_eq!(ours.get(symbol), Some(after), "{} {symbol}", law.info.id);
+        assert_eq!(ours.get("p_t"), Some(&-theirs.tangential_impulse), "{}", law.info.id);
+        assert_eq!(ours.get("p_n"), Some(&theirs.normal_impulse), "{}", law.info.id);
+        assert_eq!(ours.get("v_t+"), Some(&theirs.slip), "{}", law.info.id);
+        let Motion { vx, vy, omega } = theirs.after;
+        for (symbol, after) in [("v_x", vx), ("v_y", vy), ("omega", omega)] {
+            assert_eq!(ours.get(symbol), Some(&after), "{} {symbol}", law.info.id);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use num_traits::{Pow as _, Signed as _, Zero as _};
 
-use crate::number::{Algebraic, Integer, Rational};
+use kane_number::{Algebraic, Integer, Rational};
 
 /// Digits of a number that is too long to be written out.
 const DIGITS: u32 = 20;
@@ -94,7 +94,7 @@ fn ten_to(power: i64) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse;
+    use kane_number::parse;
 
     fn of(text: &str) -> String {
         written(&Algebraic::from(parse(text).expect("a literal")))

@@ -1,11 +1,10 @@
 //! What collides, whatever its kind.
 
-use crate::impact::bodies::{
-    CollideError, Collided, Collision, DoublePendulum, Ledger, Motion, Rebound, SphereOnPlane,
-    Swung,
+use kane_impact::bodies::{
+    CollideError, Collided, Collision, DoublePendulum, Ledger, Motion, SphereOnPlane,
 };
-use crate::impact::{Contact, InvalidInput, LawOver, Outcome};
-use crate::number::Real;
+use kane_impact::{Contact, InvalidInput, Outcome};
+use kane_number::Real;
 
 /// A body, two bodies, or a mechanism, at the moment of touching.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,13 +17,11 @@ pub enum System<N> {
     Pendulum(DoublePendulum<N>),
 }
 
-/// What a law makes of a system.
+/// How a system moves after an impact.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Happened<N> {
-    /// What happened at the contact; the impulse in the signs of mechanics.
-    pub outcome: Outcome<N>,
-    /// The velocities afterwards, in the order of [`System::velocities`].
-    pub after: Vec<N>,
+pub struct After<N> {
+    /// In the order of [`System::velocities`].
+    pub velocities: Vec<N>,
     /// The change of energy by part; a mechanism has no such parts.
     pub ledger: Option<Ledger<N>>,
 }
@@ -88,7 +85,7 @@ impl<N> System<N> {
     /// The same system in another number system.
     pub fn map<M>(&self, to: impl Fn(&N) -> M) -> System<M>
     where
-        N: crate::number::Number,
+        N: kane_number::Number,
     {
         match self {
             Self::Sphere(sphere) => System::Sphere(sphere.map(to)),
@@ -121,27 +118,28 @@ impl<N: Real> System<N> {
         }
     }
 
-    /// Collides under a law.
+    /// What follows of an outcome at the contact, whose impulse is in the signs of mechanics.
     ///
     /// # Errors
-    /// [`CollideError`] as for [`Collision::collide`].
-    pub fn collide(&self, law: &dyn LawOver<N::WideReal>) -> Result<Happened<N>, CollideError<N>> {
+    /// [`CollideError`] if a result leaves the range of the number system.
+    pub fn after(&self, outcome: &Outcome<N::WideReal>) -> Result<After<N>, CollideError<N>> {
         let three = |motion: Motion<N>| [motion.vx, motion.vy, motion.omega];
         match self {
             Self::Sphere(sphere) => {
-                let Collided { outcome, .. } = sphere.collision().collide(law)?;
-                let Rebound { after, energy, .. } = sphere.collide(law)?;
-                Ok(Happened { outcome, after: three(after).to_vec(), ledger: Some(energy) })
+                let Collided { after, energy, .. } = sphere.collision().collided(outcome)?;
+                // into the plane, as the motion before
+                let velocities = vec![after.vx, -after.vy, -after.omega];
+                Ok(After { velocities, ledger: Some(energy) })
             }
             Self::Planar(collision) => {
-                let Collided { outcome, after, other_after, energy } = collision.collide(law)?;
+                let Collided { after, other_after, energy, .. } = collision.collided(outcome)?;
                 let motions = std::iter::once(after).chain(other_after);
-                let after = motions.flat_map(three).collect();
-                Ok(Happened { outcome, after, ledger: Some(energy) })
+                let velocities = motions.flat_map(three).collect();
+                Ok(After { velocities, ledger: Some(energy) })
             }
             Self::Pendulum(pendulum) => {
-                let Swung { outcome, after, .. } = pendulum.collide(law)?;
-                Ok(Happened { outcome, after: after.to_vec(), ledger: None })
+                let velocities = pendulum.swung(outcome)?.after.to_vec();
+                Ok(After { velocities, ledger: None })
             }
         }
     }

@@ -1,10 +1,11 @@
 //! The same quantities, measured in any number system.
 
-use crate::impact::bodies::{CollideError, Ledger};
-use crate::impact::{Contact, Law, LawOver, NoImpulse, NumberSystem, Taken};
-use crate::number::Real;
+use kane_impact::bodies::{CollideError, Ledger};
+use kane_impact::{Contact, Law, LawOver, NoImpulse, NumberSystem, Outcome};
+use kane_number::Real;
 
 use super::System;
+use super::system::After;
 
 /// A quantity of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +20,16 @@ pub(super) struct Quantity {
 /// A quantity, and its value if it has one.
 pub(super) type Value<N> = (Quantity, Option<N>);
 
-/// What a law makes of a system, in one number system.
+/// What a law makes of a system, in one number system: measured, and as it happened.
+pub(super) struct Happened<N> {
+    pub(super) measured: Measured<N>,
+    pub(super) contact: Contact<N>,
+    /// The impulse in the signs of mechanics.
+    pub(super) outcome: Outcome<N>,
+    pub(super) after: After<N>,
+}
+
+/// The quantities, in one number system.
 #[derive(Clone, Debug)]
 pub(super) struct Measured<N> {
     pub(super) regime: &'static str,
@@ -71,11 +81,10 @@ pub(super) fn of_contact<N: Real>(contact: &Contact<N>) -> Vec<Value<N>> {
 pub(super) fn at_contact<N: Real>(
     law: &dyn LawOver<N>,
     contact: &Contact<N>,
-) -> Result<Measured<N>, NoImpulse> {
-    let Taken { root, .. } = law.regime(contact)?;
-    let outcome = law.resolve(contact)?;
+) -> Result<(Measured<N>, Outcome<N>), NoImpulse> {
+    let (outcome, root) = law.resolve_with_root(contact)?;
     let ratios = outcome.ratios(contact);
-    let ratio = |part: fn(crate::impact::Ratios<N>) -> N| ratios.clone().map(part);
+    let ratio = |part: fn(kane_impact::Ratios<N>) -> N| ratios.clone().map(part);
     let mut values = of_contact(contact);
     values.extend([
         (quantity("root", "", "of the regime's equation"), root),
@@ -90,29 +99,32 @@ pub(super) fn at_contact<N: Real>(
         (quantity("dE_n", "J", "work of the normal impulse"), Some(outcome.work.normal.clone())),
         (column("dE", "J", "change of kinetic energy"), Some(outcome.work.total())),
     ]);
-    Ok(Measured { regime: outcome.regime, values })
+    Ok((Measured { regime: outcome.regime, values }, outcome))
 }
 
 /// What the law makes of the system: at the contact, and of the bodies.
-pub(super) fn of_system<N: NumberSystem>(
+///
+/// In a number system that is its own wider one: the outcome at the contact is that of the bodies.
+pub(super) fn of_system<N: NumberSystem<WideSystem = N>>(
     law: &Law,
     system: &System<N>,
-) -> Result<Measured<N>, CollideError<N>> {
-    let mut measured = at_contact(law.over(), &system.contact()?)?;
-    let happened = system.collide(law.over())?;
+) -> Result<Happened<N>, CollideError<N>> {
+    let contact = system.contact()?;
+    let (mut measured, outcome) = at_contact(law.over(), &contact)?;
+    let after = system.after(&outcome)?;
     let before = system.kinetic_energy();
     let change = measured.get("dE").cloned();
     let ratio = change.and_then(|change| (before.clone() + change).checked_div(&before));
     measured.values.push((column("T+/T-", "", "kinetic energy after by before"), ratio));
-    for (&(symbol, unit, meaning), value) in system.velocities().iter().zip(happened.after) {
-        measured.values.push((column(symbol, unit, meaning), Some(value)));
+    for (&(symbol, unit, meaning), value) in system.velocities().iter().zip(&after.velocities) {
+        measured.values.push((column(symbol, unit, meaning), Some(value.clone())));
     }
-    if let Some(Ledger { normal, tangential, rotational }) = happened.ledger {
+    if let Some(Ledger { normal, tangential, rotational }) = after.ledger.clone() {
         measured.values.extend([
             (quantity("dT_y", "J", "ledger: energy of motion along y"), Some(normal)),
             (quantity("dT_x", "J", "ledger: energy of motion along x"), Some(tangential)),
             (quantity("dT_rot", "J", "ledger: energy of rotation"), Some(rotational)),
         ]);
     }
-    Ok(measured)
+    Ok(Happened { measured, contact, outcome, after })
 }
