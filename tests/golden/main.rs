@@ -5,7 +5,8 @@ mod figures; // the figures and their data
 mod fixture;
 mod growth; // how cost grows with size, without a clock
 mod judges; // what Coq and z3 are handed
-mod laws; // what the impact laws return, over a range of states
+mod laws;
+mod made_up_law; // what the impact laws return, over a range of states
 mod matrix; // every law against every property, some cells in full, and the page of properties
 mod methods; // the errors and counted costs of all methods
 mod model_error; // laws and processes beside the elastic half-space
