@@ -11,7 +11,7 @@
 
 use kane_impact::laws::{Keller1986, Stronge1990};
 use kane_impact::oracle::integrate;
-use kane_impact::{Contact, Delassus, ImpactLaw};
+use kane_impact::{Contact, Delassus, Law};
 use kane_number::{Algebraic, Interval, Ordered as _, decode};
 
 use crate::random::Random;
@@ -45,20 +45,20 @@ struct Count {
 }
 
 impl Count {
-    fn ask<L: ImpactLaw>(&mut self, law: &L, contact: &Contact<f64>) {
+    fn ask(&mut self, law: &Law, contact: &Contact<f64>) {
         let enclosed = contact.map(|&x| Interval::from(x));
         let overlap = |a: &Interval, b: &Interval| a.intersection(b).is_some();
-        let closed = law.resolve(&enclosed).ok();
-        let path = integrate(&enclosed, law.restitution()).ok();
+        let closed = law.over().resolve(&enclosed).ok();
+        let path = integrate(&enclosed, law.info.restitution).ok();
         let decided = closed.zip(path).is_some_and(|(closed, path)| {
             let (mine, end) = (&closed.impulse, &path.end().impulse);
             assert!(
                 overlap(&mine.tangential, &end.tangential) && overlap(&mine.normal, &end.normal),
                 "{}: {mine:?} against {end:?} at {contact:?}",
-                law.id()
+                law.info.id
             );
             let loss = end_energy(&path).sign().is_at_most();
-            assert!(loss != Some(false), "{} gains energy at {contact:?}", law.id());
+            assert!(loss != Some(false), "{} gains energy at {contact:?}", law.info.id);
             loss == Some(true)
         });
         self.contacts += 1;
@@ -67,11 +67,11 @@ impl Count {
             return;
         }
         let exact = contact.map(|&x| Algebraic::from(decode(x).expect("a finite float")));
-        let closed = law.resolve(&exact).expect("exact numbers decide");
-        let path = integrate(&exact, law.restitution()).expect("exact numbers decide");
-        assert_eq!(closed.impulse, path.end().impulse, "{} at {contact:?}", law.id());
+        let closed = law.over().resolve(&exact).expect("exact numbers decide");
+        let path = integrate(&exact, law.info.restitution).expect("exact numbers decide");
+        assert_eq!(closed.impulse, path.end().impulse, "{} at {contact:?}", law.info.id);
         let gains = closed.work.total().sign().is_greater() == Some(true);
-        assert!(!gains, "{} gains energy at {contact:?}", law.id());
+        assert!(!gains, "{} gains energy at {contact:?}", law.info.id);
         self.exactly += 1;
     }
 }
@@ -83,10 +83,11 @@ fn end_energy<N: kane_number::Real>(path: &kane_impact::oracle::Path<N>) -> N {
 fn run(contacts: u64) -> Count {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let mut count = Count::default();
+    let (keller, stronge) = (Law::new(Keller1986), Law::new(Stronge1990));
     while count.contacts < 2 * contacts {
         let Some(contact) = random.contact() else { continue };
-        count.ask(&Keller1986, &contact);
-        count.ask(&Stronge1990, &contact);
+        count.ask(&keller, &contact);
+        count.ask(&stronge, &contact);
     }
     count
 }
