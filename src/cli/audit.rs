@@ -159,6 +159,7 @@ fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> A
         // states and functions in the same measure
         let part = |n: u64| n.saturating_mul(fuel.min(whole.fuel)) / whole.fuel;
         options.budget.steps = part(whole.steps).max(1);
+        options.budget.squares = part(whole.squares);
         options.budget.functions = part(whole.functions as u64).try_into().unwrap_or(usize::MAX);
     }
     let mut progress = Progress::new();

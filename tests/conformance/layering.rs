@@ -9,6 +9,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 const LEVELS: [(&str, u32); 10] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
+    ("kane-semidefinite", 0),
     ("kane-algebra", 1),
     ("kane-impact", 2),
     ("kane-audit", 2),

@@ -11,4 +11,5 @@ pub mod rational_function;
 pub mod ring;
 pub mod sign;
 pub mod sign_table;
+pub mod squares;
 pub mod syntax;
