@@ -86,6 +86,8 @@ pub(crate) struct Search<'a> {
 const MAX_DEPTH: u32 = 160;
 /// Case distinctions on the sign of a polynomial along one branch.
 const MAX_SPLITS: u32 = 10;
+/// Case distinctions for which an inequality that is taken as an equation counts.
+const BOUNDARY: u32 = 5;
 /// What it costs, of the budget for squares, to tell the order of two variables.
 const ORDER: u64 = 1_000_000;
 
@@ -414,10 +416,13 @@ impl<'a> Search<'a> {
         {
             return Outcome::Closed(proof);
         }
-        if self.models
-            && let Some(point) = self.sample(state, trail, &vars, (5, 200))
-        {
-            return Outcome::Model(point);
+        if self.models {
+            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
+                return Outcome::Model(point);
+            }
+            if let Some(point) = self.on_boundary(state, trail, splits) {
+                return Outcome::Model(point);
+            }
         }
         if vars.len() > 1 && self.proofs {
             // A quick look for a point saves the long search for a proof that there is none.
@@ -452,6 +457,35 @@ impl<'a> Search<'a> {
             }
         }
         Outcome::Open
+    }
+
+    /// A point on the boundary of the state, or where its boundaries meet: one weak inequality after
+    /// the other taken as an equation.
+    fn on_boundary(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Option<Point> {
+        if splits + BOUNDARY > MAX_SPLITS {
+            return None;
+        }
+        let weak = |i: &usize| {
+            let a = &state.atoms[*i];
+            a.sign == Sign::NonNegative && a.decided().is_none()
+        };
+        let fresh = state.atoms.len();
+        (0..fresh).filter(weak).find_map(|i| {
+            let equation = Atom::new(state.atoms[i].poly.clone(), Sign::Zero);
+            if state.atoms.contains(&equation) {
+                return None;
+            }
+            let next = state.with(equation);
+            match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
+                Outcome::Model(point) => Some(point),
+                _ => None,
+            }
+        })
     }
 
     /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
