@@ -4,6 +4,8 @@
 //! can bound and Coq can check. This module says what is to be proved: the operations, the exact
 //! value, and a bound in ulps on each piece of the domain. Nothing is proved here.
 
+mod gappa;
+
 use kane_number::{Binary, Rational, ulp};
 use num_bigint::BigInt;
 use num_traits::Zero;
