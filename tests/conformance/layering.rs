@@ -14,10 +14,10 @@ const LEVELS: [(&str, u32); 11] = [
     ("kane-audit", 2),
     ("kane-matrix", 3),
     ("kane-judges", 3),
-    ("kane-measure", 4),
-    ("kane-scene", 5),
-    ("kane-report", 6),
-    ("kane", 7),
+    ("kane-measure", 3),
+    ("kane-scene", 3),
+    ("kane-report", 4),
+    ("kane", 5),
 ];
 
 /// All that the kernel may stand on.

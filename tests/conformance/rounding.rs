@@ -5,9 +5,9 @@ use std::process::{Command, Output, Stdio};
 
 use kane::impact::laws::WangSuLi;
 use kane::impact::{Alpha, ImpactLaw};
-use kane::measure::chart::{Answer, System, registry};
+use kane::measure::chart::{Answer, registry};
 use kane::measure::{RoundingBound, rounding_bounds};
-use kane_number::{Binary, Rational, Real, Rounding, decode, encode};
+use kane_number::{Binary, Rational, Real, Rounding, System, decode, encode};
 use num_bigint::BigInt;
 
 use crate::support::installed;

@@ -1,6 +1,7 @@
 //! The committed table of errors and counted costs. Times are in no table that is compared.
 
-use kane::measure::chart::{System, table};
+use kane::measure::chart::table;
+use kane::number::System;
 use kane::report::Page;
 use kane::report::chart::{ChartReport, committed, csv, json, markdown, text};
 

@@ -18,6 +18,7 @@
 //! spelled-out name, a subscript digit the digit.
 
 mod coq;
+mod diagnostic;
 mod error;
 mod eval;
 mod hidden;
@@ -36,6 +37,7 @@ mod suggest;
 mod words;
 
 pub use coq::{coq, coq_relation};
+pub use diagnostic::{Diagnostic, Lines, Place};
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, NoValue, eval, holds};
 pub use hidden::{is_control, is_hidden, printable, visible};

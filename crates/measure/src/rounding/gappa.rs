@@ -2,10 +2,9 @@
 
 use std::fmt::Write as _;
 
-use kane_number::Rational;
+use kane_number::{Rational, System};
 
 use super::{Piece, RoundingBound};
-use crate::chart::System;
 
 impl RoundingBound {
     /// The bound on all pieces in one script for Gappa, which may give up on so many; it is asked

@@ -6,11 +6,9 @@
 
 mod gappa;
 
-use kane_number::{Binary, Rational, ulp};
+use kane_number::{Binary, Rational, System, ulp};
 use num_bigint::BigInt;
 use num_traits::Zero;
-
-use crate::chart::System;
 
 /// A bound on the error of a quantity of the paper's law as computed from α, in one format.
 #[derive(Clone, Debug)]
