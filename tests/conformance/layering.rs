@@ -6,7 +6,7 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 11] = [
+const LEVELS: [(&str, u32); 12] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-algebra", 1),
@@ -18,6 +18,7 @@ const LEVELS: [(&str, u32); 11] = [
     ("kane-scene", 3),
     ("kane-report", 4),
     ("kane", 5),
+    ("kane-pages", 6),
 ];
 
 /// All that the kernel may stand on.

@@ -9,7 +9,7 @@ use crate::assert_kept;
 
 #[test]
 fn the_committed_methods_are_the_program_s() {
-    assert_kept("docs/data/methods.csv", &committed(&table()), "methods");
+    assert_kept("docs/data/methods.csv", &committed(&table()));
 }
 
 /// What Gappa proves of all inputs holds of those that were measured, and each has the other beside it.
