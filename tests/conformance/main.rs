@@ -4,6 +4,7 @@
 
 mod adversarial; // what is too large ends soon
 mod adversary; // random documents against oracles in another language
+mod circles; // no circle between files, but those that are known
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod faults; // what is planted in the kernel, and which test catches it

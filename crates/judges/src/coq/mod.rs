@@ -11,6 +11,7 @@
 
 mod chain;
 mod chain_along;
+mod conclusion;
 mod family;
 mod functions;
 mod lemma;
