@@ -108,11 +108,11 @@
 
 pub mod collide;
 pub mod figures;
-pub mod judges;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;
 pub use kane_impact as impact;
+pub use kane_judges as judges;
 pub use kane_kernel as kernel;
 pub use kane_matrix as matrix;
 pub use kane_measure as measure;

@@ -2,8 +2,7 @@
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
 use kane_impact::{Contact, Outcome};
-use kane_measure::chart::System;
-use kane_number::{Interval, Number as _, Rational};
+use kane_number::{Interval, Lane as _, Number as _, Rational, System};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;

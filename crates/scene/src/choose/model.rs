@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use kane_algebra::syntax::nearest;
-use kane_measure::chart::{System, weights};
+use kane_number::System;
 
 /// How impacts are resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -115,7 +115,7 @@ impl Model {
     /// see [`Mechanics::is_counted`].
     #[must_use]
     pub fn cost(self) -> u64 {
-        let counted = self.mechanics.operations().into_iter().zip(weights(self.system));
+        let counted = self.mechanics.operations().into_iter().zip(self.system.weights());
         counted.map(|(count, weight)| count * weight).sum()
     }
 }

@@ -4,11 +4,11 @@
 //! can bound and Coq can check. This module says what is to be proved: the operations, the exact
 //! value, and a bound in ulps on each piece of the domain. Nothing is proved here.
 
-use kane_number::{Binary, Rational, ulp};
+mod gappa;
+
+use kane_number::{Binary, Rational, System, ulp};
 use num_bigint::BigInt;
 use num_traits::Zero;
-
-use crate::chart::System;
 
 /// A bound on the error of a quantity of the paper's law as computed from α, in one format.
 #[derive(Clone, Debug)]

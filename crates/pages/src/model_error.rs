@@ -7,7 +7,7 @@ use kane::impact::compliant::{
 };
 use kane::impact::{Alpha, law};
 
-use crate::assert_kept;
+use crate::NotMade;
 
 /// The distinct ones on a sphere that are in use.
 const LAWS: [&str; 5] = ["wang-su-li", "keller-1986", "smith-1991", "walton", "garwin-capped"];
@@ -18,10 +18,13 @@ fn shown(x: f64) -> String {
     if text == "-0.0000" { "0.0000".into() } else { text }
 }
 
-/// A solid sphere with ν = 0.3 and e = 1, α in twentieths of a decade.
-#[test]
-fn the_model_error_is_what_the_processes_say() {
-    let sphere = Compliance::of_poisson(3.5, 0.3, 1.0).expect("a sphere");
+/// The table: a solid sphere with ν = 0.3 and e = 1, α in twentieths of a decade.
+///
+/// # Errors
+/// [`NotMade`] if a process does not come to an end within its budget.
+pub fn model_error() -> Result<String, NotMade> {
+    let no_k = |why: &dyn std::fmt::Display| NotMade::because("model-error.csv", why);
+    let sphere = Compliance::of_poisson(3.5, 0.3, 1.0).map_err(|error| no_k(&error))?;
     let maw = MawBarberFawcett::new(sphere);
     let others: [Box<dyn Process>; 4] = [
         Box::new(DimensionReduction::new(sphere)),
@@ -32,29 +35,25 @@ fn the_model_error_is_what_the_processes_say() {
     let mut rows = String::from(
         "# k by the elastic half-space (Maw, Barber and Fawcett by annuli, with its estimated error), and by how much k of others exceeds it; solid sphere, nu = 0.3, e = 1\nalpha,k,error",
     );
-    let names = others.iter().map(|process| process.id()).chain(LAWS);
-    names.for_each(|name| write!(rows, ",{name}").expect("a string takes all"));
+    for name in others.iter().map(|process| process.id()).chain(LAWS) {
+        let _ = write!(rows, ",{name}");
+    }
     rows.push('\n');
-    let mut greatest = 0.0_f64;
     for step in -20..=40 {
         let alpha = 10_f64.powf(f64::from(step) / 20.0);
-        let reference = maw.outcome(&Alpha::Finite(alpha)).expect("it settles");
+        let reference = maw.outcome(&Alpha::Finite(alpha)).map_err(|error| no_k(&error))?;
         let k = reference.ratios.k;
-        write!(rows, "{alpha:.5},{},{}", shown(k), shown(reference.error)).expect("a string");
+        let _ = write!(rows, "{alpha:.5},{},{}", shown(k), shown(reference.error));
         for process in &others {
-            let other = process.outcome(&Alpha::Finite(alpha)).expect("it ends").ratios.k;
-            write!(rows, ",{}", shown(other - k)).expect("a string takes all");
-            if process.id() == "hertz-mindlin" {
-                greatest = greatest.max(other - k);
-            }
+            let other = process.outcome(&Alpha::Finite(alpha)).map_err(|error| no_k(&error))?;
+            let _ = write!(rows, ",{}", shown(other.ratios.k - k));
         }
         for law in LAWS.into_iter().filter_map(law) {
-            let ratios = law.over().ratios(&Alpha::Finite(alpha)).expect("total on a sphere");
-            write!(rows, ",{}", shown(ratios.k - k)).expect("a string");
+            let ratios = law.over().ratios(&Alpha::Finite(alpha));
+            let ratios = ratios.ok_or_else(|| no_k(&format_args!("{} has none", law.info.id)))?;
+            let _ = write!(rows, ",{}", shown(ratios.k - k));
         }
         rows.push('\n');
     }
-    // the shortcut's error near normal collision was stated as up to 0.7
-    assert!((0.6..0.75).contains(&greatest), "{greatest}");
-    assert_kept("docs/data/model-error.csv", &rows, "model_error");
+    Ok(rows)
 }

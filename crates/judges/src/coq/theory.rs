@@ -70,9 +70,10 @@ mod tests {
     use super::*;
 
     /// What prints lemmas, and so names definitions of the theory.
-    const PRINTERS: [&str; 11] = [
+    const PRINTERS: [&str; 12] = [
         include_str!("chain.rs"),
         include_str!("chain_along.rs"),
+        include_str!("conclusion.rs"),
         include_str!("family.rs"),
         include_str!("functions.rs"),
         include_str!("lemma.rs"),

@@ -1,5 +1,4 @@
-//! Other judges: Coq checks the lemmas of a document, z3 answers its claims as polynomial
-//! conditions. Neither is trusted with a verdict; a disagreement is a finding of its own.
+//! The judges as programs: each is run for a limited time, and its answers are read.
 
 mod coq;
 mod process;
@@ -7,8 +6,8 @@ mod z3;
 
 use std::time::Duration;
 
-pub use coq::{ALLOWED_AXIOMS, coq, coq_file};
-pub use z3::z3;
+pub use coq::{ALLOWED_AXIOMS, ask_coq};
+pub use z3::ask_z3;
 
 /// How long a judge may take.
 #[derive(Clone, Copy, Debug)]

@@ -1,16 +1,14 @@
-//! What is wrong with a document, for people: place, message, the line with a caret.
+//! What is wrong with a file, for people: place, message, the line with a caret.
 
 use std::fmt;
 use std::ops::Range;
 
-use kane_algebra::syntax::{is_hidden, visible};
-
-use super::Fault;
+use super::{is_hidden, visible};
 
 /// Characters of a line that are shown at most.
 const WINDOW: usize = 100;
 
-/// One fault of a document. Its `Display` is the whole report, with the line and a caret:
+/// One fault of a file. Its `Display` is the whole report, with the line and a caret:
 ///
 /// ```text
 /// error: unknown symbol `vx1`
@@ -46,34 +44,31 @@ struct Excerpt {
 }
 
 impl Diagnostic {
-    pub(super) fn new(file: &str, text: &str, lines: &mut Lines<'_>, fault: Fault) -> Self {
-        let start = floor(text, fault.span.start);
+    /// A fault at a place of a text, without a hint.
+    #[must_use]
+    pub fn new(file: &str, text: &str, span: Range<usize>, message: String) -> Self {
+        Self::among(file, &mut Lines::new(text), span, message)
+    }
+
+    /// The same, one of several faults of a text: lines are counted once if they come in the order of
+    /// the text.
+    #[must_use]
+    pub fn among(file: &str, lines: &mut Lines<'_>, span: Range<usize>, message: String) -> Self {
+        let text = lines.text;
+        let start = floor(text, span.start);
         let Place { line, column, line_start } = lines.place(start);
         let before = text.get(line_start..start).unwrap_or_default();
         let after = text.get(start..).unwrap_or_default();
         let after = after.lines().next().unwrap_or_default();
-        let length = floor(text, fault.span.end).saturating_sub(start);
+        let length = floor(text, span.end).saturating_sub(start);
         let marked = after.get(..length).unwrap_or(after);
-        Self {
-            file: file.to_owned(),
-            line,
-            column,
-            span: fault.span,
-            message: fault.message,
-            note: fault.note,
-            excerpt: Excerpt::new(before, after, marked.chars().count()),
-        }
-    }
-
-    /// A fault of a file that is no derivation document, shown in the same way.
-    #[must_use]
-    pub fn of_file(file: &str, text: &str, span: Range<usize>, message: String) -> Self {
-        let fault = Fault::new(span, message);
-        Self::new(file, text, &mut Lines::new(text), fault)
+        let excerpt = Excerpt::new(before, after, marked.chars().count());
+        Self { file: file.to_owned(), line, column, span, message, note: None, excerpt }
     }
 
     /// A fault of the file as a whole.
-    pub(super) fn at_start(file: &str, message: String) -> Self {
+    #[must_use]
+    pub fn at_start(file: &str, message: String) -> Self {
         Self {
             file: file.to_owned(),
             line: 1,
@@ -148,31 +143,33 @@ fn floor(text: &str, at: usize) -> usize {
 
 /// Where a byte of the text is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub struct Place {
     /// from 1
-    pub(super) line: usize,
+    pub line: usize,
     /// in characters, from 1
-    pub(super) column: usize,
+    pub column: usize,
     /// the first byte of the line
-    pub(super) line_start: usize,
+    pub line_start: usize,
 }
 
 /// Counts lines and columns, in one pass as long as places are asked for in the order of the text.
 #[derive(Debug)]
-pub(super) struct Lines<'a> {
+pub struct Lines<'a> {
     text: &'a str,
     at: usize,
     place: Place,
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    /// Before the first of them.
+    #[must_use]
+    pub fn new(text: &'a str) -> Self {
         let place = Place { line: 1, column: 1, line_start: 0 };
         Self { text, at: 0, place }
     }
 
     /// The place of this byte, which begins a character.
-    pub(super) fn place(&mut self, at: usize) -> Place {
+    pub fn place(&mut self, at: usize) -> Place {
         if at < self.at {
             *self = Self::new(self.text);
         }

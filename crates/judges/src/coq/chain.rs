@@ -10,8 +10,8 @@ use kane_audit::{Accepted, Body, Content, Document};
 use kane_kernel::{Certificate, Evidence, Expr, Link, Relation, Sentence};
 
 use super::NotEmitted;
+use super::conclusion::{behind, conclusion};
 use super::family::Slot;
-use super::lemma::{behind, conclusion};
 use super::prose::{Prose, conj, grouped};
 use super::reify::Symbols;
 use super::slopes::{FIRST, Slope};

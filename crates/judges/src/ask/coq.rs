@@ -2,9 +2,8 @@
 
 use std::fs;
 
-use kane_report::Report;
-use kane_report::coq::{File, coq as emit};
-use kane_report::judges::{Answer, Judge};
+use crate::coq::File;
+use crate::{Answer, Judge};
 
 use super::process::{Scratch, run};
 use super::{Limits, NotAsked, is_installed};
@@ -20,19 +19,11 @@ pub const ALLOWED_AXIOMS: [&str; 3] = [
 /// Lemmas that may be rejected before Coq is no longer asked about the rest.
 const MAX_REJECTED: usize = 20;
 
-/// Asks Coq about all claims that a report shows.
-///
-/// # Errors
-/// [`NotAsked`].
-pub fn coq(report: &Report<'_>, limits: &Limits) -> Result<Judge, NotAsked> {
-    coq_file(&emit(report), limits)
-}
-
 /// Asks Coq about a file.
 ///
 /// # Errors
 /// [`NotAsked`].
-pub fn coq_file(file: &File, limits: &Limits) -> Result<Judge, NotAsked> {
+pub fn ask_coq(file: &File, limits: &Limits) -> Result<Judge, NotAsked> {
     if !is_installed("coqc") {
         return Err(NotAsked::NotInstalled("coqc"));
     }

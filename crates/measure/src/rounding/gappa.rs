@@ -2,21 +2,23 @@
 
 use std::fmt::Write as _;
 
-use kane_measure::chart::System;
-use kane_measure::{Piece, RoundingBound};
-use kane_number::Rational;
+use kane_number::{Rational, System};
 
-/// The bound on all pieces in one script. Gappa may give up on so many; it is asked
-/// [one at a time](gappa_questions).
-#[must_use]
-pub fn gappa(bound: &RoundingBound) -> String {
-    script(bound, &bound.pieces)
-}
+use super::{Piece, RoundingBound};
 
-/// Scripts, one a piece, that Gappa accepts only if it finds a proof.
-#[must_use]
-pub fn gappa_questions(bound: &RoundingBound) -> Vec<String> {
-    bound.pieces.chunks(1).map(|piece| script(bound, piece)).collect()
+impl RoundingBound {
+    /// The bound on all pieces in one script for Gappa, which may give up on so many; it is asked
+    /// [one at a time](Self::gappa_questions).
+    #[must_use]
+    pub fn gappa(&self) -> String {
+        script(self, &self.pieces)
+    }
+
+    /// Scripts, one a piece, that Gappa accepts only if it finds a proof.
+    #[must_use]
+    pub fn gappa_questions(&self) -> Vec<String> {
+        self.pieces.chunks(1).map(|piece| script(self, piece)).collect()
+    }
 }
 
 fn script(bound: &RoundingBound, pieces: &[Piece]) -> String {

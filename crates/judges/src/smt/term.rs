@@ -10,8 +10,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::slope::Slopes;
-
 /// Most pieces that something may have before the question is not asked.
 const MAX_PIECES: usize = 4096;
 
@@ -45,6 +43,12 @@ pub(super) struct Piece<T> {
 
 /// The pieces of something: together they are everywhere.
 pub(super) type Pieces<T> = Vec<Piece<T>>;
+
+/// A derivative: an expression, and the condition under which it is one.
+pub(super) struct Slopes {
+    pub(super) value: Expr,
+    pub(super) exists: String,
+}
 
 /// Writes expressions over the symbols of a document.
 pub(super) struct Terms<'c> {

@@ -9,7 +9,7 @@ use kane_kernel::{
 };
 
 use super::NotEmitted;
-use super::lemma::conclusion;
+use super::conclusion::conclusion;
 use super::prose::{Prose, arrow, conj, grouped};
 use super::reify::{Symbols, integer, join};
 

@@ -2,16 +2,10 @@
 
 use kane_kernel::{Expr, Rel, Relation};
 
-use super::term::{NotPut, Terms, all, any};
+use super::term::{NotPut, Slopes, Terms, all, any};
 
 /// Definitions inside definitions, followed at most this deep.
 const MAX_DEPTH: usize = 64;
-
-/// A derivative: an expression, and the condition under which it is one.
-pub(super) struct Slopes {
-    pub(super) value: Expr,
-    pub(super) exists: String,
-}
 
 impl Terms<'_> {
     /// The derivative of an expression by a symbol.

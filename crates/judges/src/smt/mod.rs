@@ -18,7 +18,7 @@ use kane_kernel::{
     expressions, premised,
 };
 
-use crate::Report;
+use crate::Claims;
 pub use term::NotPut;
 use term::{Terms, any, integer, rational, root_name, times};
 
@@ -35,7 +35,7 @@ pub struct Question {
 ///
 /// # Errors
 /// [`NotPut`]: why there is none.
-pub fn smt(accepted: &Accepted) -> Result<Question, NotPut> {
+pub fn question(accepted: &Accepted) -> Result<Question, NotPut> {
     let (goal, Certificate { finding, evidence, .. }) = (&accepted.goal, &accepted.certificate);
     let limit = matches!(goal.conclusion, Conclusion::Link(Link::Limit(_)));
     if limit || premised(goal).next().is_some() {
@@ -137,25 +137,19 @@ fn witness(terms: &Terms<'_>, goal: &Goal, point: &Point) -> String {
     text
 }
 
-/// The questions to all links that a report shows, each with a name for its file.
+/// The questions to all links of claims, each with a name for its file.
 #[must_use]
-pub fn questions(report: &Report<'_>) -> Vec<(String, Question)> {
+pub fn questions(claims: &Claims<'_>) -> Vec<(String, Question)> {
     let mut out: Vec<(String, Question)> = Vec::new();
-    for &statement in &report.shown {
-        let links = &report.audit.judgements[statement].links;
-        for (link, judged) in links.iter().enumerate() {
-            let Some(question) = judged.accepted.as_deref().and_then(|a| smt(a).ok()) else {
-                continue;
-            };
-            let mut name = crate::coq::link_name(
-                &report.audit.document.statements[statement].label,
-                (link, links.len()),
-            );
-            while out.iter().any(|(n, _)| *n == name) {
-                name.push('_');
-            }
-            out.push((name, question));
+    for asked in claims.links() {
+        let Some(asks) = asked.judged.accepted.as_deref().and_then(|a| question(a).ok()) else {
+            continue;
+        };
+        let mut name = asked.name();
+        while out.iter().any(|(n, _)| *n == name) {
+            name.push('_');
         }
+        out.push((name, asks));
     }
     out
 }

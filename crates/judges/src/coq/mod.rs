@@ -11,6 +11,7 @@
 
 mod chain;
 mod chain_along;
+mod conclusion;
 mod family;
 mod functions;
 mod lemma;
@@ -28,7 +29,7 @@ use std::fmt::Write as _;
 use kane_audit::Accepted;
 use kane_kernel::Rejection;
 
-use crate::Report;
+use crate::Claims;
 use chain::{Place, Theorems, concludes};
 pub use chain::{Theorem, Unchained};
 use reify::OWN;
@@ -151,54 +152,52 @@ impl File {
 
 /// The judged claims of a document as one file. Links without a verdict are left out.
 #[must_use]
-pub fn coq(report: &Report<'_>) -> File {
-    let document = &report.audit.document;
+pub fn file(claims: &Claims<'_>) -> File {
+    let audit = claims.audit;
+    let document = &audit.document;
     let title = comment(document.title.as_deref().unwrap_or(&document.name));
     let (mut lemmas, mut names) = (Vec::new(), BTreeSet::new());
     let mut theorems = Theorems::new();
-    for &statement in &report.shown {
-        let said = &document.statements[statement];
-        let links = &report.audit.judgements[statement].links;
-        for (link, judged) in links.iter().enumerate() {
-            let Some(accepted) = &judged.accepted else {
-                continue;
-            };
-            let mut name = link_name(&said.label, (link, links.len()));
-            let taken = |name: &str| OWN.iter().any(|own| has_word(&format!("{own}{name}")));
-            while taken(&name) || !names.insert(name.clone()) {
-                name.push('\'');
-            }
-            let heading = format!("{}: {} ({})", said.label, judged.text, judged.verdict);
-            let mut text = format!("\n(** {} *)\n", comment(&heading));
-            let emitted = lemma::lemma(&name, accepted);
-            let mut parts = vec![Part::Points];
-            match &emitted {
-                Ok(lemma) => {
-                    text.push_str(&lemma.text);
-                    parts.push(lemma.part);
-                }
-                Err(why) => {
-                    let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
-                }
-            }
-            let follows = concludes(&accepted.certificate);
-            let theorem = emitted.as_ref().ok().filter(|_| follows).map(|lemma| {
-                let rests_on = &report.audit.judgements[statement].rests_on;
-                let form = lemma.form.as_ref().ok_or(Unchained::Limits)?;
-                Place { document, statement, rests_on, accepted, form }.theorem(&name, &theorems)
-            });
-            if follows && emitted.is_ok() && link == 0 {
-                let met = report.audit.judgements[statement].met.as_deref();
-                let (premises, needs) = premises_met(&name, accepted, met);
-                text.push_str(&premises);
-                parts.extend(needs);
-            }
-            if let Some(Ok(theorem)) = &theorem {
-                theorems.insert((statement, link), theorem.clone());
-            }
-            let name = emitted.map(|_| format!("claim_{name}"));
-            lemmas.push(Lemma { statement, link, name, text, theorem, parts });
+    for asked in claims.links() {
+        let Some(accepted) = &asked.judged.accepted else {
+            continue;
+        };
+        let (statement, link) = asked.place;
+        let mut name = asked.name();
+        let taken = |name: &str| OWN.iter().any(|own| has_word(&format!("{own}{name}")));
+        while taken(&name) || !names.insert(name.clone()) {
+            name.push('\'');
         }
+        let heading = format!("{}: {} ({})", asked.label, asked.judged.text, asked.judged.verdict);
+        let mut text = format!("\n(** {} *)\n", comment(&heading));
+        let emitted = lemma::lemma(&name, accepted);
+        let mut parts = vec![Part::Points];
+        match &emitted {
+            Ok(lemma) => {
+                text.push_str(&lemma.text);
+                parts.push(lemma.part);
+            }
+            Err(why) => {
+                let _ = writeln!(text, "(* not emitted: {} *)", comment(&why.to_string()));
+            }
+        }
+        let follows = concludes(&accepted.certificate);
+        let theorem = emitted.as_ref().ok().filter(|_| follows).map(|lemma| {
+            let rests_on = &audit.judgements[statement].rests_on;
+            let form = lemma.form.as_ref().ok_or(Unchained::Limits)?;
+            Place { document, statement, rests_on, accepted, form }.theorem(&name, &theorems)
+        });
+        if follows && emitted.is_ok() && link == 0 {
+            let met = audit.judgements[statement].met.as_deref();
+            let (premises, needs) = premises_met(&name, accepted, met);
+            text.push_str(&premises);
+            parts.extend(needs);
+        }
+        if let Some(Ok(theorem)) = &theorem {
+            theorems.insert((statement, link), theorem.clone());
+        }
+        let name = emitted.map(|_| format!("claim_{name}"));
+        lemmas.push(Lemma { statement, link, name, text, theorem, parts });
     }
     File { title, lemmas }
 }
@@ -222,21 +221,6 @@ fn premises_met(name: &str, accepted: &Accepted, met: Option<&Accepted>) -> (Str
             (format!("(* its premises can be met; the model is not emitted: {why} *)\n"), None)
         }
     }
-}
-
-/// A name for a link of a claim: its label, and the number of the link if there are several.
-pub(crate) fn link_name(text: &str, (link, links): (usize, usize)) -> String {
-    if links > 1 { format!("{}_{}", label(text), link + 1) } else { label(text) }
-}
-
-/// A label as a part of a name.
-fn label(text: &str) -> String {
-    let inner = text.trim_start_matches('(').trim_end_matches(')');
-    let plain: String = inner
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() || c == '\'' { c } else { '_' })
-        .collect();
-    plain
 }
 
 /// Text that does not end a comment.

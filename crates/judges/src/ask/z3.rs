@@ -4,9 +4,8 @@ use std::fs;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use kane_report::Report;
-use kane_report::judges::{Answer, Judge};
-use kane_report::smt::{Question, smt};
+use crate::smt::{Question, question};
+use crate::{Answer, Claims, Judge};
 
 use super::process::{Scratch, run};
 use super::{Limits, NotAsked, is_installed};
@@ -14,13 +13,13 @@ use super::{Limits, NotAsked, is_installed};
 /// Processes at once.
 const AT_ONCE: usize = 2;
 
-/// Asks z3 about all claims that a report shows. `progress` is told how many questions are
+/// Asks z3 about claims. `progress` is told how many questions are
 /// answered, and their number.
 ///
 /// # Errors
 /// [`NotAsked`].
-pub fn z3(
-    report: &Report<'_>,
+pub fn ask_z3(
+    claims: &Claims<'_>,
     limits: &Limits,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Judge, NotAsked> {
@@ -29,16 +28,14 @@ pub fn z3(
     }
     let mut judge = Judge { name: "z3".to_owned(), asked: true, ..Judge::default() };
     let mut questions = Vec::new();
-    for &statement in &report.shown {
-        for (link, judged) in report.audit.judgements[statement].links.iter().enumerate() {
-            let Some(accepted) = &judged.accepted else {
-                continue;
-            };
-            match smt(accepted) {
-                Ok(question) => questions.push(((statement, link), question)),
-                Err(why) => {
-                    judge.answers.insert((statement, link), Answer::NotAsked(why.to_string()));
-                }
+    for asked in claims.links() {
+        let Some(accepted) = &asked.judged.accepted else {
+            continue;
+        };
+        match question(accepted) {
+            Ok(text) => questions.push((asked.place, text)),
+            Err(why) => {
+                judge.answers.insert(asked.place, Answer::NotAsked(why.to_string()));
             }
         }
     }
