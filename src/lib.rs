@@ -107,11 +107,11 @@
 //! `cli`, on by default: the program `kane` and everything that only it needs.
 
 pub mod figures;
-pub mod judges;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;
 pub use kane_impact as impact;
+pub use kane_judges as judges;
 pub use kane_kernel as kernel;
 pub use kane_matrix as matrix;
 pub use kane_measure as measure;

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use kane::audit::{Audit, Body, Document, Options};
-use kane::judges::{self, NotAsked};
-use kane::report::judges::Judge;
+use kane::judges::{self, Claims, Judge, Limits, NotAsked};
 use kane::report::{self, Picture, Report};
 
 use super::args::{AuditArgs, Format, JudgeName};
@@ -98,7 +97,8 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
 
 /// Puts the claims of a document to the judges that are asked for.
 fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
-    let limits = judges::Limits::default();
+    let limits = Limits::default();
+    let claims = claims(report);
     let mut all = Vec::new();
     for name in &args.judges {
         let progress = Mutex::new(Progress::counting("questions"));
@@ -110,9 +110,9 @@ fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
         let judged = match name {
             JudgeName::Coq => {
                 tell(0, 1);
-                judges::coq(report, &limits)
+                judges::ask_coq(&judges::coq::file(&claims), &limits)
             }
-            JudgeName::Z3 => judges::z3(report, &limits, &tell),
+            JudgeName::Z3 => judges::ask_z3(&claims, &limits, &tell),
         };
         match judged {
             Ok(judge) => all.push(judge),
@@ -130,6 +130,11 @@ fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
         }
     }
     Ok(all)
+}
+
+/// The claims that a report shows, as they are put to judges.
+fn claims<'a>(report: &Report<'a>) -> Claims<'a> {
+    Claims::of(report.audit).only(&report.shown)
 }
 
 /// The documents that could be read, and everything that is wrong with the others.
@@ -159,6 +164,7 @@ fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> A
         // states and functions in the same measure
         let part = |n: u64| n.saturating_mul(fuel.min(whole.fuel)) / whole.fuel;
         options.budget.steps = part(whole.steps).max(1);
+        options.budget.squares = part(whole.squares);
         options.budget.functions = part(whole.functions as u64).try_into().unwrap_or(usize::MAX);
     }
     let mut progress = Progress::new();
@@ -217,9 +223,10 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
         for (ending, text) in forms {
             files.push(Written::new(format!("{}.{ending}", input.stem), text));
         }
-        let claims = report::coq::coq(report).text();
-        files.push(Written::question(format!("{}.v", library(&input.stem)), &claims));
-        for (name, question) in report::smt::questions(report) {
+        let claims = claims(report);
+        let lemmas = judges::coq::file(&claims).text();
+        files.push(Written::question(format!("{}.v", library(&input.stem)), &lemmas));
+        for (name, question) in judges::smt::questions(&claims) {
             let path = Path::new(&input.stem).join(format!("{name}.smt2"));
             files.push(Written::question(path, &question.text));
         }

@@ -2,7 +2,7 @@
 //!
 //! A. H. Kharaz, D. A. Gorham and A. D. Salman, Powder Technol. 120 (2001) 281–291: spheres of
 //! alumina on thick soda-lime glass, without spin before. The original was not consulted; the files in
-//! `tests/conformance/data` say who digitised which points. These are good to one or two per cent, and
+//! `docs/data` say who digitised which points. These are good to one or two per cent, and
 //! k = 1 − 7/2·(1 − `e_t`) magnifies that by 3.5, so that the first two or three points of a series,
 //! and those near grazing, are weak.
 
@@ -58,7 +58,7 @@ pub fn alpha(degrees: f64) -> f64 {
 pub fn observed() -> [Observed; 4] {
     macro_rules! data {
         ($name:literal) => {
-            include_str!(concat!("../../tests/conformance/data/kharaz-2001-", $name, ".csv"))
+            include_str!(concat!("../../docs/data/kharaz-2001-", $name, ".csv"))
         };
     }
     let series = |name, table, to_k| Observed { name, points: points(table, to_k) };

@@ -11,18 +11,47 @@ mod puzzle_map;
 use kane_impact::compliant::NoOutcome;
 use kane_report::figures::{Axis, Figure};
 
+/// The tables behind the last two figures, as CSV. To compute them takes half a minute, so that the
+/// program carries them with it.
+#[derive(Clone, Copy, Debug)]
+pub struct Tables<'a> {
+    /// k by the elastic half-space over α, and by how much k of others exceeds it
+    pub model_error: &'a str,
+    /// where in the plane of friction and restitution a law creates energy
+    pub energy_map: &'a str,
+}
+
+impl Tables<'static> {
+    /// Those in `docs/data`.
+    pub const CARRIED: Self = Self {
+        model_error: include_str!("../../docs/data/model-error.csv"),
+        energy_map: include_str!("../../docs/data/kane-puzzle.csv"),
+    };
+}
+
 /// Figures 3, 4 and 5 of Wang, Su and Li with all laws, the model error, and the map of Kane's puzzle;
 /// `progress` is told how much is done, and of how much. Deterministic.
 ///
 /// The curves of the laws are exact, rounded once to the floats that are drawn; those of the
-/// half-space are *heuristic*, see [`compliant`](kane_impact::compliant). The last two figures show
-/// `docs/data/model-error.csv` and `docs/data/kane-puzzle.csv`, which tests compute anew.
+/// half-space are *heuristic*, see [`compliant`](kane_impact::compliant).
 ///
 /// # Errors
 /// [`NoOutcome`] if the elastic half-space finds no outcome within its budget.
 pub fn figures(progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Figure>, NoOutcome> {
+    of_tables(&Tables::CARRIED, progress)
+}
+
+/// The same figures with other tables.
+///
+/// # Errors
+/// [`NoOutcome`] if the elastic half-space finds no outcome within its budget.
+pub fn of_tables(
+    tables: &Tables<'_>,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Vec<Figure>, NoOutcome> {
     let [slip, impulse, friction] = over_alpha::figures(progress)?;
-    Ok(vec![slip, impulse, friction, model_error::figure(), puzzle_map::figure()])
+    let model_error = model_error::figure(tables.model_error);
+    Ok(vec![slip, impulse, friction, model_error, puzzle_map::figure(tables.energy_map)])
 }
 
 /// α on a logarithmic axis that bears a number at every first, second and fifth.

@@ -2,11 +2,8 @@
 
 use kane_report::figures::{Axis, Content, Figure, Kind, Series};
 
-/// Written and compared by `tests/golden/model_error.rs`.
-const TABLE: &str = include_str!("../../docs/data/model-error.csv");
-
-pub(super) fn figure() -> Figure {
-    let mut rows = super::rows(TABLE);
+pub(super) fn figure(table: &str) -> Figure {
+    let mut rows = super::rows(table);
     let names = rows.next().unwrap_or_default();
     let rows: Vec<Vec<f64>> =
         rows.map(|row| row.into_iter().map(super::number).collect()).collect();
@@ -26,7 +23,7 @@ pub(super) fn figure() -> Figure {
     // alpha and k itself are no differences
     let mut series: Vec<Series> = names.iter().enumerate().skip(2).map(series).collect();
     series.sort_by_key(|one| one.kind);
-    let origin = TABLE.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default();
+    let origin = table.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default();
     Figure {
         stem: "model-error",
         title: "By how much k exceeds that of the elastic half-space, over α".to_owned(),

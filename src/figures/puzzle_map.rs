@@ -2,12 +2,9 @@
 
 use kane_report::figures::{Axis, Content, Figure, Panel, Stretch};
 
-/// Written and compared by `tests/golden/puzzle.rs`.
-const TABLE: &str = include_str!("../../docs/data/kane-puzzle.csv");
-
-pub(super) fn figure() -> Figure {
+pub(super) fn figure(table: &str) -> Figure {
     let mut panels: Vec<Panel> = Vec::new();
-    for row in super::rows(TABLE).skip(1) {
+    for row in super::rows(table).skip(1) {
         let [body, law, e, from, to] = row.as_slice() else {
             unreachable!("the map that is carried along has five columns");
         };

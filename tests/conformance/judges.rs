@@ -7,11 +7,9 @@ use std::rc::Rc;
 use std::time::Duration;
 
 use kane::audit::{Audit, Options, Verdict, audit, read};
-use kane::judges::{ALLOWED_AXIOMS, Limits, coq, coq_file, z3};
+use kane::judges::coq::{File, NotEmitted, file};
+use kane::judges::{ALLOWED_AXIOMS, Answer, Claims, Limits, ask_coq, ask_z3};
 use kane::kernel::{Conclusion, Expr, Link};
-use kane::report::Report;
-use kane::report::coq::{File, NotEmitted};
-use kane::report::judges::Answer;
 
 use crate::support::installed;
 
@@ -53,7 +51,7 @@ fn coq_accepts_every_lemma_of_the_shipped_documents() {
     }
     for name in DOCUMENTS {
         let audit = judged(name);
-        let judge = coq(&Report::new(&audit, "kane audit"), &LIMITS).expect("coqc runs");
+        let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
         // what rests on a claim that is not proved has a lemma, but no theorem from the givens
         let fits = |((statement, _), answer): &(&(usize, usize), &Answer)| match audit.judgements
             [*statement]
@@ -80,7 +78,7 @@ fn z3_disagrees_on_no_claim_of_the_shipped_documents() {
     }
     for name in DOCUMENTS {
         let audit = judged(name);
-        let judge = z3(&Report::new(&audit, "kane audit"), &LIMITS, &|_, _| {}).expect("z3 runs");
+        let judge = ask_z3(&Claims::of(&audit), &LIMITS, &|_, _| {}).expect("z3 runs");
         assert!(judge.agrees(), "{name}: {:?}", judge.answers);
         let undecided = judge.answers.values().filter(|a| matches!(a, Answer::Undecided(_)));
         println!("{name}: {} undecided by z3 in 2 s", undecided.count());
@@ -94,13 +92,13 @@ fn a_transplanted_proof_is_rejected() {
     let statement = audit.document.statements.iter().position(|s| s.label == "(9r)");
     let statement = statement.expect("the claim is there");
     if installed("coqc") {
-        let mut file = kane::report::coq::coq(&Report::new(&audit, "kane audit"));
+        let mut file = file(&Claims::of(&audit));
         let lemma = file.lemmas.iter_mut().find(|l| l.statement == statement);
         let lemma = lemma.expect("it is emitted");
         let neighbour = lemma.text.replace("(Num 14 1)", "(Num 13 1)").replace("/ 14", "/ 13");
         assert_ne!(lemma.text, neighbour);
         lemma.text = neighbour;
-        let judge = coq_file(&file, &LIMITS).expect("coqc runs");
+        let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
         for ((i, _), answer) in &judge.answers {
             let rejected = matches!(answer, Answer::Disagrees(_));
             assert_eq!(rejected, *i == statement, "{answer:?}");
@@ -114,7 +112,7 @@ fn a_transplanted_proof_is_rejected() {
         };
         relation.rhs = Expr::Mul(relation.rhs.clone().into(), Expr::int(2).into());
         link.accepted = Some(Rc::new(accepted));
-        let judge = z3(&Report::new(&audit, "kane audit"), &LIMITS, &|_, _| {}).expect("z3 runs");
+        let judge = ask_z3(&Claims::of(&audit), &LIMITS, &|_, _| {}).expect("z3 runs");
         assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
     }
 }
@@ -126,12 +124,12 @@ fn a_lemma_that_says_something_else_is_rejected() {
         return;
     }
     let audit = judged("sliding-to-rolling.md");
-    let mut file = kane::report::coq::coq(&Report::new(&audit, "kane audit"));
+    let mut file = file(&Claims::of(&audit));
     let changed = file.lemmas.iter_mut().find(|l| l.text.contains("= 5 / 14 * m * v_0 ^ 2.\n"));
     let changed = changed.expect("(9r) is emitted");
     changed.text = changed.text.replace("= 5 / 14 * m * v_0 ^ 2.\n", "= 5 / 13 * m * v_0 ^ 2.\n");
     let statement = changed.statement;
-    let judge = coq_file(&file, &LIMITS).expect("coqc runs");
+    let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
     assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
 }
 
@@ -150,7 +148,7 @@ fn coq_on_the_semantics_suite() {
             continue;
         };
         let audit = audit(document, &Options::default(), &mut |_, _| {});
-        let judge = coq(&Report::new(&audit, "kane audit"), &LIMITS).expect("coqc runs");
+        let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
         assert!(judge.agrees(), "{name}: {:?}", judge.answers);
     }
 }
@@ -204,7 +202,7 @@ fn a_limit_that_is_not_and_functions_that_do_not_fit_are_rejected() {
         lemma.text = lemma.text.replace(" exact (", " Fail exact (").replace(" Qed.", " Abort.");
         lemma.name = Err(NotEmitted::Step("a planted error"));
     }
-    let judge = coq_file(&file, &LIMITS).expect("coqc runs");
+    let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
     assert_eq!(judge.answers[&(statements[changes.len()], 0)], Answer::Agrees);
 }
 
@@ -217,6 +215,6 @@ fn lemmas(labels: &[&str]) -> (Vec<usize>, File) {
     let only: Vec<usize> = labels.iter().map(|l| index(l).expect("the claim is there")).collect();
     let options = Options { only: Some(only.clone()), ..Options::default() };
     let audit = audit(document, &options, &mut |_, _| {});
-    let file = kane::report::coq::coq(&Report::new(&audit, "kane audit").only(&only));
+    let file = file(&Claims::of(&audit).only(&only));
     (only, file)
 }

@@ -6,17 +6,20 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 10] = [
+const LEVELS: [(&str, u32); 13] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
+    ("kane-semidefinite", 0),
     ("kane-algebra", 1),
     ("kane-impact", 2),
     ("kane-audit", 2),
     ("kane-matrix", 3),
-    ("kane-measure", 4),
-    ("kane-scene", 5),
-    ("kane-report", 6),
-    ("kane", 7),
+    ("kane-judges", 3),
+    ("kane-measure", 3),
+    ("kane-scene", 3),
+    ("kane-report", 4),
+    ("kane", 5),
+    ("kane-pages", 6),
 ];
 
 /// All that the kernel may stand on.

@@ -4,16 +4,17 @@
 
 mod adversarial; // what is too large ends soon
 mod adversary; // random documents against oracles in another language
+mod circles; // no circle between files, but those that are known
 mod decision; // statements in one variable, without the kernel
 mod documents; // the documents and pages that are shipped
 mod faults; // what is planted in the kernel, and which test catches it
 mod generate; // random statements
 mod judges; // Coq and z3 on every shipped document
-mod laws_page; // docs/laws.md is what the laws say of themselves
 mod layering; // which crate may know which, and what the kernel links
 mod line_ends; // lines end at LF, CR or CRLF
 mod literature; // printed numbers and measured points
 mod mutation; // certificates changed in one place
+mod on_a_sphere; // k(α) of every law, as a formula
 mod one_variable; // one variable is complete
 mod printing; // what is printed is what was judged
 mod rounding; // bounds on rounding errors, proved by Gappa

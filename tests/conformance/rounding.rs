@@ -5,10 +5,9 @@ use std::process::{Command, Output, Stdio};
 
 use kane::impact::laws::WangSuLi;
 use kane::impact::{Alpha, ImpactLaw};
-use kane::measure::chart::{Answer, System, registry};
+use kane::measure::chart::{Answer, registry};
 use kane::measure::{RoundingBound, rounding_bounds};
-use kane::report::gappa_questions;
-use kane_number::{Binary, Rational, Real, Rounding, decode, encode};
+use kane_number::{Binary, Rational, Real, Rounding, System, decode, encode};
 use num_bigint::BigInt;
 
 use crate::support::installed;
@@ -34,7 +33,7 @@ fn gappa_proves_every_bound() {
         return;
     }
     for bound in rounding_bounds() {
-        for script in gappa_questions(&bound) {
+        for script in bound.gappa_questions() {
             let output = run("gappa", &[], &script);
             let said = String::from_utf8_lossy(&output.stderr);
             assert!(output.status.success(), "{}: {said}", bound.name());
@@ -52,7 +51,7 @@ fn gappa_rejects_bounds_below_the_error_of_a_known_input() {
         // what is left is below the half ulp of any rounding, or the second order of a correction
         let factor = if bound.before_last_rounding { 50 } else { 3 };
         bound.ulps /= Rational::from_integer(BigInt::from(1) << factor);
-        let output = run("gappa", &[], &gappa_questions(&bound)[0]);
+        let output = run("gappa", &[], &bound.gappa_questions()[0]);
         assert!(!output.status.success(), "{}", bound.name());
     }
 }
@@ -222,7 +221,7 @@ fn coq_accepts_gappa_s_proof() {
     }
     let bounds = rounding_bounds();
     let bound = bounds.into_iter().find(|b| b.quantity == "i_x").expect("i_x has a bound");
-    let proof = run("gappa", &["-Bcoq"], &gappa_questions(&bound)[0]);
+    let proof = run("gappa", &["-Bcoq"], &bound.gappa_questions()[0]);
     assert!(proof.status.success());
     let folder = std::env::temp_dir().join(format!("kane-gappa-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("the folder for temporary files is writable");

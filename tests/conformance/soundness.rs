@@ -32,6 +32,7 @@ const SMALL: Budget = Budget {
     functions: 4,
     ideals: false,
     products: true,
+    squares: 2_000_000,
 };
 
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {

@@ -34,7 +34,7 @@ fn the_figures_in_the_documentation_are_those_that_are_drawn() {
         assert_eq!(picture, svg(figure).expect("again"), "the same in every run");
         assert!(picture.len() < 64 * 1024, "{}: {} bytes", figure.stem, picture.len());
         for (ending, text) in [("svg", picture), ("csv", csv(figure))] {
-            assert_kept(&format!("docs/figures/{}.{ending}", figure.stem), &text, "figures");
+            assert_kept(&format!("docs/figures/{}.{ending}", figure.stem), &text);
         }
     }
 }

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use kane::audit::{Options, audit, read};
-use kane::report::Report;
-use kane::report::coq::coq;
-use kane::report::smt::questions;
+use kane::judges::Claims;
+use kane::judges::coq::file;
+use kane::judges::smt::questions;
 
 use crate::settings;
 
@@ -20,15 +20,14 @@ fn handed(name: &str, labels: &[&str]) -> (String, String) {
     let only = chosen.filter(|c| !c.is_empty());
     let options = Options { only: only.clone(), ..Options::default() };
     let audit = audit(document, &options, &mut |_, _| {});
-    let report = Report::new(&audit, "kane audit");
-    let report = match only {
-        Some(indices) => report.only(&indices),
-        None => report,
+    let claims = match only {
+        Some(only) => Claims::of(&audit).only(&only),
+        None => Claims::of(&audit),
     };
-    let file = coq(&report);
+    let file = file(&claims);
     let text = file.text();
     let lemmas = text.strip_prefix(&file.theory()).expect("every file begins with the theory");
-    let asked = questions(&report).into_iter().map(|(name, q)| format!("; {name}\n{}", q.text));
+    let asked = questions(&claims).into_iter().map(|(name, q)| format!("; {name}\n{}", q.text));
     (lemmas.to_owned(), asked.collect::<Vec<_>>().join("\n"))
 }
 

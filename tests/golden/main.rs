@@ -9,7 +9,6 @@ mod laws;
 mod made_up_law; // what the impact laws return, over a range of states
 mod matrix; // every law against every property, some cells in full, and the page of properties
 mod methods; // the errors and counted costs of all methods
-mod model_error; // laws and processes beside the elastic half-space
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod rounding; // the scripts that bound rounding errors
@@ -33,17 +32,10 @@ fn settings() -> insta::Settings {
     settings
 }
 
-/// A file of the checkout that the program makes is what it makes now; with `KANE_WRITE_DOCS=1` it is
-/// written first, by the tests of that name.
+/// A file of the checkout that is made from data is what is made now.
 #[track_caller]
-fn assert_kept(file: &str, made: &str, tests: &str) {
+fn assert_kept(file: &str, made: &str) {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
-    if std::env::var_os("KANE_WRITE_DOCS").is_some() {
-        std::fs::write(&path, made).expect("the checkout is writable");
-    }
     let kept = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        kept == made,
-        "{file} is stale; write it by\n  KANE_WRITE_DOCS=1 cargo test --test golden {tests}"
-    );
+    assert!(kept == made, "{file} is stale; write it by\n  cargo run --release -p kane-pages");
 }

@@ -1,6 +1,7 @@
 //! The committed table of errors and counted costs. Times are in no table that is compared.
 
-use kane::measure::chart::{System, table};
+use kane::measure::chart::table;
+use kane::number::System;
 use kane::report::Page;
 use kane::report::chart::{ChartReport, committed, csv, json, markdown, text};
 
@@ -8,7 +9,7 @@ use crate::assert_kept;
 
 #[test]
 fn the_committed_methods_are_the_program_s() {
-    assert_kept("docs/data/methods.csv", &committed(&table()), "methods");
+    assert_kept("docs/data/methods.csv", &committed(&table()));
 }
 
 /// What Gappa proves of all inputs holds of those that were measured, and each has the other beside it.

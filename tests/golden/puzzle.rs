@@ -4,11 +4,8 @@ use std::fmt::Write as _;
 
 use kane_impact::bodies::{Collision, Direction, DoublePendulum, Motion, PlanarBody};
 use kane_impact::laws::KaneLevinson;
-use kane_impact::puzzle::Tip;
 use kane_impact::{Law, laws};
-use kane_number::{Algebraic, Interval, Rational, Real, Rounding, encode, parse};
-
-use crate::assert_kept;
+use kane_number::{Algebraic, Interval, Rational, Real, Rounding, parse};
 
 fn number(text: &str) -> Rational {
     parse(text).expect("a literal")
@@ -149,48 +146,4 @@ fn every_law_on_a_rod_tip() {
         }
     }
     crate::settings().bind(|| insta::assert_snapshot!("rod-tip", table));
-}
-
-struct Map {
-    body: &'static str,
-    tip: Tip,
-    rows: String,
-}
-
-impl Map {
-    fn visit(&mut self, law: &Law) {
-        for tenth in 0..=10 {
-            let restitution = Rational::new(tenth.into(), 10.into());
-            let stretches = self.tip.stretches(law, &restitution).expect("inside the domain");
-            for gain in stretches {
-                let decimal = |x: &Rational| {
-                    let float: f64 = encode(x, Rounding::NearestEven);
-                    format!("{float:.4}")
-                };
-                let e = decimal(&gain.restitution);
-                let from = decimal(&gain.from);
-                let to = gain.to.as_ref().map_or_else(String::new, decimal);
-                let body = self.body;
-                writeln!(self.rows, "{body},{},{e},{from},{to}", law.info.id)
-                    .expect("a string takes all");
-            }
-        }
-    }
-}
-
-/// For every law and restitution, where friction makes energy rise; every sign is exact.
-#[test]
-fn the_map_of_kanes_puzzle_is_what_the_laws_say() {
-    let tip = Tip::of(&exact_pendulum()).expect("it touches");
-    let rows = String::from("body,law,e,mu_from,mu_to\n");
-    let mut map = Map { body: "double pendulum", tip, rows };
-    for law in laws() {
-        map.visit(law);
-    }
-    let contact = rod("0", "0").contact().expect("it touches");
-    let mut map = Map { body: "rod tip", tip: Tip::touching(contact), rows: map.rows };
-    for law in laws() {
-        map.visit(law);
-    }
-    assert_kept("docs/data/kane-puzzle.csv", &map.rows, "puzzle");
 }

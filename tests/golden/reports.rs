@@ -1,7 +1,7 @@
 //! The report of a small audit, in every format.
 
 use kane::audit::Options;
-use kane::report::judges::{Answer, Judge};
+use kane::judges::{Answer, Judge};
 use kane::report::{Page, Report, explain, html, json, latex, markdown, text};
 
 use crate::fixture::audit;

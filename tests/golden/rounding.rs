@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use kane::measure::rounding_bounds;
-use kane::report::gappa;
 
 use crate::assert_kept;
 
@@ -14,7 +13,7 @@ fn the_committed_scripts_are_the_program_s() {
     let mut names = BTreeSet::from(["README.md".to_owned()]);
     for bound in rounding_bounds() {
         let name = format!("{}.g", bound.name());
-        assert_kept(&format!("docs/rounding/{name}"), &gappa(&bound), "rounding");
+        assert_kept(&format!("docs/rounding/{name}"), &bound.gappa());
         names.insert(name);
     }
     let files = std::fs::read_dir(&folder).expect("the folder is committed");

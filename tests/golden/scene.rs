@@ -122,6 +122,6 @@ fn the_committed_stress_is_the_program_s() {
     for (file, shown) in
         [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]
     {
-        assert_kept(file, &shown, "stress");
+        assert_kept(file, &shown);
     }
 }

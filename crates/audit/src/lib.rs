@@ -14,6 +14,7 @@ pub use argument::contradicts_bounds;
 pub use document::*;
 pub use goal::{Findings, find_witness, judge_goal, prove_goal, refute_goal};
 pub use judge::{Options, audit};
+pub use kane_algebra::syntax::Diagnostic;
 pub use prove::{Budget, Decided};
-pub use reader::{Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, read};
+pub use reader::{MAX_FILE_BYTES, MAX_STATEMENTS, read};
 pub use verdict::*;

@@ -13,7 +13,6 @@
 
 mod blocks;
 mod citation;
-mod diagnostic;
 mod label;
 mod statement;
 mod symbol;
@@ -24,15 +23,12 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use kane_algebra::syntax::{
-    Scope, Symbol, canonical_name, is_control, is_hidden, nearest, visible,
+    Diagnostic, Lines, Scope, Symbol, canonical_name, is_control, is_hidden, nearest, visible,
 };
 
 use crate::Document;
 use crate::document::digest;
 use citation::Draft;
-use diagnostic::Lines;
-
-pub use diagnostic::Diagnostic;
 
 /// Bytes of a file.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
@@ -111,7 +107,7 @@ fn not_utf8(name: &str, bytes: &[u8], valid: usize) -> Diagnostic {
     text.push(char::REPLACEMENT_CHARACTER);
     let text = lines_ended_by_line_feeds(&text);
     let fault = Fault::new(valid..valid + 1, "the file is not UTF-8".to_owned());
-    Diagnostic::new(name, &text, &mut Lines::new(&text), fault)
+    fault.diagnostic(name, &mut Lines::new(&text))
 }
 
 /// Something wrong at a place in the text.
@@ -127,6 +123,12 @@ struct Fault {
 impl Fault {
     fn new(span: Range<usize>, message: String) -> Self {
         Self { span, message, note: None, unknown: None }
+    }
+
+    fn diagnostic(self, name: &str, lines: &mut Lines<'_>) -> Diagnostic {
+        let mut diagnostic = Diagnostic::among(name, lines, self.span, self.message);
+        diagnostic.note = self.note;
+        diagnostic
     }
 
     fn with_note(self, note: impl Into<String>) -> Self {
@@ -172,7 +174,7 @@ impl Reader {
                 if let Some(unknown) = &fault.unknown {
                     fault.note = self.hint_at_name(unknown, text).or(fault.note);
                 }
-                Diagnostic::new(name, text, &mut lines, fault)
+                fault.diagnostic(name, &mut lines)
             })
             .collect();
         if cut || diagnostics.len() == MAX_FAULTS {

@@ -19,6 +19,7 @@ mod property;
 mod sample;
 mod scale;
 mod setting;
+mod stop;
 mod stopped;
 mod study;
 mod subdivision;
@@ -34,7 +35,7 @@ pub use cell::{Cell, Finding, Said, Witness};
 pub use property::{Kind, PROPERTIES, Property, property, value};
 pub use sample::{Exact, contacts, resolve};
 pub use setting::{SYMBOLS_IN_WORDS, Setting, Symbolic};
-pub use stopped::Stop;
+pub use stop::Stop;
 pub use study::Part;
 pub use visible::{Condition, Ranges, negated};
 

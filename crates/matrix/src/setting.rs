@@ -18,7 +18,7 @@ use kane_kernel::{Bound, Context, Var};
 use kane_number::{Number, Rational};
 use num_traits::{Signed as _, Zero as _};
 
-use crate::stopped::Stop;
+use crate::stop::Stop;
 
 /// A number in symbols.
 pub type Symbolic = RationalFunction;

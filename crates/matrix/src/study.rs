@@ -27,6 +27,7 @@ const BUDGET: Budget = Budget {
     functions: 0,
     ideals: false,
     products: false,
+    squares: 0,
 };
 /// The same with the tactics that take long, where all variables are few.
 const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };

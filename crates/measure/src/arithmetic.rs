@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 use std::marker::PhantomData;
 
-use kane_number::{Algebraic, DoubleDouble, Interval, Number, Ordered, Rational, Real};
+use kane_number::{Algebraic, DoubleDouble, Interval, Lane, Number as _, Ordered, Rational};
 
 /// The operations of a formula in one number system. `None` is "no value": a division by zero in
 /// an exact system, or a root that the system does not hold. Floats always have a value, be it NaN.
@@ -59,7 +59,7 @@ macro_rules! float {
             }
 
             fn root(&self) -> Option<Self> {
-                Some(self.sqrt())
+                Some($float::sqrt(*self))
             }
         }
     )* };
@@ -86,29 +86,25 @@ impl PlainNumber for Interval {
     }
 }
 
-/// √a in an exact system: the greatest root of x² − a between 0 and max(a, 1).
-fn exact_root<N: Real>(a: &N) -> Option<N> {
-    let upper = if a.compare(&N::one()).is_greater()? { a.clone() } else { N::one() };
-    if a.sign().is_less()? {
-        return None;
+impl PlainNumber for Rational {
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        self.checked_div(divisor)
     }
-    N::greatest_root(&[-a.clone(), N::zero(), N::one()], &N::zero(), &upper)
+
+    fn root(&self) -> Option<Self> {
+        Lane::sqrt(self)
+    }
 }
 
-macro_rules! exact {
-    ($($number:ident),*) => { $(
-        impl PlainNumber for $number {
-            fn quotient(&self, divisor: &Self) -> Option<Self> {
-                self.checked_div(divisor)
-            }
+impl PlainNumber for Algebraic {
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        self.checked_div(divisor)
+    }
 
-            fn root(&self) -> Option<Self> {
-                exact_root(self)
-            }
-        }
-    )* };
+    fn root(&self) -> Option<Self> {
+        self.sqrt()
+    }
 }
-exact!(Rational, Algebraic);
 
 impl<N: PlainNumber> Arithmetic for Plain<N> {
     type Value = N;

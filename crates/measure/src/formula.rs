@@ -2,8 +2,7 @@
 
 use std::cmp::Ordering;
 
-use kane_algebra::sign::compares;
-use kane_algebra::syntax::Notation;
+use kane_algebra::syntax::{Notation, compares};
 use kane_audit::{Body, Document};
 use kane_kernel::{Bound, Expr, Rel, Relation};
 use kane_number::Rational;

@@ -37,7 +37,7 @@ pub use axis::{Axis, Format};
 pub use dyadic::{Dyadic, DyadicNumber};
 pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
-pub use over_alpha::{Curve, OverAlpha, changes, over_alpha};
+pub use over_alpha::{Curve, OverAlpha, over_alpha};
 pub use program::{Branch, Operation, Program, Unsupported};
 pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use stability::{

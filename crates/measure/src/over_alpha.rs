@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use kane_impact::{Alpha, Contact, Law, Ratios};
-use kane_number::{Algebraic, Rational};
+use kane_number::{Algebraic, Rational, changes};
 
 /// All laws over α; what coincides is kept once.
 #[derive(Clone, Debug)]
@@ -51,32 +51,6 @@ fn grid() -> Vec<Rational> {
 
 /// How often the stretch between neighbours of the grid is halved around a change of regime.
 const HALVINGS: u32 = 12;
-
-/// Where what applies at α changes between neighbours of an ascending grid: two fractions on either side
-/// of each change, at the distance of the neighbours halved so often. Heuristic: two changes between the
-/// same neighbours may hide each other.
-pub fn changes<S: PartialEq>(
-    grid: &[Rational],
-    halvings: u32,
-    applies: impl Fn(&Rational) -> S,
-) -> Vec<[Rational; 2]> {
-    let mut asked = grid.iter().map(|alpha| (alpha, applies(alpha)));
-    let Some(mut before) = asked.next() else { return Vec::new() };
-    let mut out = Vec::new();
-    for after in asked {
-        if after.1 != before.1 {
-            let (mut lower, mut upper) = (before.0.clone(), after.0.clone());
-            for _ in 0..halvings {
-                let middle = (&lower + &upper) / Rational::from_integer(2.into());
-                let side = if applies(&middle) == before.1 { &mut lower } else { &mut upper };
-                *side = middle;
-            }
-            out.push([lower, upper]);
-        }
-        before = after;
-    }
-    out
-}
 
 /// Which regime applies, and whether the law accepts what it gives.
 fn state(law: &Law, alpha: &Rational) -> Option<(usize, bool)> {

@@ -3,8 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap};
 
-use kane_algebra::sign::compares;
-use kane_algebra::syntax::Notation;
+use kane_algebra::syntax::{Notation, compares};
 use kane_kernel::{Context, Expr, Rel, Relation};
 use kane_number::Rational;
 

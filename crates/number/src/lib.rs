@@ -38,6 +38,8 @@
 //! # Ok::<(), kane_number::ParseError>(())
 //! ```
 //!
+//! [`System`] names five of them as a value, for tables that run them side by side.
+//!
 //! The bridge between exact numbers and floats loses nothing that it need not: [`decode`] is
 //! exact, [`encode`] rounds correctly, and [`error_in_ulps`] says how far a float is from the
 //! truth.
@@ -58,6 +60,7 @@
 
 mod algebraic;
 mod binary;
+mod changes;
 mod comparison;
 mod decimal;
 mod decode;
@@ -74,12 +77,14 @@ mod rational;
 mod root;
 mod scaled;
 mod sturm;
+mod system;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 mod ulp;
 
 pub use algebraic::Algebraic;
 pub use binary::Binary;
+pub use changes::changes;
 pub use comparison::Comparison;
 pub use decode::{NotFinite, decode};
 pub use double_double::DoubleDouble;
@@ -89,4 +94,5 @@ pub use number::{Number, Ordered, Real};
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
 pub use rational::{Integer, Rational};
 pub use scaled::Scaled;
+pub use system::{Lane, System};
 pub use ulp::{error_in_ulps, steps_between, ulp};

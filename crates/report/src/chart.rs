@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use kane_measure::chart::{Measured, Method, Proved, System, contradictions, front};
+use kane_measure::chart::{Measured, Method, Proved, contradictions, front};
 use kane_number::Rational;
 use num_bigint::BigInt;
 use serde::Serialize;
@@ -441,6 +441,3 @@ pub fn committed(all: &[Measured]) -> String {
     }
     out
 }
-
-/// The systems, in the order of legends.
-pub(crate) const SYSTEMS: [System; 5] = System::ALL;

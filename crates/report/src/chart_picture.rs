@@ -1,10 +1,11 @@
 //! The picture of speed against accuracy: one panel for each quantity of each law.
 
-use kane_measure::chart::{Measured, System, front};
+use kane_measure::chart::{Measured, front};
+use kane_number::System;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::chart::{ChartReport, SYSTEMS, reach};
+use crate::chart::{ChartReport, reach};
 use crate::shorten::shorten;
 use crate::stability::PictureError;
 
@@ -69,7 +70,7 @@ fn draw_header(area: &Area<'_>) -> Result<(), PictureError> {
     let title = "What does the next digit cost? Decimal digits right at the worst input, by time";
     area.draw(&Text::new(title, (12, 10), ("sans-serif", 20).into_font()))?;
     let mut x = 20;
-    for system in SYSTEMS {
+    for system in System::ALL {
         marker(area, (x, 56), system)?;
         let name = system.to_string();
         area.draw(&Text::new(name.clone(), (x + 12, 49), ("sans-serif", 14).into_font()))?;

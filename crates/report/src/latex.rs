@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use kane_algebra::syntax::{canonical_name, greek_letter, latex_name};
 use kane_audit::{LinkJudgement, Verdict};
+use kane_judges::Judge;
 
-use crate::judges::Judge;
+use crate::judges;
 use crate::markdown::capitalised;
 use crate::outline::headings;
 use crate::report::Entry;
@@ -47,7 +48,7 @@ pub fn latex(report: &Report<'_>) -> String {
         escape(&capitalised(&summary.expectation()))
     );
     for judge in report.judges {
-        let _ = writeln!(out, "{}.\n", escape(&judge.headline()));
+        let _ = writeln!(out, "{}.\n", escape(&judges::headline(judge)));
     }
     let headings = headings(&document.text);
     let mut headings = headings.iter().peekable();
@@ -65,7 +66,8 @@ pub fn latex(report: &Report<'_>) -> String {
         statement(&mut out, &entry, &names);
         if entry.is_claim() && !report.judges.is_empty() {
             let links = entry.judgement.links.len();
-            let told = |judge: &Judge| format!("{}: {}.", judge.name, judge.on(index, links));
+            let told =
+                |judge: &Judge| format!("{}: {}.", judge.name, judges::on(judge, index, links));
             let told: Vec<String> = report.judges.iter().map(told).collect();
             let _ = writeln!(out, "\\par{{\\small {}}}\n", escape(&told.join(" ")));
         }

@@ -19,7 +19,7 @@ pub fn markdown(report: &Report<'_>) -> String {
     let _ = writeln!(out, "**{}**\n", escape(&summary.headline()));
     let _ = writeln!(out, "{}.\n", escape(&summary.expectation()));
     for judge in report.judges {
-        let _ = writeln!(out, "- {}", escape(&judge.headline()));
+        let _ = writeln!(out, "- {}", escape(&judges::headline(judge)));
     }
     if !report.judges.is_empty() {
         out.push('\n');

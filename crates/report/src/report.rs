@@ -2,9 +2,8 @@
 
 use kane_algebra::syntax::{Notation as _, latex_name, visible};
 use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
+use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
-
-use crate::judges::Judge;
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
 //! What a scene shows of itself: its motion, or where nothing flies, the impact from within.
 
 use crate::choose::{Model, chain_of};
-use crate::coordinate::Coordinate as _;
 use crate::impulse_plane::ImpulsePlane;
 use crate::scene::{Scene, Setup};
 use crate::simulate::{ContactTime, watch_chain};
 use crate::strobe::Strobe;
+use kane_number::Lane as _;
 
 /// The picture that belongs to a scene under a model.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,7 +8,7 @@ mod penalty;
 
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
 use kane_impact::{Law, NumberSystem};
-use kane_number::Rational;
+use kane_number::{Lane, Rational};
 
 use crate::coordinate::Coordinate;
 use crate::read;
@@ -65,7 +65,7 @@ fn ratio(a: i64, b: i64) -> Rational {
 
 /// The relative error, or the absolute one where the exact value is zero.
 fn relative<N: Coordinate>(value: Option<&N>, exact: &Rational) -> f64 {
-    let Some(value) = value.and_then(Coordinate::exact) else { return f64::INFINITY };
+    let Some(value) = value.and_then(Lane::exact) else { return f64::INFINITY };
     let error = num_traits::Signed::abs(&(value - exact));
     let size = num_traits::Signed::abs(exact);
     let zero = Rational::default();
@@ -190,7 +190,7 @@ fn jam(rows: &mut Vec<Row>) {
 
 fn tip_error(tip: &Tip<Rational>, law: &Law) -> f64 {
     let Ok((exact, _)) = tip.contact() else { return f64::INFINITY };
-    let Ok((contact, _)) = tip.map(Coordinate::to_f64).contact() else { return f64::INFINITY };
+    let Ok((contact, _)) = tip.map(Lane::to_f64).contact() else { return f64::INFINITY };
     let found = law.over().impulse(&contact).ok().map(|impulse| impulse.normal);
     match law.over().impulse(&exact) {
         Ok(exact) => relative(found.as_ref(), &exact.normal),
@@ -257,7 +257,7 @@ fn zeno(rows: &mut Vec<Row>) {
         let Ok(exact) = run(&world, &NormalOnly, &Until::Rest, rest(1), &mut |_| {}) else {
             continue;
         };
-        let float = world.map(Coordinate::to_f64);
+        let float = world.map(Lane::to_f64);
         let summed = run(&float, &NormalOnly, &Until::Rest, rest(1), &mut |_| {}).ok();
         let followed = run(&float, &NormalOnly, &Until::Impacts(1_000), rest(1), &mut |_| {}).ok();
         for (method, end) in [("closed form/f64", summed), ("1000 impacts/f64", followed)] {
@@ -333,7 +333,7 @@ kinetic_energy_j = 0
 pub fn box_of_discs() -> World<f64> {
     let scene = read::scene("discs", DISCS).expect("the text is well formed");
     match scene.nominal() {
-        Setup::Bodies(world) => world.map(Coordinate::to_f64),
+        Setup::Bodies(world) => world.map(Lane::to_f64),
         Setup::Tip(_) => unreachable!("the text has discs"),
     }
 }

@@ -49,7 +49,7 @@ impl Strobe {
         if model.mechanics == Mechanics::Chain {
             return None;
         }
-        let world = stated.map(|stated| crate::Coordinate::to_f64(&stated.value));
+        let world = stated.map(|stated| kane_number::Lane::to_f64(&stated.value));
         let (end, bounces) = run_for_picture(scene, &world, model.mechanics)?;
         let time = end.time;
         let mut states: Vec<Vec<(f64, Round<f64>, f64)>> =

@@ -7,13 +7,11 @@ use std::process::Command;
 
 use kane::algebra::syntax::{NoValue, Notation, coq, coq_relation, eval, holds};
 use kane::audit::Accepted;
-use kane::judges::Limits;
+use kane::judges::smt::question;
+use kane::judges::{Answer, Claims, Limits, ask_coq};
 use kane::kernel::{
     Certificate, Conclusion, Context, Evidence, Expr, Finding, Goal, Link, Proof, Relation, digest,
 };
-use kane::report::Report;
-use kane::report::judges::Answer;
-use kane::report::smt::smt;
 
 use super::generator::{self, PLAIN, Wanted};
 use super::smt::Question;
@@ -135,7 +133,7 @@ fn asked(context: &Context, relation: &Relation) -> String {
     let evidence =
         Evidence::Contradiction(Proof::Positive { terms: Vec::new(), cofactors: Vec::new() });
     let certificate = Certificate { goal: digest(&goal), finding: Finding::Proved, evidence };
-    smt(&Accepted { goal, certificate }).expect("it speaks of no limit").text
+    question(&Accepted { goal, certificate }).expect("it speaks of no limit").text
 }
 
 #[test]
@@ -219,7 +217,7 @@ fn no_name_clashes_with_a_word_of_coq_or_of_the_file() {
     let audit = judged(&text);
     assert!(audit.as_expected(), "every claim ends as it should");
     let limits = Limits { file: std::time::Duration::from_secs(300), ..Limits::default() };
-    let judge = kane::judges::coq(&Report::new(&audit, "kane audit"), &limits).expect("coqc runs");
+    let judge = ask_coq(&kane::judges::coq::file(&Claims::of(&audit)), &limits).expect("coqc runs");
     let others: Vec<_> =
         judge.answers.iter().filter(|(_, a)| !matches!(a, Answer::Agrees)).collect();
     assert!(others.is_empty(), "{others:?}");

@@ -1,7 +1,8 @@
 //! Labels, titles and prose that try to speak for the auditor in the notation of a report.
 
 use kane::audit::{Audit, Options, audit, read};
-use kane::report::{Report, coq, html, json, latex, markdown, smt};
+use kane::judges::{Claims, coq, smt};
+use kane::report::{Report, html, json, latex, markdown};
 
 use crate::support::installed;
 
@@ -79,7 +80,7 @@ fn without_comments(text: &str) -> Result<String, String> {
 #[test]
 fn coq_reads_no_label_as_its_own() {
     let audit = document();
-    let file = coq::coq(&Report::new(&audit, "kane audit"));
+    let file = coq::file(&Claims::of(&audit));
     let code = without_comments(&file.text()).expect("all comments end");
     for word in ["script", "passwd", "unsat", "onclick", "string"] {
         let outside = |line: &&str| line.contains(word) && !line.contains("claim_");
@@ -92,7 +93,7 @@ fn coq_reads_no_label_as_its_own() {
     assert_eq!(lemmas, 2 * NASTY.len(), "one lemma a claim");
     if installed("coqc") {
         let limits = kane::judges::Limits::default();
-        let judge = kane::judges::coq_file(&file, &limits).expect("coqc runs");
+        let judge = kane::judges::ask_coq(&file, &limits).expect("coqc runs");
         assert!(judge.agrees(), "{:?}", judge.answers);
     }
 }
@@ -100,7 +101,7 @@ fn coq_reads_no_label_as_its_own() {
 #[test]
 fn questions_and_their_files_hold_nothing_of_a_label() {
     let audit = document();
-    for (name, question) in smt::questions(&Report::new(&audit, "kane audit")) {
+    for (name, question) in smt::questions(&Claims::of(&audit)) {
         let safe = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
         assert!(name.chars().all(safe), "{name}");
         let read = super::smt::Question::read(&question.text);

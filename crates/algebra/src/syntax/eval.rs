@@ -9,57 +9,12 @@ use std::collections::HashMap;
 use kane_kernel::{Context, Expr, Rel, Relation};
 use num_rational::BigRational;
 use num_traits::Zero;
-use thiserror::Error;
 
 use super::jet::Jet;
-use super::neighbourhood::both;
+use super::no_value::{NoValue, both};
 
 /// Derivatives within each other; each doubles the work.
 const MAX_DERIVATIVES: usize = 8;
-
-/// Why an expression has no rational value at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum NoValue {
-    /// a denominator is zero
-    #[error("division by zero")]
-    DivisionByZero,
-    /// a radicand is negative
-    #[error("root of a negative number")]
-    NegativeRadicand,
-    /// no branch applies and there is no `else`
-    #[error("no case applies")]
-    NoCase,
-    /// on the boundary of a case, or at the root of zero, under a derivative
-    #[error("not differentiable here")]
-    NotDifferentiable,
-    /// under a derivative, where the sides of a guard meet and may agree near the point
-    #[error("a guard that may change here")]
-    Unsettled,
-    /// defined perhaps, but through an irrational root
-    #[error("an irrational root")]
-    Irrational,
-    /// numbers or derivatives beyond the budget
-    #[error("too large to compute")]
-    TooLarge,
-    /// the point has no value for a symbol
-    #[error("a symbol without a value")]
-    Unassigned,
-}
-
-impl NoValue {
-    /// Whether the expression is known to be undefined; otherwise nothing is known.
-    #[must_use]
-    pub fn is_undefined(self) -> bool {
-        match self {
-            Self::DivisionByZero
-            | Self::NegativeRadicand
-            | Self::NoCase
-            | Self::NotDifferentiable => true,
-            Self::Unsettled | Self::Irrational | Self::TooLarge | Self::Unassigned => false,
-        }
-    }
-}
 
 /// The value of the expression where symbol i has the value `point[i]`. Exact.
 ///
@@ -263,7 +218,8 @@ impl<'a> Evaluator<'a> {
 }
 
 /// Whether two values in this order compare as the relation says.
-fn compares(rel: Rel, order: Ordering) -> bool {
+#[must_use]
+pub fn compares(rel: Rel, order: Ordering) -> bool {
     match rel {
         Rel::Eq => order.is_eq(),
         Rel::Ne => order.is_ne(),

@@ -6,7 +6,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, Zero};
 
-use super::eval::NoValue;
+use super::no_value::NoValue;
 
 /// Numbers above this many bits end the evaluation: a gcd takes quadratic time.
 const MAX_BITS: u64 = 100_000;

@@ -5,10 +5,11 @@ use std::ops::Range;
 use kane_kernel::{Approach, Context, Expr, Limit, Link, Relation, Sentence, Target, Var};
 use num_rational::BigRational;
 
+use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
 use super::lexer::Token;
-use super::parser::{MAX_ITEMS, Node, Parser, excerpt};
+use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
 
 /// A relation with its place and the height of its taller side.

@@ -17,7 +17,9 @@
 //! a Latin or Greek letter followed by letters, digits, `_` and primes; a Greek letter equals its
 //! spelled-out name, a subscript digit the digit.
 
+mod bounds;
 mod coq;
+mod diagnostic;
 mod error;
 mod eval;
 mod hidden;
@@ -27,6 +29,8 @@ mod lexer;
 mod links;
 mod names;
 mod neighbourhood;
+mod no_value;
+mod notation;
 mod number;
 mod parser;
 mod plain;
@@ -35,19 +39,20 @@ mod scope;
 mod suggest;
 mod words;
 
+pub use bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 pub use coq::{coq, coq_relation};
+pub use diagnostic::{Diagnostic, Lines, Place};
 pub use error::{SyntaxError, SyntaxErrorKind};
-pub use eval::{Evaluator, NoValue, eval, holds};
+pub use eval::{Evaluator, compares, eval, holds};
 pub use hidden::{is_control, is_hidden, printable, visible};
 pub use lexer::Token;
 pub use links::Endpoint;
 pub use names::{RESERVED, canonical_name, greek_letter, latex_name};
+pub use no_value::NoValue;
+pub use notation::Notation;
 pub use number::literal;
-pub use parser::{
-    MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING, Parser, parse_expr,
-    parse_relations, parse_sentence,
-};
-pub use plain::{Notation, moving};
+pub use parser::{Parser, parse_expr, parse_relations, parse_sentence};
+pub use plain::moving;
 pub use rebuild::rebuild;
 pub use scope::{DeclareError, Scope, Symbol};
 pub use suggest::nearest;

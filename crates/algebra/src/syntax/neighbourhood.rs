@@ -10,7 +10,8 @@ use kane_kernel::{Context, Expr};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::eval::{Evaluator, NoValue};
+use super::eval::Evaluator;
+use super::no_value::{NoValue, both};
 
 /// Other values of a symbol that are tried, as distances from the point: numerator, denominator.
 const ELSEWHERE: [(i64, i64); 4] = [(1, 4), (-1, 9), (7, 3), (-11, 5)];
@@ -123,15 +124,6 @@ impl Evaluator<'_> {
         varied.sort_unstable();
         varied.dedup();
         varied
-    }
-}
-
-/// Both, or the reason why not: that one is undefined outweighs that the other is out of reach.
-pub(super) fn both<T>(a: Result<T, NoValue>, b: Result<T, NoValue>) -> Result<(T, T), NoValue> {
-    match (a, b) {
-        (Ok(a), Ok(b)) => Ok((a, b)),
-        (Err(a), Err(b)) if b.is_undefined() && !a.is_undefined() => Err(b),
-        (Err(reason), _) | (_, Err(reason)) => Err(reason),
     }
 }
 

@@ -5,7 +5,7 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::parser::MAX_DIGITS;
+use super::bounds::MAX_DIGITS;
 
 /// The value of a well-formed literal; the lexer has made sure that it is one.
 ///

@@ -6,24 +6,13 @@ use kane_kernel::{Expr, Relation, Sentence};
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
+use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::names::RESERVED;
 use super::number::parse_literal;
 use super::scope::Scope;
 
-/// Parentheses, calls, prefix signs and exponents within each other.
-pub const MAX_NESTING: usize = 256;
-/// Operations on top of each other, definitions expanded. Whoever walks an expression by
-/// recursion goes this deep and no deeper.
-pub const MAX_HEIGHT: usize = 1000;
-/// Magnitude of exponents.
-pub const MAX_EXPONENT: i32 = 10_000;
-/// Digits of a literal.
-pub const MAX_DIGITS: usize = 10_000;
-
-/// Items of a comma list and branches of `cases`.
-pub const MAX_ITEMS: usize = 10_000;
 /// Faults of one text that are kept.
 const MAX_ERRORS: usize = 1000;
 

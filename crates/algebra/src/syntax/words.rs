@@ -3,9 +3,10 @@
 use kane_kernel::Expr;
 use num_bigint::BigInt;
 
+use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::Token;
-use super::parser::{Binary, MAX_ITEMS, Node, Parser, excerpt};
+use super::parser::{Binary, Node, Parser, excerpt};
 use super::scope::Symbol;
 
 impl Parser<'_> {

@@ -8,6 +8,7 @@ mod limits;
 mod ranges;
 mod sample;
 mod search;
+mod squares;
 mod tactics;
 
 use std::cell::RefCell;
@@ -44,6 +45,8 @@ pub struct Budget {
     pub ideals: bool,
     /// whether products of premises and boxes may be tried, which take long
     pub products: bool,
+    /// coefficient operations of one search for sums of squares
+    pub squares: u64,
 }
 
 impl Default for Budget {
@@ -55,6 +58,7 @@ impl Default for Budget {
             functions: 60,
             ideals: true,
             products: true,
+            squares: 200_000_000,
         }
     }
 }
@@ -220,6 +224,7 @@ impl Prover<'_> {
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.products = self.budget.products;
+        search.squares = Fuel::new(self.budget.squares);
         search.keep = kept(goal);
         if guide {
             search.widest = 60;

@@ -3,10 +3,11 @@
 use std::cell::Cell;
 
 use kane_algebra::ring::{common_sign, content_in, exact_quotient};
-use kane_kernel::{Atom, Point, Poly, Sign, State};
+use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::squares::{Reach, squares};
 use super::{expansion, tactics};
 use crate::argument::{Argument, Rules};
 
@@ -77,12 +78,18 @@ pub(crate) struct Search<'a> {
     pub(crate) ideals: bool,
     /// whether products of premises and boxes may be tried
     pub(crate) products: bool,
+    /// for sums of squares
+    pub(crate) squares: Fuel,
 }
 
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
 const MAX_DEPTH: u32 = 160;
 /// Case distinctions on the sign of a polynomial along one branch.
 const MAX_SPLITS: u32 = 10;
+/// Case distinctions for which an inequality that is taken as an equation counts.
+const BOUNDARY: u32 = 5;
+/// What it costs, of the budget for squares, to tell the order of two variables.
+const ORDER: u64 = 1_000_000;
 
 impl<'a> Search<'a> {
     pub(crate) fn new(
@@ -100,6 +107,7 @@ impl<'a> Search<'a> {
             keep: Vec::new(),
             ideals: false,
             products: true,
+            squares: Fuel::new(0),
         }
     }
 
@@ -303,17 +311,21 @@ impl<'a> Search<'a> {
             if a.sign != Sign::Zero || a.poly.is_constant() {
                 continue;
             }
-            for var in a.poly.vars() {
+            // One variable an equation, roots before symbols: by turns of two it would never end.
+            for var in a.poly.vars().into_iter().rev() {
                 let degree = a.poly.degree(var);
                 let reducible =
                     |(i, b): (usize, &Atom)| i != equation && b.poly.degree(var) >= degree;
-                if degree < 2 || !state.atoms.iter().enumerate().any(reducible) {
+                if degree < 2 {
                     continue;
                 }
                 let top = a.poly.coefficients(var).pop()?;
                 let Some(lead) = leading(state, &top) else {
                     continue;
                 };
+                if !state.atoms.iter().enumerate().any(reducible) {
+                    break;
+                }
                 let next = state.substitute(equation, var, &lead).ok()?;
                 return Some((Step::Substitute { equation, var, lead }, next, None));
             }
@@ -404,10 +416,13 @@ impl<'a> Search<'a> {
         {
             return Outcome::Closed(proof);
         }
-        if self.models
-            && let Some(point) = self.sample(state, trail, &vars, (5, 200))
-        {
-            return Outcome::Model(point);
+        if self.models {
+            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
+                return Outcome::Model(point);
+            }
+            if let Some(point) = self.on_boundary(state, trail, splits) {
+                return Outcome::Model(point);
+            }
         }
         if vars.len() > 1 && self.proofs {
             // A quick look for a point saves the long search for a proof that there is none.
@@ -421,17 +436,56 @@ impl<'a> Search<'a> {
                     None => Outcome::Open,
                 };
             }
+            let squares = |reach| squares(state, reach, &self.squares);
             let proof = tactics::combination(state)
                 .or_else(|| tactics::products(state, 1))
+                .or_else(|| squares(Reach::Atoms))
+                .or_else(|| squares(Reach::Pairs))
                 .or_else(|| tactics::products(state, 2))
                 .or_else(ideal)
+                .or_else(|| squares(Reach::Higher))
                 .or_else(|| self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits)))
                 .or_else(|| tactics::products(state, 3));
             if let Some(proof) = proof {
                 return Outcome::Closed(proof);
             }
+            if splits < MAX_SPLITS
+                && self.squares.spend(ORDER).is_ok()
+                && let Some(difference) = alike(state, &vars)
+            {
+                return self.split(state, difference, trail, splits + 1);
+            }
         }
         Outcome::Open
+    }
+
+    /// A point on the boundary of the state, or where its boundaries meet: one weak inequality after
+    /// the other taken as an equation.
+    fn on_boundary(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Option<Point> {
+        if splits + BOUNDARY > MAX_SPLITS {
+            return None;
+        }
+        let weak = |i: &usize| {
+            let a = &state.atoms[*i];
+            a.sign == Sign::NonNegative && a.decided().is_none()
+        };
+        let fresh = state.atoms.len();
+        (0..fresh).filter(weak).find_map(|i| {
+            let equation = Atom::new(state.atoms[i].poly.clone(), Sign::Zero);
+            if state.atoms.contains(&equation) {
+                return None;
+            }
+            let next = state.with(equation);
+            match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
+                Outcome::Model(point) => Some(point),
+                _ => None,
+            }
+        })
     }
 
     /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
@@ -499,6 +553,42 @@ fn since(state: &State<'_, '_>, from: usize) -> Vec<bool> {
 fn changed(before: &State<'_, '_>, after: &State<'_, '_>) -> Vec<bool> {
     let same = |(i, a): (usize, &Atom)| before.atoms.get(i) == Some(a);
     after.atoms.iter().enumerate().map(|x| !same(x)).collect()
+}
+
+/// The difference of two variables that a state treats alike, if their order is not known.
+fn alike(state: &State<'_, '_>, vars: &[usize]) -> Option<Poly> {
+    let known = |d: &Poly| {
+        let same = |p: &Poly| *p == *d || *p == d.neg();
+        state.atoms.iter().any(|a| same(&a.poly.primitive().1))
+    };
+    let pairs = vars.iter().enumerate().flat_map(|(n, v)| vars[..n].iter().map(move |w| (*w, *v)));
+    pairs
+        .filter(|&(v, w)| {
+            let swapped = |a: &Atom| Atom::new(exchanged(&a.poly, v, w), a.sign);
+            // What is about one pair of variables orders them, and says nothing about the others.
+            let mut long = state.atoms.iter().filter(|a| a.poly.vars().len() > 2);
+            long.clone().next().is_some() && long.all(|a| state.atoms.contains(&swapped(a)))
+        })
+        .map(|(v, w)| Poly::var(v).sub(&Poly::var(w)))
+        .find(|d| !known(d))
+}
+
+/// A polynomial with two variables in each other's place.
+fn exchanged(p: &Poly, v: usize, w: usize) -> Poly {
+    Poly::sum(p.terms().map(|(m, c)| {
+        let name = |x: usize| {
+            if x == v {
+                w
+            } else if x == w {
+                v
+            } else {
+                x
+            }
+        };
+        let mut m: Vec<(usize, u32)> = m.iter().map(|&(x, n)| (name(x), n)).collect();
+        m.sort_unstable();
+        (m, c.clone())
+    }))
 }
 
 /// Closed if all are closed; the first model otherwise.

@@ -1,8 +1,8 @@
 //! How far a method is from the exact value, over the domain.
 
-use kane_number::Rational;
+use kane_number::{Rational, System};
 
-use super::method::{Answer, Method, System};
+use super::method::{Answer, Method};
 use super::registry::DOMAIN;
 use crate::{Arithmetic, Dyadic, DyadicNumber, Format, Program, formulas};
 

@@ -1,44 +1,10 @@
 //! A method: one formula or law in one number system.
 
-use std::fmt;
 use std::hint::black_box;
 
-use kane_number::{DoubleDouble, Interval, Rational, Real, Rounding, decode, encode};
+use kane_number::{DoubleDouble, Interval, Lane, Rational, System, decode};
 
 use crate::PlainNumber;
-
-/// A number system in which methods run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum System {
-    /// binary32
-    F32,
-    /// binary64
-    F64,
-    /// pairs of binary64
-    DoubleDouble,
-    /// enclosures with ends in binary64
-    Interval,
-    /// exact fractions
-    Rational,
-}
-
-impl System {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; 5] =
-        [Self::F32, Self::F64, Self::DoubleDouble, Self::Interval, Self::Rational];
-}
-
-impl fmt::Display for System {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::F32 => "f32",
-            Self::F64 => "f64",
-            Self::DoubleDouble => "double-double",
-            Self::Interval => "interval",
-            Self::Rational => "rational",
-        })
-    }
-}
 
 /// What a method returns, exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,75 +16,40 @@ pub enum Answer {
 }
 
 /// A number system in which a form can run, whatever its operations.
-pub trait Lane: Real + PlainNumber {
-    /// Which one it is.
-    const SYSTEM: System;
-
-    /// The number equal to a float; `f32` is only given floats of its own.
-    fn of(float: f64) -> Self;
+pub trait FormNumber: Lane + PlainNumber {
+    /// The number equal to a finite float; `f32` is only given floats of its own.
+    fn of(float: f64) -> Self {
+        Self::from_rational(&decode(float).unwrap_or_else(|_| Rational::from_integer(0.into())))
+    }
 
     /// A small integer, exact in every system.
     fn small(integer: u8) -> Self;
 
     /// What it is exactly; `None` if it is not finite.
-    fn answer(&self) -> Option<Answer>;
+    fn answer(&self) -> Option<Answer> {
+        self.exact().map(Answer::Number)
+    }
 }
 
-impl Lane for f32 {
-    const SYSTEM: System = System::F32;
-
-    fn of(float: f64) -> Self {
-        decode(float).map_or(Self::NAN, |exact| encode(&exact, Rounding::NearestEven))
-    }
-
+impl FormNumber for f32 {
     fn small(integer: u8) -> Self {
         Self::from(integer)
     }
-
-    fn answer(&self) -> Option<Answer> {
-        decode(*self).ok().map(Answer::Number)
-    }
 }
 
-impl Lane for f64 {
-    const SYSTEM: System = System::F64;
-
-    fn of(float: f64) -> Self {
-        float
-    }
-
+impl FormNumber for f64 {
     fn small(integer: u8) -> Self {
         Self::from(integer)
     }
-
-    fn answer(&self) -> Option<Answer> {
-        decode(*self).ok().map(Answer::Number)
-    }
 }
 
-impl Lane for DoubleDouble {
-    const SYSTEM: System = System::DoubleDouble;
-
-    fn of(float: f64) -> Self {
-        Self::from(float)
-    }
-
+impl FormNumber for DoubleDouble {
     fn small(integer: u8) -> Self {
         Self::from(f64::from(integer))
     }
-
-    fn answer(&self) -> Option<Answer> {
-        self.to_rational().ok().map(Answer::Number)
-    }
 }
 
-impl Lane for Interval {
-    const SYSTEM: System = System::Interval;
-
-    fn of(float: f64) -> Self {
-        Self::from(float)
-    }
-
+impl FormNumber for Interval {
     fn small(integer: u8) -> Self {
         Self::from(f64::from(integer))
     }
@@ -128,19 +59,9 @@ impl Lane for Interval {
     }
 }
 
-impl Lane for Rational {
-    const SYSTEM: System = System::Rational;
-
-    fn of(float: f64) -> Self {
-        decode(float).unwrap_or_else(|_| Self::from_integer(0.into()))
-    }
-
+impl FormNumber for Rational {
     fn small(integer: u8) -> Self {
         Self::from_integer(integer.into())
-    }
-
-    fn answer(&self) -> Option<Answer> {
-        Some(Answer::Number(self.clone()))
     }
 }
 
@@ -205,7 +126,10 @@ impl Method {
 }
 
 /// The loop that is timed.
-pub(super) fn repeatedly<N: Lane>(alphas: &[f64], form: fn(&N) -> Option<N>) -> Box<dyn Fn()> {
+pub(super) fn repeatedly<N: FormNumber>(
+    alphas: &[f64],
+    form: fn(&N) -> Option<N>,
+) -> Box<dyn Fn()> {
     let inputs: Vec<N> = alphas.iter().map(|alpha| N::of(*alpha)).collect();
     Box::new(move || {
         for input in &inputs {

@@ -10,8 +10,8 @@ mod registry;
 pub(crate) use accuracy::right;
 pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
-pub use cost::{cost, weights};
-pub use method::{Answer, Lane, Method, System};
+pub use cost::cost;
+pub use method::{Answer, FormNumber, Method};
 pub use proved::Proved;
 pub use registry::{DOMAIN, registry};
 

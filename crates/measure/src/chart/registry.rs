@@ -8,32 +8,32 @@ use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
 use kane_impact::{Alpha, ImpactLaw, Ratios};
-use kane_number::{DoubleDouble, Interval, Rational};
+use kane_number::{DoubleDouble, Interval, Lane as _, Rational, System};
 
-use super::method::{Answer, Form, Lane, Method, System, repeatedly};
+use super::method::{Answer, Form, FormNumber, Method, repeatedly};
 
 /// α runs from 2 to the power of the first to that of the second, where a form says nothing else.
 pub const DOMAIN: (i32, i32) = (-30, 30);
 
 /// A small integer of a form.
-fn n<N: Lane>(integer: u8) -> N {
+fn n<N: FormNumber>(integer: u8) -> N {
     N::small(integer)
 }
 
 /// What a law itself says.
-fn law<N: Lane, L: ImpactLaw>(law: &L, alpha: &N) -> Option<Ratios<N>> {
+fn law<N: FormNumber, L: ImpactLaw>(law: &L, alpha: &N) -> Option<Ratios<N>> {
     law.ratios(&Alpha::Finite(alpha.clone()))
 }
 
 /// k of the paper's law, by (16).
-fn k16<N: Lane>(a: &N) -> Option<N> {
+fn k16<N: FormNumber>(a: &N) -> Option<N> {
     (n::<N>(1) - a).quotient(&(n::<N>(1) + a))
 }
 
 macro_rules! registry {
     ($($id:ident: $law:literal $quantity:literal $name:literal $text:literal
         [$k:literal, $is_law:literal, $least:expr] |$a:ident| $body:expr;)*) => {
-        $( fn $id<N: Lane>($a: &N) -> Option<N> { $body } )*
+        $( fn $id<N: FormNumber>($a: &N) -> Option<N> { $body } )*
 
         /// Every form in every number system, by law and quantity, and then the kernels over
         /// columns, which have floats alone.
@@ -192,7 +192,6 @@ fn columns() -> Vec<Method> {
 mod tests {
     use kane_number::decode;
 
-    use super::super::System;
     use super::super::accuracy::{inputs, program};
     use super::super::method::Answer;
     use super::*;

@@ -4,11 +4,11 @@ use std::fmt;
 
 use kane_impact::bodies::{Motion, SphereOnPlane};
 use kane_impact::{Law, NumberSystem, law};
-use kane_number::{DoubleDouble, Interval, Rational};
+use kane_number::{DoubleDouble, Interval, Rational, System};
 
 use super::Told;
 use super::clock::reading;
-use crate::chart::{Answer, Effort, Lane, System, right};
+use crate::chart::{Answer, Effort, FormNumber, right};
 use crate::{Arithmetic as _, Dyadic, DyadicNumber};
 
 /// Bits of the reference: the exact slip is converted before anything is taken from it.
@@ -154,7 +154,7 @@ fn sphere() -> SphereOnPlane<Rational> {
 }
 
 /// The sphere when it meets the plane again.
-fn bounce<N: Lane<WideReal: NumberSystem>>(
+fn bounce<N: FormNumber<WideReal: NumberSystem>>(
     law: &Law,
     sphere: &SphereOnPlane<N>,
 ) -> Result<SphereOnPlane<N>, String> {
@@ -164,7 +164,7 @@ fn bounce<N: Lane<WideReal: NumberSystem>>(
 }
 
 /// The slip of a state, exactly: `v_x` − ω·r with r = 1; for enclosures its two ends.
-fn slip<N: Lane>(motion: &Motion<N>) -> Option<Answer> {
+fn slip<N: FormNumber>(motion: &Motion<N>) -> Option<Answer> {
     Some(match (motion.vx.answer()?, motion.omega.answer()?) {
         (Answer::Between(a, b), Answer::Between(c, d)) => Answer::Between(a - d, b - c),
         (Answer::Number(vx), Answer::Number(omega)) => Answer::Number(vx - omega),
@@ -188,7 +188,7 @@ struct Point {
 /// A number, or the two ends of an enclosure.
 type DyadicSlip = (DyadicNumber, Option<DyadicNumber>);
 
-fn run<N: Lane<WideReal: NumberSystem>>(
+fn run<N: FormNumber<WideReal: NumberSystem>>(
     law: &Law,
     effort: Effort,
     timed: bool,
@@ -229,7 +229,7 @@ fn run<N: Lane<WideReal: NumberSystem>>(
 }
 
 /// Numerators and denominators of the three velocities.
-fn bits<N: Lane>(motion: &Motion<N>) -> u64 {
+fn bits<N: FormNumber>(motion: &Motion<N>) -> u64 {
     let of = |number: &N| match number.answer() {
         Some(Answer::Number(x)) => x.numer().bits() + x.denom().bits(),
         _ => 0,

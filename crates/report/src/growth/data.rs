@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_measure::chart::System;
+use kane_number::System;
 use serde::Serialize;
 
 use super::{GrowthReport, chain_reading, family_reading};

@@ -4,8 +4,8 @@ mod data;
 mod picture;
 mod table;
 
-use kane_measure::chart::System;
 use kane_measure::growth::{Chain, Family, Growth, Way};
+use kane_number::System;
 
 use crate::chart::nanoseconds;
 

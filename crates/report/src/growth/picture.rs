@@ -1,8 +1,8 @@
 //! The curves as a picture: batches, exact states, digits under each law, and the audit.
 
 use kane_audit::Verdict;
-use kane_measure::chart::System;
 use kane_measure::growth::Chain;
+use kane_number::System;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 

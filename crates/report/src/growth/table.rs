@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use anstyle::Style;
-use kane_measure::chart::System;
 use kane_measure::growth::{Bounce, Chain, Digits, Family};
+use kane_number::System;
 
 use super::{FLOATING, GrowthReport, chain_reading, family_reading, power_of_ten, shown};
 use crate::Page;

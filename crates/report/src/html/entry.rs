@@ -7,6 +7,7 @@ use pulldown_latex::config::DisplayMode;
 use super::math::math;
 use super::words::sentence;
 use super::{Page, marked, verdict_class};
+use crate::judges;
 use crate::report::Entry;
 use crate::wording::{evidence, mark};
 
@@ -87,7 +88,7 @@ impl Page<'_> {
     fn judges(&self, index: usize, links: usize) -> Markup {
         html! {
             @for judge in self.report.judges {
-                @let said = judge.on(index, links);
+                @let said = judges::on(judge, index, links);
                 @let disagrees = judge.disagrees_on(index);
                 @let sign = if disagrees { mark(Verdict::Refuted) }
                     else if said == "agrees" { mark(Verdict::Proved) }

@@ -13,6 +13,7 @@ use std::ops::Range;
 use kane_audit::Verdict;
 use maud::{Markup, PreEscaped, html};
 
+use crate::judges;
 use crate::report::Entry;
 use crate::typeset::Names;
 use crate::wording::mark;
@@ -114,7 +115,7 @@ impl<'a> Page<'a> {
                 p { "Refuted as printed: " (labels(&summary.refuted_as_printed)) }
             }
             @for judge in self.report.judges {
-                p.judge.surprise[!judge.agrees() || !judge.asked] { (judge.headline()) }
+                p.judge.surprise[!judge.agrees() || !judge.asked] { (judges::headline(judge)) }
             }
             @if summary.surprises.is_empty() {
                 p { (crate::markdown::capitalised(&summary.expectation())) "." }

@@ -1,8 +1,7 @@
 //! A scene under one model.
 
 use kane_impact::{Contact, Law, NumberSystem, Outcome};
-use kane_measure::chart::System;
-use kane_number::{Interval, Number as _, Rational};
+use kane_number::{Interval, Lane as _, Number as _, Rational, System};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;

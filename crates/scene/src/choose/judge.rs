@@ -1,8 +1,7 @@
 //! Whether a model is good enough.
 
 use kane_impact::NumberSystem;
-use kane_measure::chart::System;
-use kane_number::{DoubleDouble, Interval, Rational};
+use kane_number::{DoubleDouble, Interval, Lane as _, Rational, System};
 
 use super::evaluate::{Found, evaluate};
 use super::model::{Mechanics, Model};

@@ -16,7 +16,7 @@ pub use model::{Mechanics, Model, UnknownModel, model_names};
 pub use reference::{Known, Spread};
 
 use kane_impact::{Law, NumberSystem};
-use kane_number::{Rational, Rounding, encode};
+use kane_number::{Lane as _, Rational, Rounding, encode};
 use num_traits::Signed as _;
 
 use crate::coordinate::Coordinate;
@@ -212,7 +212,7 @@ struct Told {
 const KEPT: usize = 5_000;
 
 fn of_model(scene: &Scene, model: Model) -> Result<Told, String> {
-    use kane_measure::chart::System;
+    use kane_number::System;
     fn told<N: Coordinate + NumberSystem>(scene: &Scene, model: Model) -> Result<Told, String> {
         let setup = scene.nominal().map(N::from_rational);
         let found: Found<N> =

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use kane_algebra::syntax::nearest;
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton};
 use kane_impact::{Law, Restitution};
-use kane_measure::chart::{System, weights};
+use kane_number::System;
 
 /// How impacts are resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,7 +123,7 @@ impl Model {
     /// see [`Mechanics::is_counted`].
     #[must_use]
     pub fn cost(self) -> u64 {
-        let counted = self.mechanics.operations().into_iter().zip(weights(self.system));
+        let counted = self.mechanics.operations().into_iter().zip(self.system.weights());
         counted.map(|(count, weight)| count * weight).sum()
     }
 }

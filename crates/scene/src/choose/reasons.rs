@@ -3,8 +3,8 @@
 use super::judge::{Judged, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
-use crate::coordinate::Coordinate as _;
 use crate::scene::{Scene, Setup};
+use kane_number::Lane as _;
 
 /// A short number for prose.
 pub(super) fn short(value: f64) -> String {

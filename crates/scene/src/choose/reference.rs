@@ -1,10 +1,10 @@
 //! What a scene says is true, and what is known of it: models are held against this.
 
-use kane_number::{Interval, Rational, decode};
+use kane_number::{Interval, Lane as _, Rational, decode};
 
 use super::evaluate::{Failed, Found, evaluate};
 use super::model::{COULOMB, ENERGETIC, GRIP, Mechanics};
-use crate::coordinate::Coordinate as _;
+use crate::coordinate::Coordinate;
 use crate::scene::{Scene, Setup, Tangential};
 
 /// How the reference's values are known, and with them every error against it.
@@ -88,7 +88,7 @@ impl Reference {
             .asked
             .iter()
             .any(|asked| asked.tolerance < Rational::new(1.into(), 10_u64.pow(15).into()));
-        let at = evaluate(scene, &nominal.map(|x| x.enclosed()), mechanics, 1);
+        let at = evaluate(scene, &nominal.map(Coordinate::enclosed), mechanics, 1);
         let enclosed = |found: &Found<Interval>| -> Result<Vec<(Rational, Rational)>, Failed> {
             let ends =
                 found.values.iter().zip(&scene.asked).map(|(value, asked)| {

@@ -3,8 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use kane_algebra::syntax::nearest;
-use kane_audit::Diagnostic;
+use kane_algebra::syntax::{Diagnostic, nearest};
 use kane_number::Rational;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -65,7 +64,7 @@ impl Source<'_> {
     /// Something wrong at a place of the file.
     #[must_use]
     pub fn fault(&self, span: Range<usize>, message: impl Into<String>) -> Fault {
-        Box::new(Diagnostic::of_file(self.name, self.text, span, message.into()))
+        Box::new(Diagnostic::new(self.name, self.text, span, message.into()))
     }
 
     /// The file as tables.

@@ -3,11 +3,9 @@
 use kane_algebra::sign_table::simplest_between;
 use kane_impact::laws::{RouthNewton, Walton, WangSuLi};
 use kane_impact::{Contact, Law};
-use kane_measure::changes;
-use kane_number::{Number, Rational};
+use kane_number::{Lane as _, Number, Rational, changes};
 
 use super::{Row, integer, ratio};
-use crate::coordinate::Coordinate;
 
 /// The absolute error of k at a contact with the given α, a float; ∞ where floats have no answer, `None`
 /// where the law has none in rational numbers.

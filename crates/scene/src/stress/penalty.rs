@@ -8,9 +8,9 @@ use kane_impact::laws::RouthNewton;
 use num_traits::Signed as _;
 
 use super::{Row, ball, box_of_discs, integer, ratio};
-use crate::coordinate::Coordinate;
 use crate::simulate::{Budget, Penalty, Until, energy_by_penalty, run};
 use crate::world::{Round, World};
+use kane_number::Lane;
 
 /// A motion, and what its energy is to be.
 struct Contrast {
@@ -55,7 +55,7 @@ fn drop() -> Contrast {
     // of the height above the floor alone, so that the radius is no part of it
     Contrast {
         name: "a drop",
-        world: world.map(Coordinate::to_f64),
+        world: world.map(Lane::to_f64),
         stiffness: 1e4,
         mass: 1.0,
         duration: 10.0,
@@ -76,7 +76,7 @@ fn grazing() -> Contrast {
     let after = end.map_or_else(|| before.clone(), |end| end.bodies[0].kinetic_energy());
     Contrast {
         name: "grazing",
-        world: world.map(Coordinate::to_f64),
+        world: world.map(Lane::to_f64),
         stiffness: 1e4,
         mass: 1.0 / 3.0,
         duration: 0.1,

@@ -182,7 +182,7 @@ fn a_contact_slides_where_it_is_documented_to_by_the_processes_too() {
         for process in [Process::DimensionReduction, Process::Bilinear] {
             let elastic = Elastic { stiffness_ratio: stiffness_ratio.clone(), process };
             let limit: Rational = elastic.slides_up_to(&contact);
-            let limit = kane_scene::Coordinate::to_f64(&limit);
+            let limit = kane_number::Lane::to_f64(&limit);
             for share in [0.3, 0.7, 0.999] {
                 let alpha = share * limit;
                 let found = process.outcome(compliance, alpha).expect("it ends");

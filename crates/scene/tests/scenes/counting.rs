@@ -6,8 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUncapped};
 use kane_impact::{Contact, ImpactLaw, NoImpulse, Outcome, law, laws};
-use kane_measure::chart::System;
-use kane_number::{Comparison, Interval, Number, Ordered, Rational, Real};
+use kane_number::{Comparison, Interval, Lane, Number, Ordered, Rational, Real, System};
 use kane_scene::simulate::{Budget, Until, run};
 use kane_scene::{Coordinate, Model, NormalOnly, Resolver, model_names};
 
@@ -122,12 +121,12 @@ impl Real for Counted {
     }
 }
 
-impl Coordinate for Counted {
+impl Lane for Counted {
     const SYSTEM: System = System::F64;
 
     fn sqrt(&self) -> Option<Self> {
         count(3);
-        Coordinate::sqrt(&self.0).map(Self)
+        Lane::sqrt(&self.0).map(Self)
     }
 
     fn to_f64(&self) -> f64 {
@@ -137,7 +136,9 @@ impl Coordinate for Counted {
     fn exact(&self) -> Option<Rational> {
         self.0.exact()
     }
+}
 
+impl Coordinate for Counted {
     fn of_enclosure(enclosure: Interval) -> Option<Self> {
         f64::of_enclosure(enclosure).map(Self)
     }

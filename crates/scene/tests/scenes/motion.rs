@@ -3,9 +3,9 @@
 use kane_impact::Law;
 use kane_impact::bodies::{Collision, Motion, PlanarBody};
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
-use kane_number::{Interval, Rational};
+use kane_number::{Interval, Lane as _, Rational};
 use kane_scene::simulate::{Budget, Chain, ChainError, Ending, Stopped, Until, collide_chain, run};
-use kane_scene::{Coordinate as _, NormalOnly, Side, Wall, World};
+use kane_scene::{NormalOnly, Side, Wall, World};
 
 use crate::{above_floor, ball, energy, n, of};
 

@@ -1,0 +1,197 @@
+//! Gram matrices: squares of a basis times a product, and the equations between their entries.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use kane_kernel::{Fuel, Monomial, Poly};
+use num_traits::{One, Signed, Zero};
+
+use super::elimination::{Row, System};
+use super::{COLUMNS, Q, Question, ROWS, total_degree};
+
+/// A basis whose squares are multiplied by a product.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub(super) product: usize,
+    pub(super) basis: Vec<Poly>,
+}
+
+/// What is unknown: an entry of a Gram matrix, or a coefficient of a cofactor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    Entry { block: usize, row: usize, column: usize },
+    Cofactor { equation: usize, monomial: Monomial },
+}
+
+/// The unknowns of an identity.
+#[derive(Clone, Debug)]
+pub(super) struct Gram {
+    pub(super) blocks: Vec<Block>,
+    /// monomials that a cofactor may have, by equation
+    pub(super) cofactors: Vec<(usize, Monomial)>,
+    /// how many equations there are
+    pub(super) equations: usize,
+}
+
+impl Gram {
+    /// All monomials that the degrees leave; `None` if those are too many.
+    pub(super) fn of(question: &Question<'_>, fuel: &Fuel) -> Option<Self> {
+        let polys =
+            || [question.positive].into_iter().chain(question.products).chain(question.equations);
+        let vars: BTreeSet<usize> = polys().flat_map(Poly::vars).collect();
+        // No variable needs a higher power than it has somewhere, made even; and what the degree asked
+        // for has to spare.
+        let spare = polys().map(total_degree).max().unwrap_or(0).next_multiple_of(2);
+        let spare = question.degree.saturating_sub(spare);
+        let most = |v: usize| polys().map(|p| p.degree(v)).max().unwrap_or(0).next_multiple_of(2);
+        let most: Vec<(usize, u32)> = vars.iter().map(|&v| (v, most(v) + spare)).collect();
+        // Between forms each degree is an identity of its own: that of P is enough.
+        let forms = polys().all(is_form);
+        let exactly = forms.then(|| total_degree(question.positive));
+        let room = |p: &Poly| {
+            let left = |&(v, n): &(usize, u32)| (v, n.saturating_sub(p.degree(v)));
+            (
+                exactly.unwrap_or(question.degree).checked_sub(total_degree(p)),
+                most.iter().map(left).collect::<Vec<_>>(),
+            )
+        };
+        let mut blocks = Vec::new();
+        for (product, p) in question.products.iter().enumerate() {
+            let (Some(degree), room) = room(p) else { continue };
+            let halves: Vec<(usize, u32)> = room.iter().map(|&(v, n)| (v, n / 2)).collect();
+            if forms && degree % 2 == 1 {
+                continue;
+            }
+            let monomials = monomials(&halves, (degree / 2, forms), ROWS * 4)?;
+            let basis = monomials.into_iter().map(|m| Poly::term(m, One::one())).collect();
+            blocks.push(Block { product, basis });
+        }
+        let mut cofactors = Vec::new();
+        for (equation, p) in question.equations.iter().enumerate() {
+            let (Some(degree), room) = room(p) else { continue };
+            let monomials = monomials(&room, (degree, forms), COLUMNS)?;
+            cofactors.extend(monomials.into_iter().map(|m| (equation, m)));
+        }
+        let mut gram = Self { blocks, cofactors, equations: question.equations.len() };
+        // What can only be zero goes: Newton's polytope, as far as diagonals show it.
+        loop {
+            fuel.spend(1).ok()?;
+            let columns: usize =
+                gram.sizes().iter().map(|n| n * (n + 1) / 2).sum::<usize>() + gram.cofactors.len();
+            if columns > 4 * COLUMNS {
+                return None;
+            }
+            let system = gram.system(question, fuel)?;
+            let idle = idle(&system)?;
+            if idle.is_empty() {
+                return (columns <= COLUMNS).then_some(gram);
+            }
+            for (b, block) in gram.blocks.iter_mut().enumerate() {
+                let mut at = 0;
+                block.basis.retain(|_| {
+                    at += 1;
+                    !idle.contains(&(b, at - 1))
+                });
+            }
+            gram.blocks.retain(|block| !block.basis.is_empty());
+        }
+    }
+
+    /// The number of rows of each block.
+    pub(super) fn sizes(&self) -> Vec<usize> {
+        self.blocks.iter().map(|b| b.basis.len()).collect()
+    }
+
+    /// One equation for each monomial of the identity.
+    pub(super) fn system(&self, question: &Question<'_>, fuel: &Fuel) -> Option<System> {
+        let mut columns = Vec::new();
+        let mut rows: BTreeMap<Monomial, Row> = BTreeMap::new();
+        for (m, c) in question.positive.terms() {
+            rows.entry(m.to_vec()).or_default().value = Q::from(-c);
+        }
+        let mut add = |column: Column, p: &Poly| {
+            for (m, c) in p.terms() {
+                rows.entry(m.to_vec())
+                    .or_default()
+                    .entries
+                    .insert(columns.len(), Q::from(c.clone()));
+            }
+            columns.push(column);
+        };
+        for (b, block) in self.blocks.iter().enumerate() {
+            let product = &question.products[block.product];
+            for (i, p) in block.basis.iter().enumerate() {
+                let scaled = p.mul(product, fuel).ok()?;
+                for (j, q) in block.basis.iter().enumerate().skip(i) {
+                    let both = scaled.mul(q, fuel).ok()?;
+                    let both = if i == j { both } else { both.add(&both) };
+                    add(Column::Entry { block: b, row: i, column: j }, &both);
+                }
+            }
+        }
+        for (equation, m) in &self.cofactors {
+            let p = Poly::term(m.clone(), One::one());
+            let multiple = p.mul(&question.equations[*equation], fuel).ok()?;
+            add(Column::Cofactor { equation: *equation, monomial: m.clone() }, &multiple);
+        }
+        Some(System { columns, rows: rows.into_values().collect() })
+    }
+}
+
+/// Places of bases, as (block, row), whose squares have to vanish: they meet nothing that could
+/// cancel them. `None` if something cannot be cancelled at all.
+fn idle(system: &System) -> Option<BTreeSet<(usize, usize)>> {
+    let mut out = BTreeSet::new();
+    for row in &system.rows {
+        let square = |column: &usize| match system.columns[*column] {
+            Column::Entry { block, row, column } if row == column => Some((block, row)),
+            _ => None,
+        };
+        let Some(squares) = row.entries.keys().map(square).collect::<Option<Vec<_>>>() else {
+            continue;
+        };
+        let one_sign = |positive: bool| row.entries.values().all(|q| q.is_positive() == positive);
+        let (up, down) = (one_sign(true), one_sign(false));
+        if row.value.is_zero() && (up || down) {
+            out.extend(squares);
+        } else if (up && row.value.is_negative()) || (down && row.value.is_positive()) {
+            return None;
+        }
+    }
+    Some(out)
+}
+
+/// Whether all terms of a polynomial have the same degree.
+fn is_form(p: &Poly) -> bool {
+    let mut degrees = p.terms().map(|(m, _)| m.iter().map(|f| f.1).sum::<u32>());
+    let first = degrees.next();
+    degrees.all(|d| Some(d) == first)
+}
+
+/// All monomials within a degree, or of just that degree, and a degree for each variable; `None` if
+/// there are more than some.
+fn monomials(
+    most: &[(usize, u32)],
+    (degree, exactly): (u32, bool),
+    count: usize,
+) -> Option<Vec<Monomial>> {
+    let mut out: Vec<(Monomial, u32)> = vec![(Vec::new(), 0)];
+    for &(v, n) in most {
+        let mut next = Vec::new();
+        for (m, used) in &out {
+            for e in 0..=n.min(degree - used) {
+                let mut m = m.clone();
+                if e > 0 {
+                    m.push((v, e));
+                }
+                next.push((m, used + e));
+                if next.len() > count {
+                    return None;
+                }
+            }
+        }
+        out = next;
+    }
+    out.retain(|(_, used)| !exactly || *used == degree);
+    out.sort_by(|a, b| a.1.cmp(&b.1).then_with(|| a.0.cmp(&b.0)));
+    Some(out.into_iter().map(|(m, _)| m).collect())
+}

@@ -1,0 +1,91 @@
+//! Sums of squares: known ones are found, and what is found is an identity.
+
+use kane_algebra::squares::{Identity, Question, identity, total_degree};
+use kane_kernel::{Fuel, Poly};
+use num_bigint::BigInt;
+use num_traits::Signed;
+
+/// A polynomial in x0, x1, … as coefficients and exponents.
+fn poly(terms: &[(i64, &[u32])]) -> Poly {
+    Poly::sum(terms.iter().map(|(c, powers)| {
+        let monomial = powers.iter().enumerate().filter(|p| *p.1 > 0).map(|(v, n)| (v, *n));
+        (monomial.collect(), BigInt::from(*c))
+    }))
+}
+
+/// P + Σ squares · products + Σ cofactors · equations, which should be zero.
+fn total(question: &Question<'_>, found: &Identity) -> Poly {
+    let fuel = Fuel::new(u64::MAX);
+    let mut sum = question.positive.scale(&found.scale);
+    for s in &found.squares {
+        assert!(s.weight.is_positive());
+        let square = s.base.mul(&s.base, &fuel).expect("there is fuel");
+        let product = square.mul(&question.products[s.product], &fuel).expect("there is fuel");
+        sum.add_all(&product.scale(&s.weight));
+    }
+    for (cofactor, equation) in found.cofactors.iter().zip(question.equations) {
+        sum.add_all(&cofactor.mul(equation, &fuel).expect("there is fuel"));
+    }
+    sum
+}
+
+/// Whether a polynomial is found to be a sum of squares.
+fn is_found(p: &Poly) -> bool {
+    let positive = p.neg();
+    let products = [Poly::one()];
+    let degree = total_degree(p).next_multiple_of(2);
+    let question = Question { positive: &positive, products: &products, equations: &[], degree };
+    match identity(&question, &Fuel::new(1 << 32)) {
+        Some(found) => {
+            assert!(total(&question, &found).is_empty(), "{found:?}");
+            true
+        }
+        None => false,
+    }
+}
+
+#[test]
+fn squares_are_found_inside_the_cone_and_on_its_boundary() {
+    // (x + 2y)²
+    assert!(is_found(&poly(&[(1, &[2]), (4, &[1, 1]), (4, &[0, 2])])));
+    // x⁴ − 2x² + 3
+    assert!(is_found(&poly(&[(1, &[4]), (-2, &[2]), (3, &[])])));
+    // (x² − 2)²
+    assert!(is_found(&poly(&[(1, &[4]), (-4, &[2]), (4, &[])])));
+    // x⁴ + y⁴ + z⁴ + w⁴ − 4xyzw
+    let four =
+        [(1, &[4][..]), (1, &[0, 4]), (1, &[0, 0, 4]), (1, &[0, 0, 0, 4]), (-4, &[1, 1, 1, 1])];
+    assert!(is_found(&poly(&four)));
+    // 2x⁴ + 2x³y − x²y² + 5y⁴ (Parrilo 2000)
+    assert!(is_found(&poly(&[(2, &[4]), (2, &[3, 1]), (-1, &[2, 2]), (5, &[0, 4])])));
+}
+
+#[test]
+fn what_is_no_sum_of_squares_has_no_identity() {
+    // Motzkin's: not negative, and no sum of squares.
+    assert!(!is_found(&poly(&[(1, &[4, 2]), (1, &[2, 4]), (-3, &[2, 2]), (1, &[])])));
+    assert!(!is_found(&poly(&[(1, &[2]), (3, &[1, 1]), (1, &[0, 2])])));
+    assert!(!is_found(&poly(&[(-1, &[])])));
+}
+
+#[test]
+fn products_and_equations_serve() {
+    // x ≥ 0, y ≥ 0, −x − y > 0
+    let (x, y) = (Poly::var(0), Poly::var(1));
+    let positive = x.add(&y).neg();
+    let products = [Poly::one(), x.clone(), y.clone()];
+    let question = Question { positive: &positive, products: &products, equations: &[], degree: 2 };
+    let found = identity(&question, &Fuel::new(1 << 30)).expect("it is linear");
+    assert!(total(&question, &found).is_empty());
+    // x + y = 2, xy − 2 > 0
+    let positive = poly(&[(1, &[1, 1]), (-2, &[])]);
+    let equations = [poly(&[(1, &[1]), (1, &[0, 1]), (-2, &[])])];
+    let question = Question {
+        positive: &positive,
+        products: &products[..1],
+        equations: &equations,
+        degree: 2,
+    };
+    let found = identity(&question, &Fuel::new(1 << 30)).expect("(x − 1)² = −(y − 1)²");
+    assert!(total(&question, &found).is_empty());
+}

@@ -1,0 +1,127 @@
+//! Positivstellensatz: a positive product of atoms and squares times products of atoms, in sum zero.
+
+use kane_algebra::ring::common_sign;
+use kane_algebra::squares::{Identity, Question, identity, total_degree};
+use kane_kernel::{Fuel, Poly, Sign, State, Term};
+
+use super::search::Factors;
+use crate::argument::{Argument, Rules};
+
+/// Atoms with an order, beyond which their products are left out.
+const ATOMS: usize = 12;
+/// The largest degree of an identity.
+const DEGREE: u32 = 12;
+/// Positive products that are tried.
+const TARGETS: usize = 10;
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reach {
+    /// atoms alone, at the degree that they have
+    Atoms,
+    /// products of two atoms, too
+    Pairs,
+    /// those, and a higher degree
+    Higher,
+}
+
+/// A product of atoms, and its factors.
+#[derive(Clone, Debug)]
+struct Product {
+    factors: Factors,
+    poly: Poly,
+}
+
+/// A contradiction between the atoms of a state by squares.
+pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Option<Argument> {
+    let live = |sign: fn(Sign) -> bool| -> Vec<usize> {
+        let all = 0..state.atoms.len();
+        all.filter(|&i| sign(state.atoms[i].sign) && state.atoms[i].decided().is_none()).collect()
+    };
+    let ordered = live(|s| matches!(s, Sign::Positive | Sign::NonNegative));
+    let equations = live(|s| s == Sign::Zero);
+    let distinct = live(|s| s == Sign::NonZero);
+    let poly = |i: usize| state.atoms[i].poly.clone();
+    let one = Product { factors: Vec::new(), poly: Poly::one() };
+    let single = |i: usize| Product { factors: vec![(i, 1)], poly: poly(i) };
+    let pair = |i: usize, j: usize| -> Option<Product> {
+        let factors = if i == j { vec![(i, 2)] } else { vec![(i, 1), (j, 1)] };
+        Some(Product { factors, poly: poly(i).mul(&poly(j), fuel).ok()? })
+    };
+    let strict = |i: &usize| state.atoms[*i].sign == Sign::Positive;
+    let positive: Vec<usize> = ordered.iter().rev().copied().filter(|i| strict(i)).collect();
+    let helpful: Vec<usize> = ordered.iter().copied().filter(|&i| !is_sum(state, i)).collect();
+    let mut products: Vec<Product> = vec![one.clone()];
+    products.extend(helpful.iter().map(|&i| single(i)));
+    let mut targets: Vec<Product> = positive.iter().map(|&i| single(i)).collect();
+    targets.push(one);
+    if reach != Reach::Atoms {
+        if helpful.len() > ATOMS {
+            return None;
+        }
+        for (n, &i) in helpful.iter().enumerate() {
+            for &j in &helpful[..n] {
+                products.push(pair(j, i)?);
+            }
+        }
+        for (n, &i) in positive.iter().enumerate() {
+            for &j in &positive[n..] {
+                targets.push(pair(i.min(j), i.max(j))?);
+            }
+        }
+        for &i in &distinct {
+            targets.push(pair(i, i)?);
+        }
+    }
+    let premises = ordered.iter().chain(&equations).map(|&i| total_degree(&state.atoms[i].poly));
+    let most = premises.max().unwrap_or(0);
+    let equated: Vec<Poly> = equations.iter().map(|&i| poly(i)).collect();
+    for target in targets.into_iter().take(TARGETS) {
+        let more = if reach == Reach::Higher { 2 } else { 0 };
+        let degree = most.max(total_degree(&target.poly)).next_multiple_of(2) + more;
+        if degree > DEGREE {
+            continue;
+        }
+        let polys: Vec<Poly> = products.iter().map(|p| p.poly.clone()).collect();
+        let question =
+            Question { positive: &target.poly, products: &polys, equations: &equated, degree };
+        if let Some(found) = identity(&question, fuel) {
+            let proof = argument(&target, &products, &equations, found);
+            if state.closes(&proof).is_ok() {
+                return Some(proof);
+            }
+        }
+    }
+    None
+}
+
+/// Whether an atom says no more than that its variables are not negative, which other atoms say.
+fn is_sum(state: &State<'_, '_>, i: usize) -> bool {
+    let poly = &state.atoms[i].poly;
+    let stands = |v: usize| {
+        let mut others = state.atoms.iter().filter(|a| a.poly == Poly::var(v));
+        others.any(|a| matches!(a.sign, Sign::Positive | Sign::NonNegative))
+    };
+    poly.len() > 1 && common_sign(poly) == Some(true) && poly.vars().into_iter().all(stands)
+}
+
+/// The identity with indices of atoms.
+fn argument(
+    target: &Product,
+    products: &[Product],
+    equations: &[usize],
+    found: Identity,
+) -> Argument {
+    let positive =
+        Term { weight: found.scale, square: Poly::one(), factors: target.factors.clone() };
+    let squares = found.squares.into_iter().map(|s| Term {
+        weight: s.weight,
+        square: s.base,
+        factors: products[s.product].factors.clone(),
+    });
+    let cofactors = equations.iter().copied().zip(found.cofactors);
+    Argument::Positive {
+        terms: std::iter::once(positive).chain(squares).collect(),
+        cofactors: cofactors.filter(|(_, p)| !p.is_empty()).collect(),
+    }
+}
