@@ -2,11 +2,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kane_kernel::Fuel;
+use kane_kernel::{Fuel, Monomial};
 use num_traits::{One, Zero};
 
 use super::Q;
-use super::gram::Column;
+
+/// What is unknown: an entry of a Gram matrix, or a coefficient of a cofactor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    Entry { block: usize, row: usize, column: usize },
+    Cofactor { equation: usize, monomial: Monomial },
+}
 
 /// Σ entries · unknowns = value
 #[derive(Clone, Debug, Default)]

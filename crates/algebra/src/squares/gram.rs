@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use kane_kernel::{Fuel, Monomial, Poly};
 use num_traits::{One, Signed, Zero};
 
-use super::elimination::{Row, System};
+use super::elimination::{Column, Row, System};
 use super::{COLUMNS, Q, Question, ROWS, total_degree};
 
 /// A basis whose squares are multiplied by a product.
@@ -13,13 +13,6 @@ use super::{COLUMNS, Q, Question, ROWS, total_degree};
 pub(super) struct Block {
     pub(super) product: usize,
     pub(super) basis: Vec<Poly>,
-}
-
-/// What is unknown: an entry of a Gram matrix, or a coefficient of a cofactor.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Column {
-    Entry { block: usize, row: usize, column: usize },
-    Cofactor { equation: usize, monomial: Monomial },
 }
 
 /// The unknowns of an identity.

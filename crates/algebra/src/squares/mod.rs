@@ -108,7 +108,7 @@ fn whole(gram: &Gram, solution: &Solution, exact: &Exact) -> Identity {
     }
     let mut cofactors = vec![Vec::new(); gram.equations];
     for (column, value) in solution.columns.iter().zip(&exact.values) {
-        if let gram::Column::Cofactor { equation, monomial } = column {
+        if let elimination::Column::Cofactor { equation, monomial } = column {
             cofactors[*equation].push((monomial.clone(), value.clone()));
         }
     }

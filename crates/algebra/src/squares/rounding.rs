@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::elimination::Solution;
-use super::gram::{Block, Column, Gram};
+use super::elimination::{Column, Solution};
+use super::gram::{Block, Gram};
 use super::{Exact, Q, ldl};
 
 /// What became of a solution.
