@@ -156,7 +156,7 @@ pub struct Context {
 }
 
 /// What a statement says: its links hold wherever its `when` does.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Sentence {
     /// conditions, read left to right; empty for none
     pub when: Vec<Relation>,

@@ -103,10 +103,7 @@ fn of_constants(scope: &Scope<'_>, h: &Hypothesis, x: usize) -> Sentence {
     let s = &h.sentence;
     let links = if h.given { &[] } else { &s.links[..] };
     let whole = expressions(&s.when, links).all(|e| !depends(scope, e, x));
-    match whole {
-        true => s.only(free),
-        false => Sentence { when: Vec::new(), links: Vec::new() },
-    }
+    if whole { s.only(free) } else { Sentence::default() }
 }
 
 /// The givens, cited or behind, in whose range a germ on this side has to lie: those whose
