@@ -43,7 +43,7 @@ impl<N> Plain<N> {
     }
 }
 
-/// What [`Plain`] needs beyond a [`Number`]: the quotient and the root as the system gives them.
+/// What [`Plain`] needs beyond a [`Number`](kane_number::Number): the quotient and the root as the system gives them.
 pub trait PlainNumber: Ordered {
     /// a / b; floats give ±∞ or NaN at b = 0, exact systems nothing.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
