@@ -143,7 +143,8 @@ fn what_does_not_fit_a_budget_says_so() {
         let text = format!("```kane\n{statements}\n```\n");
         let document = read("hard.md", text.as_bytes()).expect("it can be read");
         let audit = audit(document, &Options::default(), &mut |_, _| {});
-        audit.judgements.last().map(|j| j.links[0].reason.clone()).unwrap_or_default()
+        let open = audit.judgements.last().and_then(|j| j.links[0].open.clone());
+        open.map(|why| why.to_string()).unwrap_or_default()
     };
     let parts: Vec<String> = (1..=20).map(|i| format!("abs(x{i})")).collect();
     let cases = reason(&format!("var {}\nclaim c: {} >= 0", symbols(20), parts.join(" + ")));

@@ -132,8 +132,8 @@ fn one_variable_is_decided_as_an_independent_procedure_decides() {
             Truth::True => Finding::Proved,
         };
         if verdict != Some(wanted) {
-            let reason = &found.reason;
-            wrong.push(format!("{truth:?}, but {verdict:?} ({reason}):\n{}", shown(&goal)));
+            let open = &found.open;
+            wrong.push(format!("{truth:?}, but {verdict:?} ({open:?}):\n{}", shown(&goal)));
         }
     }
     println!(

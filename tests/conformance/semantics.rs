@@ -42,7 +42,11 @@ fn every_rule_of_the_language_has_a_document_that_ends_as_it_says() {
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
             claims += usize::from(!judgement.links.is_empty());
             if !judgement.as_expected() {
-                let reasons: Vec<&str> = judgement.links.iter().map(|l| &l.reason[..]).collect();
+                let reasons: Vec<String> = judgement
+                    .links
+                    .iter()
+                    .map(|l| format!("{:?}", (l.reason(), &l.open)))
+                    .collect();
                 surprises.push(format!(
                     "{name}: {} is {}: {}",
                     statement.label,

@@ -1,7 +1,17 @@
 //! An audit whose judgements are made by hand, with every verdict in it. Reports are tested on it, so that a change
 //! of the prover does not change their snapshots.
 
-use kane::audit::{Audit, Judgement, LinkJudgement, Step, Verdict};
+use std::rc::Rc;
+
+use kane::audit::{
+    Accepted, Assignment, Audit, Body, Comparison, Content, Document, Judgement, LinkJudgement,
+    Means, Open, Proof, Reason, Source, Step, Value, Variable, Verdict,
+};
+use kane::kernel::{
+    Atom, Certificate, Conclusion, Evidence, Expr, Finding, Goal, Link, Model, Point, Poly, Rel,
+    Relation, Sign,
+};
+use kane::number::Rational;
 
 const TEXT: &str = "\
 # A sphere meets a wall
@@ -30,50 +40,50 @@ claim μ-lim: k -> -1 as alpha -> oo  from (16)
 /// A judged document with every verdict, expected and not.
 pub(crate) fn audit() -> Audit {
     let document = kane::audit::read("wall.md", TEXT.as_bytes()).expect("the text is well formed");
-    let judgements =
-        document.statements.iter().map(|statement| judgement(&statement.label)).collect();
+    let judgements = document
+        .statements
+        .iter()
+        .map(|statement| judgement(&document, &statement.label))
+        .collect();
     Audit { document, judgements }
 }
 
 /// What the prover could have said of the statement.
-fn judgement(label: &str) -> Judgement {
+fn judgement(document: &Document, label: &str) -> Judgement {
     use Verdict::{Assumed, Defined, IllDefined, Proved, Refuted, Undecided, Unsupported, Vacuous};
-    let one = |verdict, text: &str| judged(verdict, vec![link(text, verdict)]);
+    let link = |verdict, number| link(document, label, number, verdict);
+    let one = |verdict| judged(verdict, vec![link(verdict, 0)]);
     let expected =
         |judgement: Judgement| Judgement { expect: Some(judgement.verdict), ..judgement };
-    let at = |pairs: &[(&str, &str)]| {
-        Some(pairs.iter().map(|&(name, value)| (name.to_owned(), value.to_owned())).collect())
-    };
+    let at = |values: &[(usize, Rational)]| Some(Rc::new(met(document, values)));
     match label {
         "k_W" => judged(Defined, vec![]),
         "(2)" | "dom" => judged(Assumed, vec![]),
         "(1)" => Judgement {
             rests_on: vec![1],
-            model: at(&[("m", "1"), ("v_y0", "-1/2")]),
-            ..expected(one(Refuted, "m*(v_y - v_y0) = I_y"))
+            met: at(&[(M, ratio(1, 1)), (V_Y0, ratio(-1, 2))]),
+            ..expected(one(Refuted))
         },
-        "(16)" => Judgement {
-            rests_on: vec![1, 2],
-            model: at(&[("alpha", "1")]),
-            ..one(Proved, "k = (1 - alpha)/(1 + alpha)")
-        },
+        "(16)" => {
+            Judgement { rests_on: vec![1, 2], met: at(&[(ALPHA, ratio(1, 1))]), ..one(Proved) }
+        }
         "range" => Judgement {
             rests_on: vec![1, 2],
-            ..judged(Proved, vec![link("-1 < k", Proved), link("k < 1", Proved)])
+            ..judged(Proved, vec![link(Proved, 0), link(Proved, 1)])
         },
-        "wrong" => one(Refuted, "k > 1"),
-        "half" => expected(judged(Refuted, vec![link("k = 1/2", Refuted), link("k < 1", Proved)])),
+        "wrong" => one(Refuted),
+        "half" => expected(judged(Refuted, vec![link(Refuted, 0), link(Proved, 1)])),
         "lost" => Judgement {
             conditional: Proved,
             unproved: vec![6],
             rests_on: vec![2],
-            ..judged(Unsupported, vec![link("k >= mu*abs(v_x)", Proved)])
+            ..judged(Unsupported, vec![link(Proved, 0)])
         },
-        "empty" => expected(one(Refuted, "contradiction")),
-        "nothing" => expected(one(Vacuous, "r_0/r_0*m = m")),
-        "pole" => Judgement { model: at(&[]), ..expected(one(IllDefined, "m/(k - 1) > 0")) },
-        "open" => one(Undecided, "m^4 + mu^4 > m*mu - 1"),
-        "μ-lim" => Judgement { model: at(&[]), ..one(Proved, "k -> -1 as alpha -> oo") },
+        "empty" => expected(one(Refuted)),
+        "nothing" => expected(one(Vacuous)),
+        "pole" => Judgement { met: at(&[]), ..expected(one(IllDefined)) },
+        "open" => one(Undecided),
+        "μ-lim" => Judgement { met: at(&[]), ..one(Proved) },
         other => unreachable!("no judgement of {other} was made up"),
     }
 }
@@ -85,41 +95,155 @@ fn judged(verdict: Verdict, links: Vec<LinkJudgement>) -> Judgement {
         links,
         unproved: vec![],
         rests_on: vec![],
-        model: None,
+        hypotheses: vec![1],
         met: None,
         expect: None,
     }
 }
 
-/// A link with a reason, a certificate and steps that fit its verdict.
-fn link(text: &str, verdict: Verdict) -> LinkJudgement {
-    let step = |depth, text: &str| Step { depth, text: text.to_owned() };
-    let (reason, steps) = match verdict {
-        Verdict::Proved => (
-            "an identity after substitution of (2)",
-            vec![
-                step(0, "from (2): I_x = m*(v_x0 - v_x)"),
-                step(1, "so both sides are equal:\n0 = 0"),
-            ],
-        ),
-        Verdict::Refuted => (
-            "at m = 1, v_y0 = -1/2 the sides are -1/2 and 3/2",
-            vec![step(0, "m = 1, v_y0 = -1/2"), step(0, "left -1/2, right 3/2")],
-        ),
-        Verdict::IllDefined => ("at k = 1 the denominator k - 1 is zero", vec![]),
-        Verdict::Vacuous => ("(2) and `when` contradict each other: 0 = 1 + m^2", vec![]),
-        _ => ("no proof of degree <= 4 and no witness within 10000 steps", vec![]),
+/// Symbols of the document.
+const M: usize = 0;
+const ALPHA: usize = 3;
+const K: usize = 4;
+const V_X: usize = 5;
+const V_X0: usize = 7;
+const V_Y0: usize = 8;
+const I_X: usize = 9;
+
+fn ratio(n: i64, d: i64) -> Rational {
+    Rational::new(n.into(), d.into())
+}
+
+/// A goal of the document without hypotheses.
+fn goal(document: &Document, when: Vec<Relation>, conclusion: Conclusion) -> Goal {
+    let (context, hypotheses, behind) = (document.context.clone(), Vec::new(), Vec::new());
+    Goal { context, hypotheses, behind, when, conclusion }
+}
+
+fn accepted(goal: Goal, finding: Finding, evidence: Evidence) -> Accepted {
+    Accepted { goal, certificate: Certificate { goal: 0, finding, evidence } }
+}
+
+/// A point at which hypotheses hold that say nothing but this.
+fn met(document: &Document, values: &[(usize, Rational)]) -> Accepted {
+    let says = |(v, q): &(usize, Rational)| Relation {
+        lhs: Expr::Var(*v),
+        rel: Rel::Eq,
+        rhs: Expr::Num(q.clone()),
     };
+    let when = values.iter().map(says).collect();
+    let values = values.iter().map(|(v, q)| (*v, vec![q.clone()])).collect();
+    let point = Model::Point(Point { generator: None, values });
+    let goal = goal(document, when, Conclusion::Contradiction);
+    accepted(goal, Finding::Consistent, Evidence::Model(point))
+}
+
+/// A link with a reason, a certificate and steps that fit its verdict.
+fn link(document: &Document, label: &str, number: usize, verdict: Verdict) -> LinkJudgement {
+    let finding = match verdict {
+        Verdict::Refuted => Finding::Refuted,
+        Verdict::IllDefined => Finding::IllDefined,
+        Verdict::Vacuous => Finding::Vacuous,
+        _ => Finding::Proved,
+    };
+    let statement = document.statements.iter().find(|s| s.label == label).expect("it is there");
+    let Body::Claim(claim) = &statement.body else { unreachable!("links are those of claims") };
+    let conclusion = match &claim.content {
+        Content::Links(links) => Conclusion::Link(links[number].0.clone()),
+        _ => Conclusion::Contradiction,
+    };
+    let goal = goal(document, claim.when.clone(), conclusion);
+    let told = explanation(&goal, finding);
+    let decided = verdict != Verdict::Undecided;
     LinkJudgement {
-        text: text.to_owned(),
-        latex: text.replace("alpha", "\\alpha").replace('*', " "),
         verdict,
-        reason: reason.to_owned(),
-        certificate: (verdict != Verdict::Undecided)
-            .then(|| "0123456789abcdef0123456789abcdef".to_owned()),
+        certificate: decided.then(|| "0123456789abcdef0123456789abcdef".to_owned()),
         used: if verdict == Verdict::Proved { vec![1] } else { vec![] },
-        steps: steps.into(),
         cost: 12,
-        accepted: None,
+        accepted: decided.then(|| Rc::new(accepted(goal, finding, Evidence::Limit(Vec::new())))),
+        explanation: if decided { told.into() } else { kane::audit::Explanation::default() },
+        behind: None,
+        open: (!decided).then_some(Open::Steps(10_000)),
+        unreached: None,
     }
+}
+
+fn explanation(goal: &Goal, finding: Finding) -> (Reason, Proof) {
+    let means = |substituted| Means {
+        finding,
+        limits: false,
+        substituted,
+        tables: Vec::new(),
+        sums: finding == Finding::Vacuous,
+        signs: false,
+    };
+    let at = |symbol, value| Assignment { symbol, value: Value::Number(value) };
+    let (reason, step) = match finding {
+        Finding::Proved => {
+            (Reason::Contradiction(means(vec![Variable::Symbol(I_X)])), contradiction())
+        }
+        Finding::Vacuous => (Reason::Contradiction(means(Vec::new())), squares()),
+        Finding::IllDefined => {
+            let Some(Link::Relation(pole)) = goal.conclusion.links().first() else {
+                unreachable!("what has no meaning is a relation")
+            };
+            let why = kane::algebra::syntax::NoValue::DivisionByZero;
+            let (values, claim) =
+                (vec![at(K, ratio(1, 1))], Comparison::Undefined(pole.clone(), why));
+            let sides = vec![(None, claim.clone())];
+            (
+                Reason::Point { values: values.clone(), claim: Some(claim) },
+                Step::Point { values, sides },
+            )
+        }
+        Finding::Refuted | Finding::Consistent => {
+            let values = vec![at(M, ratio(1, 1)), at(V_Y0, ratio(-1, 2))];
+            let claim = Comparison::Sides(Ok(ratio(-1, 2)), Ok(ratio(3, 2)));
+            let premise = Comparison::Sides(Ok(ratio(0, 1)), Ok(ratio(0, 1)));
+            let sides = vec![(Some(0), premise), (None, claim.clone())];
+            (
+                Reason::Point { values: values.clone(), claim: Some(claim) },
+                Step::Point { values, sides },
+            )
+        }
+    };
+    let variables = (0..goal.context.vars.len()).map(Variable::Symbol).collect();
+    (reason, Proof { variables, steps: vec![step] })
+}
+
+/// A proof with a substitution and two cases.
+fn contradiction() -> Step {
+    // I_x + m*v_x - m*v_x0 = 0
+    let product = |a: usize, b: usize, c: i64| Poly::term(vec![(a, 1), (b, 1)], c.into());
+    let speeds = product(M, V_X0, 1).add(&product(M, V_X, -1));
+    let premise = Poly::var(I_X).sub(&speeds);
+    let square = Poly::power(K, 2);
+    Step::Suppose {
+        hypotheses_alone: false,
+        then: vec![
+            Step::Assume {
+                source: Source::Hypothesis(0),
+                atoms: vec![Atom::new(premise, Sign::Zero)],
+            },
+            Step::Substitute { variable: I_X, value: (speeds, Poly::one()), leaves: Vec::new() },
+            Step::Cases {
+                source: Source::Failure,
+                cases: vec![
+                    (
+                        vec![Atom::new(Poly::var(K).sub(&Poly::one()), Sign::Positive)],
+                        vec![Step::Absurd(Atom::new(Poly::one().neg(), Sign::NonNegative))],
+                    ),
+                    (vec![Atom::new(square.neg(), Sign::Positive)], vec![squares()]),
+                ],
+            },
+        ],
+    }
+}
+
+/// A sum of squares that vanishes.
+fn squares() -> Step {
+    let one = kane::audit::Summand { weight: 1.into(), square: Poly::one(), factors: Vec::new() };
+    let square = kane::audit::Summand { square: Poly::var(M), weight: 2.into(), ..one.clone() };
+    let minus = Poly::one().add(&Poly::power(M, 2).scale(&2.into())).neg();
+    Step::Positive { terms: vec![one, square], multiples: vec![(Poly::one(), minus)] }
 }

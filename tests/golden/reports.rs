@@ -105,7 +105,8 @@ fn the_page_and_the_appendix_of_the_paper_hold_all_that_the_report_holds() {
     let statements = audit.document.statements.len();
 
     let page = html(&report);
-    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+    // a fifth of it is pictures; a term of a proof takes twice the bytes in MathML that it takes as letters
+    assert!(page.len() < 1_200_000, "{} bytes", page.len());
     assert_eq!(page, html(&report), "the same in every run");
     assert_eq!(page.matches("<article").count(), statements);
     assert!(!page.contains("class=\"tex\""), "every formula is converted");

@@ -78,7 +78,7 @@ fn follows(
         conclusion: Conclusion::Link(Link::Relation(conclusion)),
     };
     // an empty regime is proved by the contradiction of its guards
-    prove_goal(&goal, Budget::default()).map(|_| ())
+    prove_goal(&goal, Budget::default()).map(|_| ()).map_err(|open| open.to_string())
 }
 
 /// All ways in which the regimes up to this one are passed over: of each, one guard fails.

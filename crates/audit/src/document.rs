@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use kane_algebra::syntax::Notation as _;
 use kane_kernel::{Context, Expr, Sentence};
 use sha2::{Digest as _, Sha256};
 
@@ -32,8 +33,35 @@ pub struct Statement {
     pub body: Body,
     /// byte range in [`Document::text`]
     pub span: Range<usize>,
+    /// the byte ranges of its parts
+    pub parts: Parts,
     /// line of its first character, from 1
     pub line: usize,
+}
+
+/// Where the parts of a statement stand in [`Document::text`]; each clause begins with its keyword.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// the label; the name of a `let` without one
+    pub label: Range<usize>,
+    /// what is defined, assumed or claimed, without its conditions
+    pub content: Range<usize>,
+    /// `when …`
+    pub when: Option<Range<usize>>,
+    /// `from …`
+    pub from: Option<Range<usize>>,
+    /// `by …`
+    pub by: Option<Range<usize>>,
+    /// `expect …`
+    pub expect: Option<Range<usize>>,
+}
+
+impl Parts {
+    /// The content with its conditions.
+    #[must_use]
+    pub fn saying(&self) -> Range<usize> {
+        self.content.start..self.when.as_ref().map_or(self.content.end, |when| when.end)
+    }
 }
 
 /// What a statement says.
@@ -89,5 +117,31 @@ impl Document {
     #[must_use]
     pub fn source(&self, statement: &Statement) -> &str {
         self.text.get(statement.span.clone()).unwrap_or_default()
+    }
+
+    /// A link of a claim in the notation of documents; empty if there is none.
+    #[must_use]
+    pub fn link(&self, statement: usize, link: usize) -> String {
+        let Some(Body::Claim(claim)) = self.statements.get(statement).map(|s| &s.body) else {
+            return String::new();
+        };
+        match &claim.content {
+            Content::Links(links) => {
+                links.get(link).map_or_else(String::new, |(link, _)| link.plain(&self.context))
+            }
+            Content::Contradiction => "contradiction".to_owned(),
+            Content::NotImplied(denied) => {
+                let denied = self.statements.get(*denied).map_or("", |s| &s.label);
+                format!("not implied {denied}")
+            }
+        }
+    }
+
+    /// A part of a statement on one line, without comments.
+    #[must_use]
+    pub fn on_one_line(&self, part: Range<usize>) -> String {
+        let lines = self.text.get(part).unwrap_or_default().lines();
+        let code = lines.map(|line| line.split('#').next().unwrap_or_default());
+        code.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ")
     }
 }

@@ -6,7 +6,7 @@ use kane_kernel::{
 
 use crate::argument::Grounds;
 use crate::prove::{Budget, Decided, Prover};
-use crate::{Step, explain};
+use crate::{Open, Proof, Reason, explain};
 
 /// The certificates that the kernel accepted for a goal.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub struct Findings {
     /// a model of the hypotheses
     pub model: Option<Certificate>,
     /// why nothing decides
-    pub reason: String,
+    pub open: Option<Open>,
 }
 
 /// Judges a goal on its own; `by` proposes values or functions for a witness. Nothing is returned
@@ -33,19 +33,19 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
         evidence: Evidence::Model(m),
     };
     let decided = found.decided.map(|d| d.certificate);
-    Findings { decided, model: found.model.map(model), reason: found.reason }
+    Findings { decided, model: found.model.map(model), open: found.open }
 }
 
 /// Looks for a proof of a goal alone, not for witnesses: what the kernel accepted.
 ///
 /// # Errors
-/// Why there is none, in words.
-pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, String> {
+/// Why there is none.
+pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, Open> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
     let prover = Prover { budget, by: &[], earlier: &earlier, cited, resting: goal };
     let found = prover.prove(goal);
-    found.decided.ok_or(found.reason)
+    found.decided.ok_or(found.open.unwrap_or(Open::NoProof(budget.steps)))
 }
 
 /// That a goal is refuted at a point, if the kernel accepts it.
@@ -71,15 +71,15 @@ pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Decided> {
 }
 
 impl Decided {
-    /// The proof or the witness in one sentence. The goal is the one that was decided.
+    /// The proof or the witness in outline. The goal is the one that was decided.
     #[must_use]
-    pub fn reason(&self, goal: &Goal) -> String {
+    pub fn reason(&self, goal: &Goal) -> Reason {
         explain::reason(goal, self.certificate.finding, &self.grounds)
     }
 
-    /// The proof or the witness step by step; the labels are names of the goal's hypotheses.
+    /// The proof or the witness step by step.
     #[must_use]
-    pub fn steps(&self, goal: &Goal, labels: &[&str]) -> Vec<Step> {
-        explain::steps(goal, self.certificate.finding, &self.grounds, labels)
+    pub fn steps(&self, goal: &Goal) -> Proof {
+        explain::steps(goal, self.certificate.finding, &self.grounds)
     }
 }

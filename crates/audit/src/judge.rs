@@ -3,16 +3,15 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use kane_algebra::syntax::{Notation, moving};
 use kane_kernel::{
     Conclusion, Context, Definition, Evidence, Expr, Finding, Goal, Hypothesis, Link, Model,
     Sentence, Side, Target,
 };
 
-use crate::explain;
 use crate::prove::{Budget, Decided, Prover, Verdicts};
 use crate::{
-    Accepted, Audit, Body, Claim, Content, Document, Judgement, LinkJudgement, Steps, Verdict,
+    Accepted, Audit, Behind, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement,
+    Unreached, Verdict, explain,
 };
 
 /// What to judge, and with how much effort.
@@ -76,7 +75,7 @@ fn plain_verdict(verdict: Verdict, rests_on: Vec<usize>) -> Judgement {
         links: Vec::new(),
         unproved: Vec::new(),
         rests_on,
-        model: None,
+        hypotheses: Vec::new(),
         met: None,
         expect: None,
     }
@@ -198,31 +197,17 @@ fn judge(
         behind.retain(|h| !h.sentence.links.iter().any(|l| matches!(l, Link::Limit(_))));
     }
 
-    let conclusions: Vec<(Conclusion, String, String)> = match &claim.content {
-        Content::Links(links) => links
-            .iter()
-            .map(|(l, _)| {
-                let text = l.plain(&document.context);
-                (Conclusion::Link(l.clone()), text, l.latex(&document.context))
-            })
-            .collect(),
-        Content::Contradiction => {
-            let text = "contradiction".to_string();
-            vec![(Conclusion::Contradiction, text.clone(), format!("\\text{{{text}}}"))]
+    let conclusions: Vec<Conclusion> = match &claim.content {
+        Content::Links(links) => links.iter().map(|(l, _)| Conclusion::Link(l.clone())).collect(),
+        Content::Contradiction => vec![Conclusion::Contradiction],
+        Content::NotImplied(m) => {
+            let sentence = hypothesis(document, *m).map(|h| h.sentence);
+            sentence.map(Conclusion::NotImplied).into_iter().collect()
         }
-        Content::NotImplied(m) => match premise_sentence(document, *m) {
-            Some(sentence) => {
-                let label = &document.statements[*m].label;
-                let text = format!("not implied {label}");
-                let latex = format!("\\text{{not implied }}{label}");
-                vec![(Conclusion::NotImplied(sentence), text, latex)]
-            }
-            None => Vec::new(),
-        },
     };
     let mut links = Vec::new();
-    let (mut model, mut met, mut vacuous) = (None, None, false);
-    for (conclusion, text, latex) in conclusions {
+    let (mut met, mut vacuous) = (None, false);
+    for conclusion in conclusions {
         let along = hypotheses.iter().map(|h| &h.sentence.links[..]).chain([conclusion.links()]);
         let limits = along.flatten().any(|l| matches!(l, Link::Limit(_)));
         let mut goal = Goal {
@@ -246,16 +231,15 @@ fn judge(
             resting: &resting,
         };
         // The hypotheses are the same for all links: whether they can hold is found once.
-        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
-        if let Some((side, given)) = &found.unreached {
-            found.reason = unreached(document, claim, done, side, given);
-        }
+        let found = prover.judge(&goal, links.is_empty() || vacuous);
+        let unreached = found.unreached.as_ref();
+        let unreached =
+            unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
         vacuous |= matches!(&found.decided, Some(d) if d.certificate.finding == Finding::Vacuous);
-        if model.is_none() {
-            model = found.model.as_ref().map(|m| explain::model(&goal, m));
+        if met.is_none() {
             met = found.model.as_ref().map(|m| Rc::new(accepted_model(&goal, m)));
         }
-        links.push(link_judgement(document, &goal, &resting, &cited, found, text, latex));
+        links.push(LinkJudgement { unreached, ..link_judgement(&goal, &resting, &cited, found) });
     }
     let worst = links.iter().map(|l| rank(l.verdict)).max().map_or(Verdict::Undecided, |r| r.1);
     Judgement {
@@ -264,23 +248,21 @@ fn judge(
         links,
         unproved,
         rests_on,
-        model,
+        hypotheses: cited,
         met,
         expect: claim.expect,
     }
 }
 
 /// That a given was not shown to hold near a limit, and through which citation a claim rests on it.
-fn unreached(
+fn unreached_by(
     document: &Document,
     claim: &Claim,
     done: &[Judgement],
     side: &Side,
     given: &Sentence,
-) -> String {
-    let label = |i: usize| &document.statements[i].label;
+) -> Unreached {
     let is_it = |i: &usize| matches!(&document.statements[*i].body, Body::Given(s) if s == given);
-    let near = moving(side.var, &side.approach(), &document.context);
     let cited = claim.from.iter().copied();
     let (through, given) = match cited.clone().find(is_it) {
         Some(given) => (None, Some(given)),
@@ -290,17 +272,7 @@ fn unreached(
             (through, through.and_then(|i| done[i].rests_on.iter().copied().find(is_it)))
         }
     };
-    match (through, given) {
-        (Some(through), Some(given)) => format!(
-            "{} rests on {}, which was not shown to be able to hold as {near}",
-            label(through),
-            label(given)
-        ),
-        (None, Some(given)) => {
-            format!("{} was not shown to be able to hold as {near}", label(given))
-        }
-        (_, None) => format!("a premise was not shown to be able to hold as {near}"),
-    }
+    Unreached { given, through, var: side.var, at: side.approach() }
 }
 
 /// A model of a goal's hypotheses, as the kernel accepted it.
@@ -310,10 +282,6 @@ fn accepted_model(goal: &Goal, model: &Model) -> Accepted {
     let certificate =
         kane_kernel::Certificate { goal: digest, finding: Finding::Consistent, evidence };
     Accepted { goal: goal.clone(), certificate }
-}
-
-fn premise_sentence(document: &Document, i: usize) -> Option<Sentence> {
-    hypothesis(document, i).map(|h| h.sentence)
 }
 
 /// Worse is larger.
@@ -328,15 +296,7 @@ fn rank(v: Verdict) -> (u8, Verdict) {
     (rank, v)
 }
 
-fn link_judgement(
-    document: &Document,
-    goal: &Goal,
-    resting: &Goal,
-    cited: &[usize],
-    found: Verdicts,
-    text: String,
-    latex: String,
-) -> LinkJudgement {
+fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts) -> LinkJudgement {
     let verdict = match found.decided.as_ref().map(|d| d.certificate.finding) {
         Some(Finding::Proved) => Verdict::Proved,
         Some(Finding::Refuted) => Verdict::Refuted,
@@ -344,61 +304,46 @@ fn link_judgement(
         Some(Finding::Vacuous) => Verdict::Vacuous,
         Some(Finding::Consistent) | None => Verdict::Undecided,
     };
-    let decided = found.decided.map(|Decided { certificate, grounds }| {
-        let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
-        let mut reason = explain::reason(whose, certificate.finding, &grounds);
-        if !found.behind_met {
-            reason.push_str(about_what_stands_behind(goal, resting, &certificate));
-        }
-        let used = explain::used(whose, &grounds, cited.len());
-        let used: Vec<usize> = used.into_iter().filter_map(|i| cited.get(i).copied()).collect();
-        let accepted = Rc::new(Accepted { goal: whose.clone(), certificate });
-        let labels = cited.iter().map(|&i| document.statements[i].label.to_string()).collect();
-        let steps = Steps::of(Rc::clone(&accepted), grounds, labels);
-        (reason, used, steps, accepted)
-    });
-    let (reason, used, steps, accepted) = match decided {
-        Some((reason, used, steps, accepted)) => (reason, used, steps, Some(accepted)),
-        None => (found.reason, Vec::new(), Vec::new().into(), None),
-    };
-    LinkJudgement {
-        text,
-        latex,
+    let undecided = LinkJudgement {
         verdict,
-        reason,
-        certificate: accepted
-            .as_ref()
-            .map(|a| format!("{:032x}", kane_kernel::digest(&a.certificate))),
-        used,
-        steps,
+        certificate: None,
+        used: Vec::new(),
         cost: found.cost,
-        accepted,
+        accepted: None,
+        explanation: Explanation::default(),
+        behind: None,
+        open: None,
+        unreached: None,
+    };
+    let Some(Decided { certificate, grounds }) = found.decided else {
+        return LinkJudgement { open: found.open, ..undecided };
+    };
+    let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
+    let used = explain::used(whose, &grounds, cited.len());
+    let behind = (!found.behind_met).then(|| behind(goal, resting, &certificate)).flatten();
+    LinkJudgement {
+        certificate: Some(format!("{:032x}", kane_kernel::digest(&certificate))),
+        used: used.into_iter().filter_map(|i| cited.get(i).copied()).collect(),
+        accepted: Some(Rc::new(Accepted { goal: whose.clone(), certificate })),
+        explanation: Explanation::of(grounds),
+        behind,
+        ..undecided
     }
 }
 
 /// What is to be said of a witness and the givens behind what is cited, if anything.
-fn about_what_stands_behind(
-    goal: &Goal,
-    resting: &Goal,
-    certificate: &kane_kernel::Certificate,
-) -> &'static str {
+fn behind(goal: &Goal, resting: &Goal, certificate: &kane_kernel::Certificate) -> Option<Behind> {
     if goal.hypotheses.len() == resting.hypotheses.len() {
-        return "";
+        return None;
     }
     match &certificate.evidence {
         Evidence::Model(Model::Point(_)) => {
             let goal = kane_kernel::digest(resting);
             let again = kane_kernel::Certificate { goal, ..certificate.clone() };
-            match kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000)) {
-                Ok(()) => "",
-                Err(_) => {
-                    " (it does not follow from what is cited; the givens behind it are not all met there)"
-                }
-            }
+            let met = kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000));
+            met.is_err().then_some(Behind::NotMet)
         }
-        Evidence::Model(Model::Functions(_)) => {
-            " (it does not follow from what is cited; whether these meet the givens behind it was not shown)"
-        }
-        Evidence::Contradiction(_) | Evidence::Limit(_) => "",
+        Evidence::Model(Model::Functions(_)) => Some(Behind::NotShown),
+        Evidence::Contradiction(_) | Evidence::Limit(_) => None,
     }
 }

@@ -3,10 +3,10 @@
 use std::fmt;
 use std::rc::Rc;
 
-use kane_kernel::{Certificate, Goal};
+use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
-use crate::explain;
+use crate::{Assignment, Behind, Open, Proof, Reason, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -66,9 +66,10 @@ pub struct Judgement {
     pub unproved: Vec<usize>,
     /// indices of the `given`s on which it finally rests, ascending
     pub rests_on: Vec<usize>,
-    /// a point or functions at which all hypotheses hold: `name = value` pairs; `None` where none was found
-    pub model: Option<Vec<(String, String)>>,
-    /// the same as the kernel accepted it, for those who hand it to another judge
+    /// indices of the cited statements that say something, in the order of the goals' hypotheses
+    pub hypotheses: Vec<usize>,
+    /// a point or functions at which all hypotheses hold, as the kernel accepted it; `None` where none
+    /// was found
     pub met: Option<Rc<Accepted>>,
     /// the author's expectation, if written
     pub expect: Option<Verdict>,
@@ -77,25 +78,25 @@ pub struct Judgement {
 /// The judgement of one link of a claim.
 #[derive(Clone, Debug)]
 pub struct LinkJudgement {
-    /// the link in plain notation
-    pub text: String,
-    /// the link in LaTeX
-    pub latex: String,
     /// verdict of this link, cited claims taken as proved
     pub verdict: Verdict,
-    /// one sentence: how it was proved, the witness, or why undecided
-    pub reason: String,
     /// digest of the accepted certificate, 32 hexadecimal digits; `None` when undecided
     pub certificate: Option<String>,
     /// cited statements that the proof actually used, as indices
     pub used: Vec<usize>,
-    /// the proof or witness step by step, for a person with paper
-    pub steps: Steps,
     /// search steps spent
     pub cost: u64,
     /// the goal that the kernel was asked about and the certificate that it accepted, for those who
     /// hand both to another judge; `None` when undecided
     pub accepted: Option<Rc<Accepted>>,
+    /// what can be told of what was accepted
+    pub explanation: Explanation,
+    /// what is to be said of a witness beyond what is cited
+    pub behind: Option<Behind>,
+    /// why the search ended, when undecided
+    pub open: Option<Open>,
+    /// a given that was not shown to hold near a limit, which left it undecided
+    pub unreached: Option<Unreached>,
 }
 
 /// A goal and the certificate that the kernel accepted for it.
@@ -107,52 +108,69 @@ pub struct Accepted {
     pub certificate: Certificate,
 }
 
-/// The steps of a proof or witness. They are made when something shows them.
-#[derive(Clone, Debug)]
-pub struct Steps(Source);
-
-#[derive(Clone, Debug)]
-enum Source {
-    Told(Vec<Step>),
-    Found { accepted: Rc<Accepted>, grounds: Rc<Grounds>, labels: Vec<String> },
-}
-
-impl Steps {
-    /// Steps from what was accepted and the grounds for it; the labels are names of the goal's
-    /// hypotheses.
-    pub(crate) fn of(accepted: Rc<Accepted>, grounds: Grounds, labels: Vec<String>) -> Self {
-        Self(Source::Found { accepted, grounds: Rc::new(grounds), labels })
+impl LinkJudgement {
+    /// The proof or the witness in outline; `None` when undecided.
+    #[must_use]
+    pub fn reason(&self) -> Option<Reason> {
+        match &self.explanation.0 {
+            Source::Nothing => None,
+            Source::Told(reason, _) => Some(reason.clone()),
+            Source::Found(grounds) => {
+                let Accepted { goal, certificate } = self.accepted.as_deref()?;
+                Some(explain::reason(goal, certificate.finding, grounds))
+            }
+        }
     }
 
-    /// The steps, told anew at each call.
+    /// The proof or the witness step by step, made anew at each call; no steps when undecided.
     #[must_use]
-    pub fn told(&self) -> Vec<Step> {
-        match &self.0 {
-            Source::Told(steps) => steps.clone(),
-            Source::Found { accepted, grounds, labels } => {
-                let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-                explain::steps(&accepted.goal, accepted.certificate.finding, grounds, &labels)
+    pub fn steps(&self) -> Proof {
+        match (&self.explanation.0, self.accepted.as_deref()) {
+            (Source::Told(_, proof), _) => proof.clone(),
+            (Source::Found(grounds), Some(Accepted { goal, certificate })) => {
+                explain::steps(goal, certificate.finding, grounds)
             }
+            (Source::Nothing | Source::Found(_), _) => Proof::default(),
         }
     }
 }
 
-impl From<Vec<Step>> for Steps {
-    fn from(steps: Vec<Step>) -> Self {
-        Self(Source::Told(steps))
+/// What can be told of a finding. It is made when something shows it.
+#[derive(Clone, Debug, Default)]
+pub struct Explanation(Source);
+
+#[derive(Clone, Debug, Default)]
+enum Source {
+    #[default]
+    Nothing,
+    Told(Reason, Proof),
+    Found(Grounds),
+}
+
+impl Explanation {
+    /// What these grounds of an accepted finding tell.
+    pub(crate) const fn of(grounds: Grounds) -> Self {
+        Self(Source::Found(grounds))
     }
 }
 
-/// One line of a written-out proof or witness.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Step {
-    /// nesting, 0 for the outermost
-    pub depth: usize,
-    /// the sentence
-    pub text: String,
+impl From<(Reason, Proof)> for Explanation {
+    fn from((reason, proof): (Reason, Proof)) -> Self {
+        Self(Source::Told(reason, proof))
+    }
 }
 
 impl Judgement {
+    /// Values of the symbols for which all hypotheses hold; `None` where none were found.
+    #[must_use]
+    pub fn example(&self) -> Option<Vec<Assignment>> {
+        let met = self.met.as_deref()?;
+        match &met.certificate.evidence {
+            Evidence::Model(model) => Some(explain::model(&met.goal, model)),
+            Evidence::Contradiction(_) | Evidence::Limit(_) => None,
+        }
+    }
+
     /// Whether the verdict is what the author expects (`proved` where nothing is written).
     #[must_use]
     pub fn as_expected(&self) -> bool {

@@ -62,6 +62,48 @@ fn the_example_of_the_language_page_is_read() {
     assert_eq!(&document.text[links[1].1.clone()], "k ≤ 1");
 }
 
+#[test]
+fn the_parts_of_a_statement_are_known_by_their_places() {
+    let text = "```kane
+var x, y
+let (2 by 2) f := x # from nowhere
+given (as taken from a table):
+  x = y   # by hand
+  when x > 0
+claim c: x = y when y > 0 from (2 by 2) expect proved
+claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
+```
+";
+    let document = read("parts.md", text.as_bytes()).expect("it is well formed");
+    let shown: Vec<Vec<String>> = document
+        .statements
+        .iter()
+        .map(|s| {
+            let parts = &s.parts;
+            let clauses =
+                [&parts.when, &parts.from, &parts.by, &parts.expect].into_iter().flatten();
+            let all = [&parts.label, &parts.content].into_iter().chain(clauses);
+            all.map(|place| document.on_one_line(place.clone())).collect()
+        })
+        .collect();
+    assert_eq!(
+        shown,
+        [
+            vec!["(2 by 2)", "f := x"],
+            vec!["(as taken from a table)", "x = y", "when x > 0"],
+            vec!["c", "x = y", "when y > 0", "from (2 by 2)", "expect proved"],
+            vec![
+                "free",
+                "not implied (as taken from a table)",
+                "by x := 1, y := 2",
+                "expect refuted"
+            ],
+        ]
+    );
+    let given = &document.statements[1].parts;
+    assert_eq!(document.on_one_line(given.saying()), "x = y when x > 0");
+}
+
 /// The declarations before every statement of the table below; the statement begins on line 7.
 const PRELUDE: &str = "```kane
 var alpha, 0 <= x <= 1, k(alpha), m, n

@@ -66,9 +66,15 @@ impl Witness {
     /// The contact in words: v, a, W, mu, e.
     #[must_use]
     pub fn place(&self) -> String {
+        crate::unmarked(&self.marked_place())
+    }
+
+    /// The same with backticks around its formulas.
+    #[must_use]
+    pub fn marked_place(&self) -> String {
         let (c, w) = (&self.contact, self.contact.delassus());
         format!(
-            "v = {}, a = {}, W = [[{}, {}], [{}, {}]], mu = {}, e = {}",
+            "`v = {}`, `a = {}`, `W` = [[{}, {}], [{}, {}]], `mu = {}`, `e = {}`",
             c.slip(),
             c.approach(),
             w.tt(),
@@ -96,7 +102,7 @@ fn said<N: kane_number::Number>(outcome: &kane_impact::Outcome<N>) -> Said {
 
 impl Cell {
     pub(crate) fn refuted(witness: Witness, part: Part) -> Self {
-        let reason = format!("at {}", witness.place());
+        let reason = format!("at {}", witness.marked_place());
         Self { finding: Finding::Refuted, reason, parts: vec![part], witness: vec![witness] }
     }
 

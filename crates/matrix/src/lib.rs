@@ -23,6 +23,7 @@ mod stop;
 mod stopped;
 mod study;
 mod subdivision;
+mod symbol;
 mod visible;
 
 use std::rc::Rc;
@@ -37,9 +38,11 @@ pub use sample::{Exact, contacts, resolve};
 pub use setting::{SYMBOLS_IN_WORDS, Setting, Symbolic};
 pub use stop::Stop;
 pub use study::Part;
+pub use symbol::symbols;
 pub use visible::{Condition, Ranges, negated};
 
 use property::Template;
+use setting::FAMILIES;
 use study::{Family, Memo};
 
 /// A law and its cells.
@@ -78,9 +81,11 @@ impl Selection {
     }
 }
 
-/// All families of contacts.
-const FAMILIES: [Setting; 5] =
-    [Setting::Sphere, Setting::Driving, Setting::Braking, Setting::RestingSphere, Setting::Resting];
+/// A sentence of the matrix without the backticks around its formulas.
+#[must_use]
+pub fn unmarked(sentence: &str) -> String {
+    sentence.replace('`', "")
+}
 
 /// The findings about one law; `progress` is told after each.
 pub fn row(law: &Law, properties: &[&'static Property], progress: &mut dyn FnMut()) -> Row {
@@ -150,7 +155,7 @@ fn decided(
 
 /// Why alpha says nothing about a law with a frame of its own.
 const NO_FUNCTION_OF_ALPHA: &str = "the law's cone and restitution stand about a normal of its own, so \
-     that k and i_x depend on e, mu and the angle of incidence one by one, and are no functions of alpha";
+     that `k` and `i_x` depend on `e`, `mu` and the angle of incidence one by one, and are no functions of `alpha`";
 /// What is asked of such a law where the axes matter.
 const IN_THE_FRAME_OF_THE_CONTACT: &str = "asked in the contact's frame, while the law's cone and \
      restitution stand about a normal of its own";

@@ -35,11 +35,11 @@ pub struct Property {
     pub head: &'static str,
     /// what it is called
     pub name: &'static str,
-    /// for which contacts it is asked
+    /// for which contacts it is asked; formulas stand between backticks
     pub domain: &'static str,
     /// the statement, in the notation of derivation documents
     pub template: &'static str,
-    /// what that means, in words
+    /// what that means, in words; formulas stand between backticks
     pub meaning: &'static str,
     /// how it is decided
     pub kind: Kind,
@@ -56,7 +56,7 @@ const ALL_PLANAR: &[Setting] = &[
     Setting::Resting,
 ];
 
-const UNCOUPLED: &str = "contacts that do not couple, W_tn = 0";
+const UNCOUPLED: &str = "contacts that do not couple, `W_tn = 0`";
 const EVERY: &str = "every planar contact";
 
 /// The collision creates no energy.
@@ -116,7 +116,7 @@ pub const PROPERTIES: [Property; 19] = [
         name: "friction cone, sphere",
         domain: UNCOUPLED,
         template: "p_n >= 0, -mu*p_n <= p_t <= mu*p_n",
-        meaning: "The impulse pushes, and friction is at most mu times as much.",
+        meaning: "The impulse pushes, and friction is at most `mu` times as much.",
         kind: Kind::Pointwise(ALL_SPHERES),
     },
     Property {
@@ -125,7 +125,7 @@ pub const PROPERTIES: [Property; 19] = [
         name: "friction cone, every contact",
         domain: EVERY,
         template: "p_n >= 0, -mu*p_n <= p_t <= mu*p_n",
-        meaning: "The impulse pushes, and friction is at most mu times as much.",
+        meaning: "The impulse pushes, and friction is at most `mu` times as much.",
         kind: Kind::Pointwise(ALL_PLANAR),
     },
     Property {
@@ -134,7 +134,7 @@ pub const PROPERTIES: [Property; 19] = [
         name: "tangential energy, sphere",
         domain: UNCOUPLED,
         template: "E_t <= 0",
-        meaning: "Friction creates no energy, E_t = p_t*(v + v_1)/2. On a sphere this is the change of \
+        meaning: "Friction creates no energy, `E_t = p_t*(v + v_1)/2`. On a sphere this is the change of \
                   tangential and rotational energy together, equation (18) of the paper.",
         kind: Kind::Pointwise(ALL_SPHERES),
     },
@@ -144,7 +144,7 @@ pub const PROPERTIES: [Property; 19] = [
         name: "total energy, sphere",
         domain: UNCOUPLED,
         template: NO_ENERGY_CREATED,
-        meaning: "The collision creates no energy, for 0 <= e <= 1.",
+        meaning: "The collision creates no energy, for `0 <= e <= 1`.",
         kind: Kind::Pointwise(ALL_SPHERES),
     },
     Property {
@@ -153,7 +153,7 @@ pub const PROPERTIES: [Property; 19] = [
         name: "total energy, every contact",
         domain: EVERY,
         template: NO_ENERGY_CREATED,
-        meaning: "The collision creates no energy, for 0 <= e <= 1 and every symmetric positive definite W.",
+        meaning: "The collision creates no energy, for `0 <= e <= 1` and every symmetric positive definite `W`.",
         kind: Kind::Pointwise(ALL_PLANAR),
     },
     Property {
@@ -210,8 +210,8 @@ pub const PROPERTIES: [Property; 19] = [
         name: "invariance under subdividing the impulse",
         domain: UNCOUPLED,
         template: "v_1(v_1(v, a), b) = v_1(v, a + b)",
-        meaning: "Two collisions with approach speeds a and b, the second of which begins with the slip that the \
-                  first leaves, do to the slip what one with a + b does: the law is a process in which the normal \
+        meaning: "Two collisions with approach speeds `a` and `b`, the second of which begins with the slip that the \
+                  first leaves, do to the slip what one with `a + b` does: the law is a process in which the normal \
                   impulse passes. A slip that the first reverses is that of the mirrored contact.",
         kind: Kind::Subdivision,
     },
@@ -272,7 +272,7 @@ pub fn property(id: &str) -> Option<&'static Property> {
 }
 
 /// The symbols of templates.
-const SYMBOLS: [&str; 15] = [
+pub(crate) const SYMBOLS: [&str; 15] = [
     "v", "a", "W_tt", "W_tn", "W_nn", "mu", "e", "v_1", "p_t", "p_n", "E_t", "E_n", "k", "i_x",
     "alpha",
 ];

@@ -23,16 +23,16 @@ use crate::stop::Stop;
 /// A number in symbols.
 pub type Symbolic = RationalFunction;
 
-/// How contacts are written in symbols, for people.
+/// How contacts are written in symbols, for people; formulas stand between backticks.
 pub const SYMBOLS_IN_WORDS: &str = "\
-In symbols: c = (1 + e)*a is the change of normal velocity by Newton's rule, W_nn = w, c = gamma*mu*v, and
-W_tt = 2*alpha*w/(gamma*mu^2) where W_tn = 0; else W_tn = ±nu*w/mu and W_tt = (nu^2 + d)*w/mu^2, so that
-det W = d*w^2/mu^2. Where v = 0, c = gamma, and W_tt = d if W_tn = 0. All of these are positive.
-Where q stands in place of v, the contact is as the law sees it in its own frame, v = ±q - W_tn*a/W_nn there,
-c = gamma*mu*q, and where q = 0, c = gamma.
-Where it is said how the slip stops: p = v/s is the normal impulse until then and u the normal speed at it, T = W_tt,
-nu = |W_tn|, s = mu*T - W_tn, a1 = W_nn - mu*W_tn, t = |mu*T - nu|, d = det W; of a jam, b = -a1 and r = det W/T; in
-restitution e*a = u + h and a = u + h + g.
+In symbols: `c = (1 + e)*a` is the change of normal velocity by Newton's rule, `W_nn = w`, `c = gamma*mu*v`, and
+`W_tt = 2*alpha*w/(gamma*mu^2)` where `W_tn = 0`; else `W_tn` = ±`nu*w/mu` and `W_tt = (nu^2 + d)*w/mu^2`, so that
+det `W` = `d*w^2/mu^2`. Where `v = 0`, `c = gamma`, and `W_tt = d` if `W_tn = 0`. All of these are positive.
+Where `q` stands in place of `v`, the contact is as the law sees it in its own frame, `v` = ±`q - W_tn*a/W_nn` there,
+`c = gamma*mu*q`, and where `q = 0`, `c = gamma`.
+Where it is said how the slip stops: `p = v/s` is the normal impulse until then and `u` the normal speed at it, `T = W_tt`,
+`nu` = |`W_tn`|, `s = mu*T - W_tn`, `a1 = W_nn - mu*W_tn`, `t` = |`mu*T - nu`|, `d` = det `W`; of a jam, `b = -a1` and `r` = det `W`/`T`; in
+restitution `e*a = u + h` and `a = u + h + g`.
 Factors that are visibly positive are left out.";
 
 /// The symbols of all families; the last three are roots.
@@ -74,6 +74,10 @@ pub enum Setting {
     /// W_tn ≠ 0, v > 0, a > 0, mu > 0, and the slip stops
     Stopped(Stop),
 }
+
+/// All families of contacts.
+pub(crate) const FAMILIES: [Setting; 5] =
+    [Setting::Sphere, Setting::Driving, Setting::Braking, Setting::RestingSphere, Setting::Resting];
 
 impl Setting {
     /// What it is, for people.

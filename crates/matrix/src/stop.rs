@@ -39,6 +39,19 @@ pub enum Stop {
     ReversesInRestitution,
 }
 
+impl Stop {
+    /// All of them.
+    pub(crate) const ALL: [Self; 7] = [
+        Self::DrivingInCompression,
+        Self::Jamming,
+        Self::DrivingInRestitution,
+        Self::SticksInCompression,
+        Self::SticksInRestitution,
+        Self::ReversesInCompression,
+        Self::ReversesInRestitution,
+    ];
+}
+
 /// The symbols by index: p or h, T, mu, u or a, nu, d, b or g, e, s or t, a1, r or g.
 const P: usize = 0;
 const T: usize = 1;

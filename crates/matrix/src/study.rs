@@ -17,7 +17,7 @@ use crate::property::Demand;
 use crate::sample::algebraic;
 use crate::setting::{ROOTS, Setting, Symbolic};
 use crate::visible::{Condition, Ranges};
-use kane_audit::{Budget, Decided, Step, find_witness, prove_goal, refute_goal};
+use kane_audit::{Budget, Decided, Open, Proof, Reason, find_witness, prove_goal, refute_goal};
 
 /// What the search for one proof may take: the goals are small, and many.
 const BUDGET: Budget = Budget {
@@ -37,7 +37,7 @@ const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };
 pub(crate) struct Memo(RefCell<BTreeMap<(u128, Search), Answer>>);
 
 /// A certificate that the kernel accepted, or why there is none.
-type Answer = Result<Decided, String>;
+type Answer = Result<Decided, Open>;
 
 /// What is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,7 +56,7 @@ impl Memo {
         let answer = match search {
             Search::Proof => prove_goal(goal, BUDGET),
             Search::ThoroughProof => prove_goal(goal, THOROUGH),
-            Search::Witness => find_witness(goal, BUDGET).ok_or_else(String::new),
+            Search::Witness => find_witness(goal, BUDGET).ok_or(Open::Steps(BUDGET.steps)),
         };
         self.0.borrow_mut().insert(key, answer.clone());
         answer
@@ -81,17 +81,16 @@ pub struct Part {
 }
 
 impl Part {
-    /// The proof or witness in one sentence.
+    /// The proof or witness in outline.
     #[must_use]
-    pub fn reason(&self) -> String {
+    pub fn reason(&self) -> Reason {
         self.decided.reason(&self.goal)
     }
 
     /// The proof or witness step by step.
     #[must_use]
-    pub fn steps(&self) -> Vec<Step> {
-        let labels: Vec<&str> = self.labels.iter().map(String::as_str).collect();
-        self.decided.steps(&self.goal, &labels)
+    pub fn steps(&self) -> Proof {
+        self.decided.steps(&self.goal)
     }
 
     /// Digest of the certificate, 32 hexadecimal digits.
@@ -173,7 +172,7 @@ impl Question<'_> {
     /// A proof that the kernel accepted.
     pub(crate) fn prove(&self) -> Result<Part, String> {
         let goal = self.goal();
-        let decided = self.memo.answer(&goal, Search::Proof)?;
+        let decided = self.memo.answer(&goal, Search::Proof).map_err(|why| why.to_string())?;
         Ok(self.part(goal, decided))
     }
 
@@ -181,7 +180,8 @@ impl Question<'_> {
     pub(crate) fn prove_patiently(&self) -> Result<Part, String> {
         self.prove().or_else(|_| {
             let goal = self.goal();
-            let decided = self.memo.answer(&goal, Search::ThoroughProof)?;
+            let decided = self.memo.answer(&goal, Search::ThoroughProof);
+            let decided = decided.map_err(|why| why.to_string())?;
             Ok(self.part(goal, decided))
         })
     }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_audit::{Audit, LinkJudgement, Verdict};
 
 use crate::report::Entry;
+use crate::words::{Form, Line, equations, example};
 
 /// Writes out the statement at `index`; `None` if the audit has no such statement.
 #[must_use]
@@ -25,7 +26,7 @@ pub fn explain(audit: &Audit, index: usize) -> Option<String> {
         if count > 1 {
             let _ = write!(out, "link {} of {count}: ", number + 1);
         }
-        write_link(&mut out, &entry, link);
+        write_link(&mut out, &entry, (number, link));
     }
     if entry.is_claim() {
         write_ground(&mut out, &entry);
@@ -34,14 +35,11 @@ pub fn explain(audit: &Audit, index: usize) -> Option<String> {
 }
 
 /// The proof or witness of one link.
-fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
-    let _ = writeln!(out, "{}", link.text);
-    let _ = writeln!(out, "  {}: {}", link.verdict, link.reason);
-    for step in link.steps.told() {
-        for (number, line) in step.text.lines().enumerate() {
-            let indent = 4 + 2 * step.depth + if number == 0 { 0 } else { 2 };
-            let _ = writeln!(out, "{:indent$}{line}", "");
-        }
+fn write_link(out: &mut String, entry: &Entry<'_>, (number, link): (usize, &LinkJudgement)) {
+    let _ = writeln!(out, "{}", entry.link_text(number));
+    let _ = writeln!(out, "  {}: {}", link.verdict, entry.reason(link, Form::Plain));
+    for Line { depth, text } in entry.steps(link, Form::Plain) {
+        let _ = writeln!(out, "{:indent$}{text}", "", indent = 4 + 2 * depth);
     }
     if !link.used.is_empty() {
         let _ = writeln!(out, "  uses {}", entry.labels(&link.used).join(", "));
@@ -68,12 +66,11 @@ fn write_ground(out: &mut String, entry: &Entry<'_>) {
             let _ = writeln!(out, "  {}", given.source());
         }
     }
-    match &judgement.model {
-        Some(model) if model.is_empty() => {}
-        Some(model) => {
-            let pairs: Vec<_> =
-                model.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            let _ = writeln!(out, "\nits hypotheses hold, for example, at {}", pairs.join(", "));
+    match example(judgement, Form::Plain) {
+        Some(example) if example.is_empty() => {}
+        Some(example) => {
+            let at = equations(&example, Form::Plain);
+            let _ = writeln!(out, "\nits hypotheses hold, for example, at {at}");
         }
         None if judgement.verdict == Verdict::Vacuous => {}
         None => out.push_str("\nno point was found at which all its hypotheses hold\n"),

@@ -10,6 +10,7 @@ use crate::envelope::{Program, Schema, written};
 
 use crate::judges;
 use crate::report::Entry;
+use crate::words::{Form, Line, example};
 use crate::{Report, Summary};
 
 /// The name of the schema.
@@ -76,22 +77,22 @@ struct Statement<'a> {
     as_expected: bool,
     unproved: Vec<&'a str>,
     rests_on: Vec<&'a str>,
-    model: Option<Vec<Value<'a>>>,
+    model: Option<Vec<Value>>,
     links: Vec<Link<'a>>,
 }
 
 #[derive(Serialize)]
-struct Value<'a> {
-    name: &'a str,
-    value: &'a str,
+struct Value {
+    name: String,
+    value: String,
 }
 
 #[derive(Serialize)]
 struct Link<'a> {
-    text: &'a str,
-    latex: &'a str,
+    text: String,
+    latex: String,
     verdict: String,
-    reason: &'a str,
+    reason: String,
     certificate: Option<&'a str>,
     used: Vec<&'a str>,
     cost: u64,
@@ -152,27 +153,26 @@ impl<'a> Statement<'a> {
             as_expected: judgement.as_expected(),
             unproved: entry.labels(&judgement.unproved),
             rests_on: entry.labels(&judgement.rests_on),
-            model: judgement
-                .model
-                .as_ref()
-                .map(|model| model.iter().map(|(name, value)| Value { name, value }).collect()),
-            links: judgement.links.iter().map(|link| Link::of(entry, link)).collect(),
+            model: example(judgement, Form::Plain).map(|example| {
+                example.into_iter().map(|(name, value)| Value { name, value }).collect()
+            }),
+            links: judgement.links.iter().enumerate().map(|link| Link::of(entry, link)).collect(),
         }
     }
 }
 
 impl<'a> Link<'a> {
-    fn of(entry: &Entry<'a>, link: &'a LinkJudgement) -> Self {
-        let steps = link.steps.told().into_iter();
+    fn of(entry: &Entry<'a>, (number, link): (usize, &'a LinkJudgement)) -> Self {
+        let steps = entry.steps(link, Form::Plain).into_iter();
         Self {
-            text: &link.text,
-            latex: &link.latex,
+            text: entry.link_text(number),
+            latex: entry.link_latex(number),
             verdict: link.verdict.to_string(),
-            reason: &link.reason,
+            reason: entry.reason(link, Form::Plain),
             certificate: link.certificate.as_deref(),
             used: entry.labels(&link.used),
             cost: link.cost,
-            steps: steps.map(|step| Step { depth: step.depth, text: step.text }).collect(),
+            steps: steps.map(|Line { depth, text }| Step { depth, text }).collect(),
         }
     }
 }

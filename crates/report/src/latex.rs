@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use kane_algebra::syntax::{canonical_name, greek_letter, latex_name};
 use kane_audit::{LinkJudgement, Verdict};
 use kane_judges::Judge;
 
@@ -10,8 +9,9 @@ use crate::judges;
 use crate::markdown::capitalised;
 use crate::outline::headings;
 use crate::report::Entry;
-use crate::typeset::{Names, Piece};
+use crate::tex::escape;
 use crate::wording::evidence;
+use crate::words::{Form, Line};
 use crate::{Report, Summary};
 
 /// Formulas stand in lines of text, where TeX may break them; nothing is hyphenated, and a line may be short.
@@ -36,7 +36,6 @@ const PREAMBLE: &str = r"\documentclass[11pt]{article}
 #[must_use]
 pub fn latex(report: &Report<'_>) -> String {
     let document = &report.audit.document;
-    let names = Names::of(&document.context);
     let summary = Summary::of(report);
     let mut out = PREAMBLE.to_owned();
     let title = document.title.as_deref().unwrap_or(&document.name);
@@ -63,7 +62,7 @@ pub fn latex(report: &Report<'_>) -> String {
             let command = if heading.level == 2 { "section" } else { "subsection" };
             let _ = writeln!(out, "\\{command}*{{{}}}\n", escape(&heading.title));
         }
-        statement(&mut out, &entry, &names);
+        statement(&mut out, &entry);
         if entry.is_claim() && !report.judges.is_empty() {
             let links = entry.judgement.links.len();
             let told =
@@ -85,7 +84,7 @@ pub fn latex(report: &Report<'_>) -> String {
     out
 }
 
-fn statement(out: &mut String, entry: &Entry<'_>, names: &Names<'_>) {
+fn statement(out: &mut String, entry: &Entry<'_>) {
     let judgement = entry.judgement;
     let kind = match entry.kind() {
         "let" => "Definition",
@@ -129,18 +128,18 @@ fn statement(out: &mut String, entry: &Entry<'_>, names: &Names<'_>) {
                 out,
                 "\\evidence{{{head}, part {} of {count}}} $\\displaystyle {}$.",
                 number + 1,
-                link.latex
+                entry.link_latex(number)
             );
         } else {
             let _ = writeln!(out, "\\evidence{{{head}}}");
         }
-        write_link(out, entry, link, names);
+        write_link(out, entry, link);
     }
     let mut ground = Vec::new();
     if !judgement.rests_on.is_empty() {
         ground.push(format!("Rests on {}.", entry.labels(&judgement.rests_on).join(", ")));
     }
-    if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
+    if judgement.verdict == Verdict::Proved && judgement.met.is_none() {
         ground.push("No model of its hypotheses was found.".to_owned());
     }
     if !ground.is_empty() {
@@ -149,13 +148,10 @@ fn statement(out: &mut String, entry: &Entry<'_>, names: &Names<'_>) {
     out.push('\n');
 }
 
-fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement, names: &Names<'_>) {
-    let _ = writeln!(out, "{}.", sentence(&capitalised(&link.reason), names));
-    for step in link.steps.told() {
-        let indent = format!("{}em", 1 + step.depth.min(8));
-        for line in step.text.lines() {
-            let _ = writeln!(out, "\\step{{{indent}}}{{{}}}", sentence(line, names));
-        }
+fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
+    let _ = writeln!(out, "{}.", capitalised(&entry.reason(link, Form::Latex)));
+    for Line { depth, text } in entry.steps(link, Form::Latex) {
+        let _ = writeln!(out, "\\step{{{}em}}{{{text}}}", 1 + depth.min(8));
     }
     if let Some(certificate) = &link.certificate {
         let uses = match &link.used[..] {
@@ -165,109 +161,5 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement, names: 
         let square = if link.verdict == Verdict::Proved { "\\qed" } else { "" };
         let _ =
             writeln!(out, "\\par{{\\small {uses}Certificate \\texttt{{{certificate}}}{square}}}");
-    }
-}
-
-/// The sentence with its names, operators and powers in math mode.
-fn sentence(text: &str, names: &Names<'_>) -> String {
-    let mut out = String::with_capacity(2 * text.len());
-    for piece in names.pieces(text) {
-        match piece {
-            Piece::Text(text) => out.push_str(&escape(text)),
-            Piece::Name(name) => _ = write!(out, "${}$", latex_name(name)),
-            Piece::Power(digits) => _ = write!(out, "$^{{{digits}}}$"),
-            Piece::Operator(operator) => out.push_str(match operator {
-                "*" => "$\\cdot$\\allowbreak{}",
-                "-" => "$-$",
-                "<=" => "$\\le$",
-                ">=" => "$\\ge$",
-                "!=" => "$\\ne$",
-                "->" => "$\\to$",
-                "<" => "$<$",
-                ">" => "$>$",
-                _ => "$\\infty$",
-            }),
-        }
-    }
-    out
-}
-
-/// Digits in a row after which a number may be broken at the end of a line.
-const DIGITS: usize = 12;
-
-/// The text as it is, also where it has characters that LaTeX would read, or that its fonts lack.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut digits = 0;
-    for c in text.chars() {
-        digits = if c.is_ascii_digit() { digits + 1 } else { 0 };
-        if digits > DIGITS {
-            out.push_str("\\allowbreak{}");
-            digits = 1;
-        }
-        match c {
-            '\\' => out.push_str("\\textbackslash{}"),
-            '{' | '}' | '$' | '&' | '#' | '%' | '_' => {
-                out.push('\\');
-                out.push(c);
-            }
-            '^' => out.push_str("\\textasciicircum{}"),
-            '~' => out.push_str("\\textasciitilde{}"),
-            '<' => out.push_str("$<$"),
-            '>' => out.push_str("$>$"),
-            '|' => out.push_str("$|$"),
-            '"' => out.push_str("''"),
-            '\n' | '\t' => out.push(' '),
-            c if c.is_ascii() && !c.is_ascii_control() => out.push(c),
-            c => out.push_str(&beyond_ascii(c)),
-        }
-    }
-    out
-}
-
-/// A character that the fonts of LaTeX have in math mode alone, if at all.
-fn beyond_ascii(c: char) -> String {
-    let written = c.to_string();
-    let canonical = canonical_name(&written);
-    if greek_letter(&canonical).is_some() {
-        return format!("${}$", latex_name(&canonical));
-    }
-    let known = match c {
-        '–' => "--",
-        '—' => "---",
-        '’' => "'",
-        '‘' => "`",
-        '“' => "``",
-        '”' => "''",
-        '…' => "\\dots{}",
-        '′' => "$'$",
-        '×' => "$\\times$",
-        '·' => "$\\cdot$",
-        '−' => "$-$",
-        '≤' => "$\\le$",
-        '≥' => "$\\ge$",
-        '≠' => "$\\ne$",
-        '→' => "$\\to$",
-        '∞' => "$\\infty$",
-        '°' => "$^\\circ$",
-        '²' => "$^2$",
-        '³' => "$^3$",
-        // the letters of Latin-1 are in every font
-        'À'..='ÿ' => return written,
-        _ => return format!("[U+{:04X}]", u32::from(c)),
-    };
-    known.to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_character_of_a_text_becomes_a_command() {
-        assert_eq!(escape(r"a_b \x {50%} #1 & $"), r"a\_b \textbackslash{}x \{50\%\} \#1 \& \$");
-        assert_eq!(escape("μ ≤ é 漢"), "$\\mu$ $\\le$ é [U+6F22]");
-        assert_eq!(escape("a\u{1b}[8m\tb\u{9b}"), "a[U+001B][8m b[U+009B]");
-        assert_eq!(escape("1234567890123"), "123456789012\\allowbreak{}3");
     }
 }

@@ -31,9 +31,10 @@ pub mod scene;
 mod shorten;
 pub mod stability;
 mod summary;
+mod tex;
 mod text;
-mod typeset;
 mod wording;
+mod words;
 
 pub use certificate::certificates;
 pub use chart_picture::picture as chart_picture;

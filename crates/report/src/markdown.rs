@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
-use kane_audit::{LinkJudgement, Step};
+use kane_audit::LinkJudgement;
 
 use crate::judges;
 use crate::report::Entry;
+use crate::words::{Form, Line, example};
 use crate::{Report, Summary};
 
 /// The report as Markdown.
@@ -51,9 +52,9 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     if let Some(support) = entry.support() {
         let _ = writeln!(out, "{}.\n", escape(&capitalised(&support)));
     }
-    for link in &judgement.links {
-        if judgement.links.len() > 1 && !link.latex.is_empty() {
-            let _ = writeln!(out, "{}\n", math(&link.latex));
+    for (number, link) in judgement.links.iter().enumerate() {
+        if judgement.links.len() > 1 {
+            let _ = writeln!(out, "{}\n", math(&entry.link_latex(number)));
         }
         write_link(out, entry, link);
     }
@@ -61,10 +62,10 @@ fn section(out: &mut String, entry: &Entry<'_>) {
     if entry.is_claim() && !judgement.rests_on.is_empty() {
         ground.push(format!("Rests on {}.", escape(&entry.labels(&judgement.rests_on).join(", "))));
     }
-    match &judgement.model {
-        Some(model) if !model.is_empty() => {
+    match example(judgement, Form::Plain) {
+        Some(example) if !example.is_empty() => {
             let pairs: Vec<_> =
-                model.iter().map(|(name, value)| code(&format!("{name} = {value}"))).collect();
+                example.iter().map(|(name, value)| code(&format!("{name} = {value}"))).collect();
             ground.push(format!("The hypotheses hold, for example, at {}.", pairs.join(", ")));
         }
         _ => {}
@@ -76,8 +77,8 @@ fn section(out: &mut String, entry: &Entry<'_>) {
 
 /// One link: its verdict and reason, with the steps folded away.
 fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
-    let _ =
-        writeln!(out, "**{}**: {}\n", capitalised(&link.verdict.to_string()), escape(&link.reason));
+    let reason = entry.reason(link, Form::Plain);
+    let _ = writeln!(out, "**{}**: {}\n", capitalised(&link.verdict.to_string()), escape(&reason));
     let mut notes = Vec::new();
     if !link.used.is_empty() {
         notes.push(format!("Uses {}.", escape(&entry.labels(&link.used).join(", "))));
@@ -85,7 +86,7 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     if let Some(digest) = &link.certificate {
         notes.push(format!("Certificate {}.", code(digest)));
     }
-    let told = link.steps.told();
+    let told = entry.steps(link, Form::Plain);
     if !told.is_empty() {
         let _ = writeln!(
             out,
@@ -99,12 +100,10 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
 }
 
 /// The steps, indented by their depth, in a fence that none of them can close.
-fn steps(told: &[Step]) -> String {
+fn steps(told: &[Line]) -> String {
     let mut steps = String::new();
-    for step in told {
-        for line in step.text.lines() {
-            let _ = writeln!(steps, "{:indent$}{line}", "", indent = 2 * step.depth);
-        }
+    for Line { depth, text } in told {
+        let _ = writeln!(steps, "{:indent$}{text}", "", indent = 2 * depth);
     }
     let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);
     format!("{fence}text\n{steps}{fence}\n")

@@ -5,6 +5,8 @@ use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statemen
 use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
 
+use crate::words::{self, Form, Line, Subject};
+
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
@@ -80,6 +82,7 @@ impl<'a> Report<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry<'a> {
     audit: &'a Audit,
+    index: usize,
     pub(crate) statement: &'a Statement,
     pub(crate) judgement: &'a Judgement,
 }
@@ -89,7 +92,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn new(audit: &'a Audit, index: usize) -> Option<Self> {
         let statement = audit.document.statements.get(index)?;
         let judgement = audit.judgements.get(index)?;
-        Some(Self { audit, statement, judgement })
+        Some(Self { audit, index, statement, judgement })
     }
 
     /// `let`, `given` or `claim`.
@@ -118,25 +121,12 @@ impl<'a> Entry<'a> {
 
     /// The statement as written, on one line and without comments.
     pub(crate) fn source(&self) -> String {
-        let lines = self.audit.document.source(self.statement).lines();
-        let words =
-            lines.flat_map(|line| line.split('#').next().unwrap_or_default().split_whitespace());
-        words.collect::<Vec<_>>().join(" ")
+        self.audit.document.on_one_line(self.statement.span.clone())
     }
 
-    /// What the statement says: the source without its kind and label, and without what it cites and expects.
+    /// What the statement says as written: without its kind and label, and without what it cites and expects.
     pub(crate) fn saying(&self) -> String {
-        let source = self.source();
-        let rest = source.strip_prefix(self.kind()).unwrap_or(&source).trim_start();
-        let rest = match rest.strip_prefix(self.statement.label.as_str()) {
-            // a `let` without a label goes by its name, which is part of what it says
-            Some(after) if !after.trim_start().starts_with(":=") => {
-                after.trim_start().trim_start_matches(':')
-            }
-            _ => rest,
-        };
-        let end = [" from ", " by ", " expect "].iter().filter_map(|word| rest.find(word)).min();
-        rest[..end.unwrap_or(rest.len())].trim().to_owned()
+        self.audit.document.on_one_line(self.statement.parts.saying())
     }
 
     /// The claim, if it is one.
@@ -218,15 +208,51 @@ impl<'a> Entry<'a> {
     }
 
     /// Why the verdict is what it is, in the words of the first of the worst links.
-    pub(crate) fn decisive_reason(&self) -> Option<String> {
+    pub(crate) fn decisive_reason(&self, form: Form) -> Option<String> {
         let links = &self.judgement.links;
-        self.decisive().map(|(index, link)| match links.len() {
-            1 => link.reason.clone(),
-            n if links.iter().all(|other| other.verdict == link.verdict) => {
-                format!("{n} links: {}", link.reason)
+        self.decisive().map(|(index, link)| {
+            let reason = self.reason(link, form);
+            match links.len() {
+                1 => reason,
+                n if links.iter().all(|other| other.verdict == link.verdict) => {
+                    format!("{n} links: {reason}")
+                }
+                n => format!("link {} of {n}: {reason}", index + 1),
             }
-            n => format!("link {} of {n}: {}", index + 1, link.reason),
         })
+    }
+
+    /// Why the verdict on a link is what it is.
+    pub(crate) fn reason(&self, link: &LinkJudgement, form: Form) -> String {
+        let label = |index: usize| self.labels(&[index]).concat();
+        words::reason(link, self.context(), &label, form)
+    }
+
+    /// The proof or the witness of a link, line by line.
+    pub(crate) fn steps(&self, link: &LinkJudgement, form: Form) -> Vec<Line> {
+        let Some(accepted) = link.accepted.as_deref() else { return Vec::new() };
+        let labels = self.labels(&self.judgement.hypotheses);
+        Subject { goal: &accepted.goal, labels: &labels }.steps(&link.steps(), form)
+    }
+
+    /// What a link of the claim says, in the notation of documents.
+    pub(crate) fn link_text(&self, link: usize) -> String {
+        self.audit.document.link(self.index, link)
+    }
+
+    /// What a link of the claim says, in LaTeX.
+    pub(crate) fn link_latex(&self, index: usize) -> String {
+        match self.claim().map(|claim| &claim.content) {
+            Some(Content::Links(links)) => {
+                let link = links.get(index);
+                link.map_or_else(String::new, |(link, _)| link.latex(self.context()))
+            }
+            Some(Content::Contradiction) => "\\text{contradiction}".to_owned(),
+            Some(Content::NotImplied(denied)) => {
+                format!("\\text{{not implied }}{}", self.labels(&[*denied]).concat())
+            }
+            None => String::new(),
+        }
     }
 
     /// Whether the statement, or one link of it, is refuted.

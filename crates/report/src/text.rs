@@ -8,6 +8,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::report::Entry;
 use crate::shorten::{padded, shorten};
+use crate::words::Form;
 use crate::{Report, Summary};
 
 /// Columns for the longest label that is shown in full.
@@ -99,8 +100,8 @@ fn reason(entry: &Entry<'_>) -> String {
     }
     let judgement = entry.judgement;
     let mut parts: Vec<String> = entry.expectation().into_iter().chain(entry.support()).collect();
-    parts.extend(entry.decisive_reason());
-    if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
+    parts.extend(entry.decisive_reason(Form::Plain));
+    if judgement.verdict == Verdict::Proved && judgement.met.is_none() {
         parts.push("no model of the hypotheses found".to_owned());
     }
     if !judgement.rests_on.is_empty() {

@@ -10,7 +10,17 @@ use super::parser::Level;
 use super::plain::{let_name, level, var_name};
 
 pub(crate) fn whole_expr(expr: &Expr, context: &Context) -> String {
-    Writer { context }.expr(expr, Level::Sum)
+    Writer { context, beyond: &|_| None }.expr(expr, Level::Sum)
+}
+
+/// An expression whose further symbols, which the context does not name, are set as `beyond` says.
+#[must_use]
+pub fn latex_with(
+    expr: &Expr,
+    context: &Context,
+    beyond: &dyn Fn(usize) -> Option<String>,
+) -> String {
+    Writer { context, beyond }.expr(expr, Level::Sum)
 }
 
 /// Relations with commas between; those that share a side become a chain.
@@ -89,6 +99,7 @@ fn seems_shorter(base: &Expr, latex: &str) -> bool {
 
 struct Writer<'a> {
     context: &'a Context,
+    beyond: &'a dyn Fn(usize) -> Option<String>,
 }
 
 impl Writer<'_> {
@@ -107,7 +118,9 @@ impl Writer<'_> {
     fn bare(&self, e: &Expr) -> String {
         match e {
             Expr::Num(value) => number(value),
-            Expr::Var(index) => latex_name(var_name(*index, self.context)),
+            Expr::Var(index) => {
+                (self.beyond)(*index).unwrap_or_else(|| latex_name(var_name(*index, self.context)))
+            }
             Expr::Let(index) => latex_name(let_name(*index, self.context)),
             Expr::Neg(a) => format!("-{}", self.operand(a, Level::Product)),
             Expr::Add(a, b) => self.pair(a, "+", b),

@@ -122,28 +122,65 @@ pub fn canonical_name(name: &str) -> Cow<'_, str> {
 pub fn latex_name(name: &str) -> String {
     let canonical = canonical_name(name);
     let primes: String = canonical.chars().filter(|c| *c == '\'').collect();
-    let bare: String = canonical.chars().filter(|c| *c != '\'').collect();
-    let (head, tail) = match bare.split_once('_') {
-        Some((head, tail)) => (head, tail),
-        None => (bare.as_str(), ""),
-    };
-    let (mut base, mut sub) = latex_head(head);
-    let tail = tail.split('_').filter(|part| !part.is_empty());
-    for part in tail {
-        if !sub.is_empty() {
-            sub.push(',');
+    let (base, subscripts) = name_parts(&canonical);
+    let mut out = String::new();
+    for part in &base {
+        match split_greek(part) {
+            Some((letter, "")) if letter == "Delta" && base.len() > 1 => {
+                out.push_str(&latex_letter(letter));
+                out.push(' ');
+            }
+            Some((letter, "")) => out.push_str(&latex_letter(letter)),
+            _ if part.len() > 1 => out.push_str(&format!("\\mathrm{{{part}}}")),
+            _ => out.push_str(part),
         }
-        sub.push_str(&latex_subscript(part));
     }
+    let subscripts: Vec<String> = subscripts.iter().map(|part| latex_subscript(part)).collect();
+    let sub = subscripts.join(",");
     if sub.chars().count() == 1 {
-        base.push('_');
-        base.push_str(&sub);
+        out.push('_');
+        out.push_str(&sub);
     } else if !sub.is_empty() {
-        base.push_str("_{");
-        base.push_str(&sub);
-        base.push('}');
+        out.push_str("_{");
+        out.push_str(&sub);
+        out.push('}');
     }
-    base + &primes
+    out + &primes
+}
+
+/// A canonical name taken apart: the letters or the word that carry it, and its subscripts.
+pub(crate) fn name_parts(canonical: &str) -> (Vec<String>, Vec<String>) {
+    let bare: String = canonical.chars().filter(|c| *c != '\'').collect();
+    let (head, tail) = bare.split_once('_').unwrap_or((&bare, ""));
+    let (mut base, mut rest) = (Vec::new(), head);
+    // a difference is one of the letter behind it
+    while let Some(letter) = rest.strip_prefix("Delta").filter(|letter| !letter.is_empty()) {
+        base.push("Delta".to_owned());
+        rest = letter;
+    }
+    while let Some(letter) =
+        rest.strip_prefix('d').filter(|letter| letter.starts_with(|c: char| c.is_ascii_uppercase()))
+    {
+        base.push("d".to_owned());
+        rest = letter;
+    }
+    let small_letters = rest.chars().skip(1).take_while(char::is_ascii_lowercase).count();
+    let end = match split_greek(rest) {
+        Some((letter, _)) => letter.len(),
+        None if small_letters >= 3 => small_letters + 1,
+        None => rest.len().min(1),
+    };
+    let (letter, own) = rest.split_at(end);
+    base.push(letter.to_owned());
+    let subscripts = std::iter::once(own).chain(tail.split('_')).filter(|part| !part.is_empty());
+    (base, subscripts.map(str::to_owned).collect())
+}
+
+/// The letter that a subscript is or begins with, if it is spelled out, and the rest.
+pub(crate) fn greek_subscript(text: &str) -> Option<(char, &str)> {
+    let (letter, rest) = split_greek(text)?;
+    let is_word = rest.starts_with(|c: char| c.is_ascii_lowercase());
+    greek_letter(letter).filter(|_| !is_word).map(|letter| (letter, rest))
 }
 
 /// The longest Greek name at the start of `text`, and the rest.
@@ -161,29 +198,6 @@ fn latex_letter(name: &str) -> String {
         "Omicron" => "O".to_owned(),
         _ => format!("\\{name}"),
     }
-}
-
-/// Base and subscript of the part of a name before any underscore.
-fn latex_head(head: &str) -> (String, String) {
-    if let Some((letter, rest)) = split_greek(head) {
-        if letter == "Delta" && !rest.is_empty() {
-            let (base, sub) = latex_head(rest);
-            return (format!("\\Delta {base}"), sub);
-        }
-        return (latex_letter(letter), latex_subscript(rest));
-    }
-    let rest = head.get(1..).unwrap_or_default();
-    let first = head.get(..1).unwrap_or_default();
-    if first == "d" && rest.starts_with(|c: char| c.is_ascii_uppercase()) {
-        let (base, sub) = latex_head(rest);
-        return (format!("d{base}"), sub);
-    }
-    let small_letters = rest.chars().take_while(char::is_ascii_lowercase).count();
-    if small_letters >= 3 {
-        let (word, number) = head.split_at(small_letters + 1);
-        return (format!("\\mathrm{{{word}}}"), number.to_owned());
-    }
-    (first.to_owned(), rest.to_owned())
 }
 
 fn latex_subscript(text: &str) -> String {

@@ -18,7 +18,8 @@ use num_rational::BigRational;
 
 pub use expand::contradicts_bounds;
 pub(crate) use expand::{contradiction, expand, side_proof};
-pub(crate) use rules::{Flaw, Rules};
+pub use rules::Flaw;
+pub(crate) use rules::Rules;
 
 /// A variable with the indices of the atoms that bound it below and above.
 pub(crate) type Bounds = (usize, Option<usize>, Option<usize>);

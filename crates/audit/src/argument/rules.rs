@@ -10,7 +10,8 @@ use super::{Argument, Bounds, Factored};
 
 /// Why a step does not apply.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Flaw {
+#[non_exhaustive]
+pub enum Flaw {
     /// what the kernel says
     Kernel(Rejection),
     /// the atom with this index is no false constant

@@ -1,323 +1,189 @@
-//! Proofs and witnesses in words: each step as a sentence that a person can check on paper.
+//! Proofs and witnesses as steps that a person can check on paper.
 //!
-//! The one sentence of a verdict is a [`summary`] and made at once; the steps are made when
-//! something shows them.
+//! They are data, and made when something shows them; in which words is not decided here.
 
 mod names;
+mod step;
 mod summary;
 mod witness;
 
-use kane_algebra::syntax::Notation;
 use kane_kernel::{
     Atom, Conclusion, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state, constants,
     scope, sides,
 };
-use num_traits::{One, Signed};
+use num_traits::One;
 
-use crate::Step;
 use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
 
-use names::root_text;
-use summary::Formula;
-
+pub use step::*;
 pub(crate) use summary::{reason, used};
 pub(crate) use witness::model;
 
 /// Work that one explanation may take.
 const FUEL: u64 = 400_000_000;
-/// Lines after which an explanation is cut.
-const MAX_LINES: usize = 600;
+/// Steps after which a proof is cut.
+pub const MAX_STEPS: usize = 600;
 
-/// Tells the grounds of an accepted finding step by step. The hypotheses of the goal have these
-/// labels.
-pub(crate) fn steps(
-    goal: &Goal,
-    finding: Finding,
-    grounds: &Grounds,
-    labels: &[&str],
-) -> Vec<Step> {
-    let mut teller = Teller { goal, labels, steps: Vec::new() };
-    match grounds {
-        Grounds::Model(model) => return witness::steps(goal, finding, model, labels),
-        Grounds::Contradiction(course) => {
-            if let Ok(scope) = scope(goal, Fuel::new(FUEL))
-                && let Ok(state) = claim_state(&scope, goal, finding)
-            {
-                teller.open(finding);
-                teller.course(&state, course, 1);
-            }
-        }
-        Grounds::Limit(arguments) => {
-            if let Ok(scope) = scope(goal, Fuel::new(FUEL)) {
-                teller.limit(&scope, arguments);
-            }
-        }
+/// The grounds of an accepted finding, step by step.
+pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
+    if let Grounds::Model(model) = grounds {
+        let variables = (0..goal.context.vars.len()).map(Variable::Symbol).collect();
+        return Proof { variables, steps: vec![witness::step(goal, finding, model)] };
     }
-    teller.steps
+    let Ok(scope) = scope(goal, Fuel::new(FUEL)) else { return Proof::default() };
+    let mut teller = Teller { goal, count: 0 };
+    let steps = match grounds {
+        Grounds::Model(_) => Vec::new(),
+        Grounds::Contradiction(course) => match claim_state(&scope, goal, finding) {
+            Ok(state) => {
+                teller.count += 1;
+                let hypotheses_alone = finding == Finding::Vacuous;
+                vec![Step::Suppose { hypotheses_alone, then: teller.course(&state, course) }]
+            }
+            Err(_) => Vec::new(),
+        },
+        Grounds::Limit(arguments) => teller.limit(&scope, arguments),
+    };
+    Proof { variables: names::variables(goal, &scope), steps }
 }
 
+/// Makes steps of arguments by taking them on the kernel's states.
 struct Teller<'a> {
     goal: &'a Goal,
-    labels: &'a [&'a str],
-    steps: Vec<Step>,
+    /// steps made so far
+    count: usize,
 }
 
 impl Teller<'_> {
-    fn say(&mut self, depth: usize, text: String) {
-        match self.steps.len().cmp(&MAX_LINES) {
-            std::cmp::Ordering::Less => self.steps.push(Step { depth, text }),
-            std::cmp::Ordering::Equal => {
-                let text = "(the rest of this proof is left out here)".to_string();
-                self.steps.push(Step { depth: 0, text });
-            }
-            std::cmp::Ordering::Greater => {}
+    /// Notes a step; `false` once there are more than are told.
+    fn goes_on(&mut self) -> bool {
+        self.count += 1;
+        self.count <= MAX_STEPS + 1
+    }
+
+    /// Takes back a step that says nothing.
+    fn says_nothing(&mut self) {
+        self.count -= 1;
+    }
+
+    fn argument(&mut self, state: &State<'_, '_>, argument: &Argument) -> Vec<Step> {
+        let mut steps = Vec::new();
+        self.walk(state, argument, &mut steps);
+        steps
+    }
+
+    fn walk(&mut self, state: &State<'_, '_>, argument: &Argument, steps: &mut Vec<Step>) {
+        if !self.goes_on() {
+            return;
         }
-    }
-
-    fn open(&mut self, finding: Finding) {
-        let text = match finding {
-            Finding::Vacuous => "Suppose that all hypotheses hold. This is contradictory:",
-            _ => "Suppose that the hypotheses hold and the claim does not. This is contradictory:",
-        };
-        self.say(0, text.to_string());
-    }
-
-    fn name(&self, scope: &Scope<'_>, v: usize) -> String {
-        names::name(self.goal, scope, v)
-    }
-
-    fn poly(&self, scope: &Scope<'_>, p: &Poly) -> String {
-        names::poly(self.goal, scope, p)
-    }
-
-    fn atom(&self, scope: &Scope<'_>, a: &Atom) -> String {
-        // One side each for the positive and the negative terms reads best.
-        let side = |negative: bool| {
-            let terms = a.poly.terms().filter(|(_, c)| c.is_negative() == negative);
-            Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.abs())))
-        };
-        let (left, right) = (side(false), side(true));
-        let relation = match a.sign {
-            Sign::Zero => "=",
-            Sign::NonZero => "!=",
-            Sign::NonNegative => ">=",
-            Sign::Positive => ">",
-        };
-        format!("{} {relation} {}", self.poly(scope, &left), self.poly(scope, &right))
-    }
-
-    fn atoms(&self, scope: &Scope<'_>, atoms: &[Atom]) -> String {
-        if atoms.is_empty() {
-            return "nothing more".to_string();
-        }
-        let all: Vec<String> = atoms.iter().map(|a| self.atom(scope, a)).collect();
-        all.join(", ")
-    }
-
-    /// What a formula stands for.
-    fn formula(&self, i: usize) -> String {
-        let given = || "a given behind the cited claims".to_string();
-        match Formula::of(self.goal, i) {
-            Formula::Premise(h) => self.labels.get(h).map_or_else(given, ToString::to_string),
-            Formula::Limit(h) => {
-                format!("the limit in {}", self.labels.get(h).copied().unwrap_or("a given"))
-            }
-            Formula::Condition => "the condition of the claim".to_string(),
-            Formula::Failure => "the claim fails".to_string(),
-        }
-    }
-
-    fn walk(&mut self, state: &State<'_, '_>, argument: &Argument, depth: usize) {
-        let scope = state.scope;
+        let atom = |i: usize| state.atoms[i].clone();
         match argument {
-            Argument::Absurd(i) => {
-                let text = match state.atoms.get(*i) {
-                    Some(a) => format!("{} is false.", self.atom(scope, a)),
-                    None => "Contradiction.".to_string(),
-                };
-                self.say(depth, text);
-            }
+            Argument::Absurd(i) => steps.extend(state.atoms.get(*i).cloned().map(Step::Absurd)),
             Argument::Assume { formula, cases } => {
-                let what = self.formula(*formula);
-                let Ok(states) = state.assume(*formula) else {
-                    return;
-                };
-                let new = |s: &State<'_, '_>| s.atoms[state.atoms.len()..].to_vec();
-                if let ([next], [then]) = (&states[..], &cases[..]) {
-                    if !new(next).is_empty() {
-                        let text = format!("{what}: {}.", self.atoms(scope, &new(next)));
-                        self.say(depth, text);
-                    }
-                    return self.walk(next, then, depth);
-                }
-                self.say(depth, format!("{what}: one of {} cases.", cases.len()));
-                for (i, (next, then)) in states.iter().zip(cases).enumerate() {
-                    let text = format!("Case {}: {}.", i + 1, self.atoms(scope, &new(next)));
-                    self.say(depth + 1, text);
-                    self.walk(next, then, depth + 2);
-                }
+                self.assume(state, *formula, cases, steps);
             }
             Argument::Split { poly, zero, positive, negative } => {
-                let cases = [&**zero, positive, negative];
-                self.split(state, poly, depth, &mut |teller, state, i| {
-                    teller.walk(state, cases[i], depth + 2);
+                let case = |atom| state.with(atom);
+                let [is_zero, is_positive, is_negative] = signs(poly).map(case);
+                steps.push(Step::Split {
+                    poly: poly.clone(),
+                    zero: self.argument(&is_zero, zero),
+                    positive: self.argument(&is_positive, positive),
+                    negative: self.argument(&is_negative, negative),
                 });
             }
             Argument::Substitute { equation, var, lead, then } => {
                 let Ok(next) = state.substitute(*equation, *var, lead) else {
                     return;
                 };
-                let name = self.name(scope, *var);
-                let parts = state.atoms[*equation].poly.coefficients(*var);
-                let solved = match &parts[..] {
-                    [e, d] => {
-                        let (num, den) = (e.neg(), d.clone());
-                        match den.as_constant() {
-                            Some(c) if c.is_one() => self.poly(scope, &num),
-                            Some(c) if (-&c).is_one() => self.poly(scope, &num.neg()),
-                            _ => {
-                                format!("({})/({})", self.poly(scope, &num), self.poly(scope, &den))
-                            }
-                        }
-                    }
-                    _ => String::new(),
-                };
-                let text = if solved.is_empty() {
-                    // of higher degree: powers are reduced, the variable stays
-                    let by = self.atom(scope, &state.atoms[*equation]);
-                    format!("Reduce powers of {name} by {by}.")
-                } else {
-                    format!("Substitute {name} = {solved}.")
-                };
-                self.say(depth, text);
-                let changed: Vec<Atom> = next
-                    .atoms
-                    .iter()
-                    .zip(&state.atoms)
-                    .filter(|(new, old)| new != old && new.decided() != Some(true))
-                    .map(|(new, _)| new.clone())
-                    .collect();
-                if !changed.is_empty() {
-                    let text = format!("This leaves {}.", self.atoms(scope, &changed));
-                    self.say(depth, text);
-                }
-                self.walk(&next, then, depth);
+                let changed = next.atoms.iter().zip(&state.atoms);
+                let changed =
+                    changed.filter(|(new, old)| new != old && new.decided() != Some(true));
+                let leaves = changed.map(|(new, _)| new.clone()).collect();
+                let by = &state.atoms[*equation];
+                steps.push(match solved(&by.poly, *var) {
+                    Some(value) => Step::Substitute { variable: *var, value, leaves },
+                    None => Step::Reduce { variable: *var, by: by.clone(), leaves },
+                });
+                self.walk(&next, then, steps);
             }
-            Argument::Cancel { atom, factors, quotient, then } => {
-                let Ok(next) = state.cancel(*atom, factors, quotient) else {
+            Argument::Cancel { atom: i, factors, quotient, then } => {
+                let Ok(next) = state.cancel(*i, factors, quotient) else {
                     return;
                 };
-                let by: Vec<String> = factors
-                    .iter()
-                    .map(|(i, n)| {
-                        let p = self.poly(scope, &state.atoms[*i].poly);
-                        if *n == 1 { p } else { format!("({p})^{n}") }
-                    })
-                    .collect();
-                let text = format!(
-                    "Divide {} by {}, which cannot vanish: {}.",
-                    self.atom(scope, &state.atoms[*atom]),
-                    by.join(" and "),
-                    self.atom(scope, &next.atoms[*atom])
-                );
-                self.say(depth, text);
-                self.walk(&next, then, depth);
+                let factor = |(i, n): &(usize, u32)| (state.atoms[*i].poly.clone(), *n);
+                let by = factors.iter().map(factor).collect();
+                steps.push(Step::Divide { atom: atom(*i), by, quotient: next.atoms[*i].clone() });
+                self.walk(&next, then, steps);
             }
             Argument::Positive { terms, cofactors } => {
-                let mut parts = Vec::new();
-                for t in terms {
-                    let mut factors = Vec::new();
-                    if !t.weight.is_one() {
-                        factors.push(t.weight.to_string());
-                    }
-                    if t.square != Poly::one() {
-                        factors.push(format!("({})^2", self.poly(scope, &t.square)));
-                    }
-                    for (i, n) in &t.factors {
-                        let p = self.poly(scope, &state.atoms[*i].poly);
-                        factors.push(if *n == 1 { format!("({p})") } else { format!("({p})^{n}") });
-                    }
-                    parts.push(if factors.is_empty() {
-                        "1".to_string()
-                    } else {
-                        factors.join("*")
-                    });
-                }
-                for (i, c) in cofactors {
-                    let (c, p) = (self.poly(scope, c), self.poly(scope, &state.atoms[*i].poly));
-                    parts.push(format!("({c})*[{p}]"));
-                }
-                let text = format!(
-                    "{} is 0 identically, yet it is a sum of non-negative terms, one of them positive{}.",
-                    parts.join(" + "),
-                    if cofactors.is_empty() { "" } else { " (brackets vanish)" }
-                );
-                self.say(depth, text);
+                let factor = |(i, n): &(usize, u32)| (state.atoms[*i].poly.clone(), *n);
+                let term = |t: &kane_kernel::Term| Summand {
+                    weight: t.weight.clone(),
+                    square: t.square.clone(),
+                    factors: t.factors.iter().map(factor).collect(),
+                };
+                let multiple = |(i, c): &(usize, Poly)| (c.clone(), state.atoms[*i].poly.clone());
+                steps.push(Step::Positive {
+                    terms: terms.iter().map(term).collect(),
+                    multiples: cofactors.iter().map(multiple).collect(),
+                });
             }
-            Argument::Orthant { atom, bounds } => {
-                let shown: Vec<String> = bounds
-                    .iter()
-                    .flat_map(|(_, l, u)| [*l, *u])
-                    .flatten()
-                    .map(|i| self.atom(scope, &state.atoms[i]))
-                    .collect();
-                let text = format!(
-                    "{} contradicts {}: measured from these bounds, all its coefficients have the other sign.",
-                    self.atom(scope, &state.atoms[*atom]),
-                    shown.join(", ")
-                );
-                self.say(depth, text);
+            Argument::Orthant { atom: i, bounds } => {
+                let bounds = bounds.iter().flat_map(|(_, l, u)| [*l, *u]).flatten();
+                let bounds = bounds.map(atom).collect();
+                steps.push(Step::SignsOfCoefficients { atom: atom(*i), bounds });
             }
             Argument::SignTable { var, roots, atoms, .. } => {
-                let name = self.name(scope, *var);
-                let shown: Vec<String> =
-                    atoms.iter().map(|(i, ..)| self.atom(scope, &state.atoms[*i])).collect();
-                let cuts: Vec<String> = roots.iter().map(root_text).collect();
-                let where_ = if cuts.is_empty() {
-                    "without a root".to_string()
-                } else {
-                    format!("cut at {}", cuts.join(", "))
-                };
-                self.say(
-                    depth,
-                    format!(
-                        "On the line of {name}, {where_}, no part satisfies {}.",
-                        shown.join(", ")
-                    ),
-                );
+                let atoms = atoms.iter().map(|(i, ..)| atom(*i)).collect();
+                let cuts = roots.iter().map(witness::tight).collect();
+                steps.push(Step::SignTable { variable: *var, cuts, atoms });
             }
         }
     }
 
-    /// The three signs of a polynomial: zero, positive, negative.
-    fn split<'s, 'g>(
+    fn assume(
         &mut self,
-        state: &State<'s, 'g>,
-        poly: &Poly,
-        depth: usize,
-        then: &mut dyn FnMut(&mut Self, &State<'s, 'g>, usize),
+        state: &State<'_, '_>,
+        formula: usize,
+        cases: &[Argument],
+        steps: &mut Vec<Step>,
     ) {
-        let shown = self.poly(state.scope, poly);
-        self.say(depth, format!("Distinguish the sign of {shown}:"));
-        let cases = [
-            (" = 0", Atom::new(poly.clone(), Sign::Zero)),
-            (" > 0", Atom::new(poly.clone(), Sign::Positive)),
-            (" < 0", Atom::new(poly.neg(), Sign::Positive)),
-        ];
-        for (i, (sign, atom)) in cases.into_iter().enumerate() {
-            self.say(depth + 1, format!("{shown}{sign}:"));
-            then(self, &state.with(atom), i);
+        let source = summary::source(self.goal, formula);
+        let Ok(states) = state.assume(formula) else {
+            return;
+        };
+        let new = |s: &State<'_, '_>| s.atoms[state.atoms.len()..].to_vec();
+        if let ([next], [then]) = (&states[..], cases) {
+            let atoms = new(next);
+            match atoms.is_empty() {
+                true => self.says_nothing(),
+                false => steps.push(Step::Assume { source, atoms }),
+            }
+            return self.walk(next, then, steps);
         }
+        let cases = states.iter().zip(cases);
+        let cases = cases.map(|(next, then)| (new(next), self.argument(next, then)));
+        steps.push(Step::Cases { source, cases: cases.collect() });
     }
 
-    fn course(&mut self, state: &State<'_, '_>, course: &Course, depth: usize) {
+    fn course(&mut self, state: &State<'_, '_>, course: &Course) -> Vec<Step> {
         match course {
-            Course::After(passages, then) => self.passages(state, passages, then, depth),
+            Course::After(passages, then) => {
+                let mut steps = Vec::new();
+                self.passages(state, passages, then, &mut steps);
+                steps
+            }
             Course::Split { poly, zero, positive, negative } => {
-                let cases = [&**zero, positive, negative];
-                self.split(state, poly, depth, &mut |teller, state, i| {
-                    teller.course(state, cases[i], depth + 2);
-                });
+                self.count += 1;
+                let case = |atom| state.with(atom);
+                let [is_zero, is_positive, is_negative] = signs(poly).map(case);
+                vec![Step::Split {
+                    poly: poly.clone(),
+                    zero: self.course(&is_zero, zero),
+                    positive: self.course(&is_positive, positive),
+                    negative: self.course(&is_negative, negative),
+                }]
             }
         }
     }
@@ -328,63 +194,72 @@ impl Teller<'_> {
         state: &State<'_, '_>,
         passages: &[Passage],
         then: &Argument,
-        depth: usize,
+        steps: &mut Vec<Step>,
     ) {
-        let scope = state.scope;
         let Some((Passage { germ, atom, along }, rest)) = passages.split_first() else {
-            return self.walk(state, then, depth);
+            return self.walk(state, then, steps);
         };
-        let (Ok(at), Ok(zero)) = (state.along_unproved(germ), state.at_zero(germ, atom)) else {
+        let (Ok(at), Ok(end)) = (state.along_unproved(germ), state.at_zero(germ, atom)) else {
             return;
         };
-        let text = format!(
-            "Along {} for small t > 0: {}. (Square brackets stand for a quantity that has a limit.)",
-            names::side(self.goal, &germ.side),
-            self.atom(scope, atom)
-        );
-        self.say(depth, text);
-        self.say(depth + 1, "Otherwise:".to_string());
-        self.walk(&at.with(atom.not()), along, depth + 2);
-        let text = format!("In the limit t = 0: {}.", self.atom(scope, &zero));
-        self.say(depth, text);
-        self.passages(&state.with(zero), rest, then, depth);
+        if !self.goes_on() {
+            return;
+        }
+        let otherwise = self.argument(&at.with(atom.not()), along);
+        let (side, along, next) = (germ.side.clone(), atom.clone(), state.with(end.clone()));
+        steps.push(Step::Pass { side, along, otherwise, end });
+        self.passages(&next, rest, then, steps);
     }
 
-    fn limit(&mut self, scope: &Scope<'_>, arguments: &[SideArgument]) {
+    fn limit(&mut self, scope: &Scope<'_>, arguments: &[SideArgument]) -> Vec<Step> {
+        let mut steps = Vec::new();
         let Conclusion::Link(Link::Limit(limit)) = &self.goal.conclusion else {
-            return;
+            return steps;
         };
-        for (side, proof) in sides(scope, limit).iter().zip(arguments) {
-            let ratio = names::ratio(self.goal, scope, &proof.num, &proof.den);
-            let f = limit.expr.plain(&self.goal.context);
-            let start = |p: &Poly| {
-                let zero = p.coefficients(scope.germ()).swap_remove(0);
-                self.poly(scope, &zero)
-            };
-            let with = names::side(self.goal, side);
-            let text = format!("With {with}, {f} = {ratio} for all small t > 0.");
-            let ends = if proof.order == 0 {
-                format!("At t = 0 this is ({})/({}).", start(&proof.num), start(&proof.den))
-            } else {
-                format!(
-                    "At t = 0 the numerator is {} and the denominator vanishes to order {}.",
-                    start(&proof.num),
-                    proof.order
-                )
-            };
-            self.say(0, text);
-            let Ok(state) = constants(scope, self.goal, limit.var) else {
+        let Ok(state) = constants(scope, self.goal, limit.var) else {
+            return steps;
+        };
+        for (side, proof) in sides(scope, limit).into_iter().zip(arguments) {
+            if !self.goes_on() {
+                break;
+            }
+            // Proved when the certificate was checked.
+            let (Ok(along), Ok(cases)) = (
+                state.along_unproved(&proof.germ),
+                kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den)),
+            ) else {
                 continue;
             };
-            // Proved when the certificate was checked.
-            if let Ok(along) = state.along_unproved(&proof.germ)
-                && let Ok(cases) =
-                    kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den))
-            {
-                self.say(1, "Otherwise:".to_string());
-                self.walk(&along.with_cases(cases), &proof.along, 2);
-            }
-            self.say(0, ends);
+            let start = |p: &Poly| p.coefficients(scope.germ()).swap_remove(0);
+            steps.push(Step::LimitFrom {
+                side,
+                of: limit.expr.clone(),
+                quotient: (proof.num.clone(), proof.den.clone()),
+                otherwise: self.argument(&along.with_cases(cases), &proof.along),
+                start: (start(&proof.num), start(&proof.den)),
+                order: proof.order,
+            });
         }
+        steps
     }
+}
+
+/// The three signs of a polynomial: zero, positive, negative.
+fn signs(poly: &Poly) -> [Atom; 3] {
+    [
+        Atom::new(poly.clone(), Sign::Zero),
+        Atom::new(poly.clone(), Sign::Positive),
+        Atom::new(poly.neg(), Sign::Positive),
+    ]
+}
+
+/// The quotient that an equation of the first degree in v says that v is; a denominator ±1 is 1.
+fn solved(equation: &Poly, v: usize) -> Option<(Poly, Poly)> {
+    let parts = equation.coefficients(v);
+    let [rest, lead] = &parts[..] else { return None };
+    Some(match lead.as_constant() {
+        Some(c) if c.is_one() => (rest.neg(), Poly::one()),
+        Some(c) if (-&c).is_one() => (rest.clone(), Poly::one()),
+        _ => (rest.neg(), lead.clone()),
+    })
 }

@@ -1,104 +1,70 @@
-//! Models in words: points and functions, with what becomes of each statement there.
+//! Models as data: points and functions, with what becomes of each statement there.
 
-use kane_algebra::syntax::{Evaluator, NoValue, Notation};
+use kane_algebra::syntax::{Evaluator, NoValue};
 use kane_kernel::{
-    Conclusion, Expr, Failure, Finding, Functions, Goal, Link, Model, Point, Poly, Proof, Target,
+    Conclusion, Expr, Failure, Finding, Functions, Goal, Link, Model, Point, Proof, Root,
     expressions,
 };
-use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::names::{root_text, short, single};
-use crate::Step;
-use crate::prove::expression;
+use super::{Assignment, Comparison, End, Held, Reason, Step, Value};
 
 type Q = BigRational;
 
-/// A model as names and values, only of the symbols that the goal mentions.
-pub(crate) fn model(goal: &Goal, model: &Model) -> Vec<(String, String)> {
+/// The values of a model, only of the symbols that the goal mentions.
+pub(crate) fn model(goal: &Goal, model: &Model) -> Vec<Assignment> {
     let shown = mentioned(goal, true);
-    let name = |v: &usize| goal.context.vars[*v].name.clone();
     match model {
-        Model::Point(p) => {
-            let values = shown.iter().filter_map(|v| Some((name(v), value(p, *v)?)));
-            values.collect()
-        }
-        Model::Functions(f) => {
-            let values = f.values.iter().filter(|(v, _)| shown.contains(v));
-            values.map(|(v, e)| (name(v), e.plain(&goal.context))).collect()
-        }
+        Model::Point(point) => values(point, &shown),
+        Model::Functions(f) => functions(goal, f),
     }
 }
 
-/// A model in one sentence.
-pub(super) fn reason(goal: &Goal, finding: Finding, model: &Model) -> String {
+/// A model in outline.
+pub(super) fn reason(goal: &Goal, finding: Finding, model: &Model) -> Reason {
     match model {
-        Model::Functions(f) => {
-            let (pairs, end) = (functions(goal, f).join(", "), end(goal, f));
-            if pairs.is_empty() { end } else { format!("for {pairs}: {end}") }
-        }
+        Model::Functions(f) => Reason::Functions { values: functions(goal, f), end: end(f) },
         Model::Point(point) => {
-            let told = conclusion(goal, finding, point).pop().unwrap_or_default();
+            let claim = conclusion(goal, finding, point).pop();
             let shown = mentioned(goal, false);
             let near = if shown.is_empty() { mentioned(goal, true) } else { shown };
-            let mut at = pairs(goal, point, &near);
-            if at.len() > 8 {
-                at.truncate(8);
-                at.push("…".to_string());
-            }
-            let at = at.join(", ");
-            match (told.is_empty(), at.is_empty()) {
-                (true, true) => "everywhere".to_string(),
-                (true, false) => format!("at {at}"),
-                (false, true) => told,
-                (false, false) => format!("at {at}: {told}"),
-            }
+            Reason::Point { values: values(point, &near), claim }
         }
     }
 }
 
 /// What becomes of each statement in a model.
-pub(super) fn steps(goal: &Goal, finding: Finding, model: &Model, labels: &[&str]) -> Vec<Step> {
-    let mut steps = Vec::new();
-    let mut say = |depth, text| steps.push(Step { depth, text });
+pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
     match model {
         Model::Point(point) => {
-            let shown = pairs(goal, point, &mentioned(goal, true)).join(", ");
-            say(0, format!("At the point {shown}:"));
+            let mut sides = Vec::new();
             if let Some(values) = coordinates(goal, point) {
                 let mut at = Evaluator::new(&goal.context, &values);
-                for (h, label) in goal.hypotheses.iter().zip(labels) {
-                    for link in &h.sentence.links {
-                        // premises are defined; it is the claim that may not be
-                        if let Some(text) = both(&mut at, goal, link, false) {
-                            say(1, format!("{label}: {text}"));
-                        }
-                    }
+                for (h, hypothesis) in goal.hypotheses.iter().enumerate() {
+                    // premises are defined; it is the claim that may not be
+                    let links = hypothesis.sentence.links.iter();
+                    let compared = links.filter_map(|link| compared(&mut at, link, false));
+                    sides.extend(compared.map(|comparison| (Some(h), comparison)));
                 }
             }
-            for text in conclusion(goal, finding, point) {
-                say(1, format!("the claim: {text}"));
-            }
+            let claim = conclusion(goal, finding, point).into_iter();
+            sides.extend(claim.map(|comparison| (None, comparison)));
+            Step::Point { values: values(point, &mentioned(goal, true)), sides }
         }
         Model::Functions(f) => {
-            let (x, pairs) = (&goal.context.vars[f.var].name, functions(goal, f).join(", "));
-            if !pairs.is_empty() {
-                say(0, format!("Take {pairs}."));
+            let held = |(proof, limits): &(Proof, Vec<_>)| Held {
+                by_proof: !matches!(proof, Proof::Assume { cases, .. } if cases.is_empty()),
+                limits: !limits.is_empty(),
+            };
+            Step::Functions {
+                of: f.var,
+                values: functions(goal, f),
+                hypotheses: f.premises.iter().map(held).collect(),
+                end: end(f),
             }
-            for ((proof, limits), label) in f.premises.iter().zip(labels) {
-                let how = if matches!(proof, Proof::Assume { cases, .. } if cases.is_empty()) {
-                    ""
-                } else {
-                    ", by a sign table or substitution"
-                };
-                let limits = if limits.is_empty() { "" } else { "; its limit is as premised" };
-                say(1, format!("{label} holds for all {x}{how}{limits}."));
-            }
-            say(0, format!("Then {}.", end(goal, f)));
         }
     }
-    steps
 }
 
 /// The symbols at a point; `None` if it is irrational.
@@ -112,63 +78,50 @@ fn coordinates(goal: &Goal, point: &Point) -> Option<Vec<Q>> {
 }
 
 /// Both sides of a relation at a point; of one that may be undefined, why it is.
-fn both(at: &mut Evaluator<'_>, goal: &Goal, link: &Link, undefined: bool) -> Option<String> {
+fn compared(at: &mut Evaluator<'_>, link: &Link, undefined: bool) -> Option<Comparison> {
     let Link::Relation(r) = link else {
         return None;
     };
     let (a, b) = (at.value(&r.lhs), at.value(&r.rhs));
-    let mut faults = [&a, &b].into_iter().filter_map(|side| side.as_ref().err());
-    let why = faults.find(|why| !matches!(why, NoValue::Irrational)).filter(|_| undefined);
-    if let Some(why) = why {
-        return Some(format!("{} is undefined ({why})", r.plain(&goal.context)));
-    }
-    let shown = |side: &Result<Q, NoValue>| side.as_ref().map_or_else(ToString::to_string, short);
-    Some(format!("left side {}, right side {}", shown(&a), shown(&b)))
+    let tells = |why: &NoValue| undefined && !matches!(why, NoValue::Irrational);
+    let why = [&a, &b].into_iter().filter_map(|side| side.as_ref().err().copied()).find(tells);
+    Some(match why {
+        Some(why) => Comparison::Undefined(r.clone(), why),
+        None => Comparison::Sides(a, b),
+    })
 }
 
 /// What becomes of the claim at a point.
-fn conclusion(goal: &Goal, finding: Finding, point: &Point) -> Vec<String> {
+fn conclusion(goal: &Goal, finding: Finding, point: &Point) -> Vec<Comparison> {
     let Some(values) = coordinates(goal, point) else {
         return Vec::new();
     };
     let mut at = Evaluator::new(&goal.context, &values);
     let undefined = finding == Finding::IllDefined;
     let links = goal.conclusion.links().iter();
-    links.filter_map(|link| both(&mut at, goal, link, undefined)).collect()
+    links.filter_map(|link| compared(&mut at, link, undefined)).collect()
 }
 
-/// Values of symbols, with their names.
-fn pairs(goal: &Goal, point: &Point, vars: &[usize]) -> Vec<String> {
-    let one = |v: &usize| Some(format!("{} = {}", goal.context.vars[*v].name, value(point, *v)?));
-    vars.iter().filter_map(one).collect()
+/// Values of these symbols.
+fn values(point: &Point, symbols: &[usize]) -> Vec<Assignment> {
+    let one = |v: &usize| Some(Assignment { symbol: *v, value: value(point, *v)? });
+    symbols.iter().filter_map(one).collect()
 }
 
-/// Functions for symbols, with their names.
-fn functions(goal: &Goal, f: &Functions) -> Vec<String> {
+/// Functions for the symbols that the goal mentions.
+fn functions(goal: &Goal, f: &Functions) -> Vec<Assignment> {
     let shown = mentioned(goal, true);
     let values = f.values.iter().filter(|(v, _)| shown.contains(v));
-    let one = |(v, e): &(usize, Expr)| {
-        format!("{} = {}", goal.context.vars[*v].name, e.plain(&goal.context))
-    };
+    let one = |(v, e): &(usize, Expr)| Assignment { symbol: *v, value: Value::Function(e.clone()) };
     values.map(one).collect()
 }
 
 /// How a claim fails for functions.
-fn end(goal: &Goal, f: &Functions) -> String {
+fn end(f: &Functions) -> End {
     match &f.failure {
-        Failure::Reaches(_) => "all hypotheses hold".to_string(),
-        Failure::At(point) => match value(point, f.var) {
-            Some(at) => format!("it fails at {} = {at}", goal.context.vars[f.var].name),
-            None => "it fails".to_string(),
-        },
-        Failure::Limit { target, .. } => {
-            let target = match target {
-                Target::Finite(e) => e.plain(&goal.context),
-                Target::PlusInf => "oo".to_string(),
-                Target::MinusInf => "-oo".to_string(),
-            };
-            format!("the limit is {target}")
-        }
+        Failure::Reaches(_) => End::Holds,
+        Failure::At(point) => End::At(f.var, value(point, f.var)),
+        Failure::Limit { target, .. } => End::Limit(target.clone()),
     }
 }
 
@@ -210,24 +163,27 @@ fn mentioned(goal: &Goal, all: bool) -> Vec<usize> {
     out.into_iter().collect()
 }
 
-/// A value at a point, as a number or as a root.
-fn value(point: &Point, v: usize) -> Option<String> {
+/// A value at a point.
+fn value(point: &Point, v: usize) -> Option<Value> {
     let (_, coefficients) = point.values.iter().find(|x| x.0 == v)?;
     let root = match &point.generator {
-        Some(root) if coefficients.len() > 1 => root,
-        _ => return Some(coefficients.first().map_or("0".to_string(), short)),
+        Some(root) if coefficients.len() > 1 => tight(root),
+        _ => return Some(Value::Number(coefficients.first().cloned().unwrap_or_else(Q::zero))),
     };
-    if coefficients[..] == [Q::zero(), Q::one()] {
-        return Some(root_text(root));
+    Some(if coefficients[..] == [Q::zero(), Q::one()] {
+        Value::Root(root)
+    } else {
+        Value::InRoot { coefficients: coefficients.clone(), root }
+    })
+}
+
+/// A root, confined closely enough to be written as a decimal.
+pub(super) fn tight(root: &Root) -> Root {
+    let mut tight = root.clone();
+    for _ in 0..40 {
+        if !tight.is_exact() {
+            kane_algebra::sign_table::refine(&mut tight);
+        }
     }
-    let mut p = Poly::default();
-    let common =
-        coefficients.iter().fold(BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
-    for (i, q) in (0u32..).zip(coefficients) {
-        let m = if i == 0 { Vec::new() } else { vec![(0, i)] };
-        p = p.add(&Poly::term(m, q.numer() * (&common / q.denom())));
-    }
-    let text = expression(&p).plain(&single("r"));
-    let scaled = if common.is_one() { text } else { format!("({text})/{common}") };
-    Some(format!("{scaled} with r = {}", root_text(root)))
+    tight
 }

@@ -200,7 +200,8 @@ const FUNCTIONS: [(Quadratic, Quadratic); 30] = [
 ];
 
 /// A polynomial as an expression.
-pub(crate) fn expression(p: &Poly) -> Expr {
+#[must_use]
+pub fn expression(p: &Poly) -> Expr {
     expression_in(p, &Expr::Var)
 }
 

@@ -19,6 +19,7 @@ use kane_kernel::{
     premised, scope, sides,
 };
 
+use crate::Open;
 use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 
 /// Case distinctions on constants before what limits say of them is given up.
@@ -28,7 +29,7 @@ use functions::Effort;
 use germs::Germs;
 use search::{Outcome, Search};
 
-pub(crate) use functions::expression;
+pub use functions::expression;
 
 /// How much work one link may take. All numbers count steps, none of them time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +80,7 @@ pub(crate) struct Verdicts {
     /// a model of the hypotheses, accepted too
     pub(crate) model: Option<Model>,
     /// why nothing decides
-    pub(crate) reason: String,
+    pub(crate) open: Option<Open>,
     /// search steps spent
     pub(crate) cost: u64,
     /// whether a model that decides was found for the givens behind what is cited, too
@@ -116,14 +117,12 @@ impl Prover<'_> {
         goal: &Goal,
         finding: Finding,
         grounds: &Grounds,
-    ) -> Result<Certificate, String> {
-        let evidence = self.evidence(goal, finding, grounds);
-        let evidence =
-            evidence.map_err(|why| format!("an argument was found but does not hold: {why:?}"))?;
+    ) -> Result<Certificate, Open> {
+        let evidence = self.evidence(goal, finding, grounds).map_err(Open::Unwritten)?;
         let certificate = Certificate { goal: digest(goal), finding, evidence };
         match check(goal, &certificate, Fuel::new(self.budget.check)) {
             Ok(()) => Ok(certificate),
-            Err(why) => Err(format!("a certificate was found but not accepted: {why}")),
+            Err(why) => Err(Open::Rejected(why)),
         }
     }
 
@@ -151,15 +150,15 @@ impl Prover<'_> {
     pub(crate) fn judge(&self, goal: &Goal, doubt: bool) -> Verdicts {
         let mut out = Verdicts::default();
         if let Err(why) = scope(goal, self.fuel()) {
-            out.reason = unfit(&why);
+            out.open = Some(Open::Unfit(why));
             return out;
         }
         match &goal.conclusion {
             Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, doubt, &mut out),
             _ => self.judge_pointwise(goal, doubt, &mut out),
         }
-        if out.decided.is_none() && out.reason.is_empty() {
-            out.reason = format!("neither proof nor witness within {} steps", self.budget.steps);
+        if out.decided.is_none() && out.open.is_none() {
+            out.open = Some(Open::Steps(self.budget.steps));
         }
         out
     }
@@ -171,7 +170,7 @@ impl Prover<'_> {
                 true
             }
             Err(why) => {
-                out.reason = why;
+                out.open = Some(why);
                 false
             }
         }
@@ -208,7 +207,7 @@ impl Prover<'_> {
             Ok(state) => state,
             Err(why) => {
                 if why == Rejection::Budget && !guide {
-                    out.reason = unfit(&why);
+                    out.open = Some(Open::Unfit(why));
                 }
                 return open;
             }
@@ -239,7 +238,7 @@ impl Prover<'_> {
         }
         out.cost += steps - search.left();
         if !guide && scope.fuel.spend(1).is_err() {
-            out.reason = format!("neither proof nor witness within {fuel} coefficient operations");
+            out.open = Some(Open::Operations(fuel));
         }
         if let Outcome::Closed(argument) = outcome {
             course = Some(Course::After(Vec::new(), argument));
@@ -367,8 +366,8 @@ impl Prover<'_> {
         if let Some(grounds) = self.closed(goal, Finding::Proved, &mut out) {
             self.decide(goal, Finding::Proved, grounds, &mut out);
         }
-        if out.decided.is_none() && out.reason.is_empty() {
-            out.reason = format!("no proof within {} steps", self.budget.steps);
+        if out.decided.is_none() && out.open.is_none() {
+            out.open = Some(Open::NoProof(self.budget.steps));
         }
         out
     }
@@ -435,10 +434,6 @@ impl Prover<'_> {
             Some((side, given))
         })
     }
-}
-
-fn unfit(why: &Rejection) -> String {
-    format!("its normal form does not fit the budget ({why})")
 }
 
 /// Symbols that the claim itself writes, those of its conditions above those of its conclusion.

@@ -7,13 +7,13 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 
 use super::tie::Ties;
 use super::{Fault, MAX_FAULTS, Reader, label};
-use crate::{Body, Claim, Content, Statement, Verdict};
+use crate::{Body, Claim, Content, Parts, Statement, Verdict};
 
 /// A statement before its citations are resolved.
 #[derive(Debug)]
 pub(super) struct Draft {
     pub(super) label: String,
-    pub(super) label_span: Range<usize>,
+    pub(super) parts: Parts,
     pub(super) body: DraftBody,
     pub(super) span: Range<usize>,
     pub(super) line: usize,
@@ -164,6 +164,7 @@ impl Draft {
                 expect: claim.expect,
             }),
         };
-        Some(Statement { label: self.label, body, span: self.span, line: self.line })
+        let Self { label, parts, span, line, .. } = self;
+        Some(Statement { label, body, span, parts, line })
     }
 }

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
 use super::{Fault, Reader, label, symbol};
-use crate::Verdict;
+use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
 pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
@@ -53,11 +53,18 @@ impl Reader {
             }
         };
         let mut faults = Vec::new();
-        let outcome = match keyword {
-            "let" => body_of_let(parser).map(|(body, end)| (Parsed::Let(body), end)),
-            "given" => given(parser, &mut faults).map(|(body, end)| (Parsed::Body(body), end)),
-            _ => claim(parser, &mut faults).map(|(body, end)| (Parsed::Body(body), end)),
-        };
+        let mut parts = Parts { label: head.label_span, ..Parts::default() };
+        let outcome =
+            match keyword {
+                "let" => body_of_let(parser).map(|(body, end)| (Parsed::Let(body), end)),
+                "given" => given(parser, &mut parts, &mut faults)
+                    .map(|(body, end)| (Parsed::Body(body), end)),
+                _ => claim(parser, &mut parts, &mut faults)
+                    .map(|(body, end)| (Parsed::Body(body), end)),
+            };
+        if let (Ok((_, end)), Some((_, name))) = (&outcome, &head.name) {
+            parts.content = name.start..*end;
+        }
         self.scope = scope;
         self.faults.extend(faults);
         let (parsed, end) = match outcome {
@@ -76,13 +83,7 @@ impl Reader {
             (Parsed::Body(body), _) => body,
             (Parsed::Broken | Parsed::Let(_), _) => DraftBody::Broken,
         };
-        self.enter(Draft {
-            label: head.label,
-            label_span: head.label_span,
-            body,
-            span: span.start..end,
-            line,
-        });
+        self.enter(Draft { label: head.label, parts, body, span: span.start..end, line });
     }
 
     fn note_errors(&mut self, errors: Vec<SyntaxError>, defined: Option<&str>) {
@@ -106,7 +107,7 @@ impl Reader {
         if let Some(first) = self.drafts.get(first) {
             let message = format!("duplicate label `{}`", draft.label);
             let note = format!("`{}` on line {} has it already", first.label, first.line);
-            self.faults.push(Fault::new(draft.label_span.clone(), message).with_note(note));
+            self.faults.push(Fault::new(draft.parts.label.clone(), message).with_note(note));
         }
         self.drafts.push(draft);
     }
@@ -185,11 +186,38 @@ fn body_of_let(mut p: Parser<'_>) -> Outcome<Expr> {
     finish(p, body)
 }
 
+/// Where what a parser reads stands.
+fn placed<'a, T>(
+    p: &mut Parser<'a>,
+    read: impl FnOnce(&mut Parser<'a>) -> Result<T, SyntaxError>,
+) -> Result<(T, Range<usize>), SyntaxError> {
+    let start = p.span().start;
+    let value = read(p)?;
+    Ok((value, start..p.last_end()))
+}
+
+/// A clause that begins with this word, with its place; nothing where another word is ahead.
+fn clause<'a, T: Default>(
+    p: &mut Parser<'a>,
+    word: &str,
+    read: impl FnOnce(&mut Parser<'a>) -> Result<T, SyntaxError>,
+) -> Result<(T, Option<Range<usize>>), SyntaxError> {
+    if !p.at_word(word) {
+        return Ok((T::default(), None));
+    }
+    let (value, place) = placed(p, |p| {
+        p.advance();
+        read(p)
+    })?;
+    Ok((value, Some(place)))
+}
+
 /// `RELATION [as x -> a] [when RELATION]`
-fn given(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
+fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let sentence = (|| {
-        let links = p.links()?;
-        let when = when(&mut p, &links, faults)?;
+        let (links, when);
+        (links, parts.content) = placed(&mut p, Parser::links)?;
+        (when, parts.when) = clause(&mut p, "when", |p| conditions(p, &links, faults))?;
         refuse_clauses(&p, &["when"])?;
         let links = links.into_iter().map(|(link, _)| link).collect();
         Ok(DraftBody::Given(Sentence { when, links }))
@@ -199,43 +227,48 @@ fn given(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
 
 /// `RELATION [as x -> a] | contradiction | not implied M`, then
 /// `[when RELATION] [from …] [by f := …, …] [expect VERDICT]`
-fn claim(mut p: Parser<'_>, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
+fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let claim = (|| {
-        let content = if p.accept_word("contradiction") {
-            DraftContent::Contradiction
-        } else if p.accept_word("not") {
-            if !p.accept_word("implied") {
-                return Err(p.unexpected("`implied`"));
-            }
-            DraftContent::NotImplied(cited(&mut p)?)
-        } else {
-            DraftContent::Links(p.links()?)
-        };
+        let (content, when, from, by, expect);
+        (content, parts.content) = placed(&mut p, content_of_claim)?;
         let links = match &content {
             DraftContent::Links(links) => links.as_slice(),
             _ => &[],
         };
-        let when = when(&mut p, links, faults)?;
-        let mut from = Vec::new();
-        if p.accept_word("from") {
-            from.push(cited(&mut p)?);
+        (when, parts.when) = clause(&mut p, "when", |p| conditions(p, links, faults))?;
+        (from, parts.from) = clause(&mut p, "from", |p| {
+            let mut from = vec![cited(p)?];
             while p.next_item(from.len())? {
-                from.push(cited(&mut p)?);
+                from.push(cited(p)?);
             }
-        }
+            Ok(from)
+        })?;
         let mut allowed = vec!["when", "from", "expect"];
-        let mut by = Vec::new();
-        if matches!(content, DraftContent::NotImplied(_)) {
+        (by, parts.by) = if matches!(content, DraftContent::NotImplied(_)) {
             allowed.push("by");
-            if p.accept_word("by") {
-                by = witness(&mut p, faults)?;
-            }
-        }
-        let expect = if p.accept_word("expect") { Some(verdict(&mut p)?) } else { None };
+            clause(&mut p, "by", |p| witness(p, faults))?
+        } else {
+            (Vec::new(), None)
+        };
+        (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
         Ok(DraftBody::Claim(DraftClaim { content, when, from, by, expect }))
     })();
     finish(p, claim)
+}
+
+/// `RELATION [as x -> a] | contradiction | not implied M`
+fn content_of_claim(p: &mut Parser<'_>) -> Result<DraftContent, SyntaxError> {
+    if p.accept_word("contradiction") {
+        Ok(DraftContent::Contradiction)
+    } else if p.accept_word("not") {
+        if !p.accept_word("implied") {
+            return Err(p.unexpected("`implied`"));
+        }
+        Ok(DraftContent::NotImplied(cited(p)?))
+    } else {
+        Ok(DraftContent::Links(p.links()?))
+    }
 }
 
 /// Explains a clause that stands where it cannot.
@@ -260,15 +293,12 @@ fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
     Ok(Cited { label: label.to_owned(), span })
 }
 
-/// `[when RELATION]`. Beside a limit it must leave the limit variable free.
-fn when(
+/// `RELATION` of a `when`. Beside a limit it must leave the limit variable free.
+fn conditions(
     p: &mut Parser<'_>,
     links: &[(Link, Range<usize>)],
     faults: &mut Vec<Fault>,
 ) -> Result<Vec<Relation>, SyntaxError> {
-    if !p.accept_word("when") {
-        return Ok(Vec::new());
-    }
     let relations = p.spanned_relations()?;
     let limit = links.iter().find_map(|(link, _)| match link {
         Link::Limit(limit) => Some(limit),

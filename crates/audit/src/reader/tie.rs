@@ -106,7 +106,7 @@ impl<'a> Ties<'a> {
     ) -> Fault {
         let name = |v: usize| self.scope.context().vars.get(v).map_or("?", |var| &var.name);
         let (x, y) = (name(x), name(y));
-        let own = |draft: &Draft| draft.label_span.clone();
+        let own = |draft: &Draft| draft.parts.label.clone();
         let mut span: Range<usize> = self.drafts.get(index).map(own).unwrap_or_default();
         let mut labels: Vec<String> = Vec::new();
         for link in chain {

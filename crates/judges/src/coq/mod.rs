@@ -168,7 +168,8 @@ pub fn file(claims: &Claims<'_>) -> File {
         while taken(&name) || !names.insert(name.clone()) {
             name.push('\'');
         }
-        let heading = format!("{}: {} ({})", asked.label, asked.judged.text, asked.judged.verdict);
+        let said = document.link(statement, link);
+        let heading = format!("{}: {said} ({})", asked.label, asked.judged.verdict);
         let mut text = format!("\n(** {} *)\n", comment(&heading));
         let emitted = lemma::lemma(&name, accepted);
         let mut parts = vec![Part::Points];

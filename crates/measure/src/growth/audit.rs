@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_audit::{Options, Verdict, audit, read};
+use kane_audit::{LinkJudgement, Options, Verdict, audit, read};
 
 use super::Told;
 use super::clock::reading;
@@ -26,8 +26,8 @@ pub struct Asked {
     pub size: usize,
     /// the verdict
     pub verdict: Verdict,
-    /// how it came about
-    pub reason: String,
+    /// the judgement of its first link, which tells how it came about
+    pub link: Option<LinkJudgement>,
     /// steps of search
     pub steps: u64,
     /// picoseconds for reading and judging the document, if it was timed
@@ -158,9 +158,9 @@ fn ask(kind: &Kind, size: usize, timed: bool) -> Option<Asked> {
     };
     let (judgement, time) = reading(timed, judged);
     let judgement = judgement?;
-    let reason = judgement.links.first().map(|link| link.reason.clone()).unwrap_or_default();
+    let link = judgement.links.first().cloned();
     let steps = judgement.links.iter().map(|link| link.cost).sum();
-    Some(Asked { size, verdict: judgement.verdict, reason, steps, time })
+    Some(Asked { size, verdict: judgement.verdict, link, steps, time })
 }
 
 #[cfg(test)]

@@ -91,10 +91,11 @@ fn chain_reading(chain: &Chain) -> String {
 fn family_reading(family: &Family) -> String {
     use kane_audit::Verdict::Undecided;
     let Some(last) = family.asked.last() else { return String::new() };
+    let reason = last.link.as_ref().map_or_else(String::new, crate::words::reason_alone);
     if last.verdict == Undecided {
-        format!("undecided at {}: {}", last.size, last.reason)
+        format!("undecided at {}: {reason}", last.size)
     } else {
-        format!("{} to {}, {}", last.verdict, last.size, last.reason)
+        format!("{} to {}, {reason}", last.verdict, last.size)
     }
 }
 

@@ -1,15 +1,15 @@
 //! One statement: what it says, the note in the margin, and its proof or witness folded away.
 
-use kane_audit::{LinkJudgement, Step, Verdict};
-use maud::{Markup, html};
+use kane_audit::{LinkJudgement, Verdict};
+use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::DisplayMode;
 
 use super::math::math;
-use super::words::sentence;
 use super::{Page, marked, verdict_class};
 use crate::judges;
 use crate::report::Entry;
 use crate::wording::{evidence, mark};
+use crate::words::{Form, Line, equations, example};
 
 impl Page<'_> {
     /// The statement, under a heading of this level.
@@ -73,10 +73,10 @@ impl Page<'_> {
                 @if let Some(remark) = entry.expectation() { span.remark { " · " (remark) } }
             }
             @if let Some(support) = entry.support() { p { (support) } }
-            @if let Some(reason) = entry.decisive_reason() {
-                p.reason { (sentence(&reason, &self.names)) }
+            @if let Some(reason) = entry.decisive_reason(Form::Html) {
+                p.reason { (PreEscaped(reason)) }
             }
-            @if judgement.verdict == Verdict::Proved && judgement.model.is_none() {
+            @if judgement.verdict == Verdict::Proved && judgement.met.is_none() {
                 p { "No model of its hypotheses was found." }
             }
             @if entry.is_claim() { (self.judges(index, judgement.links.len())) }
@@ -110,16 +110,16 @@ impl Page<'_> {
                     (evidence(judgement.verdict))
                     span.quiet { " of " (entry.statement.label) }
                 }
-                @for link in &judgement.links { (self.link(entry, link, several)) }
+                @for (number, link) in judgement.links.iter().enumerate() {
+                    (self.link(entry, (number, link), several))
+                }
                 @if !judgement.rests_on.is_empty() {
                     p { "Rests on " (self.anchors.links(&judgement.rests_on)) "." }
                 }
-                @if let Some(model) = judgement.model.as_ref().filter(|model| !model.is_empty()) {
-                    @let pairs: Vec<String> =
-                        model.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                @if let Some(example) = example(judgement, Form::Html).filter(|e| !e.is_empty()) {
                     p {
                         "Its hypotheses hold, for example, at "
-                        (sentence(&pairs.join(", "), &self.names)) "."
+                        (PreEscaped(equations(&example, Form::Html))) "."
                     }
                 }
                 p.source { "Line " (entry.statement.line) ": " code { (entry.source()) } }
@@ -127,15 +127,19 @@ impl Page<'_> {
         }
     }
 
-    fn link(&self, entry: &Entry<'_>, link: &LinkJudgement, several: bool) -> Markup {
+    fn link(
+        &self,
+        entry: &Entry<'_>,
+        (number, link): (usize, &LinkJudgement),
+        several: bool,
+    ) -> Markup {
         html! {
             div.link {
                 @if several {
-                    @if !link.latex.is_empty() { (math(&link.latex, DisplayMode::Block)) }
-                    p { (marked(link.verdict)) ": " (sentence(&link.reason, &self.names)) }
+                    (math(&entry.link_latex(number), DisplayMode::Block))
+                    p { (marked(link.verdict)) ": " (PreEscaped(entry.reason(link, Form::Html))) }
                 }
-                @let steps = link.steps.told();
-                @if !steps.is_empty() { (self.steps(&steps)) }
+                (lines(&entry.steps(link, Form::Html)))
                 p.check {
                     @if !link.used.is_empty() { "Uses " (self.anchors.links(&link.used)) ". " }
                     @match &link.certificate {
@@ -150,18 +154,15 @@ impl Page<'_> {
             }
         }
     }
+}
 
-    /// The steps as a list, indented by their depth.
-    fn steps(&self, steps: &[Step]) -> Markup {
-        html! {
+/// Lines in HTML as a list, indented by their depth.
+pub(crate) fn lines(lines: &[Line]) -> Markup {
+    html! {
+        @if !lines.is_empty() {
             ol.steps {
-                @for step in steps {
-                    li class={ "d" (step.depth.min(9)) } {
-                        @for (number, line) in step.text.lines().enumerate() {
-                            @if number > 0 { br; }
-                            (sentence(line, &self.names))
-                        }
-                    }
+                @for Line { depth, text } in lines {
+                    li class={ "d" (depth.min(&9)) } { (PreEscaped(text)) }
                 }
             }
         }

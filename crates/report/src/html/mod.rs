@@ -6,7 +6,6 @@ mod frame;
 mod graph;
 mod math;
 mod prose;
-mod words;
 
 use std::ops::Range;
 
@@ -15,14 +14,13 @@ use maud::{Markup, PreEscaped, html};
 
 use crate::judges;
 use crate::report::Entry;
-use crate::typeset::Names;
 use crate::wording::mark;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
+pub(crate) use entry::lines;
 pub(crate) use frame::Frame;
 use prose::Part;
 pub(crate) use prose::{Part as Passage, parts as passages};
-pub(crate) use words::sentence;
 
 /// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.
 ///
@@ -67,7 +65,6 @@ pub fn html(report: &Report<'_>) -> String {
 struct Page<'a> {
     report: &'a Report<'a>,
     anchors: Anchors<'a>,
-    names: Names<'a>,
     /// by statement, the statements shown that name it
     dependents: Vec<Vec<usize>>,
 }
@@ -83,12 +80,7 @@ impl<'a> Page<'a> {
                 }
             }
         }
-        Self {
-            report,
-            anchors: Anchors::of(&document.statements, &report.shown),
-            names: Names::of(&document.context),
-            dependents,
-        }
+        Self { report, anchors: Anchors::of(&document.statements, &report.shown), dependents }
     }
 
     fn entry(&self, index: usize) -> Option<Entry<'a>> {

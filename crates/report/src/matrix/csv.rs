@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use kane_matrix::unmarked;
+
 use super::{MatrixReport, word};
 use crate::stability::quoted;
 
@@ -12,7 +14,7 @@ pub fn csv(report: &MatrixReport<'_>) -> String {
     for row in &report.matrix.rows {
         for (property, cell) in report.matrix.properties.iter().zip(&row.cells) {
             let (finding, parts) = (word(cell.finding), cell.parts.len());
-            let reason = quoted(&cell.reason);
+            let reason = quoted(&unmarked(&cell.reason));
             let _ = writeln!(out, "{},{},{finding},{parts},{reason}", row.law.info.id, property.id);
         }
     }

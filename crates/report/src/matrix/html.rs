@@ -1,12 +1,12 @@
 //! The matrix as a page: the table, and below it every law, every cell in full, and what each property asks.
 
 use kane_matrix::{Cell, Finding, Part, Property, Row, SYMBOLS_IN_WORDS};
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
-use super::explain::{Line, asked, decided, premises, seen};
+use super::explain::Telling;
 use super::{FINDINGS, MatrixReport, parameters, word};
-use crate::html::{Frame, Passage, passages, sentence};
-use crate::typeset::Names;
+use crate::html::{Frame, Passage, lines, passages};
+use crate::words::{Form, Line};
 
 /// The matrix as one HTML file, which loads nothing. `laws` is the page of the laws, `docs/laws.md`, which tells
 /// the formula and the source of each. Equal matrices give equal bytes.
@@ -16,6 +16,7 @@ use crate::typeset::Names;
 pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
     let matrix = report.matrix;
     let told = Told::of(laws);
+    let telling = Telling::new(Form::Html);
     let mut contents =
         vec![("matrix", html! { "The matrix" }), ("properties", html! { "What is asked" })];
     contents.extend(matrix.rows.iter().map(|row| (row.law.info.id, html! { (row.law.info.id) })));
@@ -23,15 +24,15 @@ pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
         (filter(report))
         (table(report))
         h2 #properties { "What is asked" }
-        dl.asked { @for property in &matrix.properties { (question(property)) } }
+        dl.asked { @for property in &matrix.properties { (question(&telling, property)) } }
         h2 #laws { "What is found" }
         p.words {
             "Each law with its formula and its source, and each of its cells with the proof or the contact that \
              speaks against it. "
             code { "kane laws --explain LAW:PROPERTY" } " prints a cell in full."
         }
-        p.words { (sentence(SYMBOLS_IN_WORDS, &names(None))) }
-        @for row in &matrix.rows { (law(&matrix.properties, row, &told)) }
+        p.words { (PreEscaped(telling.sentence(SYMBOLS_IN_WORDS))) }
+        @for row in &matrix.rows { (law(&telling, &matrix.properties, row, &told)) }
     };
     Frame {
         title: "Laws and properties",
@@ -96,20 +97,20 @@ fn table(report: &MatrixReport<'_>) -> Markup {
     }
 }
 
-fn question(property: &Property) -> Markup {
-    let names = names(None);
+fn question(telling: &Telling, property: &Property) -> Markup {
+    let (domain, meaning) = (telling.sentence(property.domain), telling.sentence(property.meaning));
     html! {
         div id=(property.id) {
             dt { (property.name) " " code { (property.id) } }
             dd {
-                p.template { (sentence(property.template, &names)) }
-                p { "For " (sentence(property.domain, &names)) ". " (sentence(property.meaning, &names)) }
+                p.template { (PreEscaped(telling.formula(property.template))) }
+                p { "For " (PreEscaped(domain)) ". " (PreEscaped(meaning)) }
             }
         }
     }
 }
 
-fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
+fn law(telling: &Telling, properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
     let with = parameters(row);
     html! {
         section aria-labelledby=(row.law.info.id) {
@@ -119,73 +120,68 @@ fn law(properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
             @if let Some(words) = told.law(row.law.info.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }
             }
-            @for (property, cell) in properties.iter().zip(&row.cells) { (entry(row, property, cell)) }
+            @for (property, cell) in properties.iter().zip(&row.cells) {
+                (entry(telling, row, property, cell))
+            }
         }
     }
-}
-
-/// The names of templates and witnesses.
-const NAMES: [&str; 22] = [
-    "v", "a", "W", "W_tt", "W_tn", "W_nn", "mu", "e", "alpha", "k", "i_x", "p_t", "p_n", "v_1",
-    "E_t", "E_n", "gamma", "nu", "beta", "c", "w", "d",
-];
-
-/// All names of a goal.
-fn names(part: Option<&Part>) -> Names<'_> {
-    part.map(|part| Names::of(&part.goal.context)).unwrap_or_default().and(&NAMES)
 }
 
 /// Lines of a proof that a page shows; a longer one is told in outline. A witness is always whole.
 const MOST_LINES: usize = 30;
 
 /// A cell. Its anchor is inside of what is folded, so that a link to it unfolds it without scripts.
-fn entry(row: &Row, property: &Property, cell: &Cell) -> Markup {
-    let names = names(cell.parts.first());
-    let proof = in_full(&cell.parts);
-    let is_long = cell.finding == Finding::Proved && proof.len() > MOST_LINES;
-    let proof = if is_long { in_outline(&cell.parts) } else { proof };
+fn entry(telling: &Telling, row: &Row, property: &Property, cell: &Cell) -> Markup {
+    let most = if cell.finding == Finding::Proved { MOST_LINES } else { usize::MAX };
+    let proof = in_full(telling, &cell.parts, most);
+    let is_long = proof.is_none();
+    let proof = proof.unwrap_or_else(|| in_outline(telling, &cell.parts));
     html! {
         details class={ "cell " (class(cell.finding)) } data-v=(class(cell.finding)) {
             summary {
                 (marked(cell.finding)) " " (property.name)
-                @if cell.finding != Finding::Proved { span.why { (sentence(&cell.reason, &names)) } }
+                @if cell.finding != Finding::Proved { span.why { (PreEscaped(telling.sentence(&cell.reason))) } }
             }
             div id={ (row.law.info.id) ":" (property.id) } {
                 p {
-                    a href={ "#" (property.id) } { (sentence(property.template, &names)) }
-                    @if cell.finding == Finding::Proved { ": " (cell.reason) }
+                    a href={ "#" (property.id) } { (PreEscaped(telling.formula(property.template))) }
+                    @if cell.finding == Finding::Proved { ": " (PreEscaped(telling.sentence(&cell.reason))) }
                     @if is_long {
                         ", here in outline; " code { "kane laws --explain " (row.law.info.id) ":" (property.id) }
                         " tells every step"
                     }
                 }
-                (lines(&seen(cell), &names))
-                (lines(&proof, &names))
+                (lines(&telling.seen(cell)))
+                (lines(&proof))
             }
         }
     }
 }
 
-/// All goals; where one has the premises of the one before, they stand there alone.
-fn in_full(parts: &[Part]) -> Vec<Line> {
+/// All goals; where one has the premises of the one before, they stand there alone. `None` if these are more
+/// lines than `most`.
+fn in_full(telling: &Telling, parts: &[Part], most: usize) -> Option<Vec<Line>> {
     let mut lines = Vec::new();
     let mut known = Vec::new();
     for part in parts {
-        lines.push(asked(part));
-        let own = premises(part);
+        lines.push(telling.asked(part));
+        let own = telling.premises(part);
         if own.is_empty() || own != known {
             lines.extend(own.iter().cloned());
         } else {
-            lines.push((1, "from the same premises".to_owned()));
+            lines.push(Line { depth: 1, text: "from the same premises".to_owned() });
         }
         known = own;
-        lines.extend(decided(part));
+        lines.extend(telling.decided(part));
+        if lines.len() > most {
+            return None;
+        }
     }
-    lines
+    Some(lines)
 }
 
 /// How many goals there are on each family of contacts, in which regimes, and on what grounds they are decided.
-fn in_outline(parts: &[Part]) -> Vec<Line> {
+fn in_outline(telling: &Telling, parts: &[Part]) -> Vec<Line> {
     let mut lines = Vec::new();
     let mut settings: Vec<&str> = Vec::new();
     for part in parts {
@@ -200,35 +196,21 @@ fn in_outline(parts: &[Part]) -> Vec<Line> {
             if !regimes.contains(&part.regime.as_str()) {
                 regimes.push(&part.regime);
             }
-            let ground = part.reason();
+            let ground = telling.reason(part);
             match grounds.iter_mut().find(|(known, _)| *known == ground) {
                 Some((_, count)) => *count += 1,
                 None => grounds.push((ground, 1)),
             }
         }
-        lines.push((0, format!("{setting}, \"{}\"", regimes.join("\", \""))));
+        let regimes = html! { (format!("\"{}\"", regimes.join("\", \""))) }.into_string();
+        let text = format!("{}, {regimes}", telling.formula(setting));
+        lines.push(Line { depth: 0, text });
         lines.extend(grounds.into_iter().map(|(ground, count)| {
-            (1, format!("{count} {} {ground}", if count == 1 { "goal" } else { "goals" }))
+            let goals = if count == 1 { "goal" } else { "goals" };
+            Line { depth: 1, text: format!("{count} {goals} {ground}") }
         }));
     }
     lines
-}
-
-fn lines(lines: &[Line], names: &Names<'_>) -> Markup {
-    html! {
-        @if !lines.is_empty() {
-            ol.steps {
-                @for (depth, text) in lines {
-                    li class={ "d" (depth.min(&9)) } {
-                        @for (number, line) in text.lines().enumerate() {
-                            @if number > 0 { br; }
-                            (sentence(line, names))
-                        }
-                    }
-                }
-            }
-        }
-    }
 }
 
 /// What the page of the laws tells of each.

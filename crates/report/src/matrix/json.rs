@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use kane_matrix::{Cell, Matrix, Property, Row, Witness};
+use kane_matrix::{Cell, Matrix, Property, Row, Witness, unmarked};
 use serde::Serialize;
 
 use super::{MatrixReport, word};
@@ -42,14 +42,14 @@ struct File<'a> {
 struct Column {
     id: &'static str,
     name: &'static str,
-    domain: &'static str,
+    domain: String,
     template: &'static str,
 }
 
 impl Column {
     fn of(property: &Property) -> Self {
         let Property { id, name, domain, template, .. } = *property;
-        Self { id, name, domain, template }
+        Self { id, name, domain: unmarked(domain), template }
     }
 }
 
@@ -111,7 +111,7 @@ struct Parameter {
 #[derive(Serialize)]
 struct Entry<'a> {
     finding: &'static str,
-    reason: &'a str,
+    reason: String,
     certificates: usize,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     witness: Vec<Seen<'a>>,
@@ -121,7 +121,7 @@ impl<'a> Entry<'a> {
     fn of(cell: &'a Cell) -> Self {
         Self {
             finding: word(cell.finding),
-            reason: &cell.reason,
+            reason: unmarked(&cell.reason),
             certificates: cell.parts.len(),
             witness: cell.witness.iter().map(Seen::of).collect(),
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kane_matrix::{Finding, PROPERTIES};
+use kane_matrix::{Finding, PROPERTIES, unmarked};
 
 use super::{MatrixReport, mark, parameters, word};
 
@@ -44,7 +44,7 @@ pub fn markdown(report: &MatrixReport<'_>) -> String {
                 "- {} {}: {}",
                 property.name,
                 word(cell.finding),
-                cell.reason.replace('|', "\\|").replace('*', "\\*")
+                unmarked(&cell.reason).replace('|', "\\|").replace('*', "\\*")
             );
         }
     }
@@ -58,13 +58,17 @@ pub fn properties() -> String {
     let mut out = String::from("| column | id | property | asked of |\n|---|---|---|---|\n");
     for p in &PROPERTIES {
         let head = p.head.replace('|', "\\|");
-        let _ = writeln!(out, "| {head} | `{}` | {} | {} |", p.id, p.name, p.domain);
+        let _ = writeln!(out, "| {head} | `{}` | {} | {} |", p.id, p.name, unmarked(p.domain));
     }
     for p in &PROPERTIES {
         let _ = writeln!(
             out,
             "\n## {}\n\n`{}`, for {}:\n\n```\n{}\n```\n\n{}",
-            p.name, p.id, p.domain, p.template, p.meaning
+            p.name,
+            p.id,
+            unmarked(p.domain),
+            p.template,
+            unmarked(p.meaning)
         );
     }
     out

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use kane_matrix::Finding;
+use kane_matrix::{Finding, unmarked};
 
 use super::{MatrixReport, mark, parameters};
 use crate::Page;
@@ -63,7 +63,7 @@ pub fn text(report: &MatrixReport<'_>, page: Page) -> String {
                 "  {} {} {}",
                 padded(mark(cell.finding), 3),
                 padded(property.id, 17),
-                cell.reason
+                unmarked(&cell.reason)
             );
             let _ = writeln!(out, "{ink}{}{ink:#}", shorten(&line, width));
         }

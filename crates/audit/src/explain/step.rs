@@ -1,0 +1,295 @@
+//! The steps of a proof or of a witness as data: what is assumed, substituted, divided by, evaluated.
+//!
+//! Polynomials are in the variables of the proof, which [`Proof::variables`] names; expressions are in
+//! the symbols of its goal.
+
+use kane_algebra::syntax::NoValue;
+use kane_kernel::{Atom, Expr, Finding, Poly, Relation, Root, Side, Target};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// A proof or a witness, step by step.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Proof {
+    /// what the variables of its polynomials stand for
+    pub variables: Vec<Variable>,
+    /// the steps, in order; a long proof ends after [`MAX_STEPS`](super::MAX_STEPS) of them and one more
+    pub steps: Vec<Step>,
+}
+
+/// What a variable of a proof stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// the symbol with this index
+    Symbol(usize),
+    /// a square root
+    Root(Expr),
+    /// the t > 0 that tends to 0
+    Germ,
+    /// a quantity that has a limit
+    Limiting(Expr),
+    /// another, by its number
+    Unnamed(usize),
+}
+
+/// Where an assumption comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// the hypothesis with this index, at a point
+    Hypothesis(usize),
+    /// a limit in the hypothesis with this index
+    Limit(usize),
+    /// the `when` of the claim
+    Condition,
+    /// the claim, which is supposed to fail
+    Failure,
+}
+
+/// A step; what follows from it alone is inside of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// What a finding excludes is supposed, and contradicts itself.
+    Suppose {
+        /// whether the hypotheses alone are supposed, not that the claim fails
+        hypotheses_alone: bool,
+        /// the contradiction
+        then: Vec<Self>,
+    },
+    /// A formula says that these hold.
+    Assume {
+        /// where it comes from
+        source: Source,
+        /// what it says
+        atoms: Vec<Atom>,
+    },
+    /// A formula says that one of several cases holds.
+    Cases {
+        /// where it comes from
+        source: Source,
+        /// what holds in each case, and what follows
+        cases: Vec<(Vec<Atom>, Vec<Self>)>,
+    },
+    /// A polynomial is zero, positive or negative.
+    Split {
+        /// the polynomial
+        poly: Poly,
+        /// what follows if it is 0
+        zero: Vec<Self>,
+        /// if it is > 0
+        positive: Vec<Self>,
+        /// if it is < 0
+        negative: Vec<Self>,
+    },
+    /// A variable is replaced by a quotient of polynomials.
+    Substitute {
+        /// the variable
+        variable: usize,
+        /// numerator and denominator
+        value: (Poly, Poly),
+        /// what is left of the atoms that it changes
+        leaves: Vec<Atom>,
+    },
+    /// Powers of a variable are lowered by an equation.
+    Reduce {
+        /// the variable
+        variable: usize,
+        /// the equation
+        by: Atom,
+        /// what is left of the atoms that it changes
+        leaves: Vec<Atom>,
+    },
+    /// An atom is divided by factors that cannot vanish.
+    Divide {
+        /// the atom
+        atom: Atom,
+        /// the factors with their powers
+        by: Vec<(Poly, u32)>,
+        /// what is left
+        quotient: Atom,
+    },
+    /// A sum that is zero identically has non-negative terms, one of them positive.
+    Positive {
+        /// the terms
+        terms: Vec<Summand>,
+        /// multiples of what vanishes: the factor, and what does
+        multiples: Vec<(Poly, Poly)>,
+    },
+    /// Measured from bounds of its variables, all coefficients of an atom have the other sign.
+    SignsOfCoefficients {
+        /// the atom
+        atom: Atom,
+        /// the bounds
+        bounds: Vec<Atom>,
+    },
+    /// On no part of a line do all atoms hold.
+    SignTable {
+        /// the variable of the line
+        variable: usize,
+        /// where the line is cut, ascending
+        cuts: Vec<Root>,
+        /// the atoms
+        atoms: Vec<Atom>,
+    },
+    /// An atom is a constant and false.
+    Absurd(Atom),
+    /// What holds along a germ holds at its end.
+    Pass {
+        /// the side of the limit
+        side: Side,
+        /// what holds along it
+        along: Atom,
+        /// why: the opposite contradicts itself
+        otherwise: Vec<Self>,
+        /// what holds at the end
+        end: Atom,
+    },
+    /// A limit from one side, read off a quotient of polynomials in t.
+    LimitFrom {
+        /// the side
+        side: Side,
+        /// what tends
+        of: Expr,
+        /// numerator and denominator for small t > 0
+        quotient: (Poly, Poly),
+        /// why they are: the opposite contradicts itself
+        otherwise: Vec<Self>,
+        /// numerator and denominator at t = 0
+        start: (Poly, Poly),
+        /// the order to which the denominator vanishes there
+        order: u32,
+    },
+    /// A point, and what becomes of the statements there.
+    Point {
+        /// the symbols that are mentioned
+        values: Vec<Assignment>,
+        /// the sides of relations there: of a hypothesis by its index, or of the claim
+        sides: Vec<(Option<usize>, Comparison)>,
+    },
+    /// Functions of one symbol, for which all hypotheses hold and the claim does not.
+    Functions {
+        /// the symbol
+        of: usize,
+        /// the functions
+        values: Vec<Assignment>,
+        /// by hypothesis, why it holds
+        hypotheses: Vec<Held>,
+        /// how the claim fails
+        end: End,
+    },
+}
+
+/// weight · square² · Π factorⁿ
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Summand {
+    /// the weight, positive
+    pub weight: BigInt,
+    /// what is squared
+    pub square: Poly,
+    /// what is known not to be negative, with its powers
+    pub factors: Vec<(Poly, u32)>,
+}
+
+/// A symbol with its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// the symbol's index
+    pub symbol: usize,
+    /// its value
+    pub value: Value,
+}
+
+/// The value of a symbol in a witness.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// a number
+    Number(BigRational),
+    /// the root of a polynomial
+    Root(Root),
+    /// Σ coefficientᵢ · rootⁱ
+    InRoot {
+        /// the coefficients, ascending
+        coefficients: Vec<BigRational>,
+        /// the root
+        root: Root,
+    },
+    /// a function
+    Function(Expr),
+}
+
+/// A relation at a point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// the values of its sides
+    Sides(Result<BigRational, NoValue>, Result<BigRational, NoValue>),
+    /// the relation, and why it has no meaning
+    Undefined(Relation, NoValue),
+}
+
+/// Why a hypothesis holds for functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Held {
+    /// whether it takes a sign table or a substitution to see
+    pub by_proof: bool,
+    /// whether it also is about limits
+    pub limits: bool,
+}
+
+/// How a claim fails for functions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum End {
+    /// all hypotheses hold, which was in question
+    Holds,
+    /// it fails where the symbol has this value, if the value is known
+    At(usize, Option<Value>),
+    /// the limit is another
+    Limit(Target),
+}
+
+/// A finding in outline.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// a contradiction, by these means
+    Contradiction(Means),
+    /// a limit, read off on its first side: numerator and denominator, and their variables
+    Limit {
+        /// the side
+        side: Side,
+        /// numerator and denominator for small t > 0
+        quotient: (Poly, Poly),
+        /// what their variables stand for
+        variables: Vec<Variable>,
+    },
+    /// a limit without a side
+    NoSide,
+    /// a point
+    Point {
+        /// the symbols that the claim mentions, or if there are none, the others
+        values: Vec<Assignment>,
+        /// the last relation of the claim there
+        claim: Option<Comparison>,
+    },
+    /// functions
+    Functions {
+        /// the functions
+        values: Vec<Assignment>,
+        /// how the claim fails
+        end: End,
+    },
+}
+
+/// By what a contradiction was reached.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Means {
+    /// what the contradiction shows
+    pub finding: Finding,
+    /// whether limits were passed to
+    pub limits: bool,
+    /// what was substituted, in the order of the proof
+    pub substituted: Vec<Variable>,
+    /// what there is a sign table in
+    pub tables: Vec<Variable>,
+    /// whether a sum of non-negative terms vanished
+    pub sums: bool,
+    /// whether signs of coefficients contradicted bounds
+    pub signs: bool,
+}

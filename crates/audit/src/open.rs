@@ -1,0 +1,64 @@
+//! Why a goal stays undecided.
+
+use std::fmt;
+
+use kane_kernel::{Approach, Rejection};
+
+pub use crate::argument::Flaw;
+
+/// Why nothing that decides a goal was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Open {
+    /// neither proof nor witness within so many states
+    Steps(u64),
+    /// neither proof nor witness within so many coefficient operations
+    Operations(u64),
+    /// no proof within so many states
+    NoProof(u64),
+    /// the normal form does not fit the budget
+    Unfit(Rejection),
+    /// an argument was found and could not be written out
+    Unwritten(Flaw),
+    /// a certificate was found and not accepted
+    Rejected(Rejection),
+}
+
+impl fmt::Display for Open {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Steps(n) => write!(f, "neither proof nor witness within {n} steps"),
+            Self::Operations(n) => {
+                write!(f, "neither proof nor witness within {n} coefficient operations")
+            }
+            Self::NoProof(n) => write!(f, "no proof within {n} steps"),
+            Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
+            Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
+            Self::Rejected(why) => write!(f, "a certificate was found but not accepted: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for Open {}
+
+/// A given that was not shown to be able to hold near a limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreached {
+    /// the index of the given, if it is known
+    pub given: Option<usize>,
+    /// the index of the cited claim that rests on it, if it is not cited itself
+    pub through: Option<usize>,
+    /// the limit variable
+    pub var: usize,
+    /// how it moves
+    pub at: Approach,
+}
+
+/// What is to be said of a witness and the givens behind what is cited.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Behind {
+    /// they are not all met there
+    NotMet,
+    /// whether they are was not shown
+    NotShown,
+}

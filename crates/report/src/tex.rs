@@ -1,0 +1,83 @@
+//! Words for LaTeX: no character of theirs is a command.
+
+use kane_algebra::syntax::{canonical_name, greek_letter, latex_name};
+
+/// Digits in a row after which a number may be broken at the end of a line.
+const DIGITS: usize = 12;
+
+/// The text as it is, also where it has characters that LaTeX would read, or that its fonts lack.
+pub(crate) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut digits = 0;
+    for c in text.chars() {
+        digits = if c.is_ascii_digit() { digits + 1 } else { 0 };
+        if digits > DIGITS {
+            out.push_str("\\allowbreak{}");
+            digits = 1;
+        }
+        match c {
+            '\\' => out.push_str("\\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '%' | '_' => {
+                out.push('\\');
+                out.push(c);
+            }
+            '^' => out.push_str("\\textasciicircum{}"),
+            '~' => out.push_str("\\textasciitilde{}"),
+            '<' => out.push_str("$<$"),
+            '>' => out.push_str("$>$"),
+            '|' => out.push_str("$|$"),
+            '"' => out.push_str("''"),
+            '\n' | '\t' => out.push(' '),
+            c if c.is_ascii() && !c.is_ascii_control() => out.push(c),
+            c => out.push_str(&beyond_ascii(c)),
+        }
+    }
+    out
+}
+
+/// A character that the fonts of LaTeX have in math mode alone, if at all.
+fn beyond_ascii(c: char) -> String {
+    let written = c.to_string();
+    let canonical = canonical_name(&written);
+    if greek_letter(&canonical).is_some() {
+        return format!("${}$", latex_name(&canonical));
+    }
+    let known = match c {
+        '–' => "--",
+        '—' => "---",
+        '’' => "'",
+        '‘' => "`",
+        '“' => "``",
+        '”' => "''",
+        '…' => "\\dots{}",
+        '′' => "$'$",
+        '×' => "$\\times$",
+        '·' => "$\\cdot$",
+        '−' => "$-$",
+        '≤' => "$\\le$",
+        '≥' => "$\\ge$",
+        '≠' => "$\\ne$",
+        '→' => "$\\to$",
+        '∞' => "$\\infty$",
+        '°' => "$^\\circ$",
+        '²' => "$^2$",
+        '³' => "$^3$",
+        // the letters of Latin-1 are in every font
+        'À'..='ÿ' => return written,
+        _ => return format!("[U+{:04X}]", u32::from(c)),
+    };
+    known.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_character_of_a_text_becomes_a_command() {
+        assert_eq!(escape(r"a_b \x {50%} #1 & $"), r"a\_b \textbackslash{}x \{50\%\} \#1 \& \$");
+        assert_eq!(escape("μ ≤ é 漢"), "$\\mu$ $\\le$ é [U+6F22]");
+        assert_eq!(escape("a\u{1b}[8m\tb\u{9b}"), "a[U+001B][8m b[U+009B]");
+        assert_eq!(escape("1234567890123"), "123456789012\\allowbreak{}3");
+    }
+}

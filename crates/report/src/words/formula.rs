@@ -1,0 +1,414 @@
+//! Formulas within sentences: text, MathML that may be broken between its terms, or math mode.
+
+use kane_algebra::syntax::{Notation as _, latex_with, literal, mathml};
+use kane_audit::{Variable, expression};
+use kane_kernel::{Approach, Atom, Context, Expr, Poly, Rel, Relation, Side, Sign, Target, Var};
+use num_rational::BigRational;
+use num_traits::{One as _, Signed as _, Zero as _};
+
+use super::{Form, words};
+
+/// Terms of a polynomial that are written out; of a longer one only their number is.
+const MOST_TERMS: usize = 40;
+/// Terms above and below a line of a fraction; with more, the quotient stands on one line.
+const MOST_IN_FRACTION: usize = 4;
+/// Digits of a number that is set as mathematics; a longer one may be broken.
+const MOST_DIGITS: usize = 12;
+
+/// How formulas of a goal are written in one form.
+pub(crate) struct Formulas {
+    pub(super) form: Form,
+    /// the goal's symbols and definitions, and the further variables of a proof under names of theirs
+    context: Context,
+    /// the number of the goal's symbols
+    symbols: usize,
+    /// how the further variables are set in MathML or LaTeX
+    further: Vec<String>,
+    germ: usize,
+}
+
+impl Formulas {
+    /// Formulas in these symbols, and in polynomials of these variables.
+    pub(crate) fn new(form: Form, context: &Context, variables: &[Variable]) -> Self {
+        let symbols = context.vars.len();
+        let mut all =
+            Self { form, context: context.clone(), symbols, further: Vec::new(), germ: symbols };
+        for (v, variable) in variables.iter().enumerate().skip(symbols) {
+            let (name, set) = match variable {
+                Variable::Root(root) => (root.plain(context), all.bare(root)),
+                Variable::Germ => {
+                    all.germ = v;
+                    ("t".to_owned(), all.letter("t"))
+                }
+                Variable::Limiting(f) => {
+                    let (name, set) = (f.plain(context), all.bare(f));
+                    let set = match form {
+                        Form::Html => format!("<mrow><mo>[</mo>{set}<mo>]</mo></mrow>"),
+                        Form::Plain | Form::Latex => format!("\\left[{set}\\right]"),
+                    };
+                    (format!("[{name}]"), set)
+                }
+                Variable::Symbol(_) => ("?".to_owned(), all.letter("?")),
+                Variable::Unnamed(i) => (format!("z{i}"), all.letter(&format!("z{i}"))),
+            };
+            all.context.vars.push(Var { name, of: None, lower: None, upper: None });
+            all.further.push(set);
+        }
+        all
+    }
+
+    /// A formula in one letter alone.
+    pub(super) fn of_letter(form: Form, name: &str) -> Self {
+        let var = Var { name: name.to_owned(), of: None, lower: None, upper: None };
+        Self::new(form, &Context { vars: vec![var], ..Context::default() }, &[])
+    }
+
+    fn letter(&self, name: &str) -> String {
+        match self.form {
+            Form::Html => kane_algebra::syntax::mathml_name(name),
+            Form::Plain | Form::Latex => kane_algebra::syntax::latex_name(name),
+        }
+    }
+
+    /// Text in this form.
+    pub(super) fn words(&self, text: &str) -> String {
+        words(text, self.form)
+    }
+
+    /// An expression without what sets it apart from words.
+    fn bare(&self, e: &Expr) -> String {
+        let beyond = |v: usize| self.further.get(v.checked_sub(self.symbols)?).cloned();
+        match self.form {
+            Form::Plain => e.plain(&self.context),
+            Form::Html => mathml(e, &self.context, &beyond),
+            Form::Latex => latex_with(e, &self.context, &beyond),
+        }
+    }
+
+    /// An expression.
+    pub(crate) fn expr(&self, e: &Expr) -> String {
+        let bare = |e: &Expr| self.bare(e);
+        match self.form {
+            Form::Plain => bare(e),
+            Form::Latex => format!("${}$", bare(e)),
+            // a line may end between two terms of a sum
+            Form::Html => match e {
+                Expr::Add(a, b) => format!("{} + {}", self.expr(a), math(&self.term(b))),
+                Expr::Sub(a, b) => format!("{} − {}", self.expr(a), math(&self.term(b))),
+                // a page of proofs has thousands of whole numbers, which need no setting
+                Expr::Num(q) if q.is_integer() => bare_integer(q),
+                _ => math(&bare(e)),
+            },
+        }
+    }
+
+    /// An expression behind a sign.
+    fn term(&self, e: &Expr) -> String {
+        let bare = self.bare(e);
+        match e {
+            Expr::Add(..) | Expr::Sub(..) | Expr::Neg(_) => {
+                format!("<mo>(</mo>{bare}<mo>)</mo>")
+            }
+            _ => bare,
+        }
+    }
+
+    /// A symbol of the goal or a variable of the proof.
+    pub(crate) fn symbol(&self, v: usize) -> String {
+        self.expr(&Expr::Var(v))
+    }
+
+    /// A polynomial.
+    pub(super) fn poly(&self, p: &Poly) -> String {
+        match p.len() > MOST_TERMS {
+            true => self.words(&format!("(a polynomial with {} terms)", p.len())),
+            false => self.expr(&expression(p)),
+        }
+    }
+
+    /// A polynomial that is a factor or has a power.
+    pub(super) fn in_parentheses(&self, p: &Poly) -> String {
+        let is_letter = matches!(p.vars()[..], [v] if *p == Poly::var(v));
+        if self.form != Form::Plain && is_letter {
+            return self.poly(p);
+        }
+        format!("({})", self.poly(p))
+    }
+
+    /// A power behind parentheses.
+    pub(super) fn power(&self, n: u32) -> String {
+        match (n, self.form) {
+            (1, _) => String::new(),
+            (n, Form::Plain) => format!("^{n}"),
+            (n, Form::Html) => format!("<sup>{n}</sup>"),
+            (n, Form::Latex) => format!("$^{{{n}}}$"),
+        }
+    }
+
+    /// The sign between factors.
+    pub(super) fn times(&self) -> &'static str {
+        match self.form {
+            Form::Plain => "*",
+            Form::Html => "·",
+            Form::Latex => "$\\cdot$\\allowbreak{}",
+        }
+    }
+
+    /// What an atom says; one side each for the positive and the negative terms reads best.
+    pub(super) fn atom(&self, a: &Atom) -> String {
+        let side = |negative: bool| {
+            let terms = a.poly.terms().filter(|(_, c)| c.is_negative() == negative);
+            Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.abs())))
+        };
+        let (left, right) = (side(false), side(true));
+        let relation = match a.sign {
+            Sign::Zero => "=",
+            Sign::NonZero => "!=",
+            Sign::NonNegative => ">=",
+            Sign::Positive => ">",
+        };
+        self.compared(&self.poly(&left), relation, &self.poly(&right))
+    }
+
+    /// What all of these say.
+    pub(super) fn atoms(&self, atoms: &[Atom]) -> String {
+        if atoms.is_empty() {
+            return self.words("nothing more");
+        }
+        atoms.iter().map(|a| self.atom(a)).collect::<Vec<_>>().join(", ")
+    }
+
+    /// A polynomial compared with 0.
+    pub(super) fn against_zero(&self, p: &Poly, relation: &str) -> String {
+        self.compared(&self.poly(p), relation, &self.number(&BigRational::zero()))
+    }
+
+    /// Two sides that are written already, compared.
+    pub(super) fn compared(&self, left: &str, relation: &str, right: &str) -> String {
+        joined(self.form, left, relation, right)
+    }
+
+    /// A relation.
+    pub(crate) fn relation(&self, r: &Relation) -> String {
+        self.compared(&self.expr(&r.lhs), sign(r.rel), &self.expr(&r.rhs))
+    }
+
+    /// Relations with commas between; those that share a side become a chain.
+    pub(crate) fn relations(&self, relations: &[Relation]) -> String {
+        match self.form {
+            Form::Plain => relations.plain(&self.context),
+            Form::Html | Form::Latex => self.chain(relations),
+        }
+    }
+
+    fn chain(&self, relations: &[Relation]) -> String {
+        let mut out = String::new();
+        let mut last: Option<&Expr> = None;
+        for r in relations {
+            if last == Some(&r.lhs) {
+                out = self.compared(&out, sign(r.rel), &self.expr(&r.rhs));
+            } else {
+                let comma = if last.is_some() { ", " } else { "" };
+                out = format!("{out}{comma}{}", self.relation(r));
+            }
+            last = Some(&r.rhs);
+        }
+        out
+    }
+
+    /// A quotient in parentheses, even where its parts would not need them.
+    pub(super) fn quotient(&self, (num, den): &(Poly, Poly)) -> String {
+        let is_small = num.len() <= MOST_IN_FRACTION && den.len() <= MOST_IN_FRACTION;
+        if self.form != Form::Plain && *den == Poly::one() {
+            return self.poly(num);
+        }
+        if self.form != Form::Plain && is_small {
+            return self.expr(&Expr::Div(expression(num).into(), expression(den).into()));
+        }
+        format!("{}/{}", self.in_parentheses(num), self.in_parentheses(den))
+    }
+
+    /// A quotient, or the numerator alone if the denominator is 1.
+    pub(super) fn ratio(&self, ratio: &(Poly, Poly)) -> String {
+        match ratio.1.as_constant() {
+            Some(c) if c.is_one() => self.poly(&ratio.0),
+            _ => self.quotient(ratio),
+        }
+    }
+
+    /// A side of a limit as a substitution for its variable.
+    pub(super) fn side(&self, side: &Side) -> String {
+        let t = || Box::new(Expr::Var(self.germ));
+        let value = match (&side.at, side.above) {
+            (None, true) => Expr::Div(Expr::int(1).into(), t()),
+            (None, false) => Expr::Neg(Expr::Div(Expr::int(1).into(), t()).into()),
+            (Some(a), true) if a.is_zero() => *t(),
+            (Some(a), false) if a.is_zero() => Expr::Neg(t()),
+            (Some(a), true) => Expr::Add(literal(a).into(), t()),
+            (Some(a), false) => Expr::Sub(literal(a).into(), t()),
+        };
+        let moving = Relation { lhs: Expr::Var(side.var), rel: Rel::Eq, rhs: value };
+        self.relation(&moving)
+    }
+
+    /// The place of the t of a germ.
+    pub(super) fn germ(&self) -> usize {
+        self.germ
+    }
+
+    /// t > 0
+    pub(super) fn small_germ(&self) -> String {
+        self.compared(&self.symbol(self.germ), ">", &self.number(&BigRational::zero()))
+    }
+
+    /// t = 0
+    pub(super) fn no_germ(&self) -> String {
+        self.compared(&self.symbol(self.germ), "=", &self.number(&BigRational::zero()))
+    }
+
+    /// How a limit variable moves.
+    pub(super) fn moving(&self, var: usize, at: &Approach) -> String {
+        let one_sided = |a: &BigRational, sign: &str| {
+            let raised = match self.form {
+                Form::Plain => sign.to_owned(),
+                Form::Html => format!("<sup>{}</sup>", sign.replace('-', "−")),
+                Form::Latex => format!("$^{{{sign}}}$"),
+            };
+            format!("{}{raised}", self.number(a))
+        };
+        let point = match at {
+            Approach::To(a) => self.number(a),
+            Approach::Above(a) => one_sided(a, "+"),
+            Approach::Below(a) => one_sided(a, "-"),
+            Approach::PlusInf => self.infinity(true),
+            Approach::MinusInf => self.infinity(false),
+        };
+        self.compared(&self.symbol(var), "->", &point)
+    }
+
+    /// A limit.
+    pub(super) fn limit(&self, l: &kane_kernel::Limit) -> String {
+        let to = match &l.to {
+            Target::Finite(value) => self.expr(value),
+            Target::PlusInf => self.infinity(true),
+            Target::MinusInf => self.infinity(false),
+        };
+        let tends = self.compared(&self.expr(&l.expr), "->", &to);
+        format!("{tends} as {}", self.moving(l.var, &l.at))
+    }
+
+    fn minus(&self) -> &'static str {
+        match self.form {
+            Form::Plain => "-",
+            Form::Html => "−",
+            Form::Latex => "$-$",
+        }
+    }
+
+    /// Infinity, or its opposite.
+    pub(super) fn infinity(&self, positive: bool) -> String {
+        let sign = if positive { "" } else { self.minus() };
+        match self.form {
+            Form::Plain => format!("{sign}oo"),
+            Form::Html => format!("{sign}∞"),
+            Form::Latex => format!("{sign}$\\infty$"),
+        }
+    }
+
+    /// A rational number; a very long one by its size.
+    pub(super) fn number(&self, q: &BigRational) -> String {
+        let text = q.to_string();
+        match self.form {
+            Form::Plain if text.len() > 80 => format!("about {}", decimal(q)),
+            Form::Plain => text,
+            _ if text.len() > 80 => self.words(&format!("about {}", decimal(q))),
+            _ if text.len() <= MOST_DIGITS => self.expr(&literal(q)),
+            _ => match text.strip_prefix('-') {
+                Some(size) => format!("{}{}", self.minus(), self.words(size)),
+                None => self.words(&text),
+            },
+        }
+    }
+}
+
+/// An integer in HTML.
+fn bare_integer(q: &BigRational) -> String {
+    q.to_string().replace('-', "−")
+}
+
+/// Four digits after the point, rounded down.
+pub(super) fn decimal(q: &BigRational) -> String {
+    let scaled = (q * BigRational::from_integer(10_000.into())).floor().to_integer();
+    let sign = if scaled.is_negative() { "-" } else { "" };
+    let size = scaled.abs();
+    let (whole, rest) = (&size / 10_000, &size % 10_000);
+    format!("{sign}{whole}.{rest:0>4}")
+}
+
+/// A comparison in plain notation.
+fn sign(rel: Rel) -> &'static str {
+    match rel {
+        Rel::Eq => "=",
+        Rel::Ne => "!=",
+        Rel::Lt => "<",
+        Rel::Le => "<=",
+        Rel::Gt => ">",
+        Rel::Ge => ">=",
+    }
+}
+
+/// Two sides with a relation between.
+pub(super) fn joined(form: Form, left: &str, relation: &str, right: &str) -> String {
+    let relation = match (form, relation) {
+        (Form::Plain, relation) => relation,
+        (Form::Html, "!=") => "≠",
+        (Form::Html, ">=") => "≥",
+        (Form::Html, "<=") => "≤",
+        (Form::Html, ">") => "&gt;",
+        (Form::Html, "<") => "&lt;",
+        (Form::Html, "->") => "→",
+        (Form::Html, relation) => relation,
+        (Form::Latex, relation) => return in_math(left, relation, right),
+    };
+    format!("{left} {relation} {right}")
+}
+
+/// The same in LaTeX, in one formula where both sides are formulas.
+fn in_math(left: &str, relation: &str, right: &str) -> String {
+    let relation = match relation {
+        "!=" => "\\ne",
+        ">=" => "\\ge",
+        "<=" => "\\le",
+        "->" => "\\to",
+        relation => relation,
+    };
+    let left = match left.strip_suffix('$') {
+        Some(open) => open.to_owned(),
+        None => format!("{left} $"),
+    };
+    let right = match right.strip_prefix('$') {
+        Some(open) => open.to_owned(),
+        None => format!("$ {right}"),
+    };
+    format!("{left} {relation} {right}")
+}
+
+/// A formula in MathML.
+fn math(inside: &str) -> String {
+    format!("<math>{inside}</math>")
+}
+
+/// Text for HTML.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,179 @@
+//! Proofs, witnesses and reasons in words: one wording for every form of a report.
+//!
+//! What is said stands in the steps as data. Here it becomes sentences, in which formulas are set from
+//! their expressions: as text, as MathML, or in math mode of LaTeX.
+
+mod formula;
+mod prose;
+mod reason;
+mod step;
+mod value;
+
+use kane_audit::{Judgement, LinkJudgement, Proof};
+use kane_kernel::{Context, Goal};
+
+pub(crate) use formula::Formulas;
+pub(crate) use prose::Prose;
+
+/// In which form sentences are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// text, with formulas in the notation of documents
+    Plain,
+    /// HTML, with formulas in MathML
+    Html,
+    /// LaTeX
+    Latex,
+}
+
+/// Lines after which a proof is cut.
+const MAX_LINES: usize = kane_audit::MAX_STEPS;
+
+/// A sentence of a proof or a witness, and how far it is indented.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Line {
+    pub(crate) depth: usize,
+    pub(crate) text: String,
+}
+
+/// What sentences about a goal take their names from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Subject<'a> {
+    pub(crate) goal: &'a Goal,
+    /// names of the goal's hypotheses
+    pub(crate) labels: &'a [&'a str],
+}
+
+impl Subject<'_> {
+    /// A proof or a witness, line by line.
+    pub(crate) fn steps(self, proof: &Proof, form: Form) -> Vec<Line> {
+        let formulas = Formulas::new(form, &self.goal.context, &proof.variables);
+        let mut lines = step::lines(self.labels, &formulas, &proof.steps);
+        if lines.len() > MAX_LINES {
+            lines.truncate(MAX_LINES);
+            let text = formulas.words("(the rest of this proof is left out here)");
+            lines.push(Line { depth: 0, text });
+        }
+        lines
+    }
+
+    /// A proof or a witness in one sentence.
+    pub(crate) fn reason(self, reason: &kane_audit::Reason, form: Form) -> String {
+        reason::sentence(self.goal, reason, form)
+    }
+
+    /// A value for each symbol of a model: its name, and what it is.
+    pub(crate) fn values(
+        self,
+        values: &[kane_audit::Assignment],
+        form: Form,
+    ) -> Vec<(String, String)> {
+        let formulas = Formulas::new(form, &self.goal.context, &[]);
+        values
+            .iter()
+            .map(|given| (formulas.symbol(given.symbol), value::value(&formulas, &given.value)))
+            .collect()
+    }
+}
+
+/// A word or a sentence without formulas in it.
+pub(crate) fn words(text: &str, form: Form) -> String {
+    match form {
+        Form::Plain => text.to_owned(),
+        Form::Html => formula::escaped(text),
+        Form::Latex => crate::tex::escape(text),
+    }
+}
+
+/// Why a link's verdict is what it is, in one sentence. The context is that of the document, where
+/// statements have these labels.
+pub(crate) fn reason(
+    link: &LinkJudgement,
+    context: &Context,
+    label: &dyn Fn(usize) -> String,
+    form: Form,
+) -> String {
+    if let (Some(accepted), Some(reason)) = (link.accepted.as_deref(), link.reason()) {
+        let told = Subject { goal: &accepted.goal, labels: &[] }.reason(&reason, form);
+        let remark = link.behind.map_or("", reason::behind);
+        return format!("{told}{}", words(remark, form));
+    }
+    match (&link.unreached, &link.open) {
+        (Some(unreached), _) => reason::unreached(unreached, context, label, form),
+        (None, Some(open)) => words(&open.to_string(), form),
+        (None, None) => String::new(),
+    }
+}
+
+/// The same as text, of a link whose document is not at hand.
+pub(crate) fn reason_alone(link: &LinkJudgement) -> String {
+    reason(link, &Context::default(), &|_| "a premise".to_owned(), Form::Plain)
+}
+
+/// The values for which the hypotheses of a claim hold; `None` where none were found.
+pub(crate) fn example(judgement: &Judgement, form: Form) -> Option<Vec<(String, String)>> {
+    let met = judgement.met.as_deref()?;
+    let subject = Subject { goal: &met.goal, labels: &[] };
+    Some(subject.values(&judgement.example()?, form))
+}
+
+/// Pairs `name = value` with commas between.
+pub(crate) fn equations(pairs: &[(String, String)], form: Form) -> String {
+    let pairs: Vec<String> =
+        pairs.iter().map(|(name, value)| formula::joined(form, name, "=", value)).collect();
+    pairs.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    fn reasons(statements: &str, form: Form) -> Vec<String> {
+        let text = format!("```kane\n{statements}\n```\n");
+        let document = read("words.md", text.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let context = &audit.document.context;
+        let links = audit.judgements.iter().flat_map(|judgement| &judgement.links);
+        links.map(|link| reason(link, context, &|_| String::new(), form)).collect()
+    }
+
+    const ARTICLE: &str = "var a, b\nclaim c: a^2 + b^2 >= 2*a*b\nclaim f: a = 0 expect refuted";
+
+    #[test]
+    fn the_article_is_a_word_and_the_variable_a_formula() {
+        let plain = reasons(ARTICLE, Form::Plain);
+        assert_eq!(plain[0], "by a sum of non-negative terms");
+        assert_eq!(reasons(ARTICLE, Form::Html)[0], plain[0]);
+        assert_eq!(reasons(ARTICLE, Form::Latex)[0], plain[0]);
+        let value = plain[1].strip_prefix("at a = ").expect("a point");
+        let (value, _) = value.split_once(':').expect("what is found there");
+        let html = &reasons(ARTICLE, Form::Html)[1];
+        let at = format!("at <math><mi>a</mi></math> = {}:", value.replace('-', "−"));
+        assert!(html.starts_with(&at), "{html}");
+        let latex = &reasons(ARTICLE, Form::Latex)[1];
+        assert!(latex.starts_with(&format!("at $a = {value}$:")), "{latex}");
+    }
+
+    #[test]
+    fn formulas_of_the_matrix_stand_between_backticks() {
+        let told = "no energy, `0 <= e <= 1`, a law of `mu`";
+        let of = |form| Prose::new(form).sentence(told);
+        assert_eq!(of(Form::Plain), kane_matrix::unmarked(told));
+        assert_eq!(
+            of(Form::Html),
+            "no energy, 0 ≤ <math><mi>e</mi></math> ≤ 1, a law of <math><mi>μ</mi></math>"
+        );
+        assert_eq!(of(Form::Latex), "no energy, $0 \\le e \\le 1$, a law of $\\mu$");
+    }
+
+    #[test]
+    fn every_formula_of_a_template_or_a_symbol_list_is_known() {
+        let html = Prose::new(Form::Html);
+        for text in kane_matrix::SYMBOLS_IN_WORDS.split('`').skip(1).step_by(2) {
+            let set = html.formula(text);
+            assert!(set.contains("<math>"), "{text} is no formula: {set}");
+        }
+    }
+}
