@@ -25,7 +25,6 @@ const LEFT: [&str; 16] = [
     "number: interval root/interval",
     "number: number rational root/rational sturm",
     "scene: choose impulse_plane picture strobe",
-    "scene: read/bodies read/file",
     "scene: simulate/encounter world",
     "scene: simulate/run simulate/state",
 ];

@@ -5,23 +5,24 @@ use kane_number::Rational;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::file::MOST_BODIES;
-use super::number::{Domain, read_in};
-use super::reader::Reader;
+use super::number::Domain;
 use super::source::{Fault, Number, Source};
 use super::stated::Stated;
 use crate::world::Round;
 
+/// A scene has tens of bodies, not thousands.
+pub(super) const MOST_BODIES: usize = 100;
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Body {
-    mass_kg: Number,
-    radius_m: Number,
-    shape: Option<Spanned<String>>,
-    mobility_ratio: Option<Number>,
+    pub(super) mass_kg: Number,
+    pub(super) radius_m: Number,
+    pub(super) shape: Option<Spanned<String>>,
+    pub(super) mobility_ratio: Option<Number>,
     pub(super) position_m: [Number; 2],
-    velocity_m_s: [Number; 2],
-    spin_rad_s: Option<Number>,
+    pub(super) velocity_m_s: [Number; 2],
+    pub(super) spin_rad_s: Option<Number>,
 }
 
 /// Equal discs on a grid, each flying in another direction.
@@ -30,11 +31,11 @@ pub(super) struct Body {
 pub(super) struct Discs {
     columns: Spanned<usize>,
     rows: Spanned<usize>,
-    mass_kg: Number,
-    radius_m: Number,
+    pub(super) mass_kg: Number,
+    pub(super) radius_m: Number,
     pub(super) spacing_m: Number,
     speed_m_s: Number,
-    spin_rad_s: Option<Number>,
+    pub(super) spin_rad_s: Option<Number>,
 }
 
 /// A rod that strikes with its tip, as a file has it.
@@ -70,66 +71,6 @@ pub(super) struct Pendulum {
     pub(super) half_tangents: Option<[Number; 2]>,
     /// Of both rods; rad/s.
     pub(super) angular_velocities_rad_s: [Number; 2],
-}
-
-/// A number, or a table `{ value = …, within = … }`.
-pub(super) fn stated(
-    source: Source<'_>,
-    number: &Number,
-    symbol: &str,
-    domain: Domain,
-) -> Result<Stated, Fault> {
-    let toml::Value::Table(table) = number.get_ref() else {
-        return Ok(source.number(number, symbol, domain)?.into());
-    };
-    let fault = |message: String| source.fault(number.span(), message);
-    if let Some(key) = table.keys().find(|key| *key != "value" && *key != "within") {
-        return Err(fault(format!("unknown key `{key}`; write {{ value = 1, within = \"0.1\" }}")));
-    }
-    let text = source.text.get(number.span()).unwrap_or_default();
-    let part = |key: &str, domain: Domain| {
-        let value = table.get(key).ok_or_else(|| {
-            fault(format!("{symbol} lacks `{key}`; write {{ value = 1, within = \"0.1\" }}"))
-        })?;
-        let written = match value {
-            toml::Value::String(text) => text.clone(),
-            _ => after_key(text, key),
-        };
-        read_in(&written, domain).map_err(|error| fault(format!("`{key}` of {symbol} {error}")))
-    };
-    let stated =
-        Stated { value: part("value", domain)?, within: part("within", Domain::NotNegative)? };
-    // the whole range must be in the domain
-    for end in [&stated.value - &stated.within, &stated.value + &stated.within] {
-        read_in(&end.to_string(), domain)
-            .map_err(|error| fault(format!("an end of the range of {symbol} {error}")))?;
-    }
-    Ok(stated)
-}
-
-/// The text of a number inside an inline table: what stands between `key =` and the next comma,
-/// because the parser's own floats are not exact.
-fn after_key(table: &str, key: &str) -> String {
-    let inner = table.trim().trim_start_matches('{').trim_end_matches('}');
-    let of_key = inner.split(',').find_map(|item| {
-        let (name, value) = item.split_once('=')?;
-        (name.trim() == key).then(|| value.trim().replace('_', ""))
-    });
-    of_key.unwrap_or_default()
-}
-
-pub(super) fn round(reader: &mut Reader<'_>, body: &Body) -> Result<Round<Stated>, Fault> {
-    let Body { mass_kg, radius_m, shape, mobility_ratio, .. } = body;
-    let [mass, radius, inertia] =
-        reader.round([mass_kg, radius_m], shape.as_ref(), mobility_ratio.as_ref(), "")?;
-    let place = ["x", "y"];
-    Ok(Round {
-        inertia: inertia.into(),
-        mass: mass.into(),
-        radius: radius.into(),
-        position: reader.pair(&body.position_m, "position_m", place, "m", Domain::Any)?,
-        motion: reader.motion(&body.velocity_m_s, body.spin_rad_s.as_ref(), "0")?,
-    })
 }
 
 /// Discs in rows; each flies in the direction with the half tangent tan(φ/2) = c/200 by a fixed

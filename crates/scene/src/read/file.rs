@@ -8,18 +8,15 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::ask::{UntilTable, asked, until};
-use super::bodies::{Body, Discs, Pendulum, Rod, discs, round, stated};
+use super::bodies::{Body, Discs, MOST_BODIES, Pendulum, Rod, discs};
 use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
-use super::stated::Stated;
+use super::stated::{Stated, stated};
 use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
 use crate::simulate::Until;
 use crate::tip::Tip;
-use crate::world::{Side, Wall, World};
-
-/// A scene has tens of bodies, not thousands.
-pub(super) const MOST_BODIES: usize = 100;
+use crate::world::{Round, Side, Wall, World};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -210,6 +207,20 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     let world = World { gravity: gravity.into(), walls, bodies, friction, restitution };
     apart(source, &world, file)?;
     Ok(Setup::Bodies(world))
+}
+
+fn round(reader: &mut Reader<'_>, body: &Body) -> Result<Round<Stated>, Fault> {
+    let Body { mass_kg, radius_m, shape, mobility_ratio, .. } = body;
+    let [mass, radius, inertia] =
+        reader.round([mass_kg, radius_m], shape.as_ref(), mobility_ratio.as_ref(), "")?;
+    let place = ["x", "y"];
+    Ok(Round {
+        inertia: inertia.into(),
+        mass: mass.into(),
+        radius: radius.into(),
+        position: reader.pair(&body.position_m, "position_m", place, "m", Domain::Any)?,
+        motion: reader.motion(&body.velocity_m_s, body.spin_rad_s.as_ref(), "0")?,
+    })
 }
 
 /// No body may be inside another or inside a wall.

@@ -7,10 +7,10 @@ use kane_number::{Algebraic, Rational};
 use toml::Spanned;
 
 use super::angle::direction;
-use super::bodies::{Pendulum, Rod, stated};
+use super::bodies::{Pendulum, Rod};
 use super::number::Domain;
 use super::source::{Fault, Number, Source};
-use super::stated::Stated;
+use super::stated::{Stated, stated};
 use crate::collide::Given;
 use crate::tip::TipBody;
 
