@@ -71,7 +71,7 @@ impl Radius {
         };
         let proof = expand(&state, &argument).ok()?;
         let (side, radius) = (side.clone(), (num, den));
-        Some(Germ { side, radius, positive: Box::new(proof), inside: Vec::new() })
+        Some(Germ { side, power: 1, radius, positive: Box::new(proof), inside: Vec::new() })
     }
 }
 

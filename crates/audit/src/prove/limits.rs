@@ -6,6 +6,7 @@ use kane_kernel::{
     differs, exponent, misses, premised, sides,
 };
 use num_bigint::BigInt;
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 use super::germs::Germs;
@@ -224,7 +225,8 @@ fn along(
         return None;
     };
     let mut along = state.along_unproved(&germ).ok()?;
-    let cases = differs(state.scope, &limit.expr, (&found.num, &found.den)).ok()?;
+    let cases =
+        differs(state.scope, &limit.expr, (&found.num, &found.den), Ordering::Equal).ok()?;
     along.formulas = with(&along, cases);
     let may = varies(state, side.var);
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
@@ -235,8 +237,10 @@ fn along(
         num: found.num.clone(),
         den: found.den.clone(),
         order: found.order,
+        sense: Ordering::Equal,
         along,
         at_zero,
+        upper: None,
     })
 }
 
