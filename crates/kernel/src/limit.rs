@@ -243,8 +243,8 @@ fn gap(scope: &Scope<'_>, f: &Fraction, (num, den): (&Poly, &Poly)) -> Checked<P
     Ok(den.mul(&f.num, &scope.fuel)?.sub(&num.mul(&f.den, &scope.fuel)?))
 }
 
-/// Where e is undefined, or den·e ≠ num; or, where den ≠ 0, where e is not above or below num/den, if it
-/// should be (`Greater`, `Less`).
+/// Where e is undefined, or den·e ≠ num. With `Greater` in place of `Equal`: or e < num/den; with
+/// `Less`: or e > num/den (nothing is said where den = 0).
 ///
 /// # Errors
 /// [`Rejection::Budget`].

@@ -151,6 +151,10 @@ fn side_proofs(bad: &Q) -> Vec<SideProof> {
         germs(bad).into_iter().map(|germ| SideProof { germ, ..good() }).collect();
     out.push(SideProof { along: passing(inner.clone()).into(), ..good() });
     out.push(SideProof { at_zero: passing(inner).into(), ..good() });
+    let upper = |proof: &SideProof| SideProof { upper: Some(proof.clone().into()), ..good() };
+    let above: Vec<_> = out.iter().map(upper).collect();
+    out.push(upper(&above[0]));
+    out.extend(above);
     out
 }
 

@@ -351,13 +351,24 @@ pub(crate) fn side_proof(
     state: &State<'_, '_>,
     limit: &Limit,
     germ: Germ,
-    (num, den, order): (Poly, Poly, u32),
+    parts: (Poly, Poly, u32),
 ) -> SideProof {
-    let along = state.along_unproved(&germ).expect("a germ in the domain");
-    let wrong = differs(state.scope, &limit.expr, (&num, &den), Ordering::Equal).expect("small");
-    let along = Box::new(closing(&along.with_cases(wrong)));
+    bounded(state, limit, germ, parts, (Ordering::Equal, &closing))
+}
+
+/// The same for a bound, with a proof of it.
+pub(crate) fn bounded(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    germ: Germ,
+    (num, den, order): (Poly, Poly, u32),
+    (sense, along): (Ordering, &dyn Fn(&State<'_, '_>) -> Proof),
+) -> SideProof {
+    let there = state.along_unproved(&germ).expect("a germ in the domain");
+    let wrong = differs(state.scope, &limit.expr, (&num, &den), sense).expect("small");
+    let along = Box::new(along(&there.with_cases(wrong)));
     let parts = (&num, &den, order);
     let ends = misses(state, &germ.side, parts, &limit.to).expect("ends that can be compared");
     let at_zero = Box::new(closing(&state.with_cases(ends)));
-    SideProof { germ, num, den, order, sense: Ordering::Equal, along, at_zero, upper: None }
+    SideProof { germ, num, den, order, sense, along, at_zero, upper: None }
 }
