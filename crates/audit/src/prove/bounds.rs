@@ -15,7 +15,6 @@ use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::germs::Germs;
 use super::search::{Outcome, Search};
 use super::series::{Along, Series, Value};
 use crate::argument::{Argument, SideArgument};
@@ -82,23 +81,27 @@ pub(super) fn target(state: &State<'_, '_>, limit: &Limit, side: &Side) -> Optio
     })
 }
 
+/// The first argument that is found along a germ, of those of a power of t.
+pub(super) type Find<'a> =
+    &'a dyn Fn(u32, &mut dyn FnMut(Germ) -> Option<SideArgument>) -> Option<SideArgument>;
+
 /// A proof of a limit from one side by bounds.
 pub(super) fn one_side(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
     steps: u64,
+    germs: Find<'_>,
 ) -> Option<SideArgument> {
-    let germs = state.scope.germ();
-    if (state.scope.context.vars.len()..germs).next().is_none() {
+    let t = state.scope.germ();
+    if state.scope.context.vars.len() == t {
         return None;
     }
     POWERS.iter().find_map(|&power| {
         let along = Along { scope: state.scope, side, power, terms: PRECISION };
         let value = along.value(&limit.expr)?;
-        let bounds = bounds(&value, &closed_target(&along, &limit.to)?, germs)?;
-        let germs = Germs::new(state, side, steps).along(power);
-        germs.all().find_map(|germ| {
+        let bounds = bounds(&value, &closed_target(&along, &limit.to)?, t)?;
+        germs(power, &mut |germ| {
             TERMS.iter().find_map(|&terms| {
                 let mut shown = bounds
                     .iter()

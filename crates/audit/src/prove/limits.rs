@@ -187,7 +187,11 @@ pub(crate) fn one_side(
     steps: u64,
 ) -> Option<SideArgument> {
     let by_quotient = by_quotient(state, limit, side, steps);
-    by_quotient.or_else(|| bounds::one_side(state, limit, side, steps))
+    by_quotient.or_else(|| {
+        bounds::one_side(state, limit, side, steps, &|power, argument| {
+            Germs::new(state, side, steps).along(power).all().find_map(argument)
+        })
+    })
 }
 
 /// A proof of a limit from one side by a quotient that the expression equals.
