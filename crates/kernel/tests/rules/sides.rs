@@ -84,7 +84,9 @@ fn ends_are_compared_at_the_order_that_the_target_needs() {
     };
     let two = Target::Finite(number(2, 1));
     assert_eq!(closes(n(6).add(&t(1)), n(3).sub(&t(2)), 0, &two), Ok(true));
-    assert_eq!(closes(n(5), n(3), 0, &two), Ok(false));
+    for (num, den) in [(5, 3), (7, 3), (-5, -3), (-7, -3), (-6, 3)] {
+        assert_eq!(closes(n(num), n(den), 0, &two), Ok(false), "{num}/{den}");
+    }
     assert_eq!(closes(t(1).scale(&2.into()), t(1), 0, &two), Ok(false), "0/0");
     assert_eq!(closes(n(0), n(0), 0, &two), Ok(false));
     assert_eq!(closes(n(6), n(3), 1, &two), Err(Rejection::WrongOrder));
