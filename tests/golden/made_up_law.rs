@@ -88,8 +88,8 @@ fn shows(forms: &[String]) {
 
 fn forms_of(collision: &Collision) -> [String; 3] {
     [
-        collision::text(collision, Page::default()),
-        collision::markdown(collision),
+        collision::sheet(collision).text(Page::default()),
+        collision::sheet(collision).markdown(),
         collision::json(collision),
     ]
 }

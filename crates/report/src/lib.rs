@@ -11,9 +11,8 @@
 
 mod certificate;
 pub mod chart;
-mod chart_picture;
+
 pub mod collision;
-mod columns;
 mod envelope;
 mod explain;
 pub mod figures;
@@ -28,6 +27,7 @@ pub mod matrix;
 mod outline;
 mod report;
 pub mod scene;
+mod sheet;
 mod shorten;
 pub mod stability;
 mod summary;
@@ -37,12 +37,12 @@ mod wording;
 mod words;
 
 pub use certificate::certificates;
-pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
 pub use markdown::markdown;
 pub use report::{Picture, Report};
+pub use sheet::{Page, Sheet};
 pub use summary::Summary;
-pub use text::{Page, text};
+pub use text::text;

@@ -7,8 +7,8 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::{FLOATING, GrowthReport, power_of_ten};
+use crate::chart::colour;
 use crate::chart::nanoseconds;
-use crate::chart_picture::colour;
 use crate::shorten::shorten;
 use crate::stability::PictureError;
 

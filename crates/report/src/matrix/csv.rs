@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use kane_matrix::unmarked;
 
 use super::{MatrixReport, word};
-use crate::stability::quoted;
+use crate::sheet::quoted;
 
 /// A row a cell: law, property, finding, how many certificates, and why.
 #[must_use]

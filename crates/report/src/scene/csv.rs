@@ -6,7 +6,7 @@ use kane_scene::stress::Row;
 use kane_scene::{Known, Round, Shown};
 
 use super::{SceneReport, verdict, who};
-use crate::stability::quoted;
+use crate::sheet::quoted;
 
 /// A row for each body of each impact that is kept, and one for each body at the end. Numbers are
 /// those of the model: fractions where it is exact.

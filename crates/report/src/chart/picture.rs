@@ -5,7 +5,7 @@ use kane_number::System;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::chart::{ChartReport, reach};
+use super::{ChartReport, reach};
 use crate::shorten::shorten;
 use crate::stability::PictureError;
 
@@ -123,7 +123,7 @@ fn panel(
         .y_desc("digits right, worst input")
         .x_labels(8)
         .y_labels(9)
-        .x_label_formatter(&|picoseconds| crate::chart::nanoseconds(*picoseconds))
+        .x_label_formatter(&|picoseconds| super::nanoseconds(*picoseconds))
         .y_label_formatter(&|hundredths| match *hundredths {
             EXACT.. => "exact".to_owned(),
             h => (h / 100).to_string(),
