@@ -27,8 +27,13 @@ pub(super) fn files(stem: &str, sheet: &Sheet<'_>, json: String) -> Vec<Written>
     let forms = forms.map(|(ending, text)| Written::new(format!("{stem}.{ending}"), text));
     let mut files = forms.to_vec();
     for (name, svg) in sheet.drawings() {
-        // what a file is called after need not be said twice
-        let place = if stem.ends_with(name) { stem.to_owned() } else { format!("{stem}-{name}") };
+        let place = match stem {
+            // the picture of all laws has the name of its data
+            "laws" => name.to_owned(),
+            // what a file is called after need not be said twice
+            stem if stem.ends_with(name) => stem.to_owned(),
+            stem => format!("{stem}-{name}"),
+        };
         files.push(Written::picture(format!("{place}.svg"), &svg));
     }
     files

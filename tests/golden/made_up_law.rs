@@ -131,8 +131,8 @@ fn the_matrix_shows_it() {
     assert_eq!(found, [Finding::Proved; 2]);
     let report = MatrixReport { matrix: &matrix, command: "kane laws".to_owned() };
     shows(&[
-        matrix_report::text(&report, Page::default()),
-        matrix_report::markdown(&report),
+        matrix_report::sheet(&report).text(Page::default()),
+        matrix_report::sheet(&report).markdown(),
         matrix_report::json(&report),
         matrix_report::html(&report, ""),
         matrix_report::csv(&report),
@@ -165,10 +165,11 @@ fn a_scene_tries_it() {
             answer: &answer,
             title: scene.title.clone(),
             command: format!("kane scene {file} --compare"),
+            is_compared: true,
         };
         shows(&[
-            scene_report::text(&report, Page::default()),
-            scene_report::markdown(&report),
+            scene_report::sheet(&report).text(Page::default()),
+            scene_report::sheet(&report).markdown(),
             scene_report::json(&report),
             scene_report::models_csv(&report),
             scene_report::compare_picture(&report).expect("it can be drawn"),

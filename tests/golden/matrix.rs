@@ -3,9 +3,7 @@
 use kane::impact::{law, laws};
 use kane::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
-use kane::report::matrix::{
-    MatrixReport, csv, explain, html, json, markdown, picture, properties, text,
-};
+use kane::report::matrix::{MatrixReport, csv, explain, html, json, picture, properties, sheet};
 
 use crate::{assert_kept, settings};
 
@@ -27,7 +25,7 @@ fn report(matrix: &Matrix) -> MatrixReport<'_> {
 }
 
 fn as_text(matrix: &Matrix) {
-    let shown = text(&report(matrix), Page::default());
+    let shown = sheet(&report(matrix)).text(Page::default());
     for line in shown.lines() {
         assert!(line.chars().count() <= 120, "more than 120 columns: {line}");
     }
@@ -35,7 +33,7 @@ fn as_text(matrix: &Matrix) {
 }
 
 fn as_markdown(matrix: &Matrix) {
-    settings().bind(|| insta::assert_snapshot!("markdown", markdown(&report(matrix))));
+    settings().bind(|| insta::assert_snapshot!("markdown", sheet(&report(matrix)).markdown()));
 }
 
 /// Of three laws: all of them are more than a snapshot may hold.

@@ -5,8 +5,8 @@ use std::path::Path;
 use kane::impact::laws;
 use kane::report::Page;
 use kane::report::scene::{
-    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
-    states_csv, stress_csv, stress_picture, text,
+    SceneReport, compare_picture, json, ledger_picture, models_csv, picture, sheet, states_csv,
+    stress_csv, stress_picture,
 };
 use kane::scene::{Effort, answer, read, stress};
 
@@ -19,7 +19,8 @@ fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
     let scene = read::scene(&file, &source).expect("it is well formed");
     let answer = answer(&scene, laws(), None, effort, &mut |_, _| {}).expect("it has an answer");
     let command = format!("kane scene {file}");
-    check(&SceneReport { answer: &answer, title: scene.title.clone(), command });
+    let (title, is_compared) = (scene.title.clone(), effort == Effort::All);
+    check(&SceneReport { answer: &answer, title, command, is_compared });
 }
 
 #[test]
@@ -39,7 +40,7 @@ fn every_shipped_scene_is_answered_and_drawn() {
     ];
     for name in names {
         shipped(name, Effort::Chosen, |report| {
-            let shown = text(report, Page::default());
+            let shown = sheet(report).text(Page::default());
             for line in shown.lines() {
                 assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
             }
@@ -83,7 +84,7 @@ fn all_forms_of_a_report_tell_the_same() {
         let impacts = value["impacts"].as_array().expect("a list");
         // one body: a row an impact, one for the end, and the head
         assert_eq!(states_csv(report).lines().count(), impacts.len() + 2);
-        assert!(markdown(report).contains("| wang-su-li/f64 |"));
+        assert!(sheet(report).markdown().contains("| `wang-su-li/f64` |"));
         let picture = compare_picture(report).expect("it can be drawn");
         assert!(picture.contains("routh-newton/f32, f64") || picture.contains("routh-newton/f64"));
     });
@@ -93,8 +94,8 @@ fn all_forms_of_a_report_tell_the_same() {
 fn the_page_holds_all_and_loads_nothing() {
     for name in ["alumina", "backspin", "rod-jam"] {
         shipped(name, Effort::Chosen, |report| {
-            let page = html(report).expect("it can be drawn");
-            assert_eq!(page, html(report).expect("again"), "the same in every run");
+            let page = sheet(report).html();
+            assert_eq!(page, sheet(report).html(), "the same in every run");
             assert!(page.starts_with("<!DOCTYPE html>") && page.trim_end().ends_with("</html>"));
             // pictures and nothing from elsewhere
             let pictures = if report.answer.bounces.is_empty() { 1 } else { 2 };

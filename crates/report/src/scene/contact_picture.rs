@@ -4,7 +4,7 @@
 use kane_scene::simulate::ContactTime;
 use plotters::prelude::*;
 
-use super::sheet::{Area, GRID, INKS, SIZE, headed};
+use super::chart_frame::{Area, GRID, INKS, SIZE, headed};
 use super::{SceneReport, brief};
 use crate::stability::PictureError;
 

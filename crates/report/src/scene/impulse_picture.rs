@@ -4,7 +4,7 @@
 use kane_scene::{Event, ImpulsePlane, PlaneLine};
 use plotters::prelude::*;
 
-use super::sheet::{GRID, INKS, SIZE, headed};
+use super::chart_frame::{GRID, INKS, SIZE, headed};
 use super::{SceneReport, brief};
 use crate::stability::PictureError;
 

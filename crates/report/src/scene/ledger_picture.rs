@@ -5,7 +5,7 @@ use kane_scene::{Bounced, Judged, Known, Verdict};
 use plotters::prelude::*;
 
 use super::SceneReport;
-use super::sheet::{GRID, INKS, SIZE, headed};
+use super::chart_frame::{GRID, INKS, SIZE, headed};
 use crate::stability::PictureError;
 
 const PARTS: [(&str, RGBColor); 4] =

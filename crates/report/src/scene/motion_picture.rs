@@ -5,7 +5,7 @@ use kane_scene::{Side, Strobe};
 use plotters::prelude::*;
 
 use super::SceneReport;
-use super::sheet::INKS;
+use super::chart_frame::INKS;
 use crate::stability::PictureError;
 
 /// The longer side of the drawing, the margin, and the header, in pixels.
@@ -55,7 +55,7 @@ impl Scale {
     }
 
     /// A bar of a round length beside the caption, with the length.
-    fn bar(&self, root: &super::sheet::Area<'_>) -> Result<(), PictureError> {
+    fn bar(&self, root: &super::chart_frame::Area<'_>) -> Result<(), PictureError> {
         let most = 150.0 / self.by;
         let ten = 10_f64.powf(most.log10().floor());
         let length = [5.0, 2.0, 1.0].map(|n| n * ten).into_iter().find(|length| *length <= most);

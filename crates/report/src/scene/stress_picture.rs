@@ -4,7 +4,7 @@
 use kane_scene::stress::Row;
 use plotters::prelude::*;
 
-use super::sheet::{GRID, INKS, headed};
+use super::chart_frame::{GRID, INKS, headed};
 use crate::stability::PictureError;
 
 const PANEL: (u32, u32) = (520, 290);

@@ -28,6 +28,7 @@ impl Measure {
             Tone::Good => colour(AnsiColor::Green),
             Tone::Doubtful => colour(AnsiColor::Yellow),
             Tone::Bad => colour(AnsiColor::Red),
+            Tone::Quiet => Style::new().dimmed(),
         }
     }
 }

@@ -11,7 +11,7 @@ pub(crate) fn csv(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> S
     out
 }
 
-pub(crate) fn quoted(cell: &str) -> String {
+fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\n']) {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {

@@ -112,5 +112,6 @@ const fn class(tone: Tone) -> Option<&'static str> {
         Tone::Good => Some("good"),
         Tone::Doubtful => Some("doubtful"),
         Tone::Bad => Some("bad"),
+        Tone::Quiet => Some("little"),
     }
 }

@@ -12,7 +12,7 @@ mod table;
 mod text;
 mod words;
 
-pub(crate) use csv::{csv, quoted};
+pub(crate) use csv::csv;
 pub(crate) use table::{Column, Row, Table, row};
 pub use text::Page;
 pub(crate) use words::{Tone, Words};

@@ -29,6 +29,8 @@ pub(crate) enum Tone {
     Good,
     Doubtful,
     Bad,
+    /// of little weight
+    Quiet,
 }
 
 impl<T: Into<String>> From<T> for Words {
