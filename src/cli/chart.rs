@@ -1,7 +1,6 @@
 //! `kane chart`: speed against accuracy, growth, and the figures.
 
 use std::fs;
-use std::io;
 
 use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
@@ -70,7 +69,7 @@ fn figures(args: &ChartArgs) -> Result<(), Outcome> {
     let files = || {
         let mut files = Vec::new();
         for figure in &figures {
-            let picture = drawn::svg(figure).map_err(io::Error::other)?;
+            let picture = drawn::svg(figure);
             for (ending, text) in [("svg", picture), ("csv", drawn::csv(figure))] {
                 files.push(Written::new(format!("{}.{ending}", figure.stem), text));
             }

@@ -3,15 +3,13 @@
 //! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
-//! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
-//! for what the measurements found, [`scene`] for the answer to a scene;
-//! [`figures`] draws curves and maps. All of them return
+//! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`] and [`growth`] are functions from data to a
+//! [`Sheet`], which is written in any form; [`figures`] draws curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
 mod certificate;
 pub mod chart;
-
 pub mod collision;
 mod envelope;
 mod explain;
@@ -25,6 +23,7 @@ mod layers;
 mod markdown;
 pub mod matrix;
 mod outline;
+mod picture;
 mod report;
 pub mod scene;
 mod sheet;

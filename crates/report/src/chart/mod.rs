@@ -9,7 +9,7 @@ use kane_number::Rational;
 use num_bigint::BigInt;
 
 pub use data::{committed, csv, json};
-pub(crate) use picture::colour;
+pub(crate) use picture::ink;
 pub use picture::picture;
 pub use sheet::sheet;
 

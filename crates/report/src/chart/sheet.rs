@@ -18,7 +18,7 @@ pub fn sheet<'a>(report: &'a ChartReport<'a>) -> Sheet<'a> {
     sheet.machine = Some(report.machine.clone());
     sheet.columns = 110;
     sheet.prose(READING);
-    sheet.figure("chart", "Digits by time", || picture(report).unwrap_or_default());
+    sheet.figure("chart", "Digits by time", || picture(report));
     let front = front(report.all);
     for ((law, quantity), group) in report.groups() {
         sheet.heading(format!("{law}-{quantity}"), format!("{law}  {quantity}"));

@@ -20,7 +20,7 @@ pub fn sheet<'a>(report: &'a GrowthReport<'a>) -> Sheet<'a> {
     let growth = report.growth;
     let mut sheet = Sheet::new("Growth", "How does cost grow with size?", "", &report.command);
     sheet.machine = Some(report.machine.clone());
-    sheet.figure("growth", "The curves", || super::picture(report).unwrap_or_default());
+    sheet.figure("growth", "The curves", || super::picture(report));
     if let Some(reading) = report.rows_reading() {
         sheet.heading("batch", "Rows in a batch");
         sheet.prose(reading);

@@ -14,7 +14,7 @@ pub fn sheet<'a>(report: &'a MatrixReport<'a>) -> Sheet<'a> {
     let headline = report.headline();
     let mut sheet = Sheet::new("Matrix", "Laws and properties", headline, &report.command);
     sheet.columns = 120;
-    sheet.figure("matrix", "The matrix", || picture(report).unwrap_or_default());
+    sheet.figure("matrix", "The matrix", || picture(report));
     let heads = matrix.properties.iter().map(|p| Column::left(p.head));
     let columns = std::iter::once(Column::left("law")).chain(heads).collect();
     let findings = |row: &Row| {

@@ -1,6 +1,6 @@
 //! A scene: what was asked, by which model, and how it moved.
 
-mod chart_frame;
+mod compare_picture;
 mod contact_picture;
 mod csv;
 mod impulse_picture;
@@ -10,13 +10,13 @@ mod motion_picture;
 mod sheet;
 mod stress_picture;
 
+pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};
 pub use json::json;
-pub use ledger_picture::{compare_picture, ledger_picture};
+pub use ledger_picture::ledger_picture;
 pub use sheet::sheet;
 pub use stress_picture::stress_picture;
 
-use crate::stability::PictureError;
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
 use kane_scene::{Answer, Judged, Known, Line, Spread, Verdict};
@@ -79,19 +79,15 @@ pub struct Drawn {
 
 /// The picture of a scene: what flies, the impulse of a tip, or forces over the time of contact;
 /// `None` where the model has none.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn picture(report: &SceneReport<'_>) -> Result<Option<Drawn>, PictureError> {
-    let (Some(picture), Some((name, heading))) = (&report.answer.picture, drawn(report)) else {
-        return Ok(None);
+#[must_use]
+pub fn picture(report: &SceneReport<'_>) -> Option<Drawn> {
+    let (name, heading) = drawn(report)?;
+    let svg = match report.answer.picture.as_ref()? {
+        Picture::Motion(strobe) => motion_picture::motion_picture(report, strobe),
+        Picture::ImpulsePlane(plane) => impulse_picture::impulse_picture(report, plane),
+        Picture::ContactTime(contact) => contact_picture::contact_picture(report, contact),
     };
-    let svg = match picture {
-        Picture::Motion(strobe) => motion_picture::motion_picture(report, strobe)?,
-        Picture::ImpulsePlane(plane) => impulse_picture::impulse_picture(report, plane)?,
-        Picture::ContactTime(contact) => contact_picture::contact_picture(report, contact)?,
-    };
-    Ok(Some(Drawn { name, heading, svg }))
+    Some(Drawn { name, heading, svg })
 }
 
 /// Which picture a scene has: the end of its file's name, and its heading.
@@ -101,6 +97,15 @@ fn drawn(report: &SceneReport<'_>) -> Option<(&'static str, &'static str)> {
         Picture::ImpulsePlane(_) => ("impulse", "Impulse"),
         Picture::ContactTime(_) => ("contact", "Contact"),
     })
+}
+
+/// The width of pictures with a plot.
+const WIDTH: f64 = 860.0;
+
+/// What stands below a picture: what is to be known of it, and where it comes from.
+fn notes(report: &SceneReport<'_>, note: &str) -> Vec<String> {
+    let from = format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
+    [note.to_owned(), from].into_iter().filter(|note| !note.is_empty()).collect()
 }
 
 /// A number for a table, with its sign where it has one.
@@ -141,6 +146,11 @@ pub(crate) fn brief(value: f64) -> String {
 /// An error to two digits.
 pub(crate) fn small(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// A power of ten on an axis: `1e-12`.
+fn power(value: f64) -> String {
+    format!("{value:.0e}")
 }
 
 /// The cost of a model, and whether it is counted or only estimated.

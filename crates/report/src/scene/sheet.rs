@@ -26,21 +26,17 @@ pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
     sheet.prose(answer.reasons.join(" "));
     if let Some((name, heading)) = drawn(report) {
         sheet.figure(name, heading, || {
-            super::picture(report).unwrap_or_default().map_or_else(String::new, |drawn| drawn.svg)
+            super::picture(report).map_or_else(String::new, |drawn| drawn.svg)
         });
     }
     if !answer.bounces.is_empty() {
-        sheet.figure("ledger", "Energy", || {
-            ledger_picture(report).unwrap_or_default().unwrap_or_default()
-        });
+        sheet.figure("ledger", "Energy", || ledger_picture(report).unwrap_or_default());
     }
     sheet.heading("models", "Models");
     sheet.prose(COST);
     sheet.table(models(report));
     if report.is_compared {
-        sheet.figure("compare", "Error against cost", || {
-            compare_picture(report).unwrap_or_default()
-        });
+        sheet.figure("compare", "Error against cost", || compare_picture(report));
     }
     if !answer.bounces.is_empty() {
         sheet.heading("impacts", "Impacts, with their energy by part");

@@ -12,6 +12,7 @@ mod table;
 mod text;
 mod words;
 
+pub(crate) use columns::wrapped;
 pub(crate) use csv::csv;
 pub(crate) use table::{Column, Row, Table, row};
 pub use text::Page;

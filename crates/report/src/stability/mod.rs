@@ -9,7 +9,7 @@ use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Search
 
 pub use csv::csv;
 pub use json::json;
-pub use picture::{PictureError, picture};
+pub use picture::picture;
 pub use sheet::sheet;
 
 /// What came out for a document, and the command that shows it again.

@@ -20,7 +20,7 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
     sheet.prose(READING);
     let entries = report.entries();
     if entries.iter().any(Entry::fails) {
-        let draw = || picture(report).unwrap_or_default();
+        let draw = || picture(report);
         sheet.figure("stability", "Bits lost by the input", draw);
     }
     for (index, entry) in entries.iter().enumerate().filter(|(_, entry)| entry.fails()) {
