@@ -5,6 +5,7 @@ mod audit;
 mod chart;
 mod collide;
 mod delivery;
+mod forms;
 mod help;
 mod input;
 mod labels;
