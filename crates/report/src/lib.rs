@@ -4,7 +4,7 @@
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
 //! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
-//! for what the measurements found, [`scene`] for the answer to a scene;
+//! for what the measurements found, [`scene`] for the answer to a scene, [`records`] for what a log of impacts follows;
 //! [`figures`] draws curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
@@ -26,6 +26,7 @@ mod layers;
 mod markdown;
 pub mod matrix;
 mod outline;
+pub mod records;
 mod report;
 pub mod scene;
 mod shorten;
