@@ -1,6 +1,7 @@
 //! The program as its user meets it: what it prints, where, and how it exits.
 
 mod browser; // the page in a browser: what loads, filters, the graph, widths, contrast
+mod check; // logs of impacts: forms, exit codes, an engine that is named
 mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
 mod errors; // what bad input gets

@@ -152,6 +152,8 @@ pub struct LawInfo {
     pub gap: Option<&'static str>,
     /// For a law that scenes may be answered by.
     pub model: Option<ModelInfo>,
+    /// Where the law is met under another name: a sentence without its full stop, or nothing.
+    pub engines: &'static str,
 }
 
 impl LawInfo {
@@ -172,6 +174,7 @@ impl LawInfo {
         restitution: Restitution::Newton,
         gap: None,
         model: None,
+        engines: "",
     };
 
     /// Whose law it is, and since when: `Garwin 1969, with Coulomb's bound`.

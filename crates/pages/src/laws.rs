@@ -104,6 +104,9 @@ fn section(out: &mut String, law: &Law, doc: &Docstring) {
         let _ = writeln!(out, "{}", without_links(line));
     }
     let _ = writeln!(out, "\nSource: {}.", source.replace('*', "\\*"));
+    if !law.info.engines.is_empty() {
+        let _ = writeln!(out, "\nMet elsewhere: {}.", law.info.engines);
+    }
     let frame =
         if law.has_frame() { ", in the turned frame and where it does not couple" } else { "" };
     let _ = write!(
