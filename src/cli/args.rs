@@ -61,7 +61,7 @@ Exit codes:
 const CHART_EXAMPLES: &str = "\
 Examples:
   kane chart --quick                      a first look, in some seconds
-  kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
+  kane chart --out charts                 also writes charts/chart.html, .svg, .csv and more
   kane chart --growth                     how cost grows with rows, bounces, variables and degree
   kane chart --figures --out figures      draws what the laws say: figures/*.svg, data in *.csv
 
@@ -72,7 +72,7 @@ are counted in docs/data/methods.csv.
 
 With --growth: what a row costs by the number of rows in a batch; how an exact chain of bounces
 grows, and how many digits floats and intervals keep in it; what a claim costs the audit by its
-variables and its degree, and where it stays undecided. Files are growth.svg, .csv, .json, .md.
+variables and its degree, and where it stays undecided. Files are called growth.
 
 With --figures: k, i_x and the effective friction over alpha under all laws, with measured points and
 the elastic half-space; by how much models miss the half-space; where Kane's pendulum gains energy.
@@ -82,8 +82,8 @@ const STABILITY_EXAMPLES: &str = "\
 Examples:
   kane stability                          the paper, and the equal forms that the program knows
   kane stability notes.md                 the formulas of a document of yours
-  kane stability --out maps               also writes maps/oblique-collision-stability.svg,
-                                          .csv, .json and .md
+  kane stability --out maps               also writes maps/oblique-collision-stability.html,
+                                          .svg, .csv and more
 
 A formula is evaluated as written, in f32 and in f64, over its whole domain: one input along all
 floats of either sign, two that are not negative on a plane, all others at points that are searched
@@ -275,7 +275,7 @@ pub(crate) struct CollideArgs {
     #[arg(long, value_enum, default_value_t = Format::Text, help_heading = "Report")]
     pub(crate) format: Format,
 
-    /// Also write NAME.txt, NAME.md and NAME.json into this directory
+    /// Also write NAME.html, .txt, .md, .tex and .json into this directory
     #[arg(long, value_name = "DIR", help_heading = "Report")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -347,7 +347,8 @@ pub(crate) struct ChartArgs {
     #[arg(long, conflicts_with_all = ["quick", "growth", "format"])]
     pub(crate) figures: bool,
 
-    /// Also write chart.md, .json, .csv and .svg into this directory, or growth.*, or the figures
+    /// Also write chart.html, .txt, .md, .tex, .json, .csv and .svg into this directory, or growth.*,
+    /// or the figures
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -362,7 +363,7 @@ pub(crate) struct StabilityArgs {
     #[arg(value_name = "DOCUMENT")]
     pub(crate) file: Option<PathBuf>,
 
-    /// Also write NAME-stability.md, .json, .csv and .svg into this directory
+    /// Also write NAME-stability.html, .txt, .md, .tex, .json, .csv and .svg into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

@@ -10,15 +10,11 @@ use kane::records::format::Format as Numbers;
 use kane::records::reader::Kind;
 use kane::records::study::{Options, Study, study};
 use kane::records::{replay, sweep};
-use kane::report::Page;
-use kane::report::records::{
-    RecordsReport, compared_json, compared_text, json, markdown, schema, text,
-};
+use kane::report::records::{RecordsReport, compared_json, compared_text, json, schema, sheet};
 
 use super::args::{CheckArgs, Format};
-use super::delivery::Written;
 use super::input::quoted;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Bytes that are read at once.
 const BUFFER: usize = 1 << 18;
@@ -49,21 +45,10 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
         return baseline(args, old, &study, &options, &name);
     }
     let report = RecordsReport { study: &study, log: &name, command: &command };
-    let shown = || match args.format {
-        Format::Text => text(&report, output::page()),
-        Format::Markdown => markdown(&report),
-        Format::Json => json(&report),
-    };
+    let sheet = sheet(&report);
+    let shown = || forms::printed(args.format, &sheet, || json(&report));
     let stem = log.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let files = || {
-        let forms = [
-            ("txt", text(&report, Page::default())),
-            ("md", markdown(&report)),
-            ("json", json(&report)),
-        ];
-        let named = |(ending, text)| Written::new(format!("{stem}-check.{ending}"), text);
-        Ok(forms.map(named).to_vec())
-    };
+    let files = || Ok(forms::files(&format!("{stem}-check"), &sheet, json(&report)));
     if let Err(outcome) = deliver(args.out.as_deref(), &[log], files, shown) {
         return outcome;
     }

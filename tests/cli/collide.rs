@@ -107,7 +107,7 @@ fn inputs_of_a_thousand_digits_do_not_hang() {
     let mut arguments = with("--mu", &mu);
     let run_all = run(&arguments);
     assert_eq!(run_all.code, 0, "{}", run_all.stderr);
-    assert!(run_all.stdout.contains("no outcome: smith-1991: the outcome is irrational"));
+    assert!(run_all.stdout.contains("no outcome  smith-1991: the outcome is irrational"));
     arguments.extend(["--law", "smith-1991"].map(str::to_owned));
     assert_eq!(run(&arguments).code, 3);
 }
@@ -140,7 +140,7 @@ fn a_law_that_creates_energy_is_marked_in_words() {
     assert_eq!(run.code, 0, "a table is information: {}", run.stderr);
     assert!(run.stdout.contains("whittaker-uncapped"), "{}", run.stdout);
     assert!(run.stdout.contains("creates energy: slide"), "{}", run.stdout);
-    assert!(run.stdout.contains("energy is created by: whittaker-uncapped"), "{}", run.stdout);
+    assert!(run.stdout.contains("energy is created by  whittaker-uncapped"), "{}", run.stdout);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn a_law_without_an_outcome_says_why_and_alone_exits_3() {
     let file = "docs/collisions/double-pendulum.toml";
     let table = kane(&["collide", file]);
     assert_eq!(table.code, 0, "{}", table.stderr);
-    assert!(table.stdout.contains("no outcome: keller-printed: the law is printed for contacts"));
+    assert!(table.stdout.contains("no outcome  keller-printed: the law is printed for contacts"));
     let alone = kane(&["collide", file, "--law", "keller-printed"]);
     assert_eq!(alone.code, 3, "{}", alone.stdout);
     assert!(alone.stdout.contains("keller-printed: no outcome"), "{}", alone.stdout);
@@ -221,8 +221,12 @@ fn out_writes_every_form() {
         let shown = kane(&["collide", "docs/collisions/rod-tip.toml", "--format", format]).stdout;
         assert_eq!(written.expect("it was written"), shown, "{format}");
     }
+    for (ending, beginning) in [("html", "<!DOCTYPE html>"), ("tex", "\\documentclass")] {
+        let written = fs::read_to_string(target.join(format!("rod-tip.{ending}")));
+        assert!(written.expect("it was written").starts_with(beginning), "{ending}");
+    }
     let count = fs::read_dir(&target).expect("it was made").count();
-    assert_eq!(count, 3, "no temporary file is left");
+    assert_eq!(count, 5, "no temporary file is left");
 }
 
 #[test]

@@ -37,7 +37,8 @@ fn every_shipped_document_audits_as_expected() {
         let summary = Summary::of(&Report::new(&audit, "kane audit"));
         println!("{name}: {}", summary.headline());
         let page = html(&Report::new(&audit, "kane audit")).len();
-        assert!(page < 1_000_000, "the page of {name} has {page} bytes");
+        // formulas of proofs are MathML, twice the bytes of slanted letters (decision 0017)
+        assert!(page < 1_400_000, "the page of {name} has {page} bytes");
         surprises.extend(summary.surprises.iter().map(|label| format!("{name}: {label}")));
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
             if judgement.verdict == Verdict::Undecided {

@@ -2,16 +2,14 @@
 
 mod compared;
 mod json;
-mod markdown;
 mod sentence;
-mod text;
+mod sheet;
 mod wording;
 
 pub use compared::{compared_json, compared_text};
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
-pub use markdown::markdown;
 pub use sentence::headline;
-pub use text::text;
+pub use sheet::sheet;
 pub use wording::schema;
 
 use kane_records::study::Study;

@@ -4,13 +4,10 @@ use kane_scene::{Known, Round, Shown};
 use serde::Serialize;
 
 use super::{SceneReport, verdict, who};
-use crate::envelope::{Program, Schema, written};
+use crate::envelope::{Schema, enveloped};
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     title: &'a str,
     headline: String,
     chosen: Option<String>,
@@ -99,9 +96,6 @@ pub fn json(report: &SceneReport<'_>) -> String {
     let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
     let known = answer.known.map(Known::id);
     let file = File {
-        schema: Schema { name: "kane-scene", version: 1 },
-        program: Program::THIS,
-        command: &report.command,
         title: &report.title,
         headline: report.headline(),
         chosen: answer.chosen.map(|model| model.to_string()),
@@ -165,5 +159,5 @@ pub fn json(report: &SceneReport<'_>) -> String {
             bodies: end.bodies.iter().map(state).collect(),
         }),
     };
-    written(&file)
+    enveloped(Schema { name: "kane-scene", version: 1 }, &report.command, file)
 }

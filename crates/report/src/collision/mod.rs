@@ -1,12 +1,10 @@
-//! One collision under the laws: the three ways to show it.
+//! One collision under the laws: a sheet, and its data.
 
 mod json;
-mod markdown;
-mod text;
+mod sheet;
 
 pub use json::{COLLISION_SCHEMA_NAME, COLLISION_SCHEMA_VERSION, json};
-pub use markdown::markdown;
-pub use text::text;
+pub use sheet::sheet;
 
 use kane_scene::collide::{Collision, Energy, Given};
 
@@ -148,8 +146,9 @@ mod tests {
             command: "kane".to_owned(),
         };
         assert!(!collision.as_expected());
-        assert!(text(&collision, crate::Page::default()).contains("DOES NOT HOLD  momentum"));
-        assert!(markdown(&collision).contains("1 of 2 exact checks hold"));
+        let sheet = sheet(&collision);
+        assert!(sheet.text(crate::Page::default()).contains("DOES NOT HOLD  momentum"));
+        assert!(sheet.markdown().contains("1 of 2 exact checks hold"));
         assert!(json(&collision).contains("\"as_expected\": false"));
     }
 
