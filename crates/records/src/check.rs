@@ -116,13 +116,19 @@ pub struct Finding {
     pub residual: f64,
     /// how much may be left
     pub tolerance: f64,
-    /// the residual by the scale of the quantity: 1 is all of it
-    pub size: f64,
+    /// the scale of the quantity
+    pub scale: f64,
     /// whether it holds
     pub holds: bool,
 }
 
 impl Finding {
+    /// The residual by the scale of the quantity: 1 is all of it.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        if self.residual > 0.0 { self.residual / self.scale.max(f64::MIN_POSITIVE) } else { 0.0 }
+    }
+
     /// Whether the verdict is near its tolerance, within a factor of two.
     #[must_use]
     pub fn is_near(&self) -> bool {
@@ -208,8 +214,7 @@ impl Case<'_> {
         } else {
             residual <= allowed
         };
-        let size = if residual > 0.0 { residual / scale.max(f64::MIN_POSITIVE) } else { 0.0 };
-        Some(Finding { residual, tolerance: allowed, size, holds })
+        Some(Finding { residual, tolerance: allowed, scale, holds })
     }
 
     /// What the slip is uncertain by because the impulse of the first body acted beside the stated

@@ -147,17 +147,36 @@ impl<N: FromFloat> Moving<N> {
                 [N::zero(), if side == Side::First { -radius } else { radius }]
             }
         };
-        let motion = |when| -> Result<[N; 3], Reason> {
-            row.need(Column::Velocity(side, Axis::X, when))?;
-            row.need(Column::Velocity(side, Axis::Y, when))?;
-            row.need(Column::Spin(side, Axis::Z, when))?;
+        match side {
+            Side::First => row.need_all(
+                &const { motion(Side::First) },
+                const { Row::mask(&motion(Side::First)) },
+            )?,
+            Side::Second => row.need_all(
+                &const { motion(Side::Second) },
+                const { Row::mask(&motion(Side::Second)) },
+            )?,
+        }
+        let motion = |when| -> [N; 3] {
             let velocity = vector(row, |axis| Column::Velocity(side, axis, when));
             let [t, n] = planar(velocity, frame);
             let spin = vector(row, |axis| Column::Spin(side, axis, when));
-            Ok([t, n, along(spin, frame.axis)])
+            [t, n, along(spin, frame.axis)]
         };
-        Ok(Self { mass, inertia, arm, before: motion(When::Pre)?, after: motion(When::Post)? })
+        Ok(Self { mass, inertia, arm, before: motion(When::Pre), after: motion(When::Post) })
     }
+}
+
+/// The columns of a body's motion that every row needs.
+const fn motion(side: Side) -> [Column; 6] {
+    [
+        Column::Velocity(side, Axis::X, When::Pre),
+        Column::Velocity(side, Axis::Y, When::Pre),
+        Column::Spin(side, Axis::Z, When::Pre),
+        Column::Velocity(side, Axis::X, When::Post),
+        Column::Velocity(side, Axis::Y, When::Post),
+        Column::Spin(side, Axis::Z, When::Post),
+    ]
 }
 
 /// J/(m·r²) of a shape.
@@ -171,7 +190,7 @@ fn vector(row: &Row, of: impl Fn(Axis) -> Column) -> [f64; 3] {
 
 /// Along tangent and normal.
 fn planar<N: FromFloat>(vector: [f64; 3], frame: &Frame) -> [N; 2] {
-    if *frame == Frame::UPRIGHT {
+    if frame.upright {
         return [N::of_float(vector[0]), N::of_float(vector[1])];
     }
     [along(vector, frame.tangent), along(vector, frame.normal)]

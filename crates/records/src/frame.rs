@@ -24,6 +24,8 @@ pub struct Frame {
     /// by how much the normal may be turned: what its length is off by, its direction is off by,
     /// too, within a factor of two
     pub slack: f64,
+    /// whether tangent and normal are x and y
+    pub upright: bool,
 }
 
 impl Frame {
@@ -33,6 +35,7 @@ impl Frame {
         normal: [0.0, 1.0, 0.0],
         axis: [0.0, 0.0, 1.0],
         slack: 0.0,
+        upright: true,
     };
 
     /// The frame of a row. In space the tangent is that of the slip before, or else of the one
@@ -42,9 +45,18 @@ impl Frame {
     /// [`Reason::Normal`], [`Reason::Missing`] or [`Reason::OutOfPlane`].
     pub fn of(row: &Row, spatial: bool) -> Result<Self, Reason> {
         let (normal, slack) = normal(row)?;
+        if !spatial && normal == Self::UPRIGHT.normal {
+            return Ok(Self { slack, ..Self::UPRIGHT });
+        }
         if !spatial {
             let [x, y, _] = normal;
-            return Ok(Self { tangent: [y, -x, 0.0], normal, axis: [0.0, 0.0, 1.0], slack });
+            return Ok(Self {
+                tangent: [y, -x, 0.0],
+                normal,
+                axis: [0.0, 0.0, 1.0],
+                slack,
+                upright: false,
+            });
         }
         spatial_frame(row, normal, slack)
     }
@@ -142,7 +154,7 @@ fn spatial_frame(row: &Row, normal: [f64; 3], slack: f64) -> Result<Frame, Reaso
             return Err(Reason::OutOfPlane("the spin changes about another axis"));
         }
     }
-    Ok(Frame { tangent, normal, axis, slack })
+    Ok(Frame { tangent, normal, axis, slack, upright: false })
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

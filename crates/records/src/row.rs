@@ -71,6 +71,29 @@ impl Row {
         self.get(column).ok_or(Reason::Missing(column))
     }
 
+    /// That the row has all of these; `mask` is their [`mask`](Self::mask), made once.
+    ///
+    /// # Errors
+    /// [`Reason::Missing`] for the first that it has not.
+    #[inline]
+    pub fn need_all(&self, columns: &[Column], mask: u64) -> Result<(), Reason> {
+        if self.present & mask == mask {
+            return Ok(());
+        }
+        columns.iter().try_for_each(|column| self.need(*column).map(drop))
+    }
+
+    /// The columns as bits.
+    #[must_use]
+    pub const fn mask(columns: &[Column]) -> u64 {
+        let (mut mask, mut place) = (0, 0);
+        while place < columns.len() {
+            mask |= 1 << columns[place].index();
+            place += 1;
+        }
+        mask
+    }
+
     /// Whether the row has a second body.
     #[must_use]
     pub const fn has_second(&self) -> bool {

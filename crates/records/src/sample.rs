@@ -6,6 +6,7 @@
 pub struct Sample<T> {
     kept: Vec<T>,
     capacity: usize,
+    /// a power of two
     stride: u64,
     seen: u64,
 }
@@ -20,7 +21,7 @@ impl<T> Sample<T> {
     /// Whether the next row is one to keep.
     #[must_use]
     pub fn wants(&self) -> bool {
-        self.seen.is_multiple_of(self.stride)
+        self.seen & (self.stride - 1) == 0
     }
 
     /// Counts a row, and keeps it if it is wanted.

@@ -285,8 +285,8 @@ impl<'a> Gathering<'a> {
             };
             let Some(finding) = finding else { continue };
             self.checks[place].add(row.line, finding);
-            let greater = most.is_none_or(|(_, most)| finding.size > most.size);
-            if !finding.holds && greater {
+            let greater = |most: &Finding| finding.size() > most.size();
+            if !finding.holds && most.as_ref().is_none_or(|(_, most)| greater(most)) {
                 most = Some((check, finding));
             }
         }
@@ -327,13 +327,13 @@ impl<'a> Gathering<'a> {
         let time = row.get(Column::Time)?;
         let last = self.last_time.replace(time)?;
         let residual = (last - time).max(0.0);
-        let size = residual / last.abs().max(time.abs()).max(f64::MIN_POSITIVE);
-        Some(Finding { residual, tolerance: 0.0, size, holds: residual == 0.0 })
+        let scale = last.abs().max(time.abs());
+        Some(Finding { residual, tolerance: 0.0, scale, holds: residual == 0.0 })
     }
 
     fn remember(&mut self, case: &Case<'_>, check: Check, finding: Finding) {
         let least = self.worst.last().map_or(0.0, |(size, _)| *size);
-        if self.worst.len() == WORST && finding.size <= least {
+        if self.worst.len() == WORST && finding.size() <= least {
             return;
         }
         let worst = Worst {
@@ -343,8 +343,8 @@ impl<'a> Gathering<'a> {
             finding,
             replay: replay(&case.event, &case.given),
         };
-        let place = self.worst.partition_point(|(size, _)| *size >= finding.size);
-        self.worst.insert(place, (finding.size, worst));
+        let place = self.worst.partition_point(|(size, _)| *size >= finding.size());
+        self.worst.insert(place, (finding.size(), worst));
         self.worst.truncate(WORST);
     }
 
@@ -390,14 +390,12 @@ impl Checked {
         self.rows += 1;
         self.failed += u64::from(!finding.holds);
         self.near += u64::from(finding.is_near());
-        let share = |finding: &Finding| {
-            let by =
-                if finding.tolerance > 0.0 { finding.residual / finding.tolerance } else { 0.0 };
-            (!finding.holds, if finding.holds { by } else { finding.size })
-        };
-        let worse = |(_, worst): &(u64, Finding)| {
-            let ((fails, size), (failed, greatest)) = (share(&finding), share(worst));
-            (fails && !failed) || fails == failed && size > greatest
+        let worse = |(_, worst): &(u64, Finding)| match (finding.holds, worst.holds) {
+            (false, true) => true,
+            (true, false) => false,
+            (false, false) => finding.size() > worst.size(),
+            // by the share of the tolerance, without a division
+            (true, true) => finding.residual * worst.tolerance > worst.residual * finding.tolerance,
         };
         if self.worst.as_ref().is_none_or(worse) {
             self.worst = Some((line, finding));

@@ -38,7 +38,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                     "line": line,
                     "residual": finding.residual,
                     "tolerance": finding.tolerance,
-                    "size": finding.size,
+                    "size": finding.size(),
                 })),
             })
         })

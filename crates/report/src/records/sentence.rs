@@ -156,7 +156,7 @@ fn energy(study: &Study) -> Option<String> {
             "energy is created in {} of {} impacts, {} of it at most (line {line})",
             checked.failed,
             checked.rows,
-            in_percent(finding.size)
+            in_percent(finding.size())
         )
     })
 }
