@@ -3,6 +3,7 @@
 mod browser; // the page in a browser: what loads, filters, the graph, widths, contrast
 mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
+mod disk; // --out on a disk that is full, read-only, shared, or left in the middle
 mod errors; // what bad input gets
 mod exits; // exit codes
 mod figures; // the figures, and the page that shows them
