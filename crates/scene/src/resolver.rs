@@ -1,5 +1,6 @@
 //! What resolves an impact: a law, or a process.
 
+use kane_impact::Lasting as Shape;
 use kane_impact::compliant::{self, Bilinear, Compliance, DimensionReduction, MawBarberFawcett};
 use kane_impact::{Alpha, Contact, Delassus, Impulse, Law, NoImpulse, NumberSystem, Outcome, Work};
 use kane_number::{Interval, Number as _, Ordered as _, Rational, Real};
@@ -13,11 +14,41 @@ pub trait Resolver<N> {
     /// # Errors
     /// [`NoImpulse`] where it has none, or the number system cannot tell.
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse>;
+
+    /// What it makes of the slip of a ball that comes to rest, whose next impact is this one; the
+    /// contact does not couple.
+    fn lasting(&self, next: &Contact<N>) -> Lasting<N>;
+}
+
+/// What becomes of the slip through infinitely many impacts, each with e times the approach of the
+/// one before.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lasting<N> {
+    /// There is no friction.
+    Without,
+    /// Friction acts in full against the slip while α is no greater than this, unless it stops the
+    /// slip; without slip there is none.
+    Full {
+        /// At least the α at which full friction just stops the slip, 1/2, or less.
+        up_to: N,
+    },
+    /// Friction acts in full, or else every impact gives this share of the slip back.
+    Share(N),
+    /// Not in closed form while there is slip; without slip there is no friction.
+    Unsummed,
 }
 
 impl<N: NumberSystem> Resolver<N> for Law {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
         self.over().resolve(contact)
+    }
+
+    fn lasting(&self, _: &Contact<N>) -> Lasting<N> {
+        match (self.info.model.map(|model| model.lasting), &self.parameters()[..]) {
+            (Some(Shape::Full), _) => Lasting::Full { up_to: half(N::one()) },
+            (Some(Shape::Share), [(_, share)]) => Lasting::Share(N::from_rational(share)),
+            _ => Lasting::Unsummed,
+        }
     }
 }
 
@@ -29,12 +60,20 @@ impl<N, R: Resolver<N> + ?Sized> Resolver<N> for &R {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
         (**self).resolve(contact)
     }
+
+    fn lasting(&self, next: &Contact<N>) -> Lasting<N> {
+        (**self).lasting(next)
+    }
 }
 
 impl<N: Real> Resolver<N> for NormalOnly {
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
         let normal = contact.closing() / contact.delassus().nn();
         Ok(with_impulse("no friction", contact, Impulse { tangential: N::zero(), normal }))
+    }
+
+    fn lasting(&self, _: &Contact<N>) -> Lasting<N> {
+        Lasting::Without
     }
 }
 
@@ -187,5 +226,9 @@ impl<N: Coordinate> Resolver<N> for Elastic {
             separation: of(&found.separation)?,
             work: Work { normal: of(&found.work.normal)?, tangential: of(&found.work.tangential)? },
         })
+    }
+
+    fn lasting(&self, next: &Contact<N>) -> Lasting<N> {
+        Lasting::Full { up_to: self.slides_up_to(next) }
     }
 }

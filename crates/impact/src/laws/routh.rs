@@ -4,7 +4,7 @@ use kane_number::Number;
 
 use crate::arithmetic::difference_of_products;
 use crate::{
-    Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime, Relation,
+    Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime, Relation,
     Restitution, Root,
 };
 
@@ -340,6 +340,7 @@ process_law!(
         model: Some(ModelInfo {
             words: "Coulomb friction on rigid bodies",
             operations: [29, 30, 7, 0],
+            lasting: Lasting::Full
         }),
         ..PROCESS
     }
@@ -372,6 +373,7 @@ process_law!(
         model: Some(ModelInfo {
             words: "Coulomb friction with energetic restitution",
             operations: [62, 60, 18, 1],
+            lasting: Lasting::Full
         }),
         ..PROCESS
     }

@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime};
+use crate::{Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime};
 
 /// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
@@ -55,6 +55,7 @@ impl ImpactLaw for WhittakerUncapped {
         model: Some(ModelInfo {
             words: "friction in full against the slip",
             operations: [9, 12, 4, 0],
+            lasting: Lasting::Full,
         }),
         ..LawInfo::PLAIN
     };
