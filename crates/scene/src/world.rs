@@ -115,15 +115,20 @@ impl<N> Round<N> {
 }
 
 impl<N: Number> World<N> {
-    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
-    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+    /// `W_tt`/`W_nn` of a contact.
+    pub(crate) fn mobility_ratio(&self, encounter: Encounter) -> N {
         let free = |index: usize| N::one() / &self.bodies[index].mass;
         let turning = |index: usize| self.bodies[index].rotational_mobility();
-        let (nn, turn) = match bounce.encounter {
+        let (nn, turn) = match encounter {
             Encounter::Wall(i, _) => (free(i), turning(i)),
             Encounter::Pair(i, j) => (free(i) + free(j), turning(i) + turning(j)),
         };
-        let ratio = (nn.clone() + turn) / nn;
+        (nn.clone() + turn) / nn
+    }
+
+    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
+    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+        let ratio = self.mobility_ratio(bounce.encounter);
         let change = ratio * &self.friction * (N::one() + &self.restitution) * &bounce.approach;
         change.checked_div(&bounce.slip[0].double())
     }

@@ -1,10 +1,13 @@
 //! Why this model, in sentences.
 
+use super::evaluate::contact;
 use super::judge::{Judged, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
+use crate::resolver::COMPLIANT;
 use crate::scene::{Scene, Setup};
-use kane_number::Lane as _;
+use kane_impact::compliant::{Compliance, Loss};
+use kane_number::{Lane as _, Number as _};
 
 /// A short number for prose.
 pub(super) fn short(value: f64) -> String {
@@ -41,6 +44,7 @@ pub(super) fn reasons(
         }
     )];
     said.extend(of_the_contact(scene, reference));
+    said.extend(of_the_loss(scene, reference));
     if let Some(wanted) = wanted {
         said.push(format!("{wanted} was asked for."));
     }
@@ -101,6 +105,38 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
             ))
         }
     }
+}
+
+/// What e < 1 is taken to mean for an elastic contact, where that is not stated.
+fn of_the_loss(scene: &Scene, reference: &Reference) -> Option<String> {
+    let Setup::Bodies(world) = &scene.setup else { return None };
+    let found = reference.at.as_ref().ok().filter(|found| found.estimated)?;
+    let elastic = contact(scene, reference.mechanics).ok()?;
+    let e = world.restitution.value.to_f64();
+    if scene.loss.is_some() || e >= 1.0 {
+        return None;
+    }
+    let mut said = format!(
+        "For e < 1 the theory does not say how energy is lost along the normal; here it is {}",
+        Loss::Recoil.words()
+    );
+    let first = found.bounces.first().filter(|bounce| bounce.regime == COMPLIANT);
+    let others = first.and_then(|first| {
+        let world = world.map(|stated| stated.value.to_f64());
+        let mobility = world.mobility_ratio(first.encounter);
+        let springs = elastic.stiffness_ratio.to_f64().recip();
+        let compliance = Compliance::of_springs(mobility, springs, e).ok()?;
+        let k = first.slip[1].checked_div(&first.slip[0])?.midpoint();
+        Some((k, elastic.other_choices(compliance, found.alpha?.midpoint().abs())))
+    });
+    if let Some((k, others)) = others {
+        let others: Vec<String> =
+            others.iter().map(|(loss, k)| format!("with {} {}", loss.words(), short(*k))).collect();
+        let others = others.join(" and ");
+        said.push_str(&format!(", with k = {} at the first impact ({others})", short(k)));
+    }
+    said.push_str("; the difference counts as error, unless the scene states its `loss`.");
+    Some(said)
 }
 
 fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: &mut Vec<String>) {

@@ -36,8 +36,12 @@ fn without_friction_nothing_slows_a_ball_that_comes_to_rest() {
 
 #[test]
 fn the_sum_of_a_model_is_what_its_impacts_come_to_one_by_one() {
-    let elastic =
-        |ratio: &str| Elastic { stiffness_ratio: n(ratio), process: Process::DimensionReduction };
+    let elastic = |ratio: &str| Elastic {
+        stiffness_ratio: n(ratio),
+        process: Process::DimensionReduction,
+        loss: None,
+        finer: 1,
+    };
     let walton = |share: &str| Law::new(Walton { restitution: n(share) });
     let models: [(&str, Box<dyn Resolver<f64>>); 6] = [
         ("no friction", Box::new(NormalOnly)),
