@@ -51,7 +51,7 @@ mod tip;
 mod world;
 
 pub use choose::{
-    Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Shown, Spread,
+    Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Place, Shown, Spread,
     UnknownModel, Verdict, answer, model_names,
 };
 pub use coordinate::Coordinate;

@@ -197,8 +197,16 @@ impl Elastic {
         let (process, others) = self.process.other_losses();
         // an e that no damper gives leaves no choice
         let found = others.iter().filter_map(|loss| {
-            let outcome = process.outcome(compliance, *loss, self.finer, alpha).ok()?;
-            Some((*loss, outcome.ratios.k))
+            let alpha = Alpha::Finite(alpha);
+            let k = match process {
+                Process::Bilinear => SpringDashpot::new(compliance).ok()?.k(&alpha).ok()?,
+                _ => {
+                    let [springs, steps] = [DimensionReduction::SPRINGS, DimensionReduction::STEPS];
+                    let process = DimensionReduction::damped(compliance, *loss, springs, steps);
+                    process.ok()?.observe(&alpha, &mut |_| ()).ok()?.0.k
+                }
+            };
+            Some((*loss, k))
         });
         found.collect()
     }

@@ -3,7 +3,7 @@
 use kane_impact::bodies::Motion;
 use kane_number::Number;
 
-use crate::coordinate::half;
+use crate::coordinate::{Coordinate, half};
 use crate::simulate::{Bounce, Encounter};
 
 /// A round body and where it is; SI units, y upwards, ω from x to y.
@@ -114,7 +114,22 @@ impl<N> Round<N> {
     }
 }
 
-impl<N: Number> World<N> {
+impl<N: Coordinate> World<N> {
+    /// The kinetic energy of bodies in this world and that of their heights above where they would lie on
+    /// the floor; J. `None` if there is gravity and no floor.
+    pub(crate) fn energy(&self, bodies: &[Round<N>]) -> Option<N> {
+        let motion = bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
+        if self.gravity.sign().is_equal() == Some(true) {
+            return Some(motion);
+        }
+        let floor = &self.walls.iter().find(|wall| wall.side == Side::Floor)?.at;
+        let heights = bodies.iter().fold(N::zero(), |sum, body| {
+            let height = body.position[1].clone() - floor - &body.radius;
+            sum + height * &body.mass * &self.gravity
+        });
+        Some(motion + heights)
+    }
+
     /// `W_tt`/`W_nn` of a contact.
     pub(crate) fn mobility_ratio(&self, encounter: Encounter) -> N {
         let free = |index: usize| N::one() / &self.bodies[index].mass;

@@ -77,49 +77,67 @@ impl Spring {
 /// The strongest damper that is tried; e is below 1/1000 then.
 const STRONGEST: f64 = 50.0;
 /// Steps in an undamped compression while the damper is sought.
-const SEEKING: usize = 400;
+const SEEKING: usize = 200;
 /// Times that the interval of the damper is halved.
-const HALVINGS: usize = 50;
+const HALVINGS: usize = 40;
 
-/// The motion x'' = −K·x^p − c·x^q·x' from x = 0, x' = 1 until the force is zero, with `steps` steps to the
-/// time of an undamped compression, where c is such that it ends with x' = −e. There the bodies part:
-/// they do not pull at each other, and what is left of x recovers without them.
-///
-/// The force is scaled by 1 + O(h²), so that sliding all the time gives the impulse 1 + e to rounding.
-/// Classical Runge–Kutta; *heuristic*, far below the errors of what uses it.
-pub(super) fn history(
+/// A contact with a damper that gives e.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Damped {
     spring: Spring,
-    loss: Loss,
-    steps: usize,
+    /// c
+    strength: f64,
+    /// q
+    power: f64,
     restitution: f64,
-) -> Result<Vec<Node>, NoOutcome> {
-    let q = loss.power();
-    let parts = |c: f64| -follow(spring, c, q, SEEKING).last().map_or(-1.0, |last| last.speed);
-    if parts(STRONGEST) > restitution {
-        return Err(NoOutcome::NoDamper(restitution));
-    }
-    let (mut low, mut high) = (0.0, STRONGEST);
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if parts(middle) > restitution {
-            low = middle;
-        } else {
-            high = middle;
+}
+
+impl Damped {
+    /// Looks for c, by halving.
+    pub(super) fn new(spring: Spring, loss: Loss, restitution: f64) -> Result<Self, NoOutcome> {
+        let power = loss.power();
+        let with = |strength: f64| Self { spring, strength, power, restitution };
+        let parts = |c: f64| -with(c).follow(SEEKING).last().map_or(-1.0, |last| last.speed);
+        if parts(STRONGEST) > restitution {
+            return Err(NoOutcome::NoDamper(restitution));
         }
+        let (mut low, mut high) = (0.0, STRONGEST);
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if parts(middle) > restitution {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Ok(with(f64::midpoint(low, high)))
     }
-    let motion = follow(spring, f64::midpoint(low, high), q, steps);
-    let sum: f64 = motion
-        .windows(2)
-        .map(|pair| (pair[1].time - pair[0].time) * (pair[0].force + pair[1].force) / 2.0)
-        .sum();
-    let scale = (1.0 + restitution) / sum;
-    let nodes = motion.iter().map(|state| Node {
-        time: state.time,
-        force: state.force * scale,
-        penetration: state.x,
-        stiffness: 0.0,
-    });
-    Ok(nodes.collect())
+
+    /// The motion x'' = −K·x^p − c·x^q·x' from x = 0, x' = 1 until the force is zero, where x' = −e, with
+    /// `steps` steps to the time of an undamped compression. There the bodies part: they do not pull at
+    /// each other, and what is left of x recovers without them.
+    ///
+    /// The force is scaled by 1 + O(h²), so that sliding all the time gives the impulse 1 + e to
+    /// rounding. Classical Runge–Kutta; *heuristic*, far below the errors of what uses it.
+    pub(super) fn history(&self, steps: usize) -> Vec<Node> {
+        let motion = self.follow(steps);
+        let sum: f64 = motion
+            .windows(2)
+            .map(|pair| (pair[1].time - pair[0].time) * (pair[0].force + pair[1].force) / 2.0)
+            .sum();
+        let scale = (1.0 + self.restitution) / sum;
+        let nodes = motion.iter().map(|state| Node {
+            time: state.time,
+            force: state.force * scale,
+            penetration: state.x,
+            stiffness: 0.0,
+        });
+        nodes.collect()
+    }
+
+    fn follow(&self, steps: usize) -> Vec<State> {
+        follow(self.spring, self.strength, self.power, steps)
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -192,7 +210,8 @@ mod tests {
         for loss in [Loss::Tsuji, Loss::Linear] {
             for spring in [Spring::Hertz, Spring::Hooke] {
                 for e in [0.02, 0.5, 0.98] {
-                    let nodes = history(spring, loss, 300, e).expect("there is a damper");
+                    let damped = Damped::new(spring, loss, e).expect("there is a damper");
+                    let nodes = damped.history(300);
                     assert!(nodes.iter().all(|node| node.force >= 0.0));
                     let sum: f64 = nodes
                         .windows(2)
@@ -205,7 +224,7 @@ mod tests {
                 }
             }
         }
-        let none = history(Spring::Hertz, Loss::Tsuji, 300, 0.0);
+        let none = Damped::new(Spring::Hertz, Loss::Tsuji, 0.0);
         assert_eq!(none, Err(NoOutcome::NoDamper(0.0)));
     }
 }

@@ -1,6 +1,6 @@
 //! Two linear springs, the normal one with a damper.
 
-use super::damped::{Loss, Spring, history};
+use super::damped::{Damped, Loss, Spring};
 use super::hertz::Node;
 use super::march::{Ledger, Response, bound, march};
 use super::{Compliance, NoOutcome, Outcome, Process, checked};
@@ -32,10 +32,17 @@ impl SpringDashpot {
     /// # Errors
     /// [`NoOutcome::NoDamper`] for an e that is too small.
     pub fn new(compliance: Compliance) -> Result<Self, NoOutcome> {
-        let nodes = |part: usize| {
-            history(Spring::Hooke, Loss::Linear, Self::STEPS / part, compliance.restitution())
-        };
-        Ok(Self { compliance, fine: nodes(1)?, coarse: [nodes(2)?, nodes(3)?] })
+        let damped = Damped::new(Spring::Hooke, Loss::Linear, compliance.restitution())?;
+        let [fine, half, third] = [1, 2, 3].map(|part| damped.history(Self::STEPS / part));
+        Ok(Self { compliance, fine, coarse: [half, third] })
+    }
+
+    /// k alone, without an estimate of its error.
+    ///
+    /// # Errors
+    /// As for [`outcome`](Process::outcome).
+    pub fn k(&self, alpha: &Alpha<f64>) -> Result<f64, NoOutcome> {
+        Ok(self.follow(&self.fine, checked(alpha)?)?.0.k)
     }
 
     fn follow(&self, nodes: &[Node], alpha: f64) -> Result<(Ratios<f64>, Ledger), NoOutcome> {

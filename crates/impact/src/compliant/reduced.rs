@@ -1,6 +1,6 @@
 //! The half-space as a row of springs.
 
-use super::damped::{self, Loss, Spring};
+use super::damped::{Damped, Loss, Spring};
 use super::hertz::{Node, history, to_float};
 use super::march::{Ledger, Moment, Response, bound, march};
 use super::{Compliance, NoOutcome, Outcome, Process, checked, within};
@@ -119,12 +119,10 @@ impl DimensionReduction {
         if loss == Loss::Recoil || compliance.restitution() == 1.0 {
             return Ok(recoil);
         }
-        let grid = |part: usize| -> Result<Grid, NoOutcome> {
-            let nodes =
-                damped::history(Spring::Hertz, loss, steps / part, compliance.restitution())?;
-            Ok(Grid::new(springs / part, nodes))
-        };
-        Ok(Self { damped: true, fine: grid(1)?, coarse: [grid(2)?, grid(3)?], ..recoil })
+        let damped = Damped::new(Spring::Hertz, loss, compliance.restitution())?;
+        let [fine, half, third] =
+            [1, 2, 3].map(|part| Grid::new(springs / part, damped.history(steps / part)));
+        Ok(Self { damped: true, fine, coarse: [half, third], ..recoil })
     }
 
     /// The same collision with an observer of every step, the start included.

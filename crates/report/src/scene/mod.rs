@@ -23,7 +23,7 @@ pub use text::text;
 use crate::stability::PictureError;
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
-use kane_scene::{Answer, Judged, Known, Line, Spread, Verdict};
+use kane_scene::{Answer, Judged, Known, Line, Place, Spread, Verdict};
 
 /// An answer and how its report introduces it.
 pub struct SceneReport<'a> {
@@ -165,8 +165,8 @@ pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
 /// How far the stated uncertainty moves an answer.
 pub(crate) fn moved(spread: Option<Spread>) -> String {
     match spread {
-        Some(Spread { by, enclosed: true }) => format!("±{} at most", brief(by)),
-        Some(Spread { by, enclosed: false }) => format!("±{} at corners", brief(by)),
+        Some(Spread { by, enclosed: true, .. }) => format!("within ±{}", brief(by)),
+        Some(Spread { by, enclosed: false, .. }) => format!("±{} at corners", brief(by)),
         None => "-".to_owned(),
     }
 }
@@ -188,8 +188,12 @@ pub(crate) fn verdict(verdict: &Verdict, known: Option<Known>) -> String {
             Some(Known::Documented) => "good enough as documented".to_owned(),
             _ => "good enough".to_owned(),
         },
-        Verdict::Misses { quantity, by, at_a_corner } => {
-            let place = if *at_a_corner { " within the uncertainty" } else { "" };
+        Verdict::Misses { quantity, by, place } => {
+            let place = match place {
+                Place::Stated => "",
+                Place::Corner => " within the uncertainty",
+                Place::Near => " within 1%",
+            };
             format!("{quantity} off by {}{place}", brief(*by))
         }
         Verdict::Uncertified(why) => format!("not certified: {why}"),

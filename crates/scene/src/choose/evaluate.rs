@@ -175,7 +175,7 @@ fn bodies<N: Coordinate>(
     })?;
     let start_energy = world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
     let values = scene.asked.iter().map(|asked| {
-        let value = asked.quantity.of(&start_energy, bounces.first(), &end);
+        let value = asked.quantity.of(world, bounces.first(), &end);
         value.ok_or(Failed::NoValue(asked.quantity))
     });
     Ok(Found {

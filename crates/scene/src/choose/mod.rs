@@ -10,10 +10,13 @@ mod judge;
 mod model;
 mod reasons;
 mod reference;
+mod refine;
+mod spread;
 
-pub use judge::{Judged, Verdict};
+pub use judge::{Judged, Place, Verdict};
 pub use model::{Mechanics, Model, UnknownModel, model_names};
-pub use reference::{Known, Spread};
+pub use reference::Known;
+pub use spread::Spread;
 
 use kane_impact::{Law, NumberSystem};
 use kane_number::{Lane as _, Rational, Rounding, encode};
@@ -139,6 +142,7 @@ pub fn answer(
     effort: Effort,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Answer, NoAnswer> {
+    let scene = &refine::refined(scene, reference::mechanics(scene));
     let reference = Reference::of(scene);
     let candidates = model::candidates(reference.mechanics, laws);
     let mut judged = Vec::new();
@@ -164,7 +168,7 @@ pub fn answer(
     let shown = wanted.or(chosen).unwrap_or(faithful);
     let told = of_model(scene, shown).map_err(|reason| NoAnswer { model: shown, reason })?;
     let verdict = judged.iter().find(|judged| judged.model == shown);
-    let spread = reference.spread(scene);
+    let spread = reference.spread.as_ref();
     let lines = scene
         .asked
         .iter()
@@ -175,7 +179,7 @@ pub fn answer(
             exact: told.exact.then(|| told.values[index].text.clone()),
             error: verdict.and_then(|judged| judged.errors.get(index).copied().flatten()),
             tolerance: asked.tolerance.to_f64(),
-            spread: spread.as_ref().map(|spread| spread[index]),
+            spread: spread.map(|spread| spread[index]),
         })
         .collect();
     let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);

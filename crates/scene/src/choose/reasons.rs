@@ -1,7 +1,7 @@
 //! Why this model, in sentences.
 
 use super::evaluate::contact;
-use super::judge::{Judged, Verdict};
+use super::judge::{Judged, Place, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
 use crate::resolver::COMPLIANT;
@@ -39,6 +39,9 @@ pub(super) fn reasons(
             (Ok(_), Known::Enclosed) => ", enclosed by intervals",
             (Ok(_), Known::Documented) =>
                 ", which slides all the time here as is documented of it; that is enclosed by intervals",
+            (Ok(_), Known::Estimated)
+                if matches!(reference.mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) =>
+                ", followed in floats of two lengths, because intervals lose it; the difference of the two is an estimate and no bound",
             (Ok(_), Known::Estimated) =>
                 ", followed in steps; how far that is off is an estimate from finer and coarser steps and no bound",
         }
@@ -52,20 +55,40 @@ pub(super) fn reasons(
         Some(chosen) => of_the_choice(reference, judged, chosen, &mut said),
         None => said.push(limit(scene, reference, judged)),
     }
-    if let Some(spread) = reference.spread(scene) {
-        let moved = scene.asked.iter().zip(spread);
-        let beyond: Vec<String> = moved
-            .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
-            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread.by)))
-            .collect();
-        if !beyond.is_empty() {
-            said.push(format!(
-                "What is not known of the state moves {}, more than the tolerance: no model mends that.",
-                beyond.join(", ")
-            ));
-        }
-    }
+    said.extend(of_the_inputs(scene, reference));
     said
+}
+
+/// What the stated uncertainty does, where that is more than what was asked, or may be.
+fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
+    let moved = || scene.asked.iter().zip(reference.spread.iter().flatten());
+    let beyond: Vec<String> = moved()
+        .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
+        .map(|(asked, spread)| {
+            format!("{} by ±{} at least", asked.quantity, short(spread.at_least))
+        })
+        .collect();
+    let open: Vec<String> = moved()
+        .filter(|(asked, spread)| {
+            let tolerance = asked.tolerance.to_f64();
+            spread.may_exceed(tolerance) && !spread.exceeds(tolerance)
+        })
+        .map(|(asked, spread)| format!("{} within ±{}", asked.quantity, short(spread.by)))
+        .collect();
+    let mut said = Vec::new();
+    if !beyond.is_empty() {
+        said.push(format!(
+            "What is not known of the state moves {}, more than the tolerance: no model mends that.",
+            beyond.join(", ")
+        ));
+    }
+    if !open.is_empty() {
+        said.push(format!(
+            "What is not known of the state moves {}, as far as it could be enclosed; at its corners it is within the tolerance.",
+            open.join(", ")
+        ));
+    }
+    (!said.is_empty()).then(|| said.join(" "))
 }
 
 /// Coupling and α.
@@ -218,8 +241,12 @@ fn limit(scene: &Scene, reference: &Reference, judged: &[Judged]) -> String {
 pub(super) fn in_words(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Meets => "good enough".to_owned(),
-        Verdict::Misses { quantity, by, at_a_corner } => {
-            let place = if *at_a_corner { " within the stated uncertainty" } else { "" };
+        Verdict::Misses { quantity, by, place } => {
+            let place = match place {
+                Place::Stated => "",
+                Place::Corner => " within the stated uncertainty",
+                Place::Near => " where a value is a hundredth off, and agrees here by chance",
+            };
             format!("{quantity} is off by {}{place}", short(*by))
         }
         Verdict::Uncertified(why) => (*why).to_owned(),
