@@ -62,6 +62,8 @@ pub struct Asked {
 /// A scene, as read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
+    /// The SHA-256 of the file, as 64 hexadecimal digits.
+    pub sha256: String,
     /// Heads the report.
     pub title: String,
     /// What collides, with what is not known of it.

@@ -35,6 +35,17 @@ pub enum Side {
 }
 
 impl Side {
+    /// Its id in files for programs.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Floor => "floor",
+            Self::Ceiling => "ceiling",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+
     /// The word for it.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -3,12 +3,13 @@
 use std::fmt::Write as _;
 
 use kane_scene::stress::Row;
-use kane_scene::{Known, Round, Shown};
+use kane_scene::{Known, Round, Setup, Shown};
 
-use super::{SceneReport, verdict, who};
+use super::{SceneReport, body_id, ids, verdict};
 use crate::stability::quoted;
 
-/// A row for each body of each impact that is kept, and one for each body at the end. Numbers are
+/// A row for each body at the start, one for each body of each impact that is kept, and one for each at
+/// the end. Numbers are
 /// those of the model: fractions where it is exact.
 #[must_use]
 pub fn states_csv(report: &SceneReport<'_>) -> String {
@@ -16,18 +17,18 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
     let mut out = String::from(
         "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s,dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j\n",
     );
-    let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
     let state = |body: &Round<Shown>| {
         let [x, y] = &body.position;
         let m = &body.motion;
         [x, y, &m.vx, &m.vy, &m.omega].map(|number| number.text.clone()).join(",")
     };
+    if let Setup::Bodies(world) = &answer.stated {
+        for (index, body) in world.bodies.iter().enumerate() {
+            let _ = writeln!(out, "start,0,,,{},{},,,,", body_id(index), state(body));
+        }
+    }
     for (index, bounce) in answer.bounces.iter().enumerate() {
-        let (first, second) = match bounce.encounter {
-            kane_scene::simulate::Encounter::Wall(i, _) => (i, i),
-            kane_scene::simulate::Encounter::Pair(i, j) => (i, j),
-        };
-        let who = quoted(&who(bounce.encounter, bodies));
+        let who = ids(bounce.encounter).join(" ");
         let energy = [
             &bounce.ledger.normal,
             &bounce.ledger.tangential,
@@ -35,23 +36,22 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
             &bounce.gravity,
         ];
         let energy = energy.map(|number| number.text.clone()).join(",");
-        let struck = std::iter::once((first, &bounce.after.0))
-            .chain(bounce.after.1.as_ref().map(|body| (second, body)));
-        for (body, after) in struck {
+        let struck = std::iter::once(&bounce.after.0).chain(&bounce.after.1);
+        for (body, after) in bounce.bodies().zip(struck) {
             let _ = writeln!(
                 out,
                 "{},{},{who},{},{},{},{energy}",
                 index + 1,
                 bounce.time.text,
                 quoted(bounce.regime),
-                body + 1,
+                body_id(body),
                 state(after)
             );
         }
     }
     if let Some(end) = &answer.end {
         for (index, body) in end.bodies.iter().enumerate() {
-            let _ = writeln!(out, "end,{},,,{},{},,,,", end.time.text, index + 1, state(body));
+            let _ = writeln!(out, "end,{},,,{},{},,,,", end.time.text, body_id(index), state(body));
         }
     }
     out

@@ -47,6 +47,7 @@ pub fn html(report: &SceneReport<'_>) -> Result<String, PictureError> {
         provenance: vec![
             ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
             ("Command", html! { code { (report.command) } }),
+            ("SHA-256 of the scene", html! { code { (report.answer.sha256) } }),
             ("Seed", html! { "none: nothing here is drawn at random" }),
         ],
     };

@@ -51,6 +51,7 @@ pub fn markdown(report: &SceneReport<'_>) -> String {
             );
         }
     }
+    let _ = writeln!(out, "\nSHA-256 of the scene: `{}`", answer.sha256);
     let _ = writeln!(out, "\n`kane {}: {}`", env!("CARGO_PKG_VERSION"), report.command);
     out
 }

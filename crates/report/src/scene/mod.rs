@@ -171,6 +171,19 @@ pub(crate) fn moved(spread: Option<Spread>) -> String {
     }
 }
 
+/// The id of a body in files for programs; bodies are counted from 1.
+pub(crate) fn body_id(index: usize) -> String {
+    format!("body-{}", index + 1)
+}
+
+/// The ids of who meets.
+pub(crate) fn ids(encounter: Encounter) -> Vec<String> {
+    match encounter {
+        Encounter::Wall(i, side) => vec![body_id(i), side.id().to_owned()],
+        Encounter::Pair(i, j) => vec![body_id(i), body_id(j)],
+    }
+}
+
 /// Who meets, in words; bodies are counted from 1.
 pub(crate) fn who(encounter: Encounter, bodies: usize) -> String {
     match encounter {

@@ -25,7 +25,7 @@ use num_traits::Signed as _;
 use crate::coordinate::Coordinate;
 use crate::picture::Picture;
 use crate::quantity::Quantity;
-use crate::scene::Scene;
+use crate::scene::{Scene, Setup};
 use crate::simulate::{Bounce, End, Until};
 pub(crate) use evaluate::{Failed, chain_of, resolve_tip};
 use evaluate::{Found, evaluate};
@@ -71,6 +71,10 @@ pub struct Line {
 /// The answer to a scene.
 #[derive(Clone, Debug)]
 pub struct Answer {
+    /// The SHA-256 of the scene's file.
+    pub sha256: String,
+    /// What collides, at the values as stated.
+    pub stated: Setup<Shown>,
     /// Every quantity, in the order of the file.
     pub lines: Vec<Line>,
     /// How the reference is known, and so what every error here is: a bound, documented, or an
@@ -183,7 +187,10 @@ pub fn answer(
         })
         .collect();
     let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);
+    let stated = |x: &Rational| Shown { value: x.to_f64(), text: x.to_string() };
     Ok(Answer {
+        sha256: scene.sha256.clone(),
+        stated: scene.nominal().map(stated),
         lines,
         known: reference.values.is_ok().then_some(reference.known),
         chosen,

@@ -6,6 +6,7 @@ use kane_algebra::syntax::visible;
 use kane_impact::compliant::Loss;
 use kane_number::Rational;
 use serde::Deserialize;
+use sha2::{Digest as _, Sha256};
 use toml::Spanned;
 
 use super::ask::{UntilTable, asked, until};
@@ -63,7 +64,9 @@ pub fn scene(name: &str, text: &str) -> Result<Scene, Fault> {
 fn read(source: Source<'_>) -> Result<Scene, Fault> {
     let file: File = source.parse()?;
     let setup = setup(source, &file)?;
+    let digest = Sha256::digest(source.text.as_bytes());
     let scene = Scene {
+        sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
         title: file
             .title
             .as_deref()
