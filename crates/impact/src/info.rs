@@ -76,6 +76,8 @@ pub struct Parameter {
     pub greatest: Option<i8>,
     /// Numerator and denominator, which is not zero, of the value where none is given.
     pub default: (i64, i64),
+    /// Whether that value is invented here and belongs to no material.
+    pub invented: bool,
 }
 
 impl Parameter {
@@ -166,6 +168,8 @@ pub struct LawInfo {
     pub restitution: Restitution,
     /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
     pub gap: Option<&'static str>,
+    /// What a reader of its numbers must not miss, in a sentence without its full stop.
+    pub caveat: Option<&'static str>,
     /// For a law that scenes may be answered by.
     pub model: Option<ModelInfo>,
 }
@@ -187,6 +191,7 @@ impl LawInfo {
         parameters: &[],
         restitution: Restitution::Newton,
         gap: None,
+        caveat: None,
         model: None,
     };
 

@@ -238,7 +238,7 @@ macro_rules! regimes {
             use $crate::{Guard, Regime};
             &[
                 Regime::new("no approach", guards![When::no_approach()], frictionless),
-                Regime::new("slide, slip grows", guards![When::slip_grows()], slide),
+                Regime::new("slide, not slowed down", guards![When::slip_grows()], slide),
                 Regime::new("slide", guards![Guard::slides_apart(), Guard::slides_on()], slide),
                 routh::$compression::<Stick, Self, N>(
                     "stick from compression on",

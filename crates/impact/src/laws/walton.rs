@@ -37,6 +37,7 @@ pub(crate) const BETA0: Parameter = Parameter {
     least: 0,
     greatest: Some(1),
     default: (11, 25),
+    invented: false,
 };
 
 /// A law that reverses a fixed share of the slip where it does not slide.
