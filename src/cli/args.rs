@@ -41,7 +41,7 @@ pub(super) const COLLIDE_EXAMPLES: &str = "\
 Examples:
   kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98
                                     all laws, for a solid sphere at 20° from the normal
-  kane collide --body hoop --vx 1/3 --vy 1 --spin -2 --mu 0.1 --e 1/2
+  kane collide --body hoop --vx 1/3 --vy -1 --spin 2 --mu 0.1 --e 1/2
                                     another body, exact velocities
   kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98 --law smith-1991
                                     one law: every quantity, exactly and in floats
@@ -316,11 +316,11 @@ pub(crate) struct BodyArgs {
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) vx: Option<String>,
 
-    /// The velocity into the plane, m/s, at least 0
+    /// The velocity away from the plane, m/s, at most 0
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) vy: Option<String>,
 
-    /// The angular velocity, rad/s; positive spin moves the contact point against x, so that the slip is vx - spin*radius [default: 0]
+    /// The angular velocity from x to y, rad/s; positive spin moves the contact point along x, so that the slip is vx + spin*radius [default: 0]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(crate) spin: Option<String>,
 

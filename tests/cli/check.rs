@@ -65,7 +65,7 @@ fn an_engine_is_named_by_its_log() {
     let whole = log(&dir, "whole.csv", Bound::Whole);
     let run = kane(&["check", &whole]);
     assert_eq!(run.code, 0, "{}", run.stdout);
-    let says = "Restitution as stated; friction is Coulomb's, which stops the slip.";
+    let says = "Restitution as stated; friction is Coulomb's, which stops the slip";
     assert!(run.stdout.contains(says), "{}", run.stdout);
     assert!(run.stdout.contains("one-step law of time-stepping engines"), "{}", run.stdout);
 
