@@ -42,12 +42,14 @@ impl Row {
     }
 
     /// Sets a number.
+    #[inline]
     pub const fn set(&mut self, column: Column, value: f64) {
         self.values[column.index()] = value;
         self.present |= 1 << column.index();
     }
 
     /// A number, if the row has it.
+    #[inline]
     #[must_use]
     pub const fn get(&self, column: Column) -> Option<f64> {
         let index = column.index();
@@ -55,6 +57,7 @@ impl Row {
     }
 
     /// A number, or zero.
+    #[inline]
     #[must_use]
     pub const fn or_zero(&self, column: Column) -> f64 {
         match self.get(column) {
@@ -67,6 +70,7 @@ impl Row {
     ///
     /// # Errors
     /// [`Reason::Missing`] if it is not.
+    #[inline]
     pub fn need(&self, column: Column) -> Result<f64, Reason> {
         self.get(column).ok_or(Reason::Missing(column))
     }
