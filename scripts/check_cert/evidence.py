@@ -17,6 +17,14 @@ def keys(value, *names):
     return [value[name] for name in names]
 
 
+def optional(value, name, otherwise):
+    """An object without a key that it may have, and what stands there."""
+    demand(isinstance(value, dict), "an object is expected")
+    demand(name not in value or value[name] != otherwise, f"the key {name} says what goes without saying")
+    rest = {key: part for key, part in value.items() if key != name}
+    return rest, value.get(name, otherwise)
+
+
 def listed(value, length=None):
     """A list, of a known length."""
     demand(isinstance(value, list), "a list is expected")

@@ -5,11 +5,12 @@ from functools import cache
 
 from .document import allows
 from .errors import demand
-from .evidence import keys, listed, polynomial, rational, text
+from .evidence import count, keys, listed, optional, polynomial, rational, text
 from .expressions import parts
 from .goal import HERE, State, regions
 from .pieces import Pieces
 from .polynomial import add, constant, multiply, negative
+from .polynomial import power as raised
 
 
 @dataclass
@@ -37,9 +38,11 @@ def constant_names(goal, variable):
 
 def read_germ(goal, value):
     """A germ, and what is left of it: the proofs that it owes."""
+    value, power = optional(value, "power", 1)
     variable, at, above, radius, positive, inside = keys(
         value, "variable", "at", "above", "radius", "positive", "inside"
     )
+    demand(count(power) > 0, "a germ along no power of t")
     ring, names = goal.ring, constant_names(goal, text(variable))
     demand(goal.document.is_plain(variable), "a germ is one of a plain variable")
     demand(isinstance(above, bool), "a side is expected")
@@ -48,11 +51,12 @@ def read_germ(goal, value):
     num, den = (polynomial(p, ring) for p in listed(radius, 2))
     demand(ring.variables(num) | ring.variables(den) <= names, "the radius is not one of constants")
     x, t = ring.variable(variable), ring.variable("t:")
+    step = raised(t, power)
     if at is None:
-        binding = add(multiply(x if above else negative(x), t), constant(-1))
+        binding = add(multiply(x if above else negative(x), step), constant(-1))
     else:
         n, d = at.numerator, at.denominator
-        binding = add(multiply(add(x, negative(t) if above else t), constant(d)), constant(-n))
+        binding = add(multiply(add(x, negative(step) if above else step), constant(d)), constant(-n))
     conditions = [
         ring.condition(t, ">0"),
         ring.condition(add(num, negative(multiply(den, t))), ">0"),

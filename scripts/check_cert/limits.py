@@ -3,7 +3,7 @@
 from functools import cache
 
 from .errors import demand
-from .evidence import count, keys, listed, polynomial
+from .evidence import count, keys, listed, optional, polynomial
 from .germ import along, open_germ
 from .polynomial import add, multiply, negative
 from .proof import allowed_at_end
@@ -17,8 +17,25 @@ def prove_limit(proof, evidence, statement, f, limit, passes=None):
 
 
 def check_side(proof, side, f, limit, variable, passes=None):
-    """Checks one side: what f is along a germ, and what that is at its end."""
+    """Checks one side: what f is along a germ, or what bounds it there, and what that is at its end."""
+    side, upper = optional(side, "upper", None)
+    germ, sense = check_bound(proof, side, f, limit, variable, passes)
+    if upper is None:
+        bound = {"oo": ">=", "-oo": "<="}.get(limit) if isinstance(limit, str) else None
+        demand(sense in ("=", bound), "a bound on this side shows no limit")
+        return germ
+    demand(isinstance(limit, tuple), "a limit between two bounds is finite")
+    other, opposite = check_bound(proof, upper, f, limit, variable, passes)
+    demand((sense, opposite) == (">=", "<="), "a lower and an upper bound are expected")
+    demand((germ.at, germ.above) == (other.at, other.above), "bounds on one side are expected")
+    return germ
+
+
+def check_bound(proof, side, f, limit, variable, passes):
+    """Checks how f compares with a quotient along a germ, and what that is at its end."""
     goal, ring = proof.goal, proof.ring
+    side, sense = optional(side, "sense", "=")
+    demand(sense in ("=", ">=", "<="), "a comparison is expected")
     germ, num, den, order, part_along, at_zero = keys(
         side, "germ", "num", "den", "order", "along", "at_zero"
     )
@@ -30,7 +47,7 @@ def check_side(proof, side, f, limit, variable, passes=None):
     allowed_at_end(goal, germ, den)
 
     state = along(goal, germ, local)
-    formula = cache(lambda: differs(goal, f, num, den))
+    formula = cache(lambda: differs(goal, f, num, den, sense))
     proof.check(part_along, state.conditions, [*state.formulas, formula])
     if isinstance(limit, tuple):
         demand(order == 0, "the order of a finite limit is 0")
@@ -41,15 +58,19 @@ def check_side(proof, side, f, limit, variable, passes=None):
     end = misses if isinstance(limit, tuple) else wrong_sign
     formula = cache(lambda: end(goal, limit, num, den, order))
     proof.check(at_zero, constants.conditions, [*constants.formulas, formula], passes)
-    return germ
+    return germ, sense
 
 
-def differs(goal, f, num, den):
-    """The cases in which f is undefined, or not num/den."""
+def differs(goal, f, num, den, sense="="):
+    """The cases in which f is undefined, or does not compare so with num/den."""
 
     def unlike(value):
         gap = add(multiply(den, value[0]), negative(multiply(num, value[1])))
-        return [((goal.ring.condition(gap, "!=0"),), True)]
+        if sense == "=":
+            return [((goal.ring.condition(gap, "!=0"),), True)]
+        # f > num/den has the sign of the gap times both denominators
+        above = multiply(multiply(den, value[1]), gap)
+        return [((goal.ring.condition(above if sense == "<=" else negative(above), ">0"),), True)]
 
     return [region for region, _ in goal.pieces.go_on(goal.pieces.pieces(f), unlike)]
 

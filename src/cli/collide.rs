@@ -83,9 +83,31 @@ fn collision(args: &CollideArgs) -> Result<Collision, Fault> {
     }
     let answered = match place {
         Some(place) => in_depth(&question, &laws[place]),
-        None => answer(&question, &laws),
+        None => {
+            let laws = without_invented(laws, &mut question.notes);
+            answer(&question, &laws)
+        }
     };
     answered.map_err(|error| Fault::Message(in_words(error)))
+}
+
+/// The laws that do not run on invented numbers, and a note of those that do.
+fn without_invented(laws: Vec<Law>, notes: &mut Vec<String>) -> Vec<Law> {
+    let (kept, left): (Vec<Law>, Vec<Law>) =
+        laws.into_iter().partition(|law| law.invented().is_empty());
+    let flags: Vec<String> = left
+        .iter()
+        .flat_map(|law| {
+            law.invented().into_iter().map(|name| format!("--param {}.{name}", law.info.id))
+        })
+        .collect();
+    if !flags.is_empty() {
+        notes.push(format!(
+            "Left out, because their parameters would be invented: give {} a value, or ask by --law.",
+            flags.join(", ")
+        ));
+    }
+    kept
 }
 
 /// What is asked by a file.

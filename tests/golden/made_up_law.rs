@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use kane::collide::{Collision, Question, System, answer, in_depth};
 use kane::impact::bodies::{Motion, SphereOnPlane};
 use kane::impact::{
-    Contact, ImpactLaw, Impulse, Law, LawInfo, ModelInfo, Regime, laws, set_parameter,
+    Contact, ImpactLaw, Impulse, Lasting, Law, LawInfo, ModelInfo, Regime, laws, set_parameter,
 };
 use kane::matrix::{Finding, Selection, matrix};
 use kane::measure::over_alpha;
@@ -33,7 +33,11 @@ impl ImpactLaw for MadeUp {
         statement: "i_x = 1/2",
         on_a_sphere: &[("", "1 - alpha")],
         gap: Some("no gap is known"),
-        model: Some(ModelInfo { words: "friction at half of its limit", operations: [5; 4] }),
+        model: Some(ModelInfo {
+            words: "friction at half of its limit",
+            operations: [5; 4],
+            lasting: Lasting::Unsummed,
+        }),
         ..LawInfo::PLAIN
     };
 

@@ -89,8 +89,8 @@ fn all_forms_of_a_report_tell_the_same() {
         let models = value["models"].as_array().expect("a list");
         assert_eq!(models_csv(report).lines().count(), models.len() + 1);
         let impacts = value["impacts"].as_array().expect("a list");
-        // one body: a row an impact, one for the end, and the head
-        assert_eq!(states_csv(report).lines().count(), impacts.len() + 2);
+        // one body: a row at the start, one an impact, one for the end, and the head
+        assert_eq!(states_csv(report).lines().count(), impacts.len() + 3);
         assert!(sheet(report).markdown().contains("| `wang-su-li/f64` |"));
         let picture = compare_picture(report);
         assert!(picture.contains("routh-newton/f32, f64") || picture.contains("routh-newton/f64"));

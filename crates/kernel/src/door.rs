@@ -97,7 +97,8 @@ fn point(p: &Point) -> Checked {
 fn side_proof(s: &SideProof) -> Checked {
     germ(&s.germ)?;
     proof(&s.along)?;
-    proof(&s.at_zero)
+    proof(&s.at_zero)?;
+    s.upper.as_deref().map_or(Ok(()), side_proof)
 }
 
 fn germ(g: &Germ) -> Checked {

@@ -1,12 +1,13 @@
 //! Limits: what holds along a germ t → 0+, and what of it is left at t = 0.
 
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 use crate::normal::regions;
 use crate::state::{depends, varies};
 use crate::{
-    Approach, Atom, Atoms, Bound, Cases, Checked, Conclusion, Context, Expr, Fuel, Germ, Goal,
-    Hypothesis, Limit, Passages, Piece, Poly, Rejection, Relation, Scope, Sentence, Side,
+    Approach, Atom, Atoms, Bound, Cases, Checked, Conclusion, Context, Expr, Fraction, Fuel, Germ,
+    Goal, Hypothesis, Limit, Passages, Piece, Poly, Rejection, Relation, Scope, Sentence, Side,
     SideProof, Sign, State, Target, expressions, point_state, range_premise,
 };
 
@@ -39,12 +40,12 @@ impl Side {
         }
     }
 
-    /// x = a ± t or x·t = ±1 as an equation.
+    /// x = a ± tⁿ or x·tⁿ = ±1 as an equation.
     ///
     /// # Errors
     /// [`Rejection::Budget`].
-    pub fn binding(&self, t: usize, fuel: &Fuel) -> Checked<Atom> {
-        let step = Poly::var(t).scale(&if self.above { 1.into() } else { (-1).into() });
+    pub fn binding(&self, (t, n): (usize, u32), fuel: &Fuel) -> Checked<Atom> {
+        let step = Poly::power(t, n).scale(&if self.above { 1.into() } else { (-1).into() });
         let poly = match &self.at {
             Some(a) => Poly::in_variable(self.var, &[-a.numer(), a.denom().clone()])
                 .sub(&step.scale(a.denom())),
@@ -223,7 +224,10 @@ pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Checked<Vec
         };
         formulas.push(match behind {
             Some(e) => {
-                let bound = quotient(scope, e, (&Poly::var(z), &Poly::one()), Sign::Zero)?;
+                let bound = scope.each(&scope.pieces(e)?, |f| {
+                    let gap = gap(scope, f, (&Poly::var(z), &Poly::one()))?;
+                    Ok(vec![Piece { atoms: vec![Atom::new(gap, Sign::Zero)], value: Some(true) }])
+                })?;
                 regions(scope.under(&s.when, &bound)?, |holds| holds == Some(true))
             }
             None => nothing(),
@@ -234,25 +238,33 @@ pub fn premises(scope: &Scope<'_>, goal: &Goal, place: Place<'_>) -> Checked<Vec
     Ok(formulas)
 }
 
-/// `den·e − num` with a sign, on each piece where e is defined.
-fn quotient(
-    scope: &Scope<'_>,
-    e: &Expr,
-    (num, den): (&Poly, &Poly),
-    sign: Sign,
-) -> Checked<Vec<Piece<bool>>> {
-    scope.each(&scope.pieces(e)?, |v| {
-        let gap = den.mul(&v.num, &scope.fuel)?.sub(&num.mul(&v.den, &scope.fuel)?);
-        Ok(vec![Piece { atoms: vec![Atom::new(gap, sign)], value: Some(true) }])
-    })
+/// den·f − num, times the denominator of f.
+fn gap(scope: &Scope<'_>, f: &Fraction, (num, den): (&Poly, &Poly)) -> Checked<Poly> {
+    Ok(den.mul(&f.num, &scope.fuel)?.sub(&num.mul(&f.den, &scope.fuel)?))
 }
 
-/// Where e is undefined, or den·e ≠ num.
+/// Where e is undefined, or den·e ≠ num. With `Greater` in place of `Equal`: or e < num/den; with
+/// `Less`: or e > num/den (nothing is said where den = 0).
 ///
 /// # Errors
 /// [`Rejection::Budget`].
-pub fn differs(scope: &Scope<'_>, e: &Expr, ends: (&Poly, &Poly)) -> Checked<Cases> {
-    Ok(regions(quotient(scope, e, ends, Sign::NonZero)?, |_| true))
+pub fn differs(
+    scope: &Scope<'_>,
+    e: &Expr,
+    ends: (&Poly, &Poly),
+    sense: Ordering,
+) -> Checked<Cases> {
+    let wrong = scope.each(&scope.pieces(e)?, |f| {
+        let gap = gap(scope, f, ends)?;
+        let order = |gap: &Poly| ends.1.mul(&f.den, &scope.fuel)?.mul(gap, &scope.fuel);
+        let atom = match sense {
+            Ordering::Equal => Atom::new(gap, Sign::NonZero),
+            Ordering::Less => Atom::new(order(&gap)?, Sign::Positive),
+            Ordering::Greater => Atom::new(order(&gap)?.neg(), Sign::Positive),
+        };
+        Ok(vec![Piece { atoms: vec![atom], value: Some(true) }])
+    })?;
+    Ok(regions(wrong, |_| true))
 }
 
 /// The coefficient of t^order of a polynomial along a germ, all lower ones being zero; it may
@@ -304,7 +316,7 @@ pub fn misses(
     let den = start(state, side, den, order)?;
     let signed = match target {
         Target::Finite(value) if order == 0 => {
-            let mut cases = differs(state.scope, value, (&num, &den))?;
+            let mut cases = differs(state.scope, value, (&num, &den), Ordering::Equal)?;
             cases.push(vec![Atom::new(den, Sign::Zero)]);
             return Ok(cases);
         }
@@ -325,11 +337,27 @@ pub(crate) fn check(
     side: &Side,
     proof: &SideProof,
 ) -> Checked {
+    match (&limit.to, proof.sense, &proof.upper) {
+        (_, Ordering::Equal, None)
+        | (Target::PlusInf, Ordering::Greater, None)
+        | (Target::MinusInf, Ordering::Less, None) => bound(state, limit, side, proof),
+        (Target::Finite(_), Ordering::Greater, Some(upper))
+            if upper.sense == Ordering::Less && upper.upper.is_none() =>
+        {
+            bound(state, limit, side, proof)?;
+            bound(state, limit, side, upper)
+        }
+        _ => Err(Rejection::WrongEvidence),
+    }
+}
+
+/// Checks how an expression compares along the germ, and what it is compared with at t = 0.
+fn bound(state: &State<'_, '_>, limit: &Limit, side: &Side, proof: &SideProof) -> Checked {
     if proof.germ.side != *side {
         return Err(Rejection::OutsideDomain);
     }
     let along = state.along(&proof.germ)?;
-    let wrong = differs(state.scope, &limit.expr, (&proof.num, &proof.den))?;
+    let wrong = differs(state.scope, &limit.expr, (&proof.num, &proof.den), proof.sense)?;
     along.with_cases(wrong).refute(&proof.along)?;
     let parts = (&proof.num, &proof.den, proof.order);
     state.with_cases(misses(state, side, parts, &limit.to)?).refute(&proof.at_zero)

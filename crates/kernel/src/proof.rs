@@ -1,5 +1,7 @@
 //! Certificates: what the search hands over and the kernel checks.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
@@ -119,7 +121,7 @@ pub struct Side {
     pub var: usize,
     /// the finite end point a; `None` for infinity
     pub at: Option<BigRational>,
-    /// x = a + t or 1/t if true, a − t or −1/t if false
+    /// x = a + tⁿ or 1/tⁿ if true, a − tⁿ or −1/tⁿ if false
     pub above: bool,
 }
 
@@ -128,6 +130,8 @@ pub struct Side {
 pub struct Germ {
     /// the side
     pub side: Side,
+    /// n ≥ 1 in x = a ± tⁿ or ±1/tⁿ: with n > 1 roots of x are powers of t
+    pub power: u32,
     /// 0 < t < numerator/denominator, polynomials in constants
     pub radius: (Poly, Poly),
     /// proof that both are positive (its last formula: one of them is not)
@@ -145,7 +149,9 @@ pub struct Inside {
     pub proof: Proof,
 }
 
-/// Proof of a limit f → L from one side: den·f = num along the germ, and both ends at t = 0.
+/// Proof of a limit f → L from one side: f = num/den along the germ, or f ≥ num/den, or f ≤ num/den,
+/// and both ends at t = 0. A finite limit needs f = num/den or both bounds, an infinite one needs
+/// f = num/den or the bound on its side.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct SideProof {
     /// the germ
@@ -156,10 +162,14 @@ pub struct SideProof {
     pub den: Poly,
     /// 0 for a finite limit
     pub order: u32,
-    /// proof that f is defined and den·f = num along the germ
+    /// how f compares with num/den
+    pub sense: Ordering,
+    /// proof that f is defined and compares so along the germ
     pub along: Box<Proof>,
     /// proof that den ≠ 0 and num = L·den at t = 0; for ±∞ that num and den/t^order have the sign
     pub at_zero: Box<Proof>,
+    /// the upper bound of a finite limit, if this is the lower one
+    pub upper: Option<Box<Self>>,
 }
 
 /// Something that satisfies a list of formulas.

@@ -206,7 +206,7 @@ impl<'s, 'g> State<'s, 'g> {
     pub fn along_unproved(&self, germ: &Germ) -> Checked<Self> {
         let x = germ.side.var;
         let (num, den) = &germ.radius;
-        if !germ.side.is_inside(self.scope) {
+        if germ.power == 0 || !germ.side.is_inside(self.scope) {
             return Err(Rejection::OutsideDomain);
         }
         if [num, den].iter().any(|p| p.vars().iter().any(|&v| !self.is_constant(v, x))) {
@@ -231,7 +231,7 @@ impl<'s, 'g> State<'s, 'g> {
         atoms.extend(self.atoms.iter().filter(constant).cloned());
         atoms.push(Atom::new(Poly::var(t), Sign::Positive));
         atoms.push(Atom::new(num.sub(&den.mul(&Poly::var(t), &scope.fuel)?), Sign::Positive));
-        atoms.push(germ.side.binding(t, &scope.fuel)?);
+        atoms.push(germ.side.binding((t, germ.power), &scope.fuel)?);
         Ok(atoms)
     }
 

@@ -1,5 +1,6 @@
 //! Certificates as a file, for those who check them without this program: `docs/certificates.md`.
 
+use std::cmp::Ordering;
 use std::ptr;
 
 use kane_algebra::syntax::Notation as _;
@@ -208,7 +209,7 @@ impl Writer<'_> {
     }
 
     fn germ(&mut self, state: &State<'_, '_>, labels: &Labels, germ: &Germ) -> Written {
-        let Germ { side, radius, positive, inside } = germ;
+        let Germ { side, power, radius, positive, inside } = germ;
         let mut all = Vec::new();
         for (given, proof) in owed(state, side).into_iter().zip(inside) {
             let cited = state.goal.hypotheses.iter().position(|h| ptr::eq(&h.sentence, given));
@@ -226,14 +227,18 @@ impl Writer<'_> {
                 "proof": self.proof(&there, &nobody, &proof.proof)?,
             }));
         }
-        Ok(json!({
+        let mut written = json!({
             "variable": self.variable(state.scope, side.var),
             "at": side.at.as_ref().map(rational),
             "above": side.above,
             "radius": [self.poly(state.scope, &radius.0), self.poly(state.scope, &radius.1)],
             "positive": self.proof(state, labels, positive)?,
             "inside": all,
-        }))
+        });
+        if *power != 1 {
+            written["power"] = json!(power);
+        }
+        Ok(written)
     }
 
     fn values(&self, values: &[(usize, Expr)]) -> Value {
@@ -250,17 +255,27 @@ impl Writer<'_> {
         };
         let scope = scope(goal, Fuel::new(u64::MAX))?;
         let state = constants(&scope, goal, limit.var)?;
-        let side = |p: &SideProof| {
-            Ok(json!({
-                "germ": self.germ(&state, labels, &p.germ)?,
-                "num": self.poly(&scope, &p.num),
-                "den": self.poly(&scope, &p.den),
-                "order": p.order,
-                "along": self.proof(&state, labels, &p.along)?,
-                "at_zero": self.proof(&state, labels, &p.at_zero)?,
-            }))
-        };
-        proofs.iter().map(side).collect()
+        proofs.iter().map(|p| self.side(&state, labels, p)).collect()
+    }
+
+    fn side(&mut self, state: &State<'_, '_>, labels: &Labels, p: &SideProof) -> Written {
+        let mut written = json!({
+            "germ": self.germ(state, labels, &p.germ)?,
+            "num": self.poly(state.scope, &p.num),
+            "den": self.poly(state.scope, &p.den),
+            "order": p.order,
+            "along": self.proof(state, labels, &p.along)?,
+            "at_zero": self.proof(state, labels, &p.at_zero)?,
+        });
+        match p.sense {
+            Ordering::Less => written["sense"] = json!("<="),
+            Ordering::Equal => {}
+            Ordering::Greater => written["sense"] = json!(">="),
+        }
+        if let Some(upper) = &p.upper {
+            written["upper"] = self.side(state, labels, upper)?;
+        }
+        Ok(written)
     }
 
     fn point(&mut self, scope: &Scope<'_>, point: &Point) -> Value {

@@ -4,7 +4,8 @@
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
 //! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`] and [`growth`] are functions from data to a
-//! [`Sheet`], which is written in any form; [`figures`] draws curves and maps. All of them return
+//! [`Sheet`], which is written in any form; [`records`] says what a log of impacts follows; [`figures`] draws
+//! curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
@@ -24,6 +25,7 @@ mod markdown;
 pub mod matrix;
 mod outline;
 mod picture;
+pub mod records;
 mod report;
 pub mod scene;
 mod sheet;

@@ -9,6 +9,7 @@ from check_cert.limits import differs, misses, wrong_sign
 from .prover import find_link, prove
 
 ONE_P = [["1", {}]]
+PLAIN = (None, None, 1, "=", None)  # values, radius, power, sense and upper bound that go without saying
 
 
 def p(*terms):
@@ -19,12 +20,14 @@ def p(*terms):
     return sorted(found, key=lambda term: sorted(term[1].items()))
 
 
-def write_germ(goal, state, variable, at, above, values=None, radius=None):
+def write_germ(goal, state, variable, at, above, values=None, radius=None, power=1):
     """A germ; `values` are those for each `given` that is owed a proof."""
     germ = {
         "variable": variable, "at": at, "above": above, "radius": radius or [ONE_P, ONE_P],
         "positive": None, "inside": [],
     }
+    if power != 1:
+        germ["power"] = power
     read, _, below, _ = read_germ(goal, germ)
     germ["positive"] = prove(goal, state.conditions, [*state.formulas, lambda: below])
     local = constant_conditions(goal, variable, state.conditions)
@@ -37,25 +40,34 @@ def write_germ(goal, state, variable, at, above, values=None, radius=None):
 
 
 def write_side(goal, statement, f, limit, above, told):
-    """A side proof; `told` is (num, den, order, values, radius)."""
+    """A side proof; `told` is (num, den, order, values, radius, power, sense, upper)."""
     num, den, order, *more = told
+    values, radius, power, sense, upper = (*more, *PLAIN[len(more):])
     at = None if statement.at is None else str(statement.at)
     state = goal.constants(statement.variable)
-    written, read, local = write_germ(goal, state, statement.variable, at, above, *more)
+    written, read, local = write_germ(
+        goal, state, statement.variable, at, above, values, radius, power
+    )
     a, b = polynomial(num, goal.ring), polynomial(den, goal.ring)
     inner = along(goal, read, local)
     end = misses if isinstance(limit, tuple) else wrong_sign
-    return {
+    failing = lambda: differs(goal, f, a, b, sense)
+    side = {
         "germ": written, "num": num, "den": den, "order": order,
-        "along": prove(goal, inner.conditions, [*inner.formulas, lambda: differs(goal, f, a, b)]),
+        "along": prove(goal, inner.conditions, [*inner.formulas, failing]),
         "at_zero": prove(
             goal, state.conditions, [*state.formulas, lambda: end(goal, limit, a, b, order)]
         ),
     }
+    if sense != "=":
+        side["sense"] = sense
+    if upper:
+        side["upper"] = write_side(goal, statement, f, limit, above, upper)
+    return side
 
 
 def limit_link(*sides, roots=()):
-    """A link that is a limit, proved: (num, den, order, values, radius) for each side."""
+    """A link that is a limit, proved: what is told of each side."""
     def link(document, claim, item):
         goal = Goal(document, claim, item, "proved", "cited", list(roots))
         written = [
@@ -68,13 +80,14 @@ def limit_link(*sides, roots=()):
     return link
 
 
-def functions_link(finding, variable, values, failure, premises=()):
+def functions_link(finding, variable, values, failure, premises=(), roots=()):
     """A witness by functions. `premises`: for each limit of a cited statement its sides.
 
-    `failure` is a point, (k, above, to, num, den, order), or a list of sides that are reached.
+    `failure` is a point, (k, above, to) and what is told of a side, or a list of sides that are
+    reached.
     """
     def link(document, claim, item):
-        goal = Goal(document, claim, item, finding, "cited", [])
+        goal = Goal(document, claim, item, finding, "cited", list(roots))
         written = {
             "variable": variable, "values": values, "ranges": [], "premises": [], "failure": {},
         }
@@ -105,7 +118,7 @@ def functions_link(finding, variable, values, failure, premises=()):
             written["premises"].append({"proof": part, "limits": limits})
         written["failure"] = write_failure(document, claim, item, functions, failure)
         return {
-            "finding": finding, "premises": "cited", "roots": [],
+            "finding": finding, "premises": "cited", "roots": list(roots),
             "evidence": {"functions": written},
         }
     return link

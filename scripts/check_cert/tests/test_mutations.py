@@ -22,6 +22,11 @@ ONE, T = p((1,)), p((1, "t:", 1))
 DOCUMENTS = "answers-to-the-conditions", "coupled-collision"  # together they have all kinds of evidence
 
 
+def bounds(lower, upper, power=1):
+    """A side on which polynomials in t are bounds."""
+    return (lower, ONE, 0, None, None, power, ">=", (upper, ONE, 0, None, None, power, "<="))
+
+
 def places(value, path=()):
     """The paths to all parts of a value."""
     yield path
@@ -80,6 +85,14 @@ class Mutations(unittest.TestCase):
                     "refuted", "x", {"f": "1/x"}, {"theta": None, "values": {}},
                     premises=[(T, ONE, 0)],
                 ),
+            }),
+            (document(
+                "var x >= 0, y, -1 <= f(y) <= 1",
+                "claim root: sqrt(x) -> 0 as x -> 0",
+                "claim middle: y*f -> 0 as y -> 0",
+            ), {
+                ("root", 0): limit_link(bounds(T, T, 2), roots=["sqrt(x)"]),
+                ("middle", 0): limit_link(bounds(p((-1, "t:", 1)), T), bounds(p((-1, "t:", 1)), T)),
             }),
         ]
         for text, hints in documents:

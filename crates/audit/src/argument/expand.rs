@@ -73,8 +73,8 @@ pub(crate) fn side_proof(
     limit: &Limit,
     argument: &SideArgument,
 ) -> Step<SideProof> {
-    let SideArgument { germ, num, den, order, along, at_zero } = argument;
-    let wrong = differs(state.scope, &limit.expr, (num, den))?;
+    let SideArgument { germ, num, den, order, sense, along, at_zero, upper } = argument;
+    let wrong = differs(state.scope, &limit.expr, (num, den), *sense)?;
     let there = state.along_unproved(germ)?.with_cases(wrong);
     let ends = misses(state, &germ.side, (num, den, *order), &limit.to)?;
     Ok(SideProof {
@@ -82,8 +82,10 @@ pub(crate) fn side_proof(
         num: num.clone(),
         den: den.clone(),
         order: *order,
+        sense: *sense,
         along: Box::new(expand(&there, along)?),
         at_zero: Box::new(expand(&state.with_cases(ends), at_zero)?),
+        upper: upper.as_ref().map(|p| side_proof(state, limit, p).map(Box::new)).transpose()?,
     })
 }
 

@@ -12,6 +12,8 @@ mod rules;
 #[cfg(test)]
 mod tests;
 
+use std::cmp::Ordering;
+
 use kane_kernel::{Atom, Germ, Model, Poly, Root, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -122,10 +124,14 @@ pub(crate) struct SideArgument {
     pub(crate) den: Poly,
     /// the order of an infinite limit
     pub(crate) order: u32,
-    /// that den·f = num along the germ
+    /// how f compares with num/den
+    pub(crate) sense: Ordering,
+    /// that f does so along the germ
     pub(crate) along: Argument,
     /// that the ends are as claimed
     pub(crate) at_zero: Argument,
+    /// the upper bound, if this is the lower one of two
+    pub(crate) upper: Option<Box<Self>>,
 }
 
 /// How a contradiction is reached where limits may be used.

@@ -9,7 +9,7 @@ mod witness;
 
 use kane_kernel::{
     Atom, Conclusion, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state, constants,
-    scope, sides,
+    scope,
 };
 use num_traits::One;
 
@@ -207,7 +207,7 @@ impl Teller<'_> {
         }
         let otherwise = self.argument(&at.with(atom.not()), along);
         let (side, along, next) = (germ.side.clone(), atom.clone(), state.with(end.clone()));
-        steps.push(Step::Pass { side, along, otherwise, end });
+        steps.push(Step::Pass { side, power: germ.power, along, otherwise, end });
         self.passages(&next, rest, then, steps);
     }
 
@@ -219,21 +219,23 @@ impl Teller<'_> {
         let Ok(state) = constants(scope, self.goal, limit.var) else {
             return steps;
         };
-        for (side, proof) in sides(scope, limit).into_iter().zip(arguments) {
+        for proof in arguments.iter().flat_map(|a| std::iter::once(a).chain(a.upper.as_deref())) {
             if !self.goes_on() {
                 break;
             }
             // Proved when the certificate was checked.
             let (Ok(along), Ok(cases)) = (
                 state.along_unproved(&proof.germ),
-                kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den)),
+                kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den), proof.sense),
             ) else {
                 continue;
             };
             let start = |p: &Poly| p.coefficients(scope.germ()).swap_remove(0);
             steps.push(Step::LimitFrom {
-                side,
+                side: proof.germ.side.clone(),
+                power: proof.germ.power,
                 of: limit.expr.clone(),
+                sense: proof.sense,
                 quotient: (proof.num.clone(), proof.den.clone()),
                 otherwise: self.argument(&along.with_cases(cases), &proof.along),
                 start: (start(&proof.num), start(&proof.den)),

@@ -3,6 +3,8 @@
 //! Polynomials are in the variables of the proof, which [`Proof::variables`] names; expressions are in
 //! the symbols of its goal.
 
+use std::cmp::Ordering;
+
 use kane_algebra::syntax::NoValue;
 use kane_kernel::{Atom, Expr, Finding, Poly, Relation, Root, Side, Target};
 use num_bigint::BigInt;
@@ -136,6 +138,8 @@ pub enum Step {
     Pass {
         /// the side of the limit
         side: Side,
+        /// the power of t that is added to the end point, or divides 1
+        power: u32,
         /// what holds along it
         along: Atom,
         /// why: the opposite contradicts itself
@@ -147,11 +151,15 @@ pub enum Step {
     LimitFrom {
         /// the side
         side: Side,
+        /// the power of t that is added to the end point, or divides 1
+        power: u32,
         /// what tends
         of: Expr,
-        /// numerator and denominator for small t > 0
+        /// how it compares with the quotient for small t > 0
+        sense: Ordering,
+        /// numerator and denominator
         quotient: (Poly, Poly),
-        /// why they are: the opposite contradicts itself
+        /// why it does: the opposite contradicts itself
         otherwise: Vec<Self>,
         /// numerator and denominator at t = 0
         start: (Poly, Poly),
@@ -254,7 +262,11 @@ pub enum Reason {
     Limit {
         /// the side
         side: Side,
-        /// numerator and denominator for small t > 0
+        /// the power of t that is added to the end point, or divides 1
+        power: u32,
+        /// how it compares with the quotient for small t > 0
+        sense: Ordering,
+        /// numerator and denominator
         quotient: (Poly, Poly),
         /// what their variables stand for
         variables: Vec<Variable>,

@@ -61,7 +61,8 @@ fn limit(goal: &Goal, arguments: &[SideArgument]) -> Option<Reason> {
     let scope = scope(goal, Fuel::new(FUEL)).ok()?;
     let (side, argument) = sides(&scope, limit).into_iter().zip(arguments).next()?;
     let quotient = (argument.num.clone(), argument.den.clone());
-    Some(Reason::Limit { side, quotient, variables: names::variables(goal, &scope) })
+    let (power, sense) = (argument.germ.power, argument.sense);
+    Some(Reason::Limit { side, power, sense, quotient, variables: names::variables(goal, &scope) })
 }
 
 /// What an argument uses.

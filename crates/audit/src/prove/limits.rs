@@ -6,8 +6,10 @@ use kane_kernel::{
     differs, exponent, misses, premised, sides,
 };
 use num_bigint::BigInt;
+use std::cmp::Ordering;
 use std::rc::Rc;
 
+use super::bounds;
 use super::germs::Germs;
 use super::search::{Elimination, Outcome, Search};
 use crate::argument::{Passage, SideArgument};
@@ -184,6 +186,21 @@ pub(crate) fn one_side(
     side: &Side,
     steps: u64,
 ) -> Option<SideArgument> {
+    let by_quotient = by_quotient(state, limit, side, steps);
+    by_quotient.or_else(|| {
+        bounds::one_side(state, limit, side, steps, &|power, argument| {
+            Germs::new(state, side, steps).along(power).all().find_map(argument)
+        })
+    })
+}
+
+/// A proof of a limit from one side by a quotient that the expression equals.
+fn by_quotient(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    steps: u64,
+) -> Option<SideArgument> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
     let germs = Germs::new(state, side, steps);
@@ -224,7 +241,8 @@ fn along(
         return None;
     };
     let mut along = state.along_unproved(&germ).ok()?;
-    let cases = differs(state.scope, &limit.expr, (&found.num, &found.den)).ok()?;
+    let cases =
+        differs(state.scope, &limit.expr, (&found.num, &found.den), Ordering::Equal).ok()?;
     along.formulas = with(&along, cases);
     let may = varies(state, side.var);
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
@@ -235,8 +253,10 @@ fn along(
         num: found.num.clone(),
         den: found.den.clone(),
         order: found.order,
+        sense: Ordering::Equal,
         along,
         at_zero,
+        upper: None,
     })
 }
 
@@ -299,5 +319,5 @@ pub(crate) fn value(
             Target::MinusInf
         });
     }
-    None
+    bounds::target(state, limit, side)
 }

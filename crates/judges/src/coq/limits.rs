@@ -1,6 +1,7 @@
 //! Claims that are proved of functions: limits, and what limits among the premises lead to.
 
 use std::cell::RefCell;
+use std::cmp::Ordering;
 
 use kane_kernel::{
     Atom, Finding, Fuel, Germ, Limit, Poly, Proof, Side, SideProof, Sign, State, claim_state,
@@ -128,10 +129,13 @@ impl Writer<'_> {
         limit: &Limit,
         p: &SideProof,
     ) -> Result<String, NotEmitted> {
+        if p.sense != Ordering::Equal {
+            return Err(NotEmitted::Step("a limit by bounds"));
+        }
         self.uses(&p.germ.side);
         let germ = self.germ(state, &p.germ)?;
         let along = state.along_unproved(&p.germ)?;
-        let wrong = differs(state.scope, &limit.expr, (&p.num, &p.den))?;
+        let wrong = differs(state.scope, &limit.expr, (&p.num, &p.den), p.sense)?;
         let identity = self.proof(&along.with_cases(wrong), &p.along)?;
         let misses = misses(state, &p.germ.side, (&p.num, &p.den, p.order), &limit.to)?;
         let ends = self.proof(&state.with_cases(misses), &p.at_zero)?;
@@ -149,6 +153,9 @@ impl Writer<'_> {
     }
 
     fn radius(&self, state: &State<'_, '_>, germ: &Germ) -> Result<String, NotEmitted> {
+        if germ.power != 1 {
+            return Err(NotEmitted::Step("a germ along a power of t"));
+        }
         let (num, den) = &germ.radius;
         let fails = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
         let radius = state.with_cases(vec![fails(num), fails(den)]);

@@ -1,5 +1,7 @@
 //! Certificates of what is false, forged in each place that a certificate has.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{
     Approach, Bound, Certificate, Conclusion, Definition, Evidence, Expr, Failure, Finding, Fuel,
     Functions, Germ, Goal, Hypothesis, Inside, Link, Model, Point, Poly, Proof, Rejection, Rel,
@@ -88,6 +90,7 @@ fn numbers_of_a_statement_are_canonical() {
 /// A germ with a number in one place.
 fn germs(bad: &Q) -> Vec<Germ> {
     let germ = || Germ {
+        power: 1,
         side: side(Some(q(0, 1)), true),
         radius: (n(1), n(1)),
         positive: nothing().into(),
@@ -138,6 +141,8 @@ fn side_proofs(bad: &Q) -> Vec<SideProof> {
         num: n(0),
         den: n(1),
         order: 0,
+        sense: Ordering::Equal,
+        upper: None,
         along: nothing().into(),
         at_zero: nothing().into(),
     };
@@ -146,6 +151,10 @@ fn side_proofs(bad: &Q) -> Vec<SideProof> {
         germs(bad).into_iter().map(|germ| SideProof { germ, ..good() }).collect();
     out.push(SideProof { along: passing(inner.clone()).into(), ..good() });
     out.push(SideProof { at_zero: passing(inner).into(), ..good() });
+    let upper = |proof: &SideProof| SideProof { upper: Some(proof.clone().into()), ..good() };
+    let above: Vec<_> = out.iter().map(upper).collect();
+    out.push(upper(&above[0]));
+    out.extend(above);
     out
 }
 

@@ -1,5 +1,7 @@
 //! Functions as witnesses: premises on the domain, ranges, and a point at which the conclusion fails.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{
     Approach, Conclusion, Evidence, Expr, Failure, Finding, Functions, Germ, Goal, Hypothesis,
     Inside, Limit, Link, Model, Passages, Point, Poly, Proof, Rejection, Rel, Side, SideProof,
@@ -36,12 +38,21 @@ pub(crate) fn tends(domain: &Goal, l: &Limit, (at, num, den, order): Ends) -> Si
         along.inside.push(Inside { values: Vec::new(), proof });
     }
     let parts = (&num, &den, order);
-    let wrong = differs(&scope, &l.expr, (&num, &den)).expect("small");
+    let wrong = differs(&scope, &l.expr, (&num, &den), Ordering::Equal).expect("small");
     let there = state.along_unproved(&along).map(|s| s.with_cases(wrong));
     let along_proof = there.ok().and_then(|s| found(&s)).unwrap_or_else(nothing);
     let ends = misses(&state, &along.side, parts, &l.to);
     let at_zero = ends.ok().and_then(|e| found(&state.with_cases(e))).unwrap_or_else(nothing);
-    SideProof { germ: along, num, den, order, along: along_proof.into(), at_zero: at_zero.into() }
+    SideProof {
+        germ: along,
+        num,
+        den,
+        order,
+        sense: Ordering::Equal,
+        along: along_proof.into(),
+        at_zero: at_zero.into(),
+        upper: None,
+    }
 }
 
 /// Functions for a goal, with such proofs as there are: those that are missing prove nothing.
@@ -343,6 +354,7 @@ fn premised_limits_are_about_the_variable_of_the_functions() {
     goal.hypotheses =
         vec![given(vec![link(product, Rel::Eq, Expr::int(1))]), given(vec![Link::Limit(limit)])];
     let germ = Germ {
+        power: 1,
         side: Side { var: a, at: None, above: true },
         radius: (n(1), n(1)),
         positive: Box::new(Proof::Assume { formula: 1, cases: vec![nothing(), nothing()] }),
@@ -350,6 +362,8 @@ fn premised_limits_are_about_the_variable_of_the_functions() {
     };
     let proof = SideProof {
         germ,
+        sense: Ordering::Equal,
+        upper: None,
         num: n(1),
         den: n(3),
         order: 0,

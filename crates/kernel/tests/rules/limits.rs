@@ -1,5 +1,7 @@
 //! Limit proofs, and what holds along a germ and at its end.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{
     Approach, Atom, Conclusion, Context, Evidence, Expr, Finding, Germ, Goal, Hypothesis, Inside,
     Limit, Link, Passages, Place, Poly, Proof, Rejection, Rel, Sentence, Side, SideProof, Target,
@@ -23,6 +25,7 @@ fn tends_to_zero() -> (Goal, SideProof) {
     let split = |formula, cases| Box::new(Proof::Assume { formula, cases });
     // Formulas along the germ: `when`, then the failure; at t = 0 and for the radius alike.
     let germ = Germ {
+        power: 1,
         side: Side { var: X, at: None, above: true },
         radius: (n(1), n(1)),
         positive: split(1, vec![minus_one(0), minus_one(0)]),
@@ -41,6 +44,8 @@ fn tends_to_zero() -> (Goal, SideProof) {
         num: Poly::var(t),
         den: n(1),
         order: 0,
+        sense: Ordering::Equal,
+        upper: None,
         along: split(1, vec![differs, pole]),
         at_zero: split(1, vec![one_is_zero(0)]),
     };
@@ -116,6 +121,7 @@ fn a_limit_is_vacuous_only_if_its_own_side_is_not_reached() {
     };
     let vacuous = |rel, at: i64, atom: Atom, terms: Vec<Term>, cofactor: i64| {
         let germ = Germ {
+            power: 1,
             side: Side { var: X, at: Some(q(at, 1)), above: true },
             radius: (n(1), n(1)),
             positive: Box::new(Proof::Assume {
@@ -165,6 +171,7 @@ fn a_limit_is_not_taken_for_the_function_along_the_germ() {
         ..plain()
     };
     let germ = || Germ {
+        power: 1,
         side: Side { var: X, at: Some(q(0, 1)), above: true },
         radius: (n(1), n(1)),
         positive: Box::new(Proof::Assume { formula: 4, cases: vec![minus_one(0), minus_one(0)] }),

@@ -1,5 +1,6 @@
 //! Each rule of the kernel: a valid use is accepted, and each part of it can be wrong.
 
+mod bounds; // limits by bounds, and along powers of t
 mod derivatives; // what is near a point
 mod failures; // functions as witnesses about limits
 mod forged; // what is false, in each place of a certificate

@@ -1,7 +1,9 @@
 //! Sides of a limit, and how its ends are compared.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{
-    Approach, Conclusion, Evidence, Finding, Goal, Link, Poly, Rejection, Rel, Side, Target,
+    Approach, Conclusion, Evidence, Expr, Finding, Goal, Link, Poly, Rejection, Rel, Side, Target,
     constants, differs, misses, scope, sides,
 };
 
@@ -60,7 +62,7 @@ fn a_side_says_how_its_variable_moves() {
         (side(None, false), Approach::MinusInf, q(-4, 1)),
     ] {
         assert_eq!(s.approach(), approach);
-        let binding = s.binding(1, &plenty()).expect("small");
+        let binding = s.binding((1, 1), &plenty()).expect("small");
         for x in [q(3, 4), q(1, 4), q(-11, 12), q(4, 1), q(-4, 1), q(1, 2)] {
             let at = |v: usize| if v == X { x.clone() } else { q(1, 4) };
             assert_eq!(inside(std::slice::from_ref(&binding), &at), x == moved, "{s:?} {x}");
@@ -82,7 +84,9 @@ fn ends_are_compared_at_the_order_that_the_target_needs() {
     };
     let two = Target::Finite(number(2, 1));
     assert_eq!(closes(n(6).add(&t(1)), n(3).sub(&t(2)), 0, &two), Ok(true));
-    assert_eq!(closes(n(5), n(3), 0, &two), Ok(false));
+    for (num, den) in [(5, 3), (7, 3), (-5, -3), (-7, -3), (-6, 3)] {
+        assert_eq!(closes(n(num), n(den), 0, &two), Ok(false), "{num}/{den}");
+    }
     assert_eq!(closes(t(1).scale(&2.into()), t(1), 0, &two), Ok(false), "0/0");
     assert_eq!(closes(n(0), n(0), 0, &two), Ok(false));
     assert_eq!(closes(n(6), n(3), 1, &two), Err(Rejection::WrongOrder));
@@ -143,7 +147,54 @@ fn two_sides_differ_where_one_is_undefined_or_another() {
     let goal = Goal { when: vec![relation(var(X), Rel::Ne, number(0, 1))], ..plain() };
     let scope = scope(&goal, plenty()).expect("small");
     let e = div(number(6, 1), var(X));
-    let cases = differs(&scope, &e, (&n(2), &n(1))).expect("small");
+    let cases = differs(&scope, &e, (&n(2), &n(1)), Ordering::Equal).expect("small");
     let at = |x: i64| cases.iter().filter(|case| inside(case, &|_| q(x, 1))).count();
     assert_eq!([0, 3, 2, -3].map(at), [1, 0, 1, 1]);
+}
+
+#[test]
+fn what_is_bounded_is_undefined_or_beyond_where_it_differs() {
+    // 6/x, and x/(x − 2), against num/den, where den is not 0.
+    let goal = Goal { when: vec![relation(var(X), Rel::Ne, number(0, 1))], ..plain() };
+    let scope = scope(&goal, plenty()).expect("small");
+    let shifted = || Expr::Sub(var(X).into(), number(2, 1).into());
+    let (six, moved) = (div(number(6, 1), var(X)), div(var(X), shifted()));
+    let value = |e: usize, x: i64| match (e, x) {
+        (0, x) if x != 0 => Some(q(6, x)),
+        (1, x) if x != 2 => Some(q(x, x - 2)),
+        _ => None,
+    };
+    for (num, den) in (-3..4).flat_map(|num| [-2, -1, 1, 3].map(|den| (num, den))) {
+        for (e, sense) in (0..2).flat_map(|e| [Ordering::Less, Ordering::Greater].map(|s| (e, s))) {
+            let cases = differs(&scope, [&six, &moved][e], (&n(num), &n(den)), sense);
+            for x in -7..8 {
+                let found = cases.as_ref().expect("small").iter();
+                let found = found.filter(|case| inside(case, &|_| q(x, 1))).count();
+                let differs = value(e, x).is_none_or(|v| v.cmp(&q(num, den)) == sense.reverse());
+                assert_eq!(found, usize::from(differs), "{e} at {x}, {num}/{den}, {sense:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn along_a_power_of_t_the_variable_moves_by_that_power() {
+    for (s, moved) in [
+        (side(Some(q(1, 2)), true), [q(3, 4), q(9, 16), q(33, 64)]),
+        (side(Some(q(-2, 3)), false), [q(-11, 12), q(-35, 48), q(-131, 192)]),
+        (side(None, true), [q(4, 1), q(16, 1), q(64, 1)]),
+        (side(None, false), [q(-4, 1), q(-16, 1), q(-64, 1)]),
+    ] {
+        for (power, x) in (1..).zip(&moved) {
+            let binding = s.binding((1, power), &plenty()).expect("small");
+            for other in &moved {
+                let at = |v: usize| if v == X { other.clone() } else { q(1, 4) };
+                assert_eq!(
+                    inside(std::slice::from_ref(&binding), &at),
+                    x == other,
+                    "{s:?} {power}"
+                );
+            }
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! Small goals, small proofs, and a search for them that is good enough for what the tests ask.
 
+use std::cmp::Ordering;
+
 use std::collections::BTreeMap;
 
 use kane_kernel::{
@@ -341,7 +343,7 @@ fn sum(state: &State<'_, '_>, thorough: bool) -> Option<Proof> {
 pub(crate) fn germ(state: &State<'_, '_>, side: Side) -> Germ {
     let no = || vec![positive(n(1)).not()];
     let proof = closing(&state.with_cases(vec![no(), no()]));
-    Germ { side, radius: (n(1), n(1)), positive: Box::new(proof), inside: Vec::new() }
+    Germ { power: 1, side, radius: (n(1), n(1)), positive: Box::new(proof), inside: Vec::new() }
 }
 
 /// A limit proof along a germ: den·f = num, and what is left at t = 0.
@@ -349,13 +351,24 @@ pub(crate) fn side_proof(
     state: &State<'_, '_>,
     limit: &Limit,
     germ: Germ,
-    (num, den, order): (Poly, Poly, u32),
+    parts: (Poly, Poly, u32),
 ) -> SideProof {
-    let along = state.along_unproved(&germ).expect("a germ in the domain");
-    let wrong = differs(state.scope, &limit.expr, (&num, &den)).expect("small");
-    let along = Box::new(closing(&along.with_cases(wrong)));
+    bounded(state, limit, germ, parts, (Ordering::Equal, &closing))
+}
+
+/// The same for a bound, with a proof of it.
+pub(crate) fn bounded(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    germ: Germ,
+    (num, den, order): (Poly, Poly, u32),
+    (sense, along): (Ordering, &dyn Fn(&State<'_, '_>) -> Proof),
+) -> SideProof {
+    let there = state.along_unproved(&germ).expect("a germ in the domain");
+    let wrong = differs(state.scope, &limit.expr, (&num, &den), sense).expect("small");
+    let along = Box::new(along(&there.with_cases(wrong)));
     let parts = (&num, &den, order);
     let ends = misses(state, &germ.side, parts, &limit.to).expect("ends that can be compared");
     let at_zero = Box::new(closing(&state.with_cases(ends)));
-    SideProof { germ, num, den, order, along, at_zero }
+    SideProof { germ, num, den, order, sense, along, at_zero, upper: None }
 }

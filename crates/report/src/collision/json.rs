@@ -9,7 +9,7 @@ use kane_scene::collide::{self, Collision};
 /// The name of the schema.
 pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
 /// The version of the schema.
-pub const COLLISION_SCHEMA_VERSION: u32 = 1;
+pub const COLLISION_SCHEMA_VERSION: u32 = 2;
 
 /// The collision as JSON, ended by a line feed. Floats are finite or null.
 #[must_use]

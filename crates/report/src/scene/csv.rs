@@ -1,38 +1,43 @@
 //! The states and the models as rows for spreadsheets and plotting programs.
 
-use kane_scene::simulate::Encounter;
 use kane_scene::stress::Row;
-use kane_scene::{Known, Round, Shown};
+use kane_scene::{Known, Round, Setup, Shown};
 
-use super::{SceneReport, verdict, who};
+use super::{SceneReport, body_id, ids, verdict};
 use crate::sheet::csv;
 
-/// A row for each body of each impact that is kept, and one for each body at the end. Numbers are
+/// A row for each body at the start, one for each body of each impact that is kept, and one for each at
+/// the end. Numbers are
 /// those of the model: fractions where it is exact.
 #[must_use]
 pub fn states_csv(report: &SceneReport<'_>) -> String {
     let answer = report.answer;
     let mut rows = Vec::new();
-    let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
     let state = |body: &Round<Shown>| {
         let [x, y] = &body.position;
         let m = &body.motion;
         [x, y, &m.vx, &m.vy, &m.omega].map(|number| number.text.clone())
     };
+    let unmoved = |when: &str, time: &str, index: usize, state: [String; 5]| {
+        let mut row = [when, time, "", ""].map(str::to_owned).to_vec();
+        row.push(body_id(index));
+        row.extend(state);
+        row.extend(std::iter::repeat_n(String::new(), 4));
+        row
+    };
+    if let Setup::Bodies(world) = &answer.stated {
+        for (index, body) in world.bodies.iter().enumerate() {
+            rows.push(unmoved("start", "0", index, state(body)));
+        }
+    }
     for (index, bounce) in answer.bounces.iter().enumerate() {
-        let (first, second) = match bounce.encounter {
-            Encounter::Wall(i, _) => (i, i),
-            Encounter::Pair(i, j) => (i, j),
-        };
         let ledger = &bounce.ledger;
         let energy = [&ledger.normal, &ledger.tangential, &ledger.rotational, &bounce.gravity];
-        let struck = std::iter::once((first, &bounce.after.0))
-            .chain(bounce.after.1.as_ref().map(|body| (second, body)));
-        for (body, after) in struck {
+        let struck = std::iter::once(&bounce.after.0).chain(&bounce.after.1);
+        for (body, after) in bounce.bodies().zip(struck) {
             let impact = [(index + 1).to_string(), bounce.time.text.clone()];
-            let what = [who(bounce.encounter, bodies), bounce.regime.to_owned()];
-            let mut row = [impact, what].concat();
-            row.push((body + 1).to_string());
+            let what = [ids(bounce.encounter).join(" "), bounce.regime.to_owned(), body_id(body)];
+            let mut row = [&impact[..], &what].concat();
             row.extend(state(after));
             row.extend(energy.map(|number| number.text.clone()));
             rows.push(row);
@@ -40,11 +45,7 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
     }
     if let Some(end) = &answer.end {
         for (index, body) in end.bodies.iter().enumerate() {
-            let mut row = ["end", &end.time.text, "", ""].map(str::to_owned).to_vec();
-            row.push((index + 1).to_string());
-            row.extend(state(body));
-            row.extend(std::iter::repeat_n(String::new(), 4));
-            rows.push(row);
+            rows.push(unmoved("end", &end.time.text, index, state(body)));
         }
     }
     let names = "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s,dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j";

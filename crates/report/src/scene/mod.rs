@@ -19,7 +19,7 @@ pub use stress_picture::stress_picture;
 
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
-use kane_scene::{Answer, Judged, Known, Line, Spread, Verdict};
+use kane_scene::{Answer, Judged, Known, Line, Place, Spread, Verdict};
 
 /// An answer and how its report introduces it.
 pub struct SceneReport<'a> {
@@ -175,9 +175,22 @@ pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
 /// How far the stated uncertainty moves an answer.
 pub(crate) fn moved(spread: Option<Spread>) -> String {
     match spread {
-        Some(Spread { by, enclosed: true }) => format!("±{} at most", brief(by)),
-        Some(Spread { by, enclosed: false }) => format!("±{} at corners", brief(by)),
+        Some(Spread { by, enclosed: true, .. }) => format!("within ±{}", brief(by)),
+        Some(Spread { by, enclosed: false, .. }) => format!("±{} at corners", brief(by)),
         None => String::new(),
+    }
+}
+
+/// The id of a body in files for programs; bodies are counted from 1.
+pub(crate) fn body_id(index: usize) -> String {
+    format!("body-{}", index + 1)
+}
+
+/// The ids of who meets.
+pub(crate) fn ids(encounter: Encounter) -> Vec<String> {
+    match encounter {
+        Encounter::Wall(i, side) => vec![body_id(i), side.id().to_owned()],
+        Encounter::Pair(i, j) => vec![body_id(i), body_id(j)],
     }
 }
 
@@ -198,8 +211,12 @@ pub(crate) fn verdict(verdict: &Verdict, known: Option<Known>) -> String {
             Some(Known::Documented) => "good enough as documented".to_owned(),
             _ => "good enough".to_owned(),
         },
-        Verdict::Misses { quantity, by, at_a_corner } => {
-            let place = if *at_a_corner { " within the uncertainty" } else { "" };
+        Verdict::Misses { quantity, by, place } => {
+            let place = match place {
+                Place::Stated => "",
+                Place::Corner => " within the uncertainty",
+                Place::Near => " within 1%",
+            };
             format!("{quantity} off by {}{place}", brief(*by))
         }
         Verdict::Uncertified(why) => format!("not certified: {why}"),

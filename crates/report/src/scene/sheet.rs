@@ -7,7 +7,7 @@ use super::{
     SceneReport, brief, compare_picture, cost, drawn, error, ledger_picture, moved, number,
     verdict, who,
 };
-use crate::sheet::{Column, Row, Sheet, Table, Tone, Words, row};
+use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
 /// Impacts that text and a page show; Markdown and the files have all.
 const IN_TEXT: usize = 16;
@@ -43,6 +43,8 @@ pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
         sheet.table(impacts(report));
         sheet.prose(answer.end.as_ref().map(ending).unwrap_or_default());
     }
+    let digest = Words::code(&answer.sha256);
+    sheet.labelled(vec![Entry::new("SHA-256 of the scene", digest)]);
     sheet
 }
 

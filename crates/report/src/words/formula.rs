@@ -237,8 +237,13 @@ impl Formulas {
     }
 
     /// A side of a limit as a substitution for its variable.
-    pub(super) fn side(&self, side: &Side) -> String {
-        let t = || Box::new(Expr::Var(self.germ));
+    pub(super) fn side(&self, side: &Side, power: u32) -> String {
+        let germ = Expr::Var(self.germ);
+        let n = i32::try_from(power).unwrap_or(i32::MAX);
+        let t = || match n {
+            1 => Box::new(germ.clone()),
+            n => Box::new(Expr::Pow(germ.clone().into(), n)),
+        };
         let value = match (&side.at, side.above) {
             (None, true) => Expr::Div(Expr::int(1).into(), t()),
             (None, false) => Expr::Neg(Expr::Div(Expr::int(1).into(), t()).into()),

@@ -1,5 +1,7 @@
 //! A finding in one sentence.
 
+use std::cmp::Ordering;
+
 use kane_audit::{Behind, Means, Reason, Unreached, Variable};
 use kane_kernel::{Context, Finding, Goal};
 
@@ -20,7 +22,7 @@ pub(super) fn sentence(goal: &Goal, reason: &Reason, form: Form) -> String {
     match reason {
         Reason::Contradiction(means) => contradiction(goal, means, form),
         Reason::NoSide => "accepted".to_owned(),
-        Reason::Limit { side, quotient, variables } => {
+        Reason::Limit { side, power, sense, quotient, variables } => {
             let formulas = Formulas::new(form, &goal.context, variables);
             let plain = Formulas::new(Form::Plain, &goal.context, variables);
             let short = if plain.ratio(quotient).len() > MOST_LETTERS {
@@ -29,7 +31,12 @@ pub(super) fn sentence(goal: &Goal, reason: &Reason, form: Form) -> String {
             } else {
                 formulas.ratio(quotient)
             };
-            format!("{} gives {short}", formulas.side(side))
+            let at_least = match sense {
+                Ordering::Less => "at most ",
+                Ordering::Equal => "",
+                Ordering::Greater => "at least ",
+            };
+            format!("{} gives {at_least}{short}", formulas.side(side, *power))
         }
         Reason::Functions { values, end: ends } => {
             let ends = end(&formulas, ends);

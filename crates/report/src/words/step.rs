@@ -1,5 +1,7 @@
 //! Steps as lines, indented by how they are nested.
 
+use std::cmp::Ordering;
+
 use kane_audit::{Held, Source, Step, Summand};
 use kane_kernel::{Poly, Root};
 use num_traits::One as _;
@@ -116,24 +118,32 @@ impl Teller<'_> {
                 self.say(depth, text);
             }
             Step::Absurd(atom) => self.say(depth, format!("{} is false.", f.atom(atom))),
-            Step::Pass { side, along, otherwise, end } => {
+            Step::Pass { side, power, along, otherwise, end } => {
                 self.say(depth, format!(
                     "Along {} for small {}: {}. (Square brackets stand for a quantity that has a limit.)",
-                    f.side(side),
+                    f.side(side, *power),
                     f.small_germ(),
                     f.atom(along)
                 ));
                 self.otherwise(depth, otherwise);
                 self.say(depth, format!("In the limit {}: {}.", f.no_germ(), f.atom(end)));
             }
-            Step::LimitFrom { side, of, quotient, otherwise, start, order } => {
-                let equal = f.compared(&f.expr(of), "=", &f.ratio(quotient));
-                let (with, small) = (f.side(side), f.small_germ());
+            Step::LimitFrom { side, power, of, sense, quotient, otherwise, start, order } => {
+                let sign = match sense {
+                    Ordering::Less => "≤",
+                    Ordering::Equal => "=",
+                    Ordering::Greater => "≥",
+                };
+                let equal = f.compared(&f.expr(of), sign, &f.ratio(quotient));
+                let (with, small) = (f.side(side, *power), f.small_germ());
                 self.say(depth, format!("With {with}, {equal} for all small {small}."));
                 self.otherwise(depth, otherwise);
                 let at = f.no_germ();
                 self.say(depth, match order {
-                    0 => format!("At {at} this is {}.", f.quotient(start)),
+                    0 if *sense == Ordering::Equal => {
+                        format!("At {at} this is {}.", f.quotient(start))
+                    }
+                    0 => format!("At {at} the bound is {}.", f.quotient(start)),
                     order => format!(
                         "At {at} the numerator is {} and the denominator vanishes to order {order}.",
                         f.poly(&start.0)
