@@ -34,8 +34,8 @@ fn decimal(value: f64) -> String {
 /// The collision of a row with its coefficients, and zero where one is not stated. Every number is
 /// the shortest decimal of the float in the log, taken exactly.
 ///
-/// A round body that meets a fixed obstacle is asked for by flags, where y points into the plane and
-/// a spin is positive that moves the contact point against x; everything else by a file.
+/// A round body that meets a fixed obstacle is asked for by flags, everything else by a file; y and ω
+/// point the same way in both as in a row.
 #[must_use]
 pub fn replay(event: &Event<f64>, given: &Given) -> Replay {
     let mu = given.friction.unwrap_or(0.0);
@@ -47,9 +47,9 @@ pub fn replay(event: &Event<f64>, given: &Given) -> Replay {
         let radius = exact(-y);
         let ratio = Rational::one() + exact(body.mass) * &radius * &radius / exact(body.inertia);
         let [t, n, spin] = body.before;
-        let mut flags = format!("--sphere {ratio} --vx {} --vy {}", decimal(t), decimal(-n));
+        let mut flags = format!("--sphere {ratio} --vx {} --vy {}", decimal(t), decimal(n));
         if spin != 0.0 {
-            let _ = write!(flags, " --spin {}", decimal(-spin));
+            let _ = write!(flags, " --spin {}", decimal(spin));
         }
         let _ = write!(flags, " --mu {} --e {}", decimal(mu), decimal(e));
         if body.mass != 1.0 {
