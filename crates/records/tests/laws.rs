@@ -170,7 +170,7 @@ fn laws_that_differ_are_told_apart() {
         ("kane-levinson", &["routh-newton", "keller-1986", "stronge-1990"]),
         ("keller-1986", &["stronge-1990", "routh-newton", "kane-levinson"]),
         ("walton", &["garwin", "smith-1991", "kane-levinson"]),
-        ("louge-adams", &["walton", "kane-levinson", "saitoh"]),
+        ("tilted-2002", &["walton", "kane-levinson", "saitoh"]),
     ] {
         for single in [false, true] {
             let law = kane_impact::law(law).expect("it is known");
