@@ -94,6 +94,17 @@ fn a_worst_row_is_replayed_by_the_command_beside_it() {
     assert_eq!(collided.code, 0, "{command}: {}", collided.stderr);
     assert!(collided.stdout.contains("kane-levinson"), "{}", collided.stdout);
 
+    // a spin counts the same way there: the slip is 2 − 1/2
+    let head = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
+    let spinning = dir.join("spinning.csv");
+    fs::write(&spinning, format!("{head}\n1,1,0.5,0.25,0.5,2,-1,-0.5,2,0.25,-0.5\n"))
+        .expect("the scratch folder is ours");
+    let run = kane(&["check", spinning.to_str().expect("UTF-8")]);
+    let command = run.stdout.lines().map(str::trim).find(|line| line.starts_with("kane collide "));
+    let arguments: Vec<&str> = command.expect("e is off").split_whitespace().skip(1).collect();
+    let collided = kane(&arguments);
+    assert!(collided.stdout.contains("v_t = 1.500 m/s"), "{arguments:?}: {}", collided.stdout);
+
     let row = kane(&["check", &log, "--row", "3"]);
     assert_eq!(row.code, 0, "{}", row.stderr);
     let file = dir.join("row.toml");
