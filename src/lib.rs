@@ -1,7 +1,7 @@
 //! Checks the derivations and the arithmetic of collision laws.
 //!
 //! This crate re-exports the rooms of the house, from the ground up: [`number`], [`kernel`],
-//! [`algebra`], [`impact`], [`audit`], [`measure`], [`scene`], [`report`]. The program `kane` is a thin layer over them.
+//! [`algebra`], [`impact`], [`audit`], [`measure`], [`scene`], [`records`], [`report`]. The program `kane` is a thin layer over them.
 //!
 //! # Derivations
 //!
@@ -116,6 +116,7 @@ pub use kane_kernel as kernel;
 pub use kane_matrix as matrix;
 pub use kane_measure as measure;
 pub use kane_number as number;
+pub use kane_records as records;
 pub use kane_report as report;
 pub use kane_scene as scene;
 pub use kane_scene::collide;

@@ -41,7 +41,7 @@ pub(super) const COLLIDE_EXAMPLES: &str = "\
 Examples:
   kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98
                                     all laws, for a solid sphere at 20° from the normal
-  kane collide --body hoop --vx 1/3 --vy 1 --spin -2 --mu 0.1 --e 1/2
+  kane collide --body hoop --vx 1/3 --vy -1 --spin 2 --mu 0.1 --e 1/2
                                     another body, exact velocities
   kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98 --law smith-1991
                                     one law: every quantity, exactly and in floats
@@ -61,7 +61,7 @@ Exit codes:
 const CHART_EXAMPLES: &str = "\
 Examples:
   kane chart --quick                      a first look, in some seconds
-  kane chart --out charts                 also writes charts/chart.svg, .csv, .json and .md
+  kane chart --out charts                 also writes charts/chart.html, .svg, .csv and more
   kane chart --growth                     how cost grows with rows, bounces, variables and degree
   kane chart --figures --out figures      draws what the laws say: figures/*.svg, data in *.csv
 
@@ -72,7 +72,7 @@ are counted in docs/data/methods.csv.
 
 With --growth: what a row costs by the number of rows in a batch; how an exact chain of bounces
 grows, and how many digits floats and intervals keep in it; what a claim costs the audit by its
-variables and its degree, and where it stays undecided. Files are growth.svg, .csv, .json, .md.
+variables and its degree, and where it stays undecided. Files are called growth.
 
 With --figures: k, i_x and the effective friction over alpha under all laws, with measured points and
 the elastic half-space; by how much models miss the half-space; where Kane's pendulum gains energy.
@@ -82,8 +82,8 @@ const STABILITY_EXAMPLES: &str = "\
 Examples:
   kane stability                          the paper, and the equal forms that the program knows
   kane stability notes.md                 the formulas of a document of yours
-  kane stability --out maps               also writes maps/oblique-collision-stability.svg,
-                                          .csv, .json and .md
+  kane stability --out maps               also writes maps/oblique-collision-stability.html,
+                                          .svg, .csv and more
 
 A formula is evaluated as written, in f32 and in f64, over its whole domain: one input along all
 floats of either sign, two that are not negative on a plane, all others at points that are searched
@@ -134,6 +134,28 @@ Exit codes:
   2  bad input or usage
   3  it has no answer";
 
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  kane check impacts.csv                  what the log follows, in a sentence, and every check
+  kane check impacts.jsonl --out reports  also writes reports/impacts-check.txt, .md and .json
+  kane check - < impacts.csv              a log from standard input
+  kane check --schema                     the columns, with their units
+  kane check log.csv --map vx1_pre_m_s=speed_in
+                                          a column by another name
+  kane check log.csv --row 17             the collision of line 17, for kane collide
+  kane check --generate > sweep.csv       impacts for an engine to run, that tell laws apart
+  kane check new.csv --baseline old.csv   whether a new version does worse
+
+A log has one row an impact: mass, inertia (or radius and shape), arm (or radius), velocity and spin
+before and after; mu, e, the time step and more if they are known. See docs/records.md.
+
+Exit codes:
+  0  every check holds, or fails as a published law that gives every row has it; with --baseline,
+     nothing is worse than before
+  1  a check fails, a row is rejected, or units are suspected; with --baseline, something is worse
+  2  bad input or usage
+  3  no row could be checked";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
@@ -152,6 +174,9 @@ pub(crate) enum Verb {
     Stability(StabilityArgs),
     /// Answer a scene by the least model that is good enough
     Scene(SceneArgs),
+    /// Check a log of impacts row by row, and name the law that it follows
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArgs),
 }
 
 /// Another judge of claims.
@@ -250,7 +275,7 @@ pub(crate) struct CollideArgs {
     #[arg(long, value_enum, default_value_t = Format::Text, help_heading = "Report")]
     pub(crate) format: Format,
 
-    /// Also write NAME.txt, NAME.md and NAME.json into this directory
+    /// Also write NAME.html, .txt, .md, .tex and .json into this directory
     #[arg(long, value_name = "DIR", help_heading = "Report")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -291,11 +316,11 @@ pub(crate) struct BodyArgs {
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) vx: Option<String>,
 
-    /// The velocity into the plane, m/s, at least 0
+    /// The velocity away from the plane, m/s, at most 0
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) vy: Option<String>,
 
-    /// The angular velocity, rad/s; positive spin moves the contact point against x, so that the slip is vx - spin*radius [default: 0]
+    /// The angular velocity from x to y, rad/s; positive spin moves the contact point along x, so that the slip is vx + spin*radius [default: 0]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(crate) spin: Option<String>,
 
@@ -322,7 +347,8 @@ pub(crate) struct ChartArgs {
     #[arg(long, conflicts_with_all = ["quick", "growth", "format"])]
     pub(crate) figures: bool,
 
-    /// Also write chart.md, .json, .csv and .svg into this directory, or growth.*, or the figures
+    /// Also write chart.html, .txt, .md, .tex, .json, .csv and .svg into this directory, or growth.*,
+    /// or the figures
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -337,7 +363,7 @@ pub(crate) struct StabilityArgs {
     #[arg(value_name = "DOCUMENT")]
     pub(crate) file: Option<PathBuf>,
 
-    /// Also write NAME-stability.md, .json, .csv and .svg into this directory
+    /// Also write NAME-stability.html, .txt, .md, .tex, .json, .csv and .svg into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -367,6 +393,53 @@ pub(crate) struct SceneArgs {
     /// How to print the report
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CheckArgs {
+    /// The log, CSV or JSON lines (.jsonl, .ndjson, .json); - for standard input
+    #[arg(value_name = "LOG", required_unless_present_any = ["schema", "generate"])]
+    pub(crate) log: Option<PathBuf>,
+
+    /// Print the columns of a log, and stop
+    #[arg(long, conflicts_with_all = ["log", "generate"])]
+    pub(crate) schema: bool,
+
+    /// Print a sweep of impacts that would tell laws apart, as CSV for an engine to run, and stop
+    #[arg(long, conflicts_with = "log")]
+    pub(crate) generate: bool,
+
+    /// What a column of the schema is called in the log; may be repeated
+    #[arg(long, value_name = "OURS=THEIRS")]
+    pub(crate) map: Vec<String>,
+
+    /// The log is JSON lines, whatever its name
+    #[arg(long)]
+    pub(crate) jsonl: bool,
+
+    /// In which format the numbers were computed, if they do not tell: f32, f64 or a count of decimals
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) float: Option<String>,
+
+    /// How far coordinates reach in the engine's world, in contact arms; 0 if the normal and the arm do not come from positions
+    #[arg(long, value_name = "ARMS", default_value_t = kane::records::tolerance::EXTENT)]
+    pub(crate) extent: f64,
+
+    /// Print the collision of this line as a file for kane collide, and stop
+    #[arg(long, value_name = "LINE")]
+    pub(crate) row: Option<u64>,
+
+    /// Compare with an older log: exit code 1 if a check or the law does worse
+    #[arg(long, value_name = "OLD")]
+    pub(crate) baseline: Option<PathBuf>,
+
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Also write NAME-check.txt, .md and .json into this directory
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// How a report is printed.

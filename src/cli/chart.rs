@@ -1,19 +1,17 @@
 //! `kane chart`: speed against accuracy, growth, and the figures.
 
 use std::fs;
-use std::io;
 
 use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
 use kane::report::chart::{self as digits, ChartReport};
-use kane::report::chart_picture;
 use kane::report::figures as drawn;
 use kane::report::growth::{self as size, GrowthReport};
 
-use super::args::{ChartArgs, Format};
+use super::args::ChartArgs;
 use super::delivery::Written;
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms};
 
 /// Runs the verb.
 pub(super) fn run(args: &ChartArgs) -> Outcome {
@@ -36,17 +34,13 @@ fn by_digit(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Out
     let all = chart(effort, &mut |done, all| progress.update(done, all));
     drop(progress);
     let report = ChartReport { all: &all, machine: machine(), command };
-    let shown = || match args.format {
-        Format::Text => digits::text(&report, output::page()),
-        Format::Markdown => digits::markdown(&report),
-        Format::Json => digits::json(&report),
-    };
+    let sheet = digits::sheet(&report);
     let files = || {
-        let picture = chart_picture(&report).map_err(io::Error::other)?;
-        let forms =
-            [digits::markdown(&report), digits::json(&report), digits::csv(&report), picture];
-        Ok(written("chart", forms))
+        let mut files = forms::files("chart", &sheet, digits::json(&report));
+        files.push(Written::new("chart.csv", digits::csv(&report)));
+        Ok(files)
     };
+    let shown = || forms::printed(args.format, &sheet, || digits::json(&report));
     deliver(args.out.as_deref(), &[], files, shown)
 }
 
@@ -56,16 +50,13 @@ fn by_size(args: &ChartArgs, effort: Effort, command: String) -> Result<(), Outc
     let growth = growth(effort, &mut |done, all| progress.update(done, all));
     drop(progress);
     let report = GrowthReport { growth: &growth, machine: machine(), command };
-    let shown = || match args.format {
-        Format::Text => size::text(&report, output::page()),
-        Format::Markdown => size::markdown(&report),
-        Format::Json => size::json(&report),
-    };
+    let sheet = size::sheet(&report);
     let files = || {
-        let picture = size::picture(&report).map_err(io::Error::other)?;
-        let forms = [size::markdown(&report), size::json(&report), size::csv(&report), picture];
-        Ok(written("growth", forms))
+        let mut files = forms::files("growth", &sheet, size::json(&report));
+        files.push(Written::new("growth.csv", size::csv(&report)));
+        Ok(files)
     };
+    let shown = || forms::printed(args.format, &sheet, || size::json(&report));
     deliver(args.out.as_deref(), &[], files, shown)
 }
 
@@ -78,7 +69,7 @@ fn figures(args: &ChartArgs) -> Result<(), Outcome> {
     let files = || {
         let mut files = Vec::new();
         for figure in &figures {
-            let picture = drawn::svg(figure).map_err(io::Error::other)?;
+            let picture = drawn::svg(figure);
             for (ending, text) in [("svg", picture), ("csv", drawn::csv(figure))] {
                 files.push(Written::new(format!("{}.{ending}", figure.stem), text));
             }
@@ -86,12 +77,6 @@ fn figures(args: &ChartArgs) -> Result<(), Outcome> {
         Ok(files)
     };
     deliver(args.out.as_deref(), &[], files, || drawn::text(&figures))
-}
-
-/// A chart in every form: Markdown, JSON, CSV and SVG.
-fn written(stem: &str, forms: [String; 4]) -> Vec<Written> {
-    let forms = ["md", "json", "csv", "svg"].into_iter().zip(forms);
-    forms.map(|(ending, text)| Written::new(format!("{stem}.{ending}"), text)).collect()
 }
 
 /// The processor as far as it says, how many there are, and how the program was compiled.

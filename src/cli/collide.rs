@@ -8,14 +8,12 @@ use kane::algebra::syntax::nearest;
 use kane::collide::{Collision, Question, answer, in_depth};
 use kane::impact::{InvalidInput, Law, laws, set_parameter};
 use kane::number::{Algebraic, Rational};
-use kane::report::Page;
 use kane::report::collision;
 use kane::scene::read;
 
-use super::args::{BodyArgs, CollideArgs, Format};
-use super::delivery::Written;
+use super::args::{BodyArgs, CollideArgs};
 use super::input::quoted;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &CollideArgs) -> Outcome {
@@ -27,13 +25,11 @@ pub(super) fn run(args: &CollideArgs) -> Outcome {
             return Outcome::BadInput;
         }
     };
-    let shown = || match args.format {
-        Format::Text => collision::text(&collision, output::page()),
-        Format::Markdown => collision::markdown(&collision),
-        Format::Json => collision::json(&collision),
-    };
+    let sheet = collision::sheet(&collision);
+    let json = || collision::json(&collision);
+    let shown = || forms::printed(args.format, &sheet, json);
     let inputs: Vec<&Path> = args.file.iter().map(AsRef::as_ref).collect();
-    let files = || Ok(files(&stem(args), &collision));
+    let files = || Ok(forms::files(&stem(args), &sheet, json()));
     if let Err(outcome) = deliver(args.out.as_deref(), &inputs, files, shown) {
         return outcome;
     }
@@ -87,9 +83,31 @@ fn collision(args: &CollideArgs) -> Result<Collision, Fault> {
     }
     let answered = match place {
         Some(place) => in_depth(&question, &laws[place]),
-        None => answer(&question, &laws),
+        None => {
+            let laws = without_invented(laws, &mut question.notes);
+            answer(&question, &laws)
+        }
     };
     answered.map_err(|error| Fault::Message(in_words(error)))
+}
+
+/// The laws that do not run on invented numbers, and a note of those that do.
+fn without_invented(laws: Vec<Law>, notes: &mut Vec<String>) -> Vec<Law> {
+    let (kept, left): (Vec<Law>, Vec<Law>) =
+        laws.into_iter().partition(|law| law.invented().is_empty());
+    let flags: Vec<String> = left
+        .iter()
+        .flat_map(|law| {
+            law.invented().into_iter().map(|name| format!("--param {}.{name}", law.info.id))
+        })
+        .collect();
+    if !flags.is_empty() {
+        notes.push(format!(
+            "Left out, because their parameters would be invented: give {} a value, or ask by --law.",
+            flags.join(", ")
+        ));
+    }
+    kept
 }
 
 /// What is asked by a file.
@@ -154,14 +172,4 @@ fn with_parameters(given: &[String]) -> Result<Vec<Law>, String> {
 fn stem(args: &CollideArgs) -> String {
     let stem = args.file.as_ref().and_then(|file| file.file_stem());
     stem.map_or_else(|| "collision".to_owned(), |stem| stem.to_string_lossy().into_owned())
-}
-
-/// The report in every form.
-fn files(stem: &str, collision: &Collision) -> Vec<Written> {
-    let forms = [
-        ("txt", collision::text(collision, Page::default())),
-        ("md", collision::markdown(collision)),
-        ("json", collision::json(collision)),
-    ];
-    forms.map(|(ending, text)| Written::new(format!("{stem}.{ending}"), text)).to_vec()
 }

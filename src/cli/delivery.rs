@@ -4,6 +4,10 @@
 //! by the mark that each form has: the program's name and version, in the place where that form has
 //! them. Tables have no place for it; theirs is their first line, and that of a figure its size and
 //! title. Symbolic links inside the directory are not followed.
+//!
+//! Each file is written beside its place, in full and to the disk, and only then put there, so that
+//! a run that is interrupted leaves the old file or the new one. It may leave a `.NAME.PID.tmp`,
+//! which the next run neither reads nor needs. Of two runs into one directory, the last one stays.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
@@ -86,29 +90,55 @@ pub(super) fn write(dir: &Path, inputs: &[&Path], files: &[Written]) -> Result<(
     let written = files.iter().try_for_each(|file| {
         let target = dir.join(&file.path);
         fs::create_dir_all(target.parent().unwrap_or(dir))?;
-        let beside = beside(&target);
-        // a new file, so that no link is followed
-        let mut new = File::create_new(&beside)?;
-        temporary.push((beside, target));
-        new.write_all(file.text.as_bytes())
+        let (beside, mut new) = beside(&target)?;
+        temporary.push((beside, file));
+        new.write_all(file.text.as_bytes())?;
+        // a disk may say only now that it is full
+        new.sync_all()
     });
-    let renamed = written.and_then(|()| {
-        temporary.iter().try_for_each(|(beside, target)| fs::rename(beside, target))
-    });
-    if renamed.is_err() {
+    let put = written
+        .map_err(failed)
+        .and_then(|()| temporary.iter().try_for_each(|(new, file)| put(dir, &inputs, new, file)));
+    if put.is_err() {
         for (beside, _) in &temporary {
             let _ = fs::remove_file(beside);
         }
     }
-    renamed.map_err(failed)
+    put
 }
 
-/// A name for the file until it is complete.
-fn beside(target: &Path) -> PathBuf {
-    let mut name = std::ffi::OsString::from(".");
-    name.push(target.file_name().unwrap_or_default());
-    name.push(format!(".{}.tmp", std::process::id()));
-    target.with_file_name(name)
+/// A new file for the text until it is complete, which is nobody's and no link.
+fn beside(target: &Path) -> io::Result<(PathBuf, File)> {
+    let mut tries = 0_u32;
+    loop {
+        let mut name = std::ffi::OsString::from(".");
+        name.push(target.file_name().unwrap_or_default());
+        name.push(format!(".{}", std::process::id()));
+        if tries > 0 {
+            name.push(format!("-{tries}"));
+        }
+        name.push(".tmp");
+        let path = target.with_file_name(name);
+        match File::create_new(&path) {
+            // left by a run that was interrupted and had this number
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && tries < 1000 => {
+                tries += 1;
+            }
+            made => return made.map(|file| (path, file)),
+        }
+    }
+}
+
+/// Puts a complete file in its place. What has come there since the look is looked at again: a link
+/// of the file system is made only where nothing is.
+fn put(dir: &Path, inputs: &[Metadata], new: &Path, file: &Written) -> Result<(), Refusal> {
+    let target = dir.join(&file.path);
+    if fs::hard_link(new, &target).is_ok() {
+        let _ = fs::remove_file(new);
+        return Ok(());
+    }
+    check(dir, inputs, file)?;
+    fs::rename(new, &target).map_err(|error| Refusal::Failed(dir.to_owned(), error))
 }
 
 /// Whether the file may be written.
@@ -208,6 +238,39 @@ mod tests {
 
     fn own(name: &str, there: &str) -> bool {
         is_own(Path::new(name), there.as_bytes(), "law,finding\n1,2\n")
+    }
+
+    fn scratch(name: &str) -> PathBuf {
+        let id = std::process::id();
+        let dir = std::env::temp_dir().join(format!("kane-delivery-{name}-{id}"));
+        let _ = fs::remove_dir_all(&dir);
+        fs::create_dir_all(&dir).expect("a scratch directory");
+        dir
+    }
+
+    #[test]
+    fn what_came_between_the_look_and_the_writing_is_not_replaced() {
+        let dir = scratch("between");
+        let file = Written::new("a.md", "# A\n\nkane 0.1.0, `kane audit`\n".to_owned());
+        let target = dir.join("a.md");
+        check(&dir, &[], &file).expect("nothing is there");
+        fs::write(&target, "mine\n").expect("writable");
+        let (new, _) = beside(&target).expect("writable");
+        let refused = put(&dir, &[], &new, &file);
+        assert!(matches!(refused, Err(Refusal::Foreign(_))), "{refused:?}");
+        assert_eq!(fs::read(&target).expect("it is there"), b"mine\n");
+        fs::remove_dir_all(&dir).expect("it can be removed");
+    }
+
+    #[test]
+    fn what_an_interrupted_run_left_is_in_nobody_s_way() {
+        let dir = scratch("left");
+        let (left, _) = beside(&dir.join("a.md")).expect("writable");
+        let text = "# A\n\nkane 0.1.0, `kane audit`\n";
+        write(&dir, &[], &[Written::new("a.md", text.to_owned())]).expect("it is written");
+        assert_eq!(fs::read_to_string(dir.join("a.md")).expect("it is there"), text);
+        assert!(left.exists(), "it may be another run's");
+        fs::remove_dir_all(&dir).expect("it can be removed");
     }
 
     #[test]

@@ -1,17 +1,17 @@
 //! `kane laws`: every law against every property.
 
-use std::io;
+use std::path::Path;
 
 use kane::algebra::syntax::nearest;
 use kane::impact::laws;
 use kane::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
-use kane::report::Page;
-use kane::report::matrix::{MatrixReport, csv, explain, html, json, markdown, picture, text};
+use kane::report::Sheet;
+use kane::report::matrix::{MatrixReport, csv, explain, html, json, sheet};
 
-use super::args::{Format, LawsArgs};
+use super::args::LawsArgs;
 use super::delivery::Written;
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms};
 
 /// Runs the verb.
 pub(super) fn run(args: &LawsArgs) -> Outcome {
@@ -24,13 +24,12 @@ pub(super) fn run(args: &LawsArgs) -> Outcome {
     drop(progress);
 
     let report = MatrixReport { matrix: &matrix, command: command(args) };
-    let shown = || match (&args.explain, args.format) {
-        (Some(_), _) => explained(&matrix),
-        (None, Format::Text) => text(&report, output::page()),
-        (None, Format::Markdown) => markdown(&report),
-        (None, Format::Json) => json(&report),
+    let sheet = sheet(&report);
+    let shown = || match &args.explain {
+        Some(_) => explained(&matrix),
+        None => forms::printed(args.format, &sheet, || json(&report)),
     };
-    if let Err(outcome) = deliver(args.out.as_deref(), &[], || files(&report), shown) {
+    if let Err(outcome) = deliver(args.out.as_deref(), &[], || Ok(files(&report, &sheet)), shown) {
         return outcome;
     }
     outcome(&matrix)
@@ -94,17 +93,13 @@ fn explained(matrix: &Matrix) -> String {
 /// What each law says and how it is known, for the page.
 const LAWS: &str = include_str!("../../docs/laws.md");
 
-/// The report in every form, and the picture with its data.
-fn files(report: &MatrixReport<'_>) -> io::Result<Vec<Written>> {
-    let forms = [
-        ("laws.txt", text(report, Page::default())),
-        ("laws.md", markdown(report)),
-        ("laws.json", json(report)),
-        ("laws.html", html(report, LAWS)),
-        ("matrix.svg", picture(report).map_err(io::Error::other)?),
-        ("matrix.csv", csv(report)),
-    ];
-    Ok(forms.map(|(name, text)| Written::new(name, text)).to_vec())
+/// The report in every form, with the page that the matrix has, and the picture with its data.
+fn files(report: &MatrixReport<'_>, sheet: &Sheet<'_>) -> Vec<Written> {
+    let mut files = forms::files("laws", sheet, json(report));
+    files.retain(|file| file.path != Path::new("laws.html"));
+    files.push(Written::new("laws.html", html(report, LAWS)));
+    files.push(Written::new("matrix.csv", csv(report)));
+    files
 }
 
 #[cfg(test)]

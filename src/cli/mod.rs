@@ -3,8 +3,10 @@
 mod args;
 mod audit;
 mod chart;
+mod check;
 mod collide;
 mod delivery;
+mod forms;
 mod help;
 mod input;
 mod labels;
@@ -58,6 +60,7 @@ pub(crate) fn run() -> ExitCode {
         Verb::Chart(args) => chart::run(&args),
         Verb::Stability(args) => stability::run(&args),
         Verb::Scene(args) => scene::run(&args),
+        Verb::Check(args) => check::run(&args),
     };
     outcome.into()
 }

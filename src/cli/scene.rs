@@ -1,19 +1,14 @@
 //! `kane scene`: the least model that answers a scene.
 
-use std::io;
-
 use kane::impact::laws;
-use kane::report::scene::{
-    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
-    states_csv, text,
-};
+use kane::report::scene::{SceneReport, json, models_csv, sheet, states_csv};
 use kane::scene::{Effort, Model, Verdict, answer, read};
 
-use super::args::{Format, SceneArgs};
+use super::args::SceneArgs;
 use super::delivery::Written;
 use super::input::quoted;
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &SceneArgs) -> Outcome {
@@ -52,14 +47,19 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
     if args.compare {
         command.push_str(" --compare");
     }
-    let report = SceneReport { answer: &answer, title: scene.title.clone(), command };
+    let (title, is_compared) = (scene.title.clone(), args.compare);
+    let report = SceneReport { answer: &answer, title, command, is_compared };
     let stem = args.file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let shown = || match args.format {
-        Format::Text => text(&report, output::page()),
-        Format::Markdown => markdown(&report),
-        Format::Json => json(&report),
+    let sheet = sheet(&report);
+    let shown = || forms::printed(args.format, &sheet, || json(&report));
+    let files = || {
+        let mut files = forms::files(&stem, &sheet, json(&report));
+        files.push(Written::new(format!("{stem}-models.csv"), models_csv(&report)));
+        if answer.end.is_some() {
+            files.push(Written::new(format!("{stem}-states.csv"), states_csv(&report)));
+        }
+        Ok(files)
     };
-    let files = || files(&stem, &report, args.compare);
     if let Err(outcome) = deliver(args.out.as_deref(), &[&args.file], files, shown) {
         return outcome;
     }
@@ -68,28 +68,4 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
         .iter()
         .any(|judged| judged.model == answer.shown && judged.verdict == Verdict::Meets);
     if good { Outcome::AsExpected } else { Outcome::Unexpected }
-}
-
-/// The report in every form.
-fn files(stem: &str, report: &SceneReport<'_>, compare: bool) -> io::Result<Vec<Written>> {
-    let mut files = vec![
-        Written::new(format!("{stem}.md"), markdown(report)),
-        Written::new(format!("{stem}.json"), json(report)),
-        Written::new(format!("{stem}.html"), html(report).map_err(io::Error::other)?),
-        Written::new(format!("{stem}-models.csv"), models_csv(report)),
-    ];
-    if report.answer.end.is_some() {
-        files.push(Written::new(format!("{stem}-states.csv"), states_csv(report)));
-    }
-    if let Some(drawn) = picture(report).map_err(io::Error::other)? {
-        files.push(Written::picture(format!("{stem}-{}.svg", drawn.name), &drawn.svg));
-    }
-    if let Some(picture) = ledger_picture(report).map_err(io::Error::other)? {
-        files.push(Written::picture(format!("{stem}-ledger.svg"), &picture));
-    }
-    if compare {
-        let picture = compare_picture(report).map_err(io::Error::other)?;
-        files.push(Written::picture(format!("{stem}-compare.svg"), &picture));
-    }
-    Ok(files)
 }

@@ -1,16 +1,15 @@
 //! `kane stability`: where the formulas of a document fail in floating point.
 
-use std::io;
 use std::path::Path;
 
 use kane::measure;
-use kane::report::stability::{StabilityReport, csv, json, markdown, picture, text};
+use kane::report::stability::{StabilityReport, csv, json, sheet};
 
-use super::args::{Format, StabilityArgs};
+use super::args::StabilityArgs;
 use super::delivery::Written;
 use super::input::{self, quoted};
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, output};
+use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &StabilityArgs) -> Outcome {
@@ -41,24 +40,17 @@ pub(super) fn run(args: &StabilityArgs) -> Outcome {
         Some(file) => format!("kane stability {}", quoted(&file.display().to_string())),
     };
     let report = StabilityReport { stability: &stability, command };
-    let shown = || match args.format {
-        Format::Text => text(&report, output::page()),
-        Format::Markdown => markdown(&report),
-        Format::Json => json(&report),
-    };
+    let sheet = sheet(&report);
+    let shown = || forms::printed(args.format, &sheet, || json(&report));
     let inputs: Vec<&Path> = files.iter().map(AsRef::as_ref).collect();
-    let written = || written(&input.stem, &report);
+    let written = || {
+        let stem = format!("{}-stability", input.stem);
+        let mut files = forms::files(&stem, &sheet, json(&report));
+        files.push(Written::new(format!("{stem}.csv"), csv(&report)));
+        Ok(files)
+    };
     if let Err(outcome) = deliver(args.out.as_deref(), &inputs, written, shown) {
         return outcome;
     }
     if stability.subject.examined == 0 { Outcome::Nothing } else { Outcome::AsExpected }
-}
-
-/// NAME-stability in every form.
-fn written(stem: &str, report: &StabilityReport<'_>) -> io::Result<Vec<Written>> {
-    let picture = picture(report).map_err(io::Error::other)?;
-    let forms =
-        [("md", markdown(report)), ("json", json(report)), ("csv", csv(report)), ("svg", picture)];
-    let named = |(ending, text)| Written::new(format!("{stem}-stability.{ending}"), text);
-    Ok(forms.map(named).to_vec())
 }

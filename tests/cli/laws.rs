@@ -43,7 +43,7 @@ fn an_unknown_id_is_bad_input_with_a_suggestion() {
 
 #[test]
 fn alpha_is_not_asked_of_a_law_in_a_frame_of_its_own() {
-    let run = kane(&["laws", "--explain", "louge-adams:C1"]);
+    let run = kane(&["laws", "--explain", "tilted-2002:C1"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("not applicable: the law's cone and restitution stand about"));
     // the witness is at a slip that leans, and says in which axes it was asked

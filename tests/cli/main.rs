@@ -1,8 +1,10 @@
 //! The program as its user meets it: what it prints, where, and how it exits.
 
 mod browser; // the page in a browser: what loads, filters, the graph, widths, contrast
+mod check; // logs of impacts: forms, exit codes, an engine that is named
 mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
+mod disk; // --out on a disk that is full, read-only, shared, or left in the middle
 mod errors; // what bad input gets
 mod exits; // exit codes
 mod figures; // the figures, and the page that shows them

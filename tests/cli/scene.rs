@@ -21,7 +21,31 @@ fn a_scene_is_answered_and_written_in_every_form() {
         assert!(path.is_file(), "{} is missing", path.display());
     }
     let json = fs::read_to_string(out.join("backspin.json")).expect("it was written");
+    let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
+    let digest = value["scene"]["sha256"].as_str().expect("it has one").to_owned();
+    let printed = std::process::Command::new("sha256sum").arg(file).output().expect("it is there");
+    assert!(String::from_utf8_lossy(&printed.stdout).starts_with(&digest), "{digest}");
+    assert_eq!(value["scene"]["bodies"][0]["mass_kg"], 0.046);
+    assert_eq!(value["scene"]["friction"], 0.6);
+    assert_eq!(value["impacts"][0]["who"], serde_json::json!(["body-1", "floor"]));
+    assert!(value["impacts"][0]["after"][0]["v_x_m_s"].is_number());
+    let states = fs::read_to_string(out.join("backspin-states.csv")).expect("it was written");
+    let start = states.lines().nth(1).expect("a row");
+    assert!(start.starts_with("start,0,,,body-1,0,"), "{start}");
     assert_eq!(json, kane(&["scene", file, "--compare", "--format", "json"]).stdout);
+}
+
+#[test]
+fn exact_numbers_stand_beside_numbers() {
+    let run = kane(&["scene", "docs/scenes/rest.toml", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    let end = &value["end"];
+    assert_eq!(end["exact"]["time_s"], "21/10");
+    assert_eq!(end["time_s"], 2.1);
+    assert!(end["bodies"][0]["x_m"].is_number() && end["bodies"][0]["exact"]["x_m"].is_string());
+    let rounded = kane(&["scene", "docs/scenes/backspin.toml", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&rounded.stdout).expect("it is JSON");
+    assert!(value["end"]["time_s"].is_number() && value["end"]["exact"].is_null());
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 13] = [
+const LEVELS: [(&str, u32); 14] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-semidefinite", 0),
@@ -17,6 +17,7 @@ const LEVELS: [(&str, u32); 13] = [
     ("kane-judges", 3),
     ("kane-measure", 3),
     ("kane-scene", 3),
+    ("kane-records", 3),
     ("kane-report", 4),
     ("kane", 5),
     ("kane-pages", 6),

@@ -3,7 +3,7 @@
 use kane::measure::chart::Effort;
 use kane::measure::growth::{Growth, counted};
 use kane::report::Page;
-use kane::report::growth::{GrowthReport, csv, json, markdown, picture, text};
+use kane::report::growth::{GrowthReport, csv, json, picture, sheet};
 
 use crate::settings;
 
@@ -17,7 +17,7 @@ fn the_curves_without_a_clock() {
     let growth = counted(Effort::Quick);
     let report = report(&growth);
     let table = csv(&report);
-    let shown = text(&report, Page::default());
+    let shown = sheet(&report).text(Page::default());
     settings().bind(|| {
         insta::assert_snapshot!("counted", table);
         insta::assert_snapshot!("text", shown);
@@ -32,9 +32,9 @@ fn the_curves_without_a_clock() {
     assert_eq!(points.len() + 1, table.lines().count());
     assert_eq!(value["readings"].as_array().map(Vec::len), Some(8));
     assert!(!table.contains(",ns,") && !json(&report).contains("\"ns\""), "no time is in it");
-    assert!(markdown(&report).contains("## Bounces in a chain: wang-su-li"));
-    let svg = picture(&report).expect("a picture can be drawn");
-    assert!(svg.starts_with("<svg") && svg.contains("digits of the slip that are right"));
+    assert!(sheet(&report).markdown().contains("## Bounces in a chain: wang-su-li"));
+    let svg = picture(&report);
+    assert!(svg.starts_with("<svg") && svg.contains("wang-su-li: digits of the slip"));
     assert_eq!(csv(&self::report(&counted(Effort::Quick))), table, "the same in every run");
 }
 

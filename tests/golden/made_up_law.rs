@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use kane::collide::{Collision, Question, System, answer, in_depth};
 use kane::impact::bodies::{Motion, SphereOnPlane};
 use kane::impact::{
-    Contact, ImpactLaw, Impulse, Law, LawInfo, ModelInfo, Regime, laws, set_parameter,
+    Contact, ImpactLaw, Impulse, Lasting, Law, LawInfo, ModelInfo, Regime, laws, set_parameter,
 };
 use kane::matrix::{Finding, Selection, matrix};
 use kane::measure::over_alpha;
@@ -33,7 +33,11 @@ impl ImpactLaw for MadeUp {
         statement: "i_x = 1/2",
         on_a_sphere: &[("", "1 - alpha")],
         gap: Some("no gap is known"),
-        model: Some(ModelInfo { words: "friction at half of its limit", operations: [5; 4] }),
+        model: Some(ModelInfo {
+            words: "friction at half of its limit",
+            operations: [5; 4],
+            lasting: Lasting::Unsummed,
+        }),
         ..LawInfo::PLAIN
     };
 
@@ -88,8 +92,8 @@ fn shows(forms: &[String]) {
 
 fn forms_of(collision: &Collision) -> [String; 3] {
     [
-        collision::text(collision, Page::default()),
-        collision::markdown(collision),
+        collision::sheet(collision).text(Page::default()),
+        collision::sheet(collision).markdown(),
         collision::json(collision),
     ]
 }
@@ -131,12 +135,12 @@ fn the_matrix_shows_it() {
     assert_eq!(found, [Finding::Proved; 2]);
     let report = MatrixReport { matrix: &matrix, command: "kane laws".to_owned() };
     shows(&[
-        matrix_report::text(&report, Page::default()),
-        matrix_report::markdown(&report),
+        matrix_report::sheet(&report).text(Page::default()),
+        matrix_report::sheet(&report).markdown(),
         matrix_report::json(&report),
         matrix_report::html(&report, ""),
         matrix_report::csv(&report),
-        matrix_report::picture(&report).expect("it can be drawn"),
+        matrix_report::picture(&report),
         matrix_report::explain(&matrix.rows[1], matrix.properties[0], &matrix.rows[1].cells[0]),
     ]);
     assert!(matrix_report::json(&report).contains("\"people\": \"Nobody\""));
@@ -165,13 +169,14 @@ fn a_scene_tries_it() {
             answer: &answer,
             title: scene.title.clone(),
             command: format!("kane scene {file} --compare"),
+            is_compared: true,
         };
         shows(&[
-            scene_report::text(&report, Page::default()),
-            scene_report::markdown(&report),
+            scene_report::sheet(&report).text(Page::default()),
+            scene_report::sheet(&report).markdown(),
             scene_report::json(&report),
             scene_report::models_csv(&report),
-            scene_report::compare_picture(&report).expect("it can be drawn"),
+            scene_report::compare_picture(&report),
         ]);
         if wanted.is_some() {
             assert_eq!(answer.shown.to_string(), "made-up/f64");

@@ -3,7 +3,7 @@
 use kane::measure::chart::table;
 use kane::number::System;
 use kane::report::Page;
-use kane::report::chart::{ChartReport, committed, csv, json, markdown, text};
+use kane::report::chart::{ChartReport, committed, csv, json, sheet};
 
 use crate::assert_kept;
 
@@ -38,10 +38,12 @@ fn no_measured_error_is_above_its_proved_bound() {
     assert!(without.iter().any(|name| name == "i_x (9) f64"), "{without:?}");
 
     let report = ChartReport { all: &all, machine: String::new(), command: String::new() };
-    let shown = text(&report, Page::default());
+    let shown = sheet(&report).text(Page::default());
     assert!(shown.contains("65/128") && shown.contains("none"), "{shown}");
     assert!(shown.contains("† proved to alpha = 2^24 only"), "{shown}");
-    assert!(markdown(&report).contains("| 65/128 |") && csv(&report).contains(",65/128,2^30,"));
+    assert!(
+        sheet(&report).markdown().contains("| 65/128 |") && csv(&report).contains(",65/128,2^30,")
+    );
     let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
     let methods = value["methods"].as_array().expect("a list");
     let proved = methods.iter().filter(|method| method["proved"]["ulps"].is_string());

@@ -5,8 +5,8 @@ use std::path::Path;
 use kane::impact::laws;
 use kane::report::Page;
 use kane::report::scene::{
-    SceneReport, compare_picture, html, json, ledger_picture, markdown, models_csv, picture,
-    states_csv, stress_csv, stress_picture, text,
+    SceneReport, compare_picture, json, ledger_picture, models_csv, picture, sheet, states_csv,
+    stress_csv, stress_picture,
 };
 use kane::scene::{Effort, answer, read, stress};
 
@@ -19,7 +19,8 @@ fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
     let scene = read::scene(&file, &source).expect("it is well formed");
     let answer = answer(&scene, laws(), None, effort, &mut |_, _| {}).expect("it has an answer");
     let command = format!("kane scene {file}");
-    check(&SceneReport { answer: &answer, title: scene.title.clone(), command });
+    let (title, is_compared) = (scene.title.clone(), effort == Effort::All);
+    check(&SceneReport { answer: &answer, title, command, is_compared });
 }
 
 #[test]
@@ -39,30 +40,37 @@ fn every_shipped_scene_is_answered_and_drawn() {
     ];
     for name in names {
         shipped(name, Effort::Chosen, |report| {
-            let shown = text(report, Page::default());
+            let shown = sheet(report).text(Page::default());
             for line in shown.lines() {
                 assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
             }
             settings().bind(|| insta::assert_snapshot!(name, shown));
             // every scene has its picture; what flies has a ledger too
-            let drawn = picture(report).expect("it can be drawn").expect("it has a picture");
+            let drawn = picture(report).expect("it has a picture");
             let shows = match name {
                 "rod-jam" | "double-pendulum" => "impulse",
                 "cradle-touching" => "contact",
                 _ => "motion",
             };
             assert_eq!(drawn.name, shows, "{name}");
-            let ledger = ledger_picture(report).expect("it can be drawn");
+            let ledger = ledger_picture(report);
             assert_eq!(ledger.is_some(), shows == "motion", "{name}");
             for svg in std::iter::once(&drawn.svg).chain(&ledger) {
                 assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
                 assert!(!svg.contains("NaN"));
                 // every curve and every mark is on the sheet
-                for place in [" x=\"-", " y=\"-", " cx=\"-", " cy=\"-", "points=\"-"] {
+                for place in [" x=\"-", " y=\"-", " cx=\"-", " cy=\"-"] {
                     assert!(!svg.contains(place), "{name}: outside of the sheet");
                 }
+                let paths = svg.split(" d=\"").skip(1).filter_map(|rest| rest.split('"').next());
+                for path in paths {
+                    let is_outside = ["M-", "L-", " -"].iter().any(|place| path.contains(place));
+                    assert!(!is_outside, "{name}: {path} is outside of the sheet");
+                }
+                assert!(svg.contains("<title>") && svg.contains("<desc>"), "{name}");
+                assert!(svg.contains("prefers-color-scheme:dark"), "{name}");
             }
-            assert_eq!(Some(drawn), picture(report).expect("again"), "the same in every run");
+            assert_eq!(Some(drawn), picture(report), "the same in every run");
         });
     }
     let shipped = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes"));
@@ -81,10 +89,10 @@ fn all_forms_of_a_report_tell_the_same() {
         let models = value["models"].as_array().expect("a list");
         assert_eq!(models_csv(report).lines().count(), models.len() + 1);
         let impacts = value["impacts"].as_array().expect("a list");
-        // one body: a row an impact, one for the end, and the head
-        assert_eq!(states_csv(report).lines().count(), impacts.len() + 2);
-        assert!(markdown(report).contains("| wang-su-li/f64 |"));
-        let picture = compare_picture(report).expect("it can be drawn");
+        // one body: a row at the start, one an impact, one for the end, and the head
+        assert_eq!(states_csv(report).lines().count(), impacts.len() + 3);
+        assert!(sheet(report).markdown().contains("| `wang-su-li/f64` |"));
+        let picture = compare_picture(report);
         assert!(picture.contains("routh-newton/f32, f64") || picture.contains("routh-newton/f64"));
     });
 }
@@ -93,8 +101,8 @@ fn all_forms_of_a_report_tell_the_same() {
 fn the_page_holds_all_and_loads_nothing() {
     for name in ["alumina", "backspin", "rod-jam"] {
         shipped(name, Effort::Chosen, |report| {
-            let page = html(report).expect("it can be drawn");
-            assert_eq!(page, html(report).expect("again"), "the same in every run");
+            let page = sheet(report).html();
+            assert_eq!(page, sheet(report).html(), "the same in every run");
             assert!(page.starts_with("<!DOCTYPE html>") && page.trim_end().ends_with("</html>"));
             // pictures and nothing from elsewhere
             let pictures = if report.answer.bounces.is_empty() { 1 } else { 2 };
@@ -118,7 +126,7 @@ fn the_page_holds_all_and_loads_nothing() {
 #[test]
 fn the_committed_stress_is_the_program_s() {
     let rows = stress::rows(laws());
-    let picture = stress_picture(&rows).expect("it can be drawn");
+    let picture = stress_picture(&rows);
     for (file, shown) in
         [("docs/data/scene-stress.csv", stress_csv(&rows)), ("docs/data/scene-stress.svg", picture)]
     {

@@ -232,18 +232,6 @@ impl Tally {
     }
 }
 
-/// Lines that the prover leaves open within its budget; `statement` solves them at exact contacts.
-/// All say that what stops the slip is inside the cone. Whoever teaches the prover to multiply
-/// conditions shortens the list.
-const OPEN: &str = "\
-kane-levinson, stick, line 2, coupled true
-kane-levinson, stick, line 3, coupled true
-stronge-1990, stick from compression on, line 3, coupled false
-stronge-1990, stick from restitution on, line 3, coupled false
-djerassi-stronge, stick from compression on, line 3, coupled false
-djerassi-stronge, stick from restitution on, line 3, coupled false
-";
-
 #[test]
 fn the_code_satisfies_its_statement_regime_by_regime() {
     let mut tally = Tally::default();
@@ -252,8 +240,8 @@ fn the_code_satisfies_its_statement_regime_by_regime() {
     }
     let Tally { identities, certificates, lemmas, open } = tally;
     println!("{identities} identities, {certificates} certificates, {lemmas} lemmas");
-    assert_eq!(open, OPEN);
-    assert!(identities >= 49 && certificates >= 428, "{identities}, {certificates}");
+    assert!(open.is_empty(), "the prover leaves open:\n{open}");
+    assert!(identities >= 49 && certificates >= 434, "{identities}, {certificates}");
 }
 
 /// Without coupling in the law's frame: wherever a regime ends at a guard that includes its boundary, the regime that

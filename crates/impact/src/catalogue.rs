@@ -109,6 +109,14 @@ impl Law {
         self.faces.normal_collision()
     }
 
+    /// The names of its own parameters that stand at invented values.
+    #[must_use]
+    pub fn invented(&self) -> Vec<&'static str> {
+        let own = self.info.parameters.iter().zip(self.parameters());
+        let invented = own.filter(|(own, (_, value))| own.invented && *value == own.default());
+        invented.map(|(own, _)| own.name).collect()
+    }
+
     /// What its restitution says, and where.
     #[must_use]
     pub fn restitution(&self) -> &'static str {

@@ -76,6 +76,8 @@ pub struct Parameter {
     pub greatest: Option<i8>,
     /// Numerator and denominator, which is not zero, of the value where none is given.
     pub default: (i64, i64),
+    /// Whether that value is invented here and belongs to no material.
+    pub invented: bool,
 }
 
 impl Parameter {
@@ -103,6 +105,20 @@ impl Parameter {
     }
 }
 
+/// How a law goes on through the infinitely many impacts of a ball that comes to rest, each with e
+/// times the approach of the one before, on a contact that does not couple and has no friction
+/// without slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Lasting {
+    /// Friction acts in full against the slip, as long as all that is left of it does not stop that.
+    Full,
+    /// So it does, or else every impact gives the same share of the slip back: the law's only
+    /// parameter.
+    Share,
+    /// There is no closed form: impacts are followed one by one as long as there is slip.
+    Unsummed,
+}
+
 /// What whoever chooses between models needs to know of a law that is one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ModelInfo {
@@ -111,6 +127,8 @@ pub struct ModelInfo {
     /// Additions, multiplications, divisions and roots of an impact of a ball, the most over little
     /// and much slip: what a test counts in the law's code (a fused multiply-add is two).
     pub operations: [u64; 4],
+    /// What becomes of the slip of a ball that comes to rest.
+    pub lasting: Lasting,
 }
 
 /// On a sphere, the slip slows down by friction until it stops.
@@ -150,8 +168,12 @@ pub struct LawInfo {
     pub restitution: Restitution,
     /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
     pub gap: Option<&'static str>,
+    /// What a reader of its numbers must not miss, in a sentence without its full stop.
+    pub caveat: Option<&'static str>,
     /// For a law that scenes may be answered by.
     pub model: Option<ModelInfo>,
+    /// Where the law is met under another name: a sentence without its full stop, or nothing.
+    pub engines: &'static str,
 }
 
 impl LawInfo {
@@ -171,7 +193,9 @@ impl LawInfo {
         parameters: &[],
         restitution: Restitution::Newton,
         gap: None,
+        caveat: None,
         model: None,
+        engines: "",
     };
 
     /// Whose law it is, and since when: `Garwin 1969, with Coulomb's bound`.

@@ -76,7 +76,7 @@ pub use contact::{Contact, Facing};
 pub use delassus::Delassus;
 pub use frame::Frame;
 pub use impulse::Impulse;
-pub use info::{LawInfo, ModelInfo, Parameter, Provenance, Restitution};
+pub use info::{Lasting, LawInfo, ModelInfo, Parameter, Provenance, Restitution};
 pub use invalid::InvalidInput;
 pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
 pub use outcome::{Outcome, Work};

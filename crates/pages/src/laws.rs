@@ -92,7 +92,14 @@ fn defaults(law: &Law) -> String {
     let one = |(name, value): &(&str, _)| format!("`{} = {value}`", shown(name));
     match parameters.len() {
         0 => "–".into(),
-        _ => parameters.iter().map(one).collect::<Vec<_>>().join(", "),
+        _ => {
+            let invented = law.invented();
+            let one = |own: &(&str, _)| {
+                let mark = if invented.contains(&own.0) { " (invented)" } else { "" };
+                one(own) + mark
+            };
+            parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+        }
     }
 }
 
@@ -104,6 +111,9 @@ fn section(out: &mut String, law: &Law, doc: &Docstring) {
         let _ = writeln!(out, "{}", without_links(line));
     }
     let _ = writeln!(out, "\nSource: {}.", source.replace('*', "\\*"));
+    if !law.info.engines.is_empty() {
+        let _ = writeln!(out, "\nMet elsewhere: {}.", law.info.engines);
+    }
     let frame =
         if law.has_frame() { ", in the turned frame and where it does not couple" } else { "" };
     let _ = write!(
@@ -118,6 +128,9 @@ fn section(out: &mut String, law: &Law, doc: &Docstring) {
     let limit = law.normal_collision();
     let limit = limit.map_or_else(|| "none".into(), |k| format!("`{}`", shown(&k.to_string())));
     let _ = writeln!(out, "- limit of k in normal collision, `α → ∞`: {limit}");
+    if let Some(caveat) = law.info.caveat {
+        let _ = writeln!(out, "- caution: {caveat}");
+    }
     let gap = law.info.gap.unwrap_or("nothing, it is total");
     let _ = writeln!(out, "- what it lacks: {gap}");
 }

@@ -69,10 +69,10 @@ pub fn pages(root: &Path) -> Result<Vec<Page>, NotMade> {
         all.push(page(&format!("docs/rounding/{}.g", bound.name()), bound.gappa()));
     }
     let rows = stress::rows(all_laws());
-    let picture = stress_picture(&rows).map_err(|e| NotMade::because("scene-stress.svg", e))?;
+    let picture = stress_picture(&rows);
     all.push(page("docs/data/scene-stress.csv", stress_csv(&rows)));
     all.push(page("docs/data/scene-stress.svg", picture));
-    all.extend(figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {}))?);
+    all.extend(figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {})));
     Ok(all)
 }
 
@@ -83,7 +83,7 @@ fn figures(tables: &Tables<'_>) -> Result<Vec<Page>, NotMade> {
     let mut pages = Vec::new();
     for figure in &figures {
         let path = |ending| format!("docs/figures/{}.{ending}", figure.stem);
-        let picture = svg(figure).map_err(|error| NotMade::because(figure.stem, error))?;
+        let picture = svg(figure);
         pages.push(Page { path: path("svg"), text: picture });
         pages.push(Page { path: path("csv"), text: csv(figure) });
     }
@@ -91,11 +91,11 @@ fn figures(tables: &Tables<'_>) -> Result<Vec<Page>, NotMade> {
 }
 
 /// The matrix of laws and properties, as a picture with its data.
-fn figure_of(matrix: &Matrix) -> Result<[Page; 2], NotMade> {
+fn figure_of(matrix: &Matrix) -> [Page; 2] {
     let report = MatrixReport { matrix, command: "kane laws".to_owned() };
-    let picture = shown::picture(&report).map_err(|e| NotMade::because("matrix.svg", e))?;
+    let picture = shown::picture(&report);
     let page = |ending: &str, text| Page { path: format!("docs/figures/matrix.{ending}"), text };
-    Ok([page("svg", picture), page("csv", shown::csv(&report))])
+    [page("svg", picture), page("csv", shown::csv(&report))]
 }
 
 /// The page of properties: its head as it is, and the table and all below it made anew.

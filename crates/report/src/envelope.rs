@@ -1,4 +1,4 @@
-//! What every report for programs has: what it is, what wrote it, and the line feed at its end.
+//! What every report for programs has: what it is, what wrote it and by which command, and the line feed at its end.
 
 use kane_algebra::syntax::is_hidden;
 use serde::Serialize;
@@ -15,6 +15,21 @@ pub(crate) struct Schema {
 pub(crate) struct Program {
     name: &'static str,
     version: &'static str,
+}
+
+/// A report's data under what all reports have.
+#[derive(Serialize)]
+struct Envelope<'a, T> {
+    schema: Schema,
+    program: Program,
+    command: &'a str,
+    #[serde(flatten)]
+    data: T,
+}
+
+/// A report's data for programs, in the envelope of all reports.
+pub(crate) fn enveloped(schema: Schema, command: &str, data: impl Serialize) -> String {
+    written(&Envelope { schema, program: Program::THIS, command, data })
 }
 
 /// A report for programs as text, ended by a line feed. What cannot be seen is escaped.

@@ -3,17 +3,15 @@
 //! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
-//! [`collision`] does the same for one collision under the laws, [`stability`], [`chart`] and [`growth`]
-//! for what the measurements found, [`scene`] for the answer to a scene;
-//! [`figures`] draws curves and maps. All of them return
+//! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`] and [`growth`] are functions from data to a
+//! [`Sheet`], which is written in any form; [`records`] says what a log of impacts follows; [`figures`] draws
+//! curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
 mod certificate;
 pub mod chart;
-mod chart_picture;
 pub mod collision;
-mod columns;
 mod envelope;
 mod explain;
 pub mod figures;
@@ -26,8 +24,11 @@ mod layers;
 mod markdown;
 pub mod matrix;
 mod outline;
+mod picture;
+pub mod records;
 mod report;
 pub mod scene;
+mod sheet;
 mod shorten;
 pub mod stability;
 mod summary;
@@ -37,12 +38,12 @@ mod wording;
 mod words;
 
 pub use certificate::certificates;
-pub use chart_picture::picture as chart_picture;
 pub use explain::explain;
 pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
 pub use markdown::markdown;
 pub use report::{Picture, Report};
+pub use sheet::{Page, Sheet};
 pub use summary::Summary;
-pub use text::{Page, text};
+pub use text::text;

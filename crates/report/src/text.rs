@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr;
 use crate::report::Entry;
 use crate::shorten::{padded, shorten};
 use crate::words::Form;
-use crate::{Report, Summary};
+use crate::{Page, Report, Summary};
 
 /// Columns for the longest label that is shown in full.
 const LABEL: usize = 16;
@@ -17,15 +17,6 @@ const LABEL: usize = 16;
 const SAYING: usize = 48;
 /// Columns for the longest verdict.
 const VERDICT: usize = 11;
-
-/// The page to write on.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Page {
-    /// its columns; `None` lets reasons run on, as in a file
-    pub width: Option<usize>,
-    /// whether it shows colours
-    pub colour: bool,
-}
 
 /// The report as text.
 #[must_use]

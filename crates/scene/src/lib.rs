@@ -51,7 +51,7 @@ mod tip;
 mod world;
 
 pub use choose::{
-    Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Shown, Spread,
+    Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Place, Shown, Spread,
     UnknownModel, Verdict, answer, model_names,
 };
 pub use coordinate::Coordinate;
@@ -59,7 +59,7 @@ pub use impulse_plane::{ImpulsePlane, PlaneLine};
 pub use kane_impact::oracle::Event;
 pub use picture::Picture;
 pub use quantity::{Kind, Quantity};
-pub use resolver::{Elastic, NormalOnly, Process, Resolver};
+pub use resolver::{Elastic, Lasting, NormalOnly, Process, Resolver};
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
 pub use strobe::{Frame, Strobe};
 pub use tip::{Tip, TipBody};

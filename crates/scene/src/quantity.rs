@@ -6,6 +6,7 @@ use kane_algebra::syntax::nearest;
 
 use crate::coordinate::Coordinate;
 use crate::simulate::{Bounce, End};
+use crate::world::World;
 
 /// What is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,7 +25,8 @@ pub enum Kind {
     Omega,
     /// The kinetic energy of all bodies at the end; J.
     Energy,
-    /// The same by that at the start; behind one impact of a tip, T⁺/T.
+    /// The energy of motion and height at the end by that at the start, heights counted from where a
+    /// body lies on the floor; behind one impact of a tip, T⁺/T.
     EnergyRatio,
     /// k = `v_t⁺`/`v_t` of the first impact.
     K,
@@ -123,7 +125,7 @@ impl Quantity {
     /// The value, or `None` where it has no meaning: k without slip, say.
     pub(crate) fn of<N: Coordinate>(
         self,
-        start: &N,
+        world: &World<N>,
         first: Option<&Bounce<N>>,
         end: &End<N>,
     ) -> Option<N> {
@@ -137,7 +139,9 @@ impl Quantity {
             Kind::Vy => body.map(|body| body.motion.vy.clone()),
             Kind::Omega => body.map(|body| body.motion.omega.clone()),
             Kind::Energy => Some(energy()),
-            Kind::EnergyRatio => energy().checked_div(start),
+            Kind::EnergyRatio => {
+                world.energy(&end.bodies)?.checked_div(&world.energy(&world.bodies)?)
+            }
             Kind::K => first.and_then(|bounce| bounce.slip[1].checked_div(&bounce.slip[0])),
             Kind::TangentialImpulse => first.map(|bounce| bounce.impulse.tangential.clone()),
             Kind::NormalImpulse => first.map(|bounce| bounce.impulse.normal.clone()),

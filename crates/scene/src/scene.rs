@@ -1,5 +1,6 @@
 //! A scene: what collides, what is asked, and how accurately.
 
+use kane_impact::compliant::Loss;
 use kane_number::{Interval, Rational};
 
 use crate::quantity::Quantity;
@@ -61,6 +62,8 @@ pub struct Asked {
 /// A scene, as read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
+    /// The SHA-256 of the file, as 64 hexadecimal digits.
+    pub sha256: String,
     /// Heads the report.
     pub title: String,
     /// What collides, with what is not known of it.
@@ -69,6 +72,10 @@ pub struct Scene {
     pub until: Until<Rational>,
     /// The contact along its tangent.
     pub tangential: Tangential,
+    /// What e < 1 means for an elastic contact, if that is stated.
+    pub loss: Option<Loss>,
+    /// How many times finer than by default a process steps; 1 as read.
+    pub finer: usize,
     /// κ of Hertz's force κ·δ^(3/2), for spheres in a row; N/m^(3/2).
     pub stiffness: Option<Rational>,
     /// At least one.

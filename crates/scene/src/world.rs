@@ -3,7 +3,7 @@
 use kane_impact::bodies::Motion;
 use kane_number::Number;
 
-use crate::coordinate::half;
+use crate::coordinate::{Coordinate, half};
 use crate::simulate::{Bounce, Encounter};
 
 /// A round body and where it is; SI units, y upwards, ω from x to y.
@@ -35,6 +35,17 @@ pub enum Side {
 }
 
 impl Side {
+    /// Its id in files for programs.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Floor => "floor",
+            Self::Ceiling => "ceiling",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+
     /// The word for it.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -114,16 +125,36 @@ impl<N> Round<N> {
     }
 }
 
-impl<N: Number> World<N> {
-    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
-    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+impl<N: Coordinate> World<N> {
+    /// The kinetic energy of bodies in this world and that of their heights above where they would lie on
+    /// the floor; J. `None` if there is gravity and no floor.
+    pub(crate) fn energy(&self, bodies: &[Round<N>]) -> Option<N> {
+        let motion = bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
+        if self.gravity.sign().is_equal() == Some(true) {
+            return Some(motion);
+        }
+        let floor = &self.walls.iter().find(|wall| wall.side == Side::Floor)?.at;
+        let heights = bodies.iter().fold(N::zero(), |sum, body| {
+            let height = body.position[1].clone() - floor - &body.radius;
+            sum + height * &body.mass * &self.gravity
+        });
+        Some(motion + heights)
+    }
+
+    /// `W_tt`/`W_nn` of a contact.
+    pub(crate) fn mobility_ratio(&self, encounter: Encounter) -> N {
         let free = |index: usize| N::one() / &self.bodies[index].mass;
         let turning = |index: usize| self.bodies[index].rotational_mobility();
-        let (nn, turn) = match bounce.encounter {
+        let (nn, turn) = match encounter {
             Encounter::Wall(i, _) => (free(i), turning(i)),
             Encounter::Pair(i, j) => (free(i) + free(j), turning(i) + turning(j)),
         };
-        let ratio = (nn.clone() + turn) / nn;
+        (nn.clone() + turn) / nn
+    }
+
+    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
+    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+        let ratio = self.mobility_ratio(bounce.encounter);
         let change = ratio * &self.friction * (N::one() + &self.restitution) * &bounce.approach;
         change.checked_div(&bounce.slip[0].double())
     }

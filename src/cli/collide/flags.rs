@@ -3,7 +3,7 @@
 use kane::collide::{Given, Question, System};
 use kane::impact::bodies::{Direction, Motion, Shape, SphereOnPlane};
 use kane::number::Rational;
-use kane::scene::read::{Domain, Flags, Reader, name};
+use kane::scene::read::{Domain, Flags, Reader, TURNED, name, of_the_paper};
 
 use super::Fault;
 use crate::cli::args::BodyArgs;
@@ -30,7 +30,7 @@ pub(super) fn question(args: &BodyArgs) -> Result<Question, Fault> {
         radius,
         friction,
         restitution,
-        before: Motion { vx, vy, omega },
+        before: of_the_paper(Motion { vx, vy, omega }),
     };
     let mut question = Question::new(System::Sphere(sphere));
     question.given = reader.given;
@@ -113,18 +113,14 @@ fn velocity(reader: &mut Reader<'_>, flags: &Flags) -> Result<(Rational, Rationa
         (true, false) => {
             let along = name("", "v_x0", "m/s");
             let vx = reader.number_or(flags.get("--vx"), along, Domain::Any, 0)?;
-            let missing = || "--vy is missing: the velocity into the plane, at least 0".to_owned();
+            let missing =
+                || "--vy is missing: the velocity away from the plane, at most 0".to_owned();
             let given = flags.get("--vy").ok_or_else(missing)?;
-            let vy = reader.number(given, name("", "v_y0", "m/s"), Domain::NotNegative);
-            let away = given.get_ref().as_str().is_some_and(|text| text.starts_with('-'));
-            let vy = vy.map_err(|mut fault| {
-                if away && fault.message.contains("at least") {
-                    fault.message.push_str(
-                        ": y points into the plane, and a body that moves away does not collide",
-                    );
-                }
-                fault
-            })?;
+            let vy = reader.number(given, name("", "v_y0", "m/s"), Domain::Any)?;
+            if vy > Rational::default() {
+                let value = given.get_ref().as_str().unwrap_or_default();
+                return Err(Fault::Message(format!("--vy is {value}, but {TURNED}")));
+            }
             Ok((vx, vy))
         }
         (false, true) => {
@@ -132,7 +128,7 @@ fn velocity(reader: &mut Reader<'_>, flags: &Flags) -> Result<(Rational, Rationa
             let speed = flags.get("--speed").ok_or_else(missing)?;
             let speed = reader.number(speed, name("", "v", "m/s"), Domain::NotNegative)?;
             let Direction { cos, sin } = direction(reader, flags)?;
-            Ok((&speed * sin, speed * cos))
+            Ok((&speed * sin, -(speed * cos)))
         }
     }
 }

@@ -8,7 +8,7 @@
 use kane::impact::bodies::{Direction, DoublePendulum, Swung};
 use kane::impact::laws::{
     ChatterjeeRuina, KaneLevinson, Keller1986, RouthNewton, Smith1991, Stronge1990, WangSuLi,
-    WhittakerUncapped,
+    WhittakerStop, WhittakerUncapped,
 };
 use kane::impact::{Law, Ratios};
 use kane::number::{Number, Rational};
@@ -247,4 +247,15 @@ fn the_gain_of_energy_is_an_exact_fraction() {
         assert!(super::rounds_to(swung.energy_ratio.clone(), printed), "{fraction} is {printed}");
         assert!(swung.energy_ratio > Rational::one(), "this is Kane's puzzle");
     }
+}
+
+#[test]
+fn what_is_said_of_whittakers_forms_on_kanes_pendulum_holds() {
+    // Wang, Su and Li take the form without a stop for Kane's puzzle
+    let uncapped = ratio(&Law::new(WhittakerUncapped), 0.5, 0.5);
+    assert!((uncapped - 0.5624).abs() < 5e-5, "{uncapped}");
+    // the form with a stop asks no cone: without any friction it stops the slip, and gains energy
+    let stopped = ratio(&Law::new(WhittakerStop), 0.5, 0.0);
+    assert!((stopped - 1.587).abs() < 5e-4, "{stopped}");
+    assert!(Law::new(WhittakerStop).info.caveat.is_some());
 }

@@ -61,7 +61,12 @@ impl Radius {
     }
 
     /// A germ of this radius, without the proof that it lies in any range.
-    fn around(&self, state: &State<'_, '_>, side: &Side, steps: u64) -> Option<Germ> {
+    fn around(
+        &self,
+        state: &State<'_, '_>,
+        side: &Side,
+        (power, steps): (u32, u64),
+    ) -> Option<Germ> {
         let (num, den) = self.fraction(state, side.var)?;
         let any = |_: usize, _: &Poly| true;
         let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
@@ -71,7 +76,7 @@ impl Radius {
         };
         let proof = expand(&state, &argument).ok()?;
         let (side, radius) = (side.clone(), (num, den));
-        Some(Germ { side, power: 1, radius, positive: Box::new(proof), inside: Vec::new() })
+        Some(Germ { side, power, radius, positive: Box::new(proof), inside: Vec::new() })
     }
 }
 
@@ -87,6 +92,7 @@ enum Known {
 pub(super) struct Germs<'a, 's, 'g> {
     state: &'a State<'s, 'g>,
     side: &'a Side,
+    power: u32,
     steps: u64,
     owed: Vec<&'g Sentence>,
     known: RefCell<Vec<Known>>,
@@ -96,7 +102,12 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     pub(super) fn new(state: &'a State<'s, 'g>, side: &'a Side, steps: u64) -> Self {
         let owed = owed(state, side);
         let known = RefCell::new(vec![Known::Untried; owed.len()]);
-        Self { state, side, steps, owed, known }
+        Self { state, side, power: 1, steps, owed, known }
+    }
+
+    /// The same along a power of t.
+    pub(super) fn along(self, power: u32) -> Self {
+        Self { power, ..self }
     }
 
     /// Germs inside the ranges of all givens: of simple radii first, then of those that shrink with
@@ -110,7 +121,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
         if self.known.borrow().iter().any(|known| matches!(known, Known::Nothing)) {
             return None;
         }
-        self.inside(radius.around(self.state, self.side, self.steps)?, &|i, germ| {
+        self.inside(radius.around(self.state, self.side, (self.power, self.steps))?, &|i, germ| {
             let known = self.known.borrow()[i].clone();
             match known {
                 Known::Values(values) => ranges::proved(self.state, germ, self.owed[i], values),
@@ -130,7 +141,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     /// Functions with which a given holds near enough.
     fn smallest(&self, given: &Sentence) -> Option<Values> {
         let found = |radius: &Radius| {
-            let germ = radius.around(self.state, self.side, self.steps)?;
+            let germ = radius.around(self.state, self.side, (self.power, self.steps))?;
             ranges::inside(self.state, &germ, given).map(|found| found.values)
         };
         SMALLEST.iter().find_map(found)
@@ -152,7 +163,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     }
 
     fn germ(&self, radius: &Radius) -> Option<Germ> {
-        let around = radius.around(self.state, self.side, self.steps)?;
+        let around = radius.around(self.state, self.side, (self.power, self.steps))?;
         self.inside(around, &|i, germ| ranges::inside(self.state, germ, self.owed[i]))
     }
 
@@ -172,7 +183,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     /// the limit.
     pub(super) fn leads(&self) -> Vec<Poly> {
         let mut out: Vec<Poly> = Vec::new();
-        let Some(germ) = RADII[0].around(self.state, self.side, self.steps) else {
+        let Some(germ) = RADII[0].around(self.state, self.side, (self.power, self.steps)) else {
             return out;
         };
         for given in &self.owed {

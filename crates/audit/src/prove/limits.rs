@@ -9,6 +9,7 @@ use num_bigint::BigInt;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
+use super::bounds;
 use super::germs::Germs;
 use super::search::{Elimination, Outcome, Search};
 use crate::argument::{Passage, SideArgument};
@@ -185,6 +186,21 @@ pub(crate) fn one_side(
     side: &Side,
     steps: u64,
 ) -> Option<SideArgument> {
+    let by_quotient = by_quotient(state, limit, side, steps);
+    by_quotient.or_else(|| {
+        bounds::one_side(state, limit, side, steps, &|power, argument| {
+            Germs::new(state, side, steps).along(power).all().find_map(argument)
+        })
+    })
+}
+
+/// A proof of a limit from one side by a quotient that the expression equals.
+fn by_quotient(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+    steps: u64,
+) -> Option<SideArgument> {
     let t = state.scope.germ();
     let mut tried: Vec<Poly> = Vec::new();
     let germs = Germs::new(state, side, steps);
@@ -303,5 +319,5 @@ pub(crate) fn value(
             Target::MinusInf
         });
     }
-    None
+    bounds::target(state, limit, side)
 }

@@ -1,6 +1,7 @@
 //! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
 //! kernel, and what the kernel does not accept is not reported.
 
+mod bounds;
 mod expansion;
 mod functions;
 mod germs;
@@ -8,6 +9,7 @@ mod limits;
 mod ranges;
 mod sample;
 mod search;
+mod series;
 mod squares;
 mod tactics;
 

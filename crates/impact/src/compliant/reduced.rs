@@ -1,5 +1,6 @@
 //! The half-space as a row of springs.
 
+use super::damped::{Damped, Loss, Spring};
 use super::hertz::{Node, history, to_float};
 use super::march::{Ledger, Moment, Response, bound, march};
 use super::{Compliance, NoOutcome, Outcome, Process, checked, within};
@@ -31,6 +32,7 @@ use crate::{Alpha, Ratios};
 #[derive(Clone, Debug)]
 pub struct DimensionReduction {
     compliance: Compliance,
+    damped: bool,
     fine: Grid,
     coarse: [Grid; 2],
 }
@@ -46,8 +48,7 @@ struct Grid {
 }
 
 impl Grid {
-    fn new(springs: usize, steps: usize, restitution: f64) -> Self {
-        let nodes = history(steps, restitution);
+    fn new(springs: usize, nodes: Vec<Node>) -> Self {
         // of ∫(a² − x²)dx; a spring joins when its middle does
         let inside = |x: f64| x * (3.0 - x * x) / 2.0;
         let bearing = nodes.iter().map(|node| node.shared(springs, JOINS, inside)).collect();
@@ -95,8 +96,33 @@ impl DimensionReduction {
     }
 
     fn of_grid(compliance: Compliance, springs: usize, steps: usize) -> Self {
-        let grid = |part: usize| Grid::new(springs / part, steps / part, compliance.restitution());
-        Self { compliance, fine: grid(1), coarse: [grid(2), grid(3)] }
+        let grid = |part: usize| {
+            Grid::new(springs / part, history(steps / part, compliance.restitution()))
+        };
+        let coarse = [grid(2), grid(3)];
+        Self { compliance, damped: false, fine: grid(1), coarse }
+    }
+
+    /// The half-space with another [choice](Loss) of what is lost for e < 1: the cone of every spring
+    /// follows the whole normal force, the damper's part included. The grid as for
+    /// [`with_grid`](Self::with_grid), steps in an undamped compression.
+    ///
+    /// # Errors
+    /// [`NoOutcome::Budget`] as there, and [`NoOutcome::NoDamper`] for an e that is too small.
+    pub fn damped(
+        compliance: Compliance,
+        loss: Loss,
+        springs: usize,
+        steps: usize,
+    ) -> Result<Self, NoOutcome> {
+        let recoil = Self::with_grid(compliance, springs, steps)?;
+        if loss == Loss::Recoil || compliance.restitution() == 1.0 {
+            return Ok(recoil);
+        }
+        let damped = Damped::new(Spring::Hertz, loss, compliance.restitution())?;
+        let [fine, half, third] =
+            [1, 2, 3].map(|part| Grid::new(springs / part, damped.history(steps / part)));
+        Ok(Self { damped: true, fine, coarse: [half, third], ..recoil })
     }
 
     /// The same collision with an observer of every step, the start included.
@@ -124,7 +150,8 @@ impl DimensionReduction {
             slid: vec![0.0; grid.springs],
             stored: 0.0,
         };
-        let sliding = alpha <= self.compliance.sliding_until();
+        // the documented range is that of the undamped motion
+        let sliding = !self.damped && alpha <= self.compliance.sliding_until();
         march(&grid.nodes, &self.compliance, alpha, (!sliding).then_some(&mut row), observe)
     }
 }

@@ -37,6 +37,7 @@ const SHARE: Parameter = Parameter {
     least: 0,
     greatest: None,
     default: (1, 1),
+    invented: false,
 };
 
 impl Share for Brach {

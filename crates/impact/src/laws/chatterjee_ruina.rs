@@ -45,6 +45,7 @@ const E_T: Parameter = Parameter {
     least: -1,
     greatest: Some(1),
     default: (0, 1),
+    invented: false,
 };
 
 /// Where the law stands: in the contact's frame, or in one of the law's own.

@@ -37,6 +37,7 @@ impl ImpactLaw for KaneLevinson {
         known_by: Provenance::Others,
         statement: "i_x = 1 when k > 0\ni_x <= 1 when k = 0\ni_x >= -1 when k = 0\ni_x = -1 when k < 0",
         on_a_sphere: STOPS,
+        engines: "in the plane the one-step law of time-stepping engines: Moreau's inclusion, Newton's restitution and Coulomb's cone on the velocity afterwards",
         ..LawInfo::PLAIN
     };
 

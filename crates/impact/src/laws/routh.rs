@@ -4,7 +4,7 @@ use kane_number::Number;
 
 use crate::arithmetic::difference_of_products;
 use crate::{
-    Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime, Relation,
+    Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime, Relation,
     Restitution, Root,
 };
 
@@ -238,7 +238,7 @@ macro_rules! regimes {
             use $crate::{Guard, Regime};
             &[
                 Regime::new("no approach", guards![When::no_approach()], frictionless),
-                Regime::new("slide, slip grows", guards![When::slip_grows()], slide),
+                Regime::new("slide, not slowed down", guards![When::slip_grows()], slide),
                 Regime::new("slide", guards![Guard::slides_apart(), Guard::slides_on()], slide),
                 routh::$compression::<Stick, Self, N>(
                     "stick from compression on",
@@ -340,6 +340,7 @@ process_law!(
         model: Some(ModelInfo {
             words: "Coulomb friction on rigid bodies",
             operations: [29, 30, 7, 0],
+            lasting: Lasting::Full
         }),
         ..PROCESS
     }
@@ -372,6 +373,7 @@ process_law!(
         model: Some(ModelInfo {
             words: "Coulomb friction with energetic restitution",
             operations: [62, 60, 18, 1],
+            lasting: Lasting::Full
         }),
         ..PROCESS
     }

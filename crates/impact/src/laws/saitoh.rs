@@ -53,6 +53,7 @@ const TURN: Parameter = Parameter {
     least: 0,
     greatest: Some(1),
     default: (1, 5),
+    invented: true,
 };
 
 impl Turns for Saitoh {
@@ -85,6 +86,8 @@ turned_law!(
         year: Some(2010),
         source: "K. Saitoh, A. Bodrova, H. Hayakawa and N. V. Brilliantov, Phys. Rev. Lett. 105 (2010) 238001, abstract consulted, original not consulted: the formula from memory, and derived anew. The default turn = 1/5 is chosen here and belongs to no material; beta0 = 0.44 is Walton's",
         known_by: Provenance::OthersAndAbstract,
+        form: "with an invented turn",
+        caveat: Some("its default turn is invented and belongs to no material"),
         parameters: &[TURN, BETA0],
         gap: Some(
             "the bodies do not approach along the normal on which they would part, or the cone about it reaches below the surface, mu*tan(phi) > 1",

@@ -33,6 +33,7 @@ const ETA: Parameter = Parameter {
     least: 0,
     greatest: None,
     default: (2, 5),
+    invented: false,
 };
 
 impl Share for SmithPrinted {

@@ -5,7 +5,7 @@ use kane_number::{Number, Rational};
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
 use crate::{
-    Contact, Guard, ImpactLaw, LawInfo, ModelInfo, Parameter, Provenance, Regime, Relation,
+    Contact, Guard, ImpactLaw, Lasting, LawInfo, ModelInfo, Parameter, Provenance, Regime, Relation,
 };
 
 /// Sliding, or else a fixed share of the slip reversed: k = max(−β0, 1 − 2α) (id `walton`).
@@ -37,6 +37,7 @@ pub(crate) const BETA0: Parameter = Parameter {
     least: 0,
     greatest: Some(1),
     default: (11, 25),
+    invented: false,
 };
 
 /// A law that reverses a fixed share of the slip where it does not slide.
@@ -102,6 +103,7 @@ impl ImpactLaw for Walton {
         model: Some(ModelInfo {
             words: "Coulomb friction with tangential restitution",
             operations: [21, 27, 4, 0],
+            lasting: Lasting::Share,
         }),
         ..LawInfo::PLAIN
     };

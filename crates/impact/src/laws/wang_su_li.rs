@@ -5,7 +5,8 @@ use kane_number::{Number, Rational};
 use crate::arithmetic::two_sum;
 use crate::law::guards;
 use crate::{
-    Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime, Relation, Root,
+    Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime, Relation,
+    Root,
 };
 
 /// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
@@ -68,7 +69,11 @@ impl ImpactLaw for WangSuLi {
         known_by: Provenance::Original,
         statement: "i_x = (k + 1)/2",
         on_a_sphere: &[("", "(1 - alpha)/(1 + alpha)")],
-        model: Some(ModelInfo { words: "the law of Wang, Su and Li", operations: [29, 24, 11, 0] }),
+        model: Some(ModelInfo {
+            words: "the law of Wang, Su and Li",
+            operations: [29, 24, 11, 0],
+            lasting: Lasting::Unsummed,
+        }),
         ..LawInfo::PLAIN
     };
 

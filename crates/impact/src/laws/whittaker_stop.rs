@@ -12,8 +12,10 @@ use crate::{Contact, Guard, ImpactLaw, LawInfo, Provenance, Regime, Relation};
 ///
 /// If sliding forwards all the time would reverse the slip, the surfaces are taken as perfectly
 /// rough instead: the impulse is what ends with `v_t⁺` = 0. No test asks whether that impulse is
-/// inside the friction cone; on a sphere it always is. On a contact that couples it may not be, and
-/// where it would pull the bodies together the law has no answer.
+/// inside the friction cone; on a sphere it always is. On a contact that couples it may not be: even
+/// with μ = 0 the slip is stopped, and Kane's double pendulum then gains energy (T⁺/T⁻ = 1.587 for
+/// e = 1/2). With that test it would be [`KaneLevinson`](crate::laws::KaneLevinson). Where the impulse
+/// would pull the bodies together the law has no answer.
 ///
 /// Domain: contacts on which sliding or stopping has a normal impulse that pushes, among them all
 /// that do not couple. Exact in exact numbers.
@@ -29,7 +31,10 @@ impl ImpactLaw for WhittakerStop {
         id: "whittaker-stop",
         people: "Whittaker",
         year: Some(1904),
-        form: "textbook form",
+        form: "textbook form, without a test of the cone",
+        caveat: Some(
+            "no test asks whether friction can give its impulse: where a contact couples, it may leave the cone, and stop a slip without any friction",
+        ),
         source: "the textbook form of E. T. Whittaker (1904), as quoted by Keller (1986); original not consulted",
         known_by: Provenance::Others,
         statement: "k >= 0\ni_x = 1 when k > 0\ni_x <= 1 when k = 0",

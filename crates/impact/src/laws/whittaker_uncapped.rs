@@ -3,7 +3,7 @@
 use kane_number::{Number, Rational};
 
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, Regime};
+use crate::{Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime};
 
 /// Friction that slides to the end, whatever the slip does: `i_x` = 1 (id `whittaker-uncapped`).
 ///
@@ -13,8 +13,9 @@ use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, ModelInfo, Provenance, 
 /// k = 1 − 2α    i_x = 1    Δe = α − 1
 /// ```
 ///
-/// so that energy is created for large α; this is Kane's puzzle. Odd in the slip, and without
-/// tangential impulse at `v_t` = 0, where the law jumps from −μ·`I_y` to μ·`I_y`. On a contact that
+/// so that energy is created for α > 1. Wang, Su and Li take that for Kane's puzzle; but on Kane's own
+/// double pendulum this law loses energy (T⁺/T⁻ = 0.562 for e = μ = 1/2), and the puzzle is that of
+/// [`KaneLevinson`](crate::laws::KaneLevinson). Odd in the slip, and without tangential impulse at `v_t` = 0, where the law jumps from −μ·`I_y` to μ·`I_y`. On a contact that
 /// couples, `p_n` = (1 + e)·a/(`W_nn` − μ·`W_tn`); where that denominator is not positive the
 /// contact jams, and sliding in one direction has no admissible impulse.
 ///
@@ -55,6 +56,7 @@ impl ImpactLaw for WhittakerUncapped {
         model: Some(ModelInfo {
             words: "friction in full against the slip",
             operations: [9, 12, 4, 0],
+            lasting: Lasting::Full,
         }),
         ..LawInfo::PLAIN
     };

@@ -2,22 +2,19 @@
 
 use serde::Serialize;
 
-use crate::envelope::{Program, Schema, written};
+use crate::envelope::{Schema, enveloped};
 
 use kane_scene::collide::{self, Collision};
 
 /// The name of the schema.
 pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
 /// The version of the schema.
-pub const COLLISION_SCHEMA_VERSION: u32 = 1;
+pub const COLLISION_SCHEMA_VERSION: u32 = 2;
 
 /// The collision as JSON, ended by a line feed. Floats are finite or null.
 #[must_use]
 pub fn json(collision: &Collision) -> String {
     let file = File {
-        schema: Schema { name: COLLISION_SCHEMA_NAME, version: COLLISION_SCHEMA_VERSION },
-        program: Program::THIS,
-        command: &collision.command,
         title: &collision.title,
         headline: super::headline(collision),
         as_expected: collision.as_expected(),
@@ -35,14 +32,12 @@ pub fn json(collision: &Collision) -> String {
         before: collision.before.iter().map(Reading::of).collect(),
         laws: collision.laws.iter().map(Law::of).collect(),
     };
-    written(&file)
+    let schema = Schema { name: COLLISION_SCHEMA_NAME, version: COLLISION_SCHEMA_VERSION };
+    enveloped(schema, &collision.command, file)
 }
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     title: &'a str,
     headline: String,
     as_expected: bool,

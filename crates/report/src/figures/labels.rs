@@ -1,50 +1,51 @@
 //! Where a line bears its number: as far as it can be from all other lines.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
-use super::pixels::{Pixel, Window, dense, square};
-use super::sheet::px;
+use crate::picture::{Point, Window, dense};
 
 /// Numbers keep this far from each other and from points, and a second one of the same line from the
 /// first.
-const APART: i32 = px(23);
-const NEAR: i32 = px(15);
-const AGAIN: i32 = px(150);
+const APART: f64 = 23.0;
+const NEAR: f64 = 15.0;
+const AGAIN: f64 = 150.0;
 /// Beyond this a greater distance from other lines is no gain; below this a second number is none.
-const CLEAR: i32 = px(36);
-const LEAST: i32 = px(14);
+const CLEAR: f64 = 36.0;
+const LEAST: f64 = 14.0;
 
 /// One or two places for each line, and none for a line that has no place left.
 pub(super) fn places(
-    lines: &[Vec<Vec<Pixel>>],
-    points: &[Pixel],
+    lines: &[Vec<Vec<Point>>],
+    points: &[Point],
     window: &Window,
-) -> Vec<Vec<Pixel>> {
-    let lines: Vec<Vec<Pixel>> = lines
+) -> Vec<Vec<Point>> {
+    let lines: Vec<Vec<Point>> = lines
         .iter()
-        .map(|parts| parts.iter().flat_map(|part| dense(part, px(6))).collect())
+        .map(|parts| parts.iter().flat_map(|part| dense(part, 6.0)).collect())
         .collect();
-    let inner = window.inset(px(13));
-    let mut taken: Vec<Pixel> = Vec::new();
+    let inner = window.inset(13.0);
+    let mut taken: Vec<Point> = Vec::new();
     let mut places = Vec::new();
     for (index, line) in lines.iter().enumerate() {
         let others = || lines.iter().enumerate().filter(|(other, _)| *other != index);
-        let clearance = |at: Pixel| {
+        let clearance = |at: Point| {
             let all = others().flat_map(|(_, line)| line);
-            all.map(|other| square(at, *other)).min().unwrap_or(i32::MAX).min(CLEAR * CLEAR)
+            all.map(|other| distance(at, *other)).fold(CLEAR, f64::min)
         };
-        let candidates: Vec<(i32, Pixel)> = line
+        let candidates: Vec<(f64, Point)> = line
             .iter()
             .filter(|at| inner.holds(**at))
-            .filter(|at| points.iter().all(|point| square(**at, *point) >= NEAR * NEAR))
+            .filter(|at| points.iter().all(|point| distance(**at, *point) >= NEAR))
             .map(|at| (clearance(*at), *at))
             .collect();
-        let mut own: Vec<Pixel> = Vec::new();
-        for least in [0, LEAST * LEAST] {
-            let free = |(clear, at): &&(i32, Pixel)| {
+        let mut own: Vec<Point> = Vec::new();
+        for least in [0.0, LEAST] {
+            let free = |(clear, at): &&(f64, Point)| {
                 *clear >= least
-                    && taken.iter().all(|other| square(*at, *other) >= APART * APART)
-                    && own.iter().all(|other| square(*at, *other) >= AGAIN * AGAIN)
+                    && taken.iter().all(|other| distance(*at, *other) >= APART)
+                    && own.iter().all(|other| distance(*at, *other) >= AGAIN)
             };
-            if let Some((_, at)) = candidates.iter().filter(free).max_by_key(|(clear, _)| *clear) {
+            let found = candidates.iter().filter(free).max_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, at)) = found {
                 own.push(*at);
                 taken.push(*at);
             }
@@ -52,4 +53,8 @@ pub(super) fn places(
         places.push(own);
     }
     places
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    (a.0 - b.0).hypot(a.1 - b.1)
 }

@@ -1,21 +1,15 @@
 //! The legend, a column beside the plot.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
-use plotters::element::DashedPathElement;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use super::{Kind, Series, Zone};
+use crate::picture::{
+    Anchor, Canvas, Ink, LEADING, NUMBERS, Pen, Point, WORDS, Window, broken, count,
+};
 
-use super::hatch::Hatch;
-use super::pixels::{Pixel, Window};
-use super::sheet::{Area, font, px, upx, wrapped};
-use super::{Kind, NUMBERS, PALETTE, Series, WORDS, Zone};
-use crate::stability::PictureError;
-
-/// From one line of words to the next, and from one entry to the next; pixels of the picture.
-const LINE: i32 = 17;
-const GAP: i32 = 4;
-/// Where the words begin, and how many characters fit.
-const INDENT: i32 = 46;
-const COLUMNS: usize = 42;
+/// From one entry to the next, where the words begin, and how many characters fit.
+const GAP: f64 = 4.0;
+const INDENT: f64 = 46.0;
+const COLUMNS: usize = 46;
 
 /// How a series looks.
 #[derive(Clone, Copy, Debug)]
@@ -27,11 +21,8 @@ pub(super) struct Look {
     number: usize,
 }
 
-/// Length and gap of dashes, in pixels of the picture; the first is a full line.
-const DASHES: [Option<(i32, i32)>; 4] = [None, Some((9, 5)), Some((2, 4)), Some((16, 4))];
-/// The zones, the graver first.
-const ZONES: [(RGBColor, Hatch); 2] =
-    [(RGBColor(213, 94, 0), Hatch::Rising), (RGBColor(86, 180, 233), Hatch::Falling)];
+/// The zones, the graver first, and whether their hatching rises.
+pub(super) const ZONES: [(Ink, bool); 2] = [(Ink::VERMILION, true), (Ink::SKY, false)];
 
 /// The looks of the series, in their order.
 pub(super) fn looks(series: &[Series]) -> Vec<Look> {
@@ -45,10 +36,10 @@ pub(super) fn looks(series: &[Series]) -> Vec<Look> {
 }
 
 impl Look {
-    fn colour(self) -> RGBColor {
+    const fn ink(self) -> Ink {
         match self.kind {
-            Kind::Law => PALETTE.into_iter().cycle().nth(self.place).unwrap_or(BLACK),
-            Kind::Process | Kind::Measured => BLACK,
+            Kind::Law => Ink::Series(self.place),
+            Kind::Process | Kind::Measured => Ink::Text,
         }
     }
 
@@ -56,71 +47,59 @@ impl Look {
         !matches!(self.kind, Kind::Measured)
     }
 
-    /// Draws a line in its colour and its dashes.
-    pub(super) fn line(self, area: &Area<'_>, points: &[Pixel]) -> Result<(), PictureError> {
-        let style = self.colour().stroke_width(if self.place == 0 { upx(3) } else { upx(2) });
-        let dashes = if self.kind == Kind::Law { 3 } else { 4 };
-        match DASHES.get(self.place % dashes).copied().flatten() {
-            None => area.draw(&PathElement::new(points.to_vec(), style))?,
-            Some((dash, gap)) => {
-                area.draw(&DashedPathElement::new(
-                    points.iter().copied(),
-                    px(dash),
-                    px(gap),
-                    style,
-                ))?;
-            }
-        }
-        Ok(())
+    /// Colour, width and dashes of a line.
+    pub(super) fn pen(self) -> Pen {
+        let dashes = match (self.kind, self.place) {
+            (Kind::Law, place) => ["", "9 5", "2 4"][place % 3],
+            (_, place) => ["", "9 5", "2 4", "16 4"][place % 4],
+        };
+        Pen::new(self.ink(), if self.place == 0 { 3.0 } else { 2.0 }).dashed(dashes)
     }
 
     /// Draws the number of a line, or the shape of a point.
-    pub(super) fn mark(self, area: &Area<'_>, at: Pixel) -> Result<(), PictureError> {
-        let (full, open) = (BLACK.filled(), BLACK.stroke_width(upx(2)));
-        if self.is_line() {
-            area.draw(&Circle::new(at, px(9), WHITE.filled()))?;
-            area.draw(&Circle::new(at, px(9), self.colour().stroke_width(upx(1))))?;
-            let centre = Pos::new(HPos::Center, VPos::Center);
-            let font = font(NUMBERS).pos(centre);
-            area.draw(&Text::new(self.number.to_string(), at, font))?;
-            return Ok(());
-        }
-        match self.place {
-            0 => area.draw(&Circle::new(at, px(4), full))?,
-            1 => {
-                area.draw(&Circle::new(at, px(4), WHITE.filled()))?;
-                area.draw(&Circle::new(at, px(4), open))?;
+    pub(super) fn mark(self, canvas: &mut Canvas, at: Point) {
+        let open = Pen::new(Ink::Text, 1.6);
+        let (x, y) = at;
+        match (self.is_line(), self.place) {
+            (true, _) => {
+                canvas.dot(at, 9.0, Ink::Paper);
+                canvas.ring(at, 9.0, Pen::new(self.ink(), 1.0));
+                canvas.words(at, &self.number.to_string(), NUMBERS, Anchor::Middle);
             }
-            2 => area.draw(&TriangleMarker::new(at, px(6), full))?,
-            _ => area.draw(&Cross::new(at, px(4), open))?,
+            (false, 0) => canvas.dot(at, 4.0, Ink::Text),
+            (false, 1) => {
+                canvas.dot(at, 4.0, Ink::Paper);
+                canvas.ring(at, 4.0, open);
+            }
+            (false, 2) => {
+                canvas.area(
+                    &[(x, y - 5.0), (x + 4.5, y + 3.5), (x - 4.5, y + 3.5)],
+                    Ink::Text,
+                    1.0,
+                );
+            }
+            (false, _) => {
+                canvas.line(&[(x - 4.0, y - 4.0), (x + 4.0, y + 4.0)], open);
+                canvas.line(&[(x - 4.0, y + 4.0), (x + 4.0, y - 4.0)], open);
+            }
         }
-        Ok(())
     }
 }
 
 /// Draws the inside of a zone, the `index`th: a tint and hatching.
 pub(super) fn fill(
-    area: &Area<'_>,
+    canvas: &mut Canvas,
     index: usize,
-    polygons: &[Vec<Pixel>],
+    polygons: &[Vec<Point>],
     window: &Window,
-    is_inside: impl Fn(Pixel) -> bool,
-) -> Result<(), PictureError> {
-    let (colour, hatch) = ZONES[index.min(1)];
+    is_inside: impl Fn(Point) -> bool,
+) {
+    let (ink, rises) = ZONES[index.min(1)];
     for polygon in polygons {
-        area.draw(&Polygon::new(polygon.clone(), colour.mix(0.10).filled()))?;
+        canvas.area(polygon, ink, 0.10);
     }
-    for line in hatch.lines(window, px(14), is_inside) {
-        area.draw(&PathElement::new(line.to_vec(), colour.mix(0.55).stroke_width(upx(1))))?;
-    }
-    Ok(())
-}
-
-/// The border of a zone.
-pub(super) fn border(area: &Area<'_>, index: usize, line: Vec<Pixel>) -> Result<(), PictureError> {
-    let (colour, _) = ZONES[index.min(1)];
-    area.draw(&PathElement::new(line, colour.stroke_width(upx(1))))?;
-    Ok(())
+    let lines = window.hatch(rises, 14.0, is_inside);
+    canvas.lines(lines.iter().map(Vec::as_slice), Pen::new(ink, 1.0).faint(0.55));
 }
 
 /// An entry: what stands before its words, and the words in lines.
@@ -131,12 +110,12 @@ enum Entry {
 }
 
 impl Entry {
-    fn height(&self) -> i32 {
+    fn height(&self) -> f64 {
         let lines = match self {
             Self::Heading(_) => 1,
             Self::Series(_, lines) | Self::Zone(_, lines) => lines.len(),
         };
-        LINE * i32::try_from(lines).unwrap_or(1) + GAP
+        LEADING * count(lines) + GAP
     }
 }
 
@@ -155,55 +134,53 @@ impl Legend {
                     Kind::Measured => "Measured",
                 }));
             }
-            entries.push(Entry::Series(look, wrapped(&one.names.join(", "), COLUMNS)));
+            entries.push(Entry::Series(look, broken(&one.names.join(", "), COLUMNS)));
         }
         if !zones.is_empty() {
             entries.push(Entry::Heading("Zones"));
         }
-        let zone = |(index, zone): (usize, &Zone)| Entry::Zone(index, wrapped(&zone.name, COLUMNS));
+        let zone = |(index, zone): (usize, &Zone)| Entry::Zone(index, broken(&zone.name, COLUMNS));
         entries.extend(zones.iter().enumerate().map(zone));
         Self(entries)
     }
 
-    /// How high it is, in pixels of the picture.
-    pub(super) fn height(&self) -> i32 {
+    pub(super) fn height(&self) -> f64 {
         self.0.iter().map(Entry::height).sum()
     }
 
-    /// Draws it with its upper left corner here, in pixels of the picture.
-    pub(super) fn draw(&self, area: &Area<'_>, (x, mut y): Pixel) -> Result<(), PictureError> {
+    /// Draws it with its upper left corner here.
+    pub(super) fn draw(&self, canvas: &mut Canvas, (left, mut y): Point) {
+        let right = left + 38.0;
         for entry in &self.0 {
-            let middle = px(y + LINE / 2 - 1);
-            let (left, right) = (px(x), px(x + 38));
+            let middle = y + LEADING / 2.0;
             let words: &[String] = match entry {
                 Entry::Heading(words) => {
-                    let bold = ("sans-serif", px(WORDS)).into_font().style(FontStyle::Bold);
-                    area.draw(&Text::new(*words, (left, px(y)), bold))?;
+                    canvas.bold((left, middle), words, WORDS);
                     &[]
                 }
                 Entry::Series(look, words) => {
+                    // the dashes of a line are seen beside its number
                     if look.is_line() {
-                        look.line(area, &[(left, middle), (right, middle)])?;
+                        canvas.line(&[(left - 8.0, middle), (right, middle)], look.pen());
+                        look.mark(canvas, (right - 9.0, middle));
+                    } else {
+                        look.mark(canvas, (left + 15.0, middle));
                     }
-                    look.mark(area, (px(x + 19), middle))?;
                     words
                 }
                 Entry::Zone(index, words) => {
-                    let (top, bottom) = (px(y - 1), px(y + LINE - 3));
+                    let (top, bottom) = (y + 1.0, y + LEADING - 3.0);
                     let window = Window { left, right, top, bottom };
                     let corners = vec![(left, top), (right, top), (right, bottom), (left, bottom)];
-                    fill(area, *index, std::slice::from_ref(&corners), &window, |_| true)?;
-                    let around: Vec<Pixel> =
-                        corners.iter().chain(corners.first()).copied().collect();
-                    border(area, *index, around)?;
+                    fill(canvas, *index, &[corners], &window, |_| true);
                     words
                 }
             };
-            for (line, at) in words.iter().zip((y..).step_by(17)) {
-                area.draw(&Text::new(line.clone(), (px(x + INDENT), px(at)), font(WORDS)))?;
+            for (line, words) in words.iter().enumerate() {
+                let at = (left + INDENT, middle + LEADING * count(line));
+                canvas.words(at, words, WORDS, Anchor::Start);
             }
             y += entry.height();
         }
-        Ok(())
     }
 }

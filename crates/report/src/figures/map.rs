@@ -1,71 +1,39 @@
 //! Stretches of one variable at values of another, a panel a case.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
-use plotters::prelude::*;
+use super::{Figure, Panel};
+use crate::picture::{self, Anchor, Canvas, Frame, Ink, NUMBERS, Point, WORDS, count};
 
-use super::scale::Scale;
-use super::sheet::{Area, font, footer, px, sheet, upx};
-use super::{Figure, NUMBERS, PALETTE, Panel, WORDS};
-use crate::stability::PictureError;
-
-/// Size of a panel, in pixels of the picture; panels in a row.
-const PANEL: (i32, i32) = (240, 250);
+/// Size of a panel; panels in a row.
+const PANEL: Point = (240.0, 250.0);
 const COLUMNS: usize = 4;
-const HEADER: i32 = 44;
 
-pub(super) fn draw(figure: &Figure, panels: &[Panel]) -> Result<String, PictureError> {
+pub(super) fn draw(figure: &Figure, panels: &[Panel]) -> String {
     let rows = panels.len().div_ceil(COLUMNS).max(1);
-    let body = PANEL.1 * i32::try_from(rows).unwrap_or(1);
-    let width = PANEL.0 * i32::try_from(COLUMNS).unwrap_or(1);
-    let height = HEADER + body + footer(&figure.notes);
-    sheet((width, height), &figure.title, &figure.notes, |root| {
-        let (_, rest) = root.split_vertically(px(HEADER));
-        let (body, _) = rest.split_vertically(px(body));
-        for (panel, area) in panels.iter().zip(body.split_evenly((rows, COLUMNS))) {
-            draw_panel(&area, figure, panel)?;
-        }
-        Ok(())
-    })
+    let size = (PANEL.0 * count(COLUMNS), PANEL.1 * count(rows));
+    let mut canvas = Canvas::new(size, &figure.title, &figure.notes);
+    for (index, panel) in panels.iter().enumerate() {
+        let (column, row) = (index % COLUMNS, index / COLUMNS);
+        draw_panel(&mut canvas, (PANEL.0 * count(column), PANEL.1 * count(row)), figure, panel);
+    }
+    canvas.finish()
 }
 
-fn draw_panel(area: &Area<'_>, figure: &Figure, panel: &Panel) -> Result<(), PictureError> {
+fn draw_panel(canvas: &mut Canvas, (left, top): Point, figure: &Figure, panel: &Panel) {
     let [body, law] = &panel.case;
-    area.draw(&Text::new(law.clone(), (px(62), px(6)), font(WORDS)))?;
-    area.draw(&Text::new(body.clone(), (px(62), px(24)), font(NUMBERS)))?;
+    canvas.words((left + 66.0, top + 12.0), law, WORDS, Anchor::Start);
+    canvas.words((left + 66.0, top + 30.0), body, NUMBERS, Anchor::Start);
+    let frame = Frame { at: (left, top), size: PANEL, head: 44.0, beside: 14.0 };
     let (x, y) = (&figure.x, &figure.y);
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(px(44))
-        .margin_left(px(10))
-        .margin_right(px(14))
-        .margin_bottom(px(8))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(50))
-        .build_cartesian_2d(Scale::from(x), Scale::from(y))?;
-    chart
-        .configure_mesh()
-        .x_desc(x.label.clone())
-        .y_desc(y.label.clone())
-        .axis_desc_style(font(NUMBERS))
-        .label_style(font(NUMBERS))
-        .axis_style(BLACK.stroke_width(upx(1)))
-        .set_all_tick_mark_size(px(5))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(RGBColor(225, 225, 225).stroke_width(upx(1)))
-        .draw()?;
-    let plot = chart.plotting_area();
+    let plot = picture::Panel::new(canvas, frame, (x.drawn(), y.drawn()), "");
     // a bar is nearly as high as the axis has room for each value
-    let (_, rows) = plot.get_pixel_range();
-    let half = (rows.end - rows.start) / 27;
-    let (columns, lines) = area.get_pixel_range();
-    for stretch in &panel.stretches {
+    let half = (plot.window.bottom - plot.window.top) / 27.0;
+    let bar = |stretch: &super::Stretch| {
         let to = stretch.to.unwrap_or(x.range.1);
-        let (left, middle) = plot.map_coordinate(&(stretch.from, stretch.y));
-        let (right, _) = plot.map_coordinate(&(to, stretch.y));
-        let corners = [
-            (left - columns.start, middle - half - lines.start),
-            (right - columns.start, middle + half - lines.start),
-        ];
-        area.draw(&Rectangle::new(corners, PALETTE[1].mix(0.75).filled()))?;
-        area.draw(&Rectangle::new(corners, BLACK.stroke_width(upx(1))))?;
-    }
-    Ok(())
+        let (left, middle) = plot.at((stretch.from, stretch.y))?;
+        let (right, _) = plot.at((to, stretch.y))?;
+        Some(((left, middle - half), (right, middle + half)))
+    };
+    let bars: Vec<_> = panel.stretches.iter().filter_map(bar).collect();
+    canvas.boxes(&bars, Ink::VERMILION, 0.8);
 }

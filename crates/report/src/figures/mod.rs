@@ -6,17 +6,11 @@
 
 mod curves;
 mod data;
-mod hatch;
 mod labels;
 mod legend;
 mod map;
-mod pixels;
-mod scale;
-pub(crate) mod sheet;
 
-use plotters::style::RGBColor;
-
-use crate::stability::PictureError;
+use crate::picture;
 
 /// A figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,10 +121,8 @@ pub struct Stretch {
 }
 
 /// The figure as SVG; the bytes depend on the figure alone.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn svg(figure: &Figure) -> Result<String, PictureError> {
+#[must_use]
+pub fn svg(figure: &Figure) -> String {
     match &figure.content {
         Content::Curves { series, zones } => curves::draw(figure, series, zones),
         Content::Map(panels) => map::draw(figure, panels),
@@ -139,18 +131,11 @@ pub fn svg(figure: &Figure) -> Result<String, PictureError> {
 
 pub use data::{csv, text};
 
-/// The palette by Okabe and Ito without its yellow, too pale for a line on white.
-const PALETTE: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(110, 110, 110),
-];
-/// Sizes of type, in the units of the plotting library, 1.24 to the point of the picture: at a width of
-/// 170 mm the smallest is 6 points on paper.
-const TITLE: i32 = 21;
-pub(crate) const WORDS: i32 = 17;
-pub(crate) const NUMBERS: i32 = 15;
+impl Axis {
+    /// The axis as it is drawn.
+    fn drawn(&self) -> picture::Axis {
+        let name = |tick: &f64| (*tick, tick.to_string().replace('-', "−"));
+        let ticks = self.ticks.iter().map(name).collect();
+        picture::Axis::told(&self.label, self.range, ticks).with_logarithms(self.is_logarithmic)
+    }
+}

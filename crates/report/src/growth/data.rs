@@ -1,14 +1,11 @@
 //! The curves for programs: one row a point.
 
-use std::fmt::Write as _;
-
 use kane_number::System;
 use serde::Serialize;
 
 use super::{GrowthReport, chain_reading, family_reading};
 use crate::chart::{digits, nanoseconds};
-use crate::envelope::{Program, Schema, written};
-use crate::stability::quoted;
+use crate::envelope::{Schema, enveloped};
 
 /// One point of a curve.
 #[derive(Serialize)]
@@ -99,20 +96,17 @@ impl GrowthReport<'_> {
 /// Every point as CSV. Without a clock, the same in every run.
 #[must_use]
 pub fn csv(report: &GrowthReport<'_>) -> String {
-    let mut out = String::from("part,series,system,grows,size,quantity,value\n");
-    for point in report.points() {
-        let Point { part, series, system, grows, size, quantity, value } = point;
-        let series = quoted(&series);
-        let _ = writeln!(out, "{part},{series},{system},{grows},{size},{quantity},{value}");
-    }
-    out
+    let row = |p: Point| {
+        let (part, grows, quantity) =
+            (p.part.to_owned(), p.grows.to_owned(), p.quantity.to_owned());
+        vec![part, p.series, p.system, grows, p.size.to_string(), quantity, p.value]
+    };
+    let rows = report.points().into_iter().map(row);
+    crate::sheet::csv("part,series,system,grows,size,quantity,value", rows)
 }
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     machine: &'a str,
     readings: Vec<Reading>,
     points: Vec<Point>,
@@ -146,12 +140,9 @@ pub fn json(report: &GrowthReport<'_>) -> String {
         ended: Vec::new(),
     });
     let file = File {
-        schema: Schema { name: "kane-growth", version: 1 },
-        program: Program::THIS,
-        command: &report.command,
         machine: &report.machine,
         readings: batches.into_iter().chain(chains).chain(families).collect(),
         points: report.points(),
     };
-    written(&file)
+    enveloped(Schema { name: "kane-growth", version: 1 }, &report.command, file)
 }

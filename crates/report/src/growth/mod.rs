@@ -1,8 +1,8 @@
-//! How cost grows with size: text, Markdown, JSON, CSV, and a picture.
+//! How cost grows with size: a sheet, its data, and a picture.
 
 mod data;
 mod picture;
-mod table;
+mod sheet;
 
 use kane_measure::growth::{Chain, Family, Growth, Way};
 use kane_number::System;
@@ -11,7 +11,7 @@ use crate::chart::nanoseconds;
 
 pub use data::{csv, json};
 pub use picture::picture;
-pub use table::{markdown, text};
+pub use sheet::sheet;
 
 /// The curves, and where they were measured.
 #[derive(Clone, Debug)]

@@ -1,281 +1,174 @@
 //! The curves as a picture: batches, exact states, digits under each law, and the audit.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 use kane_audit::Verdict;
-use kane_measure::growth::Chain;
+use kane_measure::growth::{Asked, Chain, Family};
 use kane_number::System;
-use plotters::coord::Shift;
-use plotters::prelude::*;
 
-use super::{FLOATING, GrowthReport, power_of_ten};
-use crate::chart::nanoseconds;
-use crate::chart_picture::colour;
+use super::{FLOATING, GrowthReport};
+use crate::chart::ink;
+use crate::picture::{Axis, Canvas, Frame, Ink, Panel, Pen, Point, count};
 use crate::shorten::shorten;
-use crate::stability::PictureError;
 
-/// Size of a panel and of the header, in pixels; panels in a row.
-const PANEL: (u32, u32) = (620, 380);
-const HEADER: u32 = 44;
+/// Size of a panel; panels in a row; room for names at the ends of lines, and their letters.
+const PANEL: Point = (640.0, 330.0);
 const COLUMNS: usize = 2;
-/// Where an answer without an error is drawn, in hundredths of digits.
-const EXACT: i64 = 3800;
+const NAMES: f64 = 230.0;
+const LETTERS: usize = 30;
+/// Where an answer without an error is drawn, in digits.
+const EXACT: f64 = 38.0;
 
-/// The palette by Okabe and Ito, which colour-blind people tell apart.
-const PALETTE: [RGBColor; 7] = [
-    RGBColor(0, 0, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-];
-const GRID: RGBColor = RGBColor(225, 225, 225);
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// A curve on two logarithmic axes, with a mark where it ends undecided.
+/// A curve, with a mark where it ends undecided.
 struct Curve {
     name: String,
-    points: Vec<(u64, u64)>,
-    undecided: Option<(u64, u64)>,
+    points: Vec<Point>,
+    pen: Pen,
+    undecided: Option<Point>,
 }
 
-/// The words on a panel, and how its y axis is labelled.
-struct Words<'a> {
-    caption: &'a str,
-    x: &'a str,
-    y: &'a str,
-    label: fn(u64) -> String,
+/// A panel: its caption, what it shows over what, and the curves.
+struct Plot {
+    caption: String,
+    x: &'static str,
+    y: &'static str,
+    curves: Vec<Curve>,
 }
 
 /// All curves, as SVG.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn picture(report: &GrowthReport<'_>) -> Result<String, PictureError> {
+#[must_use]
+pub fn picture(report: &GrowthReport<'_>) -> String {
     let growth = report.growth;
-    let panels = 5 + growth.chains.len();
-    let rows = panels.div_ceil(COLUMNS);
-    let height = PANEL.1 * u32::try_from(rows).unwrap_or(1);
-    let width = PANEL.0 * u32::try_from(COLUMNS).unwrap_or(1);
-    let mut svg = String::new();
-    {
-        let root =
-            SVGBackend::with_string(&mut svg, (width, HEADER + height + 40)).into_drawing_area();
-        root.fill(&WHITE)?;
-        let (header, rest) = root.split_vertically(HEADER);
-        let (panels, footer) = rest.split_vertically(height);
-        let title = "How does cost grow with size?";
-        header.draw(&Text::new(title, (12, 10), ("sans-serif", 20).into_font()))?;
-        let mut areas = panels.split_evenly((rows, COLUMNS)).into_iter();
-        for (curves, words) in cost_panels(report) {
-            if let Some(area) = areas.next() {
-                log_log(&area, &words, &curves)?;
-            }
-        }
-        for chain in &growth.chains {
-            if let Some(area) = areas.next() {
-                digits(&area, chain)?;
-            }
-        }
-        let font = ("sans-serif", 13).into_font();
-        footer.draw(&Text::new(report.machine.clone(), (12, 2), font.clone()))?;
-        let command = format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
-        footer.draw(&Text::new(command, (12, 20), font))?;
-        root.present()?;
+    let plots: Vec<Plot> =
+        costs(report).into_iter().filter(|plot| !plot.curves.is_empty()).collect();
+    let rows = (plots.len() + growth.chains.len()).div_ceil(COLUMNS);
+    let size = (PANEL.0 * count(COLUMNS), PANEL.1 * count(rows));
+    let notes = [
+        "A cross is undecided. Digits: a full line is what is right, a dashed one what the width of the interval is \
+         certain of."
+            .to_owned(),
+        report.machine.clone(),
+        format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
+    ];
+    let mut canvas = Canvas::new(size, "How does cost grow with size?", &notes);
+    let frame = |index: usize| {
+        let at = (PANEL.0 * count(index % COLUMNS), PANEL.1 * count(index / COLUMNS));
+        Frame { at, size: PANEL, head: 30.0, beside: NAMES }
+    };
+    for (index, plot) in plots.iter().enumerate() {
+        log_log(&mut canvas, frame(index), plot);
     }
-    Ok(svg)
+    for (index, chain) in growth.chains.iter().enumerate() {
+        digits(&mut canvas, frame(plots.len() + index), chain);
+    }
+    canvas.finish()
 }
 
-/// The curves of cost, and what is said of them.
-fn cost_panels(report: &GrowthReport<'_>) -> [(Vec<Curve>, Words<'static>); 5] {
+fn float(n: u64) -> f64 {
+    f64::from(u32::try_from(n / 1000).unwrap_or(u32::MAX)) * 1000.0
+        + f64::from(u32::try_from(n % 1000).unwrap_or(0))
+}
+
+fn curve(index: usize, name: impl Into<String>, points: Vec<Point>) -> Curve {
+    let ink = if index == 0 { Ink::Text } else { Ink::Series(index - 1) };
+    Curve { name: name.into(), points, pen: Pen::new(ink, 2.0), undecided: None }
+}
+
+/// The curves of cost.
+fn costs(report: &GrowthReport<'_>) -> [Plot; 5] {
     let growth = report.growth;
-    let large = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
-    let batches = growth.batches.iter().map(|batch| Curve {
-        name: batch.name.to_owned(),
-        points: batch.points.iter().map(|p| (large(p.rows), p.time.median.max(1))).collect(),
-        undecided: None,
+    let batches = growth.batches.iter().enumerate().map(|(index, batch)| {
+        let points = batch.points.iter().map(|p| (count(p.rows), float(p.time.median) / 1000.0));
+        curve(index, batch.name, points.collect())
     });
-    let bits = growth.chains.iter().map(|chain| Curve {
-        name: format!("{}, bits", chain.law),
-        points: chain.bounces.iter().filter_map(|b| Some((large(b.n), b.bits?))).collect(),
-        undecided: None,
+    let bits = growth.chains.iter().enumerate().map(|(index, chain)| {
+        let point = |b: &kane_measure::growth::Bounce| Some((count(b.n), float(b.bits?)));
+        curve(index, chain.law, chain.bounces.iter().filter_map(point).collect())
     });
     // floats take the same time at every bounce: one law stands for all
+    let systems = [System::Rational, System::F64, System::DoubleDouble, System::Interval];
     let times = growth.chains.iter().enumerate().flat_map(|(index, chain)| {
-        let systems = [System::Rational, System::F64, System::DoubleDouble, System::Interval];
         let shown = if index == 0 { systems.len() } else { 1 };
-        systems.into_iter().take(shown).map(move |system| Curve {
-            name: format!("{}, {system}", chain.law),
-            points: chain
-                .bounces
-                .iter()
-                .filter_map(|bounce| {
-                    let time = bounce.times.iter().find(|(known, _)| *known == system)?.1;
-                    Some((large(bounce.n), time.max(1)))
-                })
-                .collect(),
-            undecided: None,
+        systems.into_iter().take(shown).map(move |system| {
+            let points = chain.bounces.iter().filter_map(|bounce| {
+                let time = bounce.times.iter().find(|(known, _)| *known == system)?.1;
+                Some((count(bounce.n), float(time) / 1000.0))
+            });
+            (format!("{}, {system}", chain.law), points.collect::<Vec<Point>>())
         })
     });
-    let audit = |steps: bool| {
-        let curve = move |family: &kane_measure::growth::Family| {
-            let at = |asked: &kane_measure::growth::Asked| {
-                let cost = if steps { asked.steps } else { asked.time.unwrap_or(0) };
-                (large(asked.size), cost.max(1))
-            };
-            let undecided = family.asked.iter().find(|a| a.verdict == Verdict::Undecided).map(at);
-            let points = family.asked.iter().map(at).collect();
-            Curve { name: family.name.to_owned(), points, undecided }
+    let times = times.filter(|(_, points)| !points.is_empty()).enumerate();
+    let times = times.map(|(index, (name, points))| curve(index, name, points));
+    let audit = |cost: fn(&Asked) -> Option<u64>| -> Vec<Curve> {
+        let of = |(index, family): (usize, &Family)| {
+            let at = |asked: &Asked| Some((count(asked.size), float(cost(asked)?).max(1.0)));
+            let points: Vec<Point> = family.asked.iter().filter_map(at).collect();
+            let open = family.asked.iter().find(|a| a.verdict == Verdict::Undecided);
+            Curve { undecided: open.and_then(at), ..curve(index, family.name, points) }
         };
-        growth.families.iter().map(curve).collect::<Vec<_>>()
+        let drawn = growth.families.iter().enumerate().map(of);
+        drawn.filter(|curve| !curve.points.is_empty()).collect()
     };
-    let nanoseconds: fn(u64) -> String = |time| match usize::try_from(time / 1000) {
-        Ok(time) if time >= 10_000 => power_of_ten(time),
-        _ => nanoseconds(time),
+    let size = "variables or degree";
+    let plot = |caption: &str, x, y, curves: Vec<Curve>| {
+        let curves = curves.into_iter().filter(|curve| !curve.points.is_empty()).collect();
+        Plot { caption: caption.to_owned(), x, y, curves }
     };
     [
-        (
-            batches.collect(),
-            Words { caption: "Rows in a batch", x: "rows", y: "ns a row", label: nanoseconds },
-        ),
-        (
-            bits.filter(|curve| !curve.points.is_empty()).collect(),
-            Words {
-                caption: "An exact chain of bounces: size of the state",
-                x: "bounces",
-                y: "bits",
-                label: |bits| bits.to_string(),
-            },
-        ),
-        (
-            times.filter(|curve| !curve.points.is_empty()).collect(),
-            Words {
-                caption: "A chain of bounces: time of one bounce",
-                x: "bounces",
-                y: "ns",
-                label: nanoseconds,
-            },
-        ),
-        (
-            audit(true),
-            Words {
-                caption: "The audit: steps of search; a cross is undecided",
-                x: "variables or degree",
-                y: "steps",
-                label: |steps| steps.to_string(),
-            },
-        ),
-        (
-            audit(false),
-            Words {
-                caption: "The audit: time; a cross is undecided",
-                x: "variables or degree",
-                y: "ns",
-                label: nanoseconds,
-            },
-        ),
+        plot("Rows in a batch", "rows", "ns a row", batches.collect()),
+        plot("An exact chain of bounces: its size", "bounces", "bits", bits.collect()),
+        plot("A chain of bounces: time of one", "bounces", "ns", times.collect()),
+        plot("The audit: steps of search", size, "steps", audit(|asked| Some(asked.steps))),
+        plot("The audit: time", size, "us", audit(|a| a.time.map(|time| time / 1_000_000))),
     ]
 }
 
-fn log_log(area: &Area<'_>, words: &Words<'_>, curves: &[Curve]) -> Result<(), PictureError> {
-    let all = || curves.iter().flat_map(|curve| &curve.points);
-    let ends = |of: fn(&(u64, u64)) -> u64| {
-        (all().map(of).min().unwrap_or(1), all().map(of).max().unwrap_or(1))
+fn log_log(canvas: &mut Canvas, frame: Frame, plot: &Plot) {
+    let all = || plot.curves.iter().flat_map(|curve| &curve.points);
+    let ends = |of: fn(&Point) -> f64| {
+        let least = all().map(of).fold(f64::INFINITY, f64::min).max(1e-3);
+        (least, all().map(of).fold(least * 2.0, f64::max))
     };
     let (x, y) = (ends(|point| point.0), ends(|point| point.1));
-    // room above the curves for their names
-    let room = if curves.len() > 4 { 30 } else { 6 };
-    let (least, most) = ((y.0 / 2).max(1), y.1.saturating_mul(room).max(10));
-    let mut chart = ChartBuilder::on(area)
-        .caption(words.caption, ("sans-serif", 15))
-        .margin(10)
-        .x_label_area_size(40)
-        .y_label_area_size(64)
-        .build_cartesian_2d((x.0..x.1.max(x.0 + 1)).log_scale(), (least..most).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_desc(words.x)
-        .y_desc(words.y)
-        .x_labels(8)
-        .y_labels(9)
-        .x_label_formatter(&|n| match usize::try_from(*n) {
-            Ok(n) if n >= 10_000 => power_of_ten(n),
-            _ => n.to_string(),
-        })
-        .y_label_formatter(&|n| (words.label)(*n))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID)
-        .draw()?;
-    for (curve, colour) in curves.iter().zip(PALETTE.into_iter().cycle()) {
-        let line =
-            LineSeries::new(curve.points.iter().copied(), colour.stroke_width(2)).point_size(3);
-        chart
-            .draw_series(line)?
-            .label(shorten(&curve.name, 58))
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
-        if let Some(at) = curve.undecided {
-            chart.draw_series([Cross::new(at, 8, colour.stroke_width(3))])?;
-        }
+    let name = |n: f64| if n < 1e4 { n.to_string() } else { format!("{n:e}") };
+    let axes = (
+        Axis::logarithmic(plot.x, (x.0, x.1 * 1.05), name),
+        Axis::logarithmic(plot.y, (y.0 * 0.7, y.1 * 1.4), name),
+    );
+    let panel = Panel::new(canvas, frame, axes, &plot.caption);
+    let line = |curve: &Curve| (shorten(&curve.name, LETTERS), curve.points.clone(), curve.pen);
+    panel.named(canvas, &plot.curves.iter().map(line).collect::<Vec<_>>());
+    for curve in &plot.curves {
+        let Some((x, y)) = curve.undecided.and_then(|at| panel.at(at)) else { continue };
+        let pen = Pen::new(curve.pen.ink, 3.0);
+        canvas.line(&[(x - 6.0, y - 6.0), (x + 6.0, y + 6.0)], pen);
+        canvas.line(&[(x - 6.0, y + 6.0), (x + 6.0, y - 6.0)], pen);
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .background_style(WHITE.mix(0.7))
-        .label_font(("sans-serif", 11))
-        .draw()?;
-    Ok(())
 }
 
 /// The digits of the slip that each system keeps under one law.
-fn digits(area: &Area<'_>, chain: &Chain) -> Result<(), PictureError> {
-    let large = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
-    let last = chain.bounces.last().map_or(2, |bounce| large(bounce.n)).max(2);
-    let caption = format!("{}: digits of the slip that are right", chain.law);
-    let mut chart = ChartBuilder::on(area)
-        .caption(caption, ("sans-serif", 15))
-        .margin(10)
-        .x_label_area_size(40)
-        .y_label_area_size(64)
-        .build_cartesian_2d((1..last).log_scale(), -100_i64..4500)?;
-    chart
-        .configure_mesh()
-        .x_desc("bounces")
-        .y_desc("decimal digits")
-        .x_labels(8)
-        .y_labels(9)
-        .y_label_formatter(&|hundredths| (hundredths / 100).to_string())
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID)
-        .draw()?;
+fn digits(canvas: &mut Canvas, frame: Frame, chain: &Chain) {
+    let last = chain.bounces.last().map_or(2.0, |bounce| count(bounce.n)).max(2.0);
+    let axes = (
+        Axis::logarithmic("bounces", (1.0, last), |n| n.to_string()),
+        Axis::linear("decimal digits", (-1.0, 40.0), |n| n.to_string()),
+    );
+    let caption = format!("{}: digits of the slip", chain.law);
+    let panel = Panel::new(canvas, frame, axes, &caption);
+    let mut lines = Vec::new();
     for system in FLOATING {
-        let style = colour(system).stroke_width(2);
-        for (certain, word) in [(false, "right"), (true, "certain")] {
+        for (certain, word, dashes) in [(false, "right", ""), (true, "certain", "6 4")] {
             let points = chain.bounces.iter().filter_map(|bounce| {
                 let digits = bounce.digits.iter().find(|(known, _)| *known == system)?.1;
-                let digits = if certain { digits.certain } else { digits.right };
-                Some((large(bounce.n), digits?.min(EXACT)))
+                let digits = if certain { digits.certain } else { digits.right }?;
+                let digits = f64::from(i32::try_from(digits).unwrap_or(i32::MAX)) / 100.0;
+                Some((count(bounce.n), digits.min(EXACT)))
             });
-            let points: Vec<(u64, i64)> = points.collect();
-            if points.is_empty() {
-                continue;
+            let points: Vec<Point> = points.collect();
+            if !points.is_empty() {
+                let pen = Pen::new(ink(system), 2.0).dashed(dashes);
+                lines.push((format!("{system}, {word}"), points, pen));
             }
-            let line = if certain {
-                LineSeries::new(points, style).point_size(3)
-            } else {
-                LineSeries::new(points, style)
-            };
-            chart
-                .draw_series(line)?
-                .label(format!("{system}, {word}"))
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
         }
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.7))
-        .label_font(("sans-serif", 11))
-        .draw()?;
-    Ok(())
+    panel.named(canvas, &lines);
 }

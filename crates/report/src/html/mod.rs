@@ -207,7 +207,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// The pictures, each as it is: white in dark mode, too, as on paper.
+/// The pictures, each as it is: it has a dark version of its own.
 fn pictures(pictures: &[Picture]) -> Markup {
     html! {
         @if !pictures.is_empty() {

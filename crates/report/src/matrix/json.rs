@@ -6,7 +6,7 @@ use kane_matrix::{Cell, Matrix, Property, Row, Witness, unmarked};
 use serde::Serialize;
 
 use super::{MatrixReport, word};
-use crate::envelope::{Program, Schema, written};
+use crate::envelope::{Schema, enveloped};
 
 /// The name of the schema.
 pub const LAWS_SCHEMA_NAME: &str = "kane-laws";
@@ -18,21 +18,16 @@ pub const LAWS_SCHEMA_VERSION: u32 = 1;
 pub fn json(report: &MatrixReport<'_>) -> String {
     let matrix = report.matrix;
     let file = File {
-        schema: Schema { name: LAWS_SCHEMA_NAME, version: LAWS_SCHEMA_VERSION },
-        program: Program::THIS,
-        command: &report.command,
         headline: report.headline(),
         properties: matrix.properties.iter().map(|p| Column::of(p)).collect(),
         laws: matrix.rows.iter().map(|row| Law::of(matrix, row)).collect(),
     };
-    written(&file)
+    let schema = Schema { name: LAWS_SCHEMA_NAME, version: LAWS_SCHEMA_VERSION };
+    enveloped(schema, &report.command, file)
 }
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     headline: String,
     properties: Vec<Column>,
     laws: Vec<Law<'a>>,

@@ -1,22 +1,20 @@
-//! Laws against properties: text, Markdown, HTML, JSON, CSV, a picture, and one cell in full.
+//! Laws against properties: a sheet, a page of its own, JSON, CSV, a picture, and one cell in full.
 
 mod csv;
 mod explain;
 mod html;
 mod json;
-mod markdown;
 mod picture;
-mod text;
+mod sheet;
 
-use kane_matrix::{Cell, Finding, Matrix, Property, Row};
+use kane_matrix::{Finding, Matrix, Row};
 
 pub use csv::csv;
 pub use explain::explain;
 pub use html::html;
 pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
-pub use markdown::{markdown, properties};
 pub use picture::picture;
-pub use text::text;
+pub use sheet::{properties, sheet};
 
 /// The matrix, and the command that prints it again.
 #[derive(Clone, Debug)]
@@ -47,12 +45,6 @@ impl MatrixReport<'_> {
             counted(matrix.properties.len(), "property", "properties"),
             parts.join(", ")
         )
-    }
-
-    /// The cells of a law that are not simply proved.
-    pub(crate) fn remarks<'r>(&'r self, row: &'r Row) -> Vec<(&'static Property, &'r Cell)> {
-        let cells = self.matrix.properties.iter().copied().zip(&row.cells);
-        cells.filter(|(_, cell)| cell.finding != Finding::Proved).collect()
     }
 }
 

@@ -2,21 +2,24 @@
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 use kane_scene::{Event, ImpulsePlane, PlaneLine};
-use plotters::prelude::*;
 
-use super::sheet::{GRID, INKS, SIZE, headed};
-use super::{SceneReport, brief};
-use crate::stability::PictureError;
+use super::{SceneReport, WIDTH, brief, notes};
+use crate::picture::{Anchor, Axis, Canvas, Frame, Ink, Key, Panel, Pen, Point, WORDS, legend};
 
-fn look(line: PlaneLine) -> (&'static str, ShapeStyle) {
+const HEIGHT: f64 = 430.0;
+const PATH: Pen = Pen::new(Ink::VERMILION, 3.0);
+
+const fn look(line: PlaneLine) -> (Key, &'static str) {
     match line {
-        PlaneLine::Cone => ("friction cone", INKS[4].stroke_width(2)),
-        PlaneLine::Stick => ("no slip", INKS[2].stroke_width(2)),
-        PlaneLine::Compression => ("greatest compression", INKS[0].stroke_width(2)),
+        PlaneLine::Cone => (Key::Line(Pen::new(Ink::GREY, 2.0)), "friction cone"),
+        PlaneLine::Stick => (Key::Line(Pen::new(Ink::GREEN, 2.0).dashed("8 4")), "no slip"),
+        PlaneLine::Compression => {
+            (Key::Line(Pen::new(Ink::BLUE, 2.0).dashed("3 4")), "greatest compression")
+        }
     }
 }
 
-fn words(event: Event) -> &'static str {
+const fn words(event: Event) -> &'static str {
     match event {
         // it is the origin
         Event::Start => "",
@@ -28,49 +31,34 @@ fn words(event: Event) -> &'static str {
 }
 
 /// The impact in the plane of its impulse, as SVG.
-pub(super) fn impulse_picture(
-    report: &SceneReport<'_>,
-    plane: &ImpulsePlane,
-) -> Result<String, PictureError> {
-    let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        let path = INKS[1].stroke_width(3);
-        let lines = [PlaneLine::Cone, PlaneLine::Stick, PlaneLine::Compression].map(look);
-        let legend: Vec<_> = lines.into_iter().chain([("the impulse as it grows", path)]).collect();
-        let area = headed(&root, &format!("{}: its impulse", report.title), &legend)?;
-        let [low, high] = plane.frame;
-        let mut chart = ChartBuilder::on(&area)
-            .margin(12)
-            .x_label_area_size(40)
-            .y_label_area_size(76)
-            .build_cartesian_2d(low[0]..high[0], low[1]..high[1])?;
-        chart
-            .configure_mesh()
-            .x_desc("tangential impulse p_t, N·s")
-            .y_desc("normal impulse p_n, N·s")
-            .x_label_formatter(&|x| brief(*x))
-            .y_label_formatter(&|y| brief(*y))
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(GRID)
-            .draw()?;
-        for (line, ends) in &plane.lines {
-            let ends = ends.map(|[x, y]| (x, y));
-            chart.draw_series(LineSeries::new(ends, look(*line).1))?;
+pub(super) fn impulse_picture(report: &SceneReport<'_>, plane: &ImpulsePlane) -> String {
+    let mut canvas =
+        Canvas::new((WIDTH, HEIGHT), &format!("{}: its impulse", report.title), &notes(report, ""));
+    let lines = [PlaneLine::Cone, PlaneLine::Stick, PlaneLine::Compression].map(look);
+    let keys: Vec<(Key, &str)> =
+        lines.into_iter().chain([(Key::Line(PATH), "the impulse as it grows")]).collect();
+    let top = legend(&mut canvas, (66.0, 0.0), WIDTH, &keys);
+    let [low, high] = plane.frame;
+    let axes = (
+        Axis::linear("tangential impulse p_t, N·s", (low[0], high[0]), brief),
+        Axis::linear("normal impulse p_n, N·s", (low[1], high[1]), brief),
+    );
+    let frame = Frame { at: (0.0, top), size: (WIDTH, HEIGHT - top), head: 10.0, beside: 14.0 };
+    let panel = Panel::new(&mut canvas, frame, axes, "");
+    for (line, ends) in &plane.lines {
+        if let (Key::Line(pen), _) = look(*line) {
+            panel.line(&mut canvas, ends.map(|[x, y]| (x, y)), pen);
         }
-        let points: Vec<(f64, f64)> = plane.path.iter().map(|(_, [x, y])| (*x, *y)).collect();
-        chart.draw_series(LineSeries::new(points.clone(), path))?;
-        chart.draw_series(points.iter().map(|at| Circle::new(*at, 4, INKS[1].filled())))?;
-        let font = || ("sans-serif", 13).into_font();
-        for (event, [x, y]) in &plane.path {
-            // beside the point, away from the axis of the cone
-            let (px, py) = chart.backend_coord(&(*x, *y));
-            let text = words(*event);
-            let wide = 7 * i32::try_from(text.len()).unwrap_or(0);
-            let at = if *x < 0.0 { (px - wide - 10, py - 6) } else { (px + 12, py - 6) };
-            root.draw(&Text::new(text, at, font()))?;
-        }
-        root.present()?;
     }
-    Ok(svg)
+    let points: Vec<Point> = plane.path.iter().map(|(_, [x, y])| (*x, *y)).collect();
+    panel.line(&mut canvas, points, PATH);
+    for (event, [x, y]) in &plane.path {
+        let Some(at) = panel.at((*x, *y)) else { continue };
+        canvas.dot(at, 4.0, PATH.ink);
+        // beside the point, away from the axis of the cone
+        let (beside, anchor) =
+            if *x < 0.0 { (at.0 - 12.0, Anchor::End) } else { (at.0 + 12.0, Anchor::Start) };
+        canvas.words((beside, at.1), words(*event), WORDS, anchor);
+    }
+    canvas.finish()
 }

@@ -1,16 +1,15 @@
 //! The report for programs. The schema is documented in `docs/scene-format.md`.
 
-use kane_scene::{Known, Round, Shown};
-use serde::Serialize;
+use kane_number::System;
+use kane_scene::{Answer, Known, Round, Setup, Shown, TipBody};
+use serde::ser::SerializeMap as _;
+use serde::{Serialize, Serializer};
 
-use super::{SceneReport, verdict, who};
-use crate::envelope::{Program, Schema, written};
+use super::{SceneReport, body_id, ids, verdict};
+use crate::envelope::{Schema, enveloped};
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     title: &'a str,
     headline: String,
     chosen: Option<String>,
@@ -18,6 +17,7 @@ struct File<'a> {
     asked: Vec<Asked<'a>>,
     reasons: &'a [String],
     models: Vec<Tried>,
+    scene: Stated<'a>,
     kinetic_energy_at_start_j: f64,
     impacts: Vec<Impact<'a>>,
     end: Option<End<'a>>,
@@ -50,58 +50,157 @@ struct Tried {
 
 #[derive(Serialize)]
 struct Impact<'a> {
-    time_s: &'a str,
-    who: String,
+    who: Vec<String>,
     regime: &'a str,
-    v_t_before_m_s: &'a str,
-    v_t_after_m_s: &'a str,
-    approach_m_s: &'a str,
-    separation_m_s: &'a str,
-    p_t_n_s: &'a str,
-    p_n_n_s: &'a str,
-    normal_j: &'a str,
-    tangential_j: &'a str,
-    rotational_j: &'a str,
-    gravity_j: &'a str,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
     after: Vec<State<'a>>,
 }
 
 #[derive(Serialize)]
 struct State<'a> {
-    x_m: &'a str,
-    y_m: &'a str,
-    v_x_m_s: &'a str,
-    v_y_m_s: &'a str,
-    omega_rad_s: &'a str,
+    id: String,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
 }
 
 #[derive(Serialize)]
 struct End<'a> {
-    time_s: &'a str,
     impacts: u64,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
     bodies: Vec<State<'a>>,
 }
 
-fn state(body: &Round<Shown>) -> State<'_> {
-    State {
-        x_m: &body.position[0].text,
-        y_m: &body.position[1].text,
-        v_x_m_s: &body.motion.vx.text,
-        v_y_m_s: &body.motion.vy.text,
-        omega_rad_s: &body.motion.omega.text,
+/// What the scene states, at its nominal values.
+#[derive(Serialize)]
+struct Stated<'a> {
+    sha256: &'a str,
+    #[serde(flatten)]
+    coefficients: Numbers<'a>,
+    walls: Vec<Wall<'a>>,
+    bodies: Vec<State<'a>>,
+}
+
+#[derive(Serialize)]
+struct Wall<'a> {
+    id: &'static str,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
+}
+
+/// Numbers by their names, and beside them, where the model's are exact, the same as fractions.
+struct Numbers<'a> {
+    pairs: Vec<(&'static str, &'a Shown)>,
+    exact: bool,
+}
+
+impl Serialize for Numbers<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, number) in &self.pairs {
+            // zero has no sign here
+            let value = if number.value == 0.0 { 0.0 } else { number.value };
+            map.serialize_entry(name, &value)?;
+        }
+        if self.exact {
+            let exact: Vec<_> =
+                self.pairs.iter().map(|(name, number)| (*name, number.text.as_str())).collect();
+            map.serialize_entry("exact", &Texts(exact))?;
+        }
+        map.end()
     }
 }
 
-/// The report as JSON, ended by a line feed. States are text, because exact ones are fractions.
+struct Texts<'a>(Vec<(&'static str, &'a str)>);
+
+impl Serialize for Texts<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().copied())
+    }
+}
+
+/// The numbers of a body in motion.
+fn motion(body: &Round<Shown>) -> Vec<(&'static str, &Shown)> {
+    let ([x, y], after) = (&body.position, &body.motion);
+    vec![
+        ("x_m", x),
+        ("y_m", y),
+        ("v_x_m_s", &after.vx),
+        ("v_y_m_s", &after.vy),
+        ("omega_rad_s", &after.omega),
+    ]
+}
+
+fn state(index: usize, body: &Round<Shown>, exact: bool) -> State<'_> {
+    State { id: body_id(index), numbers: Numbers { pairs: motion(body), exact } }
+}
+
+fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
+    // what is stated is exact, whatever the model makes of it
+    let of = |pairs| Numbers { pairs, exact: true };
+    let mut stated = Stated {
+        sha256: &answer.sha256,
+        coefficients: of(vec![]),
+        walls: Vec::new(),
+        bodies: Vec::new(),
+    };
+    let body = |index: usize, pairs| State { id: body_id(index), numbers: of(pairs) };
+    match &answer.stated {
+        Setup::Bodies(world) => {
+            stated.coefficients = of(vec![
+                ("friction", &world.friction),
+                ("restitution", &world.restitution),
+                ("gravity_m_s2", &world.gravity),
+            ]);
+            let walls = world.walls.iter();
+            stated.walls = walls
+                .map(|wall| Wall { id: wall.side.id(), numbers: of(vec![("at_m", &wall.at)]) })
+                .collect();
+            let bodies = world.bodies.iter().enumerate();
+            stated.bodies = bodies
+                .map(|(index, round)| {
+                    let Round { mass, inertia, radius, .. } = round;
+                    let mut pairs =
+                        vec![("mass_kg", mass), ("radius_m", radius), ("inertia_kg_m2", inertia)];
+                    pairs.extend(motion(round));
+                    body(index, pairs)
+                })
+                .collect();
+        }
+        Setup::Tip(tip) => {
+            stated.coefficients =
+                of(vec![("friction", &tip.friction), ("restitution", &tip.restitution)]);
+            let pairs = match &tip.body {
+                TipBody::Rod { mass, length, motion, .. } => vec![
+                    ("mass_kg", mass),
+                    ("length_m", length),
+                    ("v_x_m_s", &motion.vx),
+                    ("v_y_m_s", &motion.vy),
+                    ("omega_rad_s", &motion.omega),
+                ],
+                TipBody::Pendulum { mass, length, speeds: [first, second], .. } => vec![
+                    ("mass_kg", mass),
+                    ("length_m", length),
+                    ("u1_rad_s", first),
+                    ("u2_rad_s", second),
+                ],
+            };
+            stated.bodies = vec![body(0, pairs)];
+        }
+    }
+    stated
+}
+
+/// The report as JSON, ended by a line feed. Numbers are numbers; where the model's are exact, fractions
+/// stand beside them.
 #[must_use]
 pub fn json(report: &SceneReport<'_>) -> String {
     let answer = report.answer;
-    let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
+    let exact = answer.shown.system == System::Rational;
+    let of = |pairs| Numbers { pairs, exact };
     let known = answer.known.map(Known::id);
     let file = File {
-        schema: Schema { name: "kane-scene", version: 1 },
-        program: Program::THIS,
-        command: &report.command,
         title: &report.title,
         headline: report.headline(),
         chosen: answer.chosen.map(|model| model.to_string()),
@@ -138,32 +237,48 @@ pub fn json(report: &SceneReport<'_>) -> String {
                 verdict: verdict(&judged.verdict, answer.known),
             })
             .collect(),
+        scene: stated(answer),
         kinetic_energy_at_start_j: answer.start_energy,
         impacts: answer
             .bounces
             .iter()
-            .map(|bounce| Impact {
-                time_s: &bounce.time.text,
-                who: who(bounce.encounter, bodies),
-                regime: bounce.regime,
-                v_t_before_m_s: &bounce.slip[0].text,
-                v_t_after_m_s: &bounce.slip[1].text,
-                approach_m_s: &bounce.approach.text,
-                separation_m_s: &bounce.separation.text,
-                p_t_n_s: &bounce.impulse.tangential.text,
-                p_n_n_s: &bounce.impulse.normal.text,
-                normal_j: &bounce.ledger.normal.text,
-                tangential_j: &bounce.ledger.tangential.text,
-                rotational_j: &bounce.ledger.rotational.text,
-                gravity_j: &bounce.gravity.text,
-                after: std::iter::once(&bounce.after.0).chain(&bounce.after.1).map(state).collect(),
+            .map(|bounce| {
+                let who = ids(bounce.encounter);
+                let struck = std::iter::once(&bounce.after.0).chain(&bounce.after.1);
+                Impact {
+                    regime: bounce.regime,
+                    numbers: of(vec![
+                        ("time_s", &bounce.time),
+                        ("v_t_before_m_s", &bounce.slip[0]),
+                        ("v_t_after_m_s", &bounce.slip[1]),
+                        ("approach_m_s", &bounce.approach),
+                        ("separation_m_s", &bounce.separation),
+                        ("p_t_n_s", &bounce.impulse.tangential),
+                        ("p_n_n_s", &bounce.impulse.normal),
+                        ("normal_j", &bounce.ledger.normal),
+                        ("tangential_j", &bounce.ledger.tangential),
+                        ("rotational_j", &bounce.ledger.rotational),
+                        ("gravity_j", &bounce.gravity),
+                    ]),
+                    after: bounce
+                        .bodies()
+                        .zip(struck)
+                        .map(|(index, body)| state(index, body, exact))
+                        .collect(),
+                    who,
+                }
             })
             .collect(),
         end: answer.end.as_ref().map(|end| End {
-            time_s: &end.time.text,
             impacts: end.impacts,
-            bodies: end.bodies.iter().map(state).collect(),
+            numbers: of(vec![("time_s", &end.time)]),
+            bodies: end
+                .bodies
+                .iter()
+                .enumerate()
+                .map(|(index, body)| state(index, body, exact))
+                .collect(),
         }),
     };
-    written(&file)
+    enveloped(Schema { name: "kane-scene", version: 2 }, &report.command, file)
 }

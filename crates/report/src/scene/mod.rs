@@ -1,29 +1,25 @@
-//! A scene: what was asked, by which model, and how it moved. Presentation only.
+//! A scene: what was asked, by which model, and how it moved.
 
+mod compare_picture;
 mod contact_picture;
 mod csv;
-mod html;
 mod impulse_picture;
 mod json;
 mod ledger_picture;
-mod markdown;
 mod motion_picture;
 mod sheet;
 mod stress_picture;
-mod text;
 
+pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};
-pub use html::html;
 pub use json::json;
-pub use ledger_picture::{compare_picture, ledger_picture};
-pub use markdown::markdown;
+pub use ledger_picture::ledger_picture;
+pub use sheet::sheet;
 pub use stress_picture::stress_picture;
-pub use text::text;
 
-use crate::stability::PictureError;
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
-use kane_scene::{Answer, Judged, Known, Line, Spread, Verdict};
+use kane_scene::{Answer, Judged, Known, Line, Place, Spread, Verdict};
 
 /// An answer and how its report introduces it.
 pub struct SceneReport<'a> {
@@ -33,6 +29,8 @@ pub struct SceneReport<'a> {
     pub title: String,
     /// The command that prints this again.
     pub command: String,
+    /// Whether all models were tried, and are drawn by error and cost.
+    pub is_compared: bool,
 }
 
 impl SceneReport<'_> {
@@ -81,23 +79,33 @@ pub struct Drawn {
 
 /// The picture of a scene: what flies, the impulse of a tip, or forces over the time of contact;
 /// `None` where the model has none.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn picture(report: &SceneReport<'_>) -> Result<Option<Drawn>, PictureError> {
-    let Some(picture) = &report.answer.picture else { return Ok(None) };
-    let (name, heading, svg) = match picture {
-        Picture::Motion(strobe) => {
-            ("motion", "Motion", motion_picture::motion_picture(report, strobe)?)
-        }
-        Picture::ImpulsePlane(plane) => {
-            ("impulse", "Impulse", impulse_picture::impulse_picture(report, plane)?)
-        }
-        Picture::ContactTime(contact) => {
-            ("contact", "Contact", contact_picture::contact_picture(report, contact)?)
-        }
+#[must_use]
+pub fn picture(report: &SceneReport<'_>) -> Option<Drawn> {
+    let (name, heading) = drawn(report)?;
+    let svg = match report.answer.picture.as_ref()? {
+        Picture::Motion(strobe) => motion_picture::motion_picture(report, strobe),
+        Picture::ImpulsePlane(plane) => impulse_picture::impulse_picture(report, plane),
+        Picture::ContactTime(contact) => contact_picture::contact_picture(report, contact),
     };
-    Ok(Some(Drawn { name, heading, svg }))
+    Some(Drawn { name, heading, svg })
+}
+
+/// Which picture a scene has: the end of its file's name, and its heading.
+fn drawn(report: &SceneReport<'_>) -> Option<(&'static str, &'static str)> {
+    Some(match report.answer.picture.as_ref()? {
+        Picture::Motion(_) => ("motion", "Motion"),
+        Picture::ImpulsePlane(_) => ("impulse", "Impulse"),
+        Picture::ContactTime(_) => ("contact", "Contact"),
+    })
+}
+
+/// The width of pictures with a plot.
+const WIDTH: f64 = 860.0;
+
+/// What stands below a picture: what is to be known of it, and where it comes from.
+fn notes(report: &SceneReport<'_>, note: &str) -> Vec<String> {
+    let from = format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
+    [note.to_owned(), from].into_iter().filter(|note| !note.is_empty()).collect()
 }
 
 /// A number for a table, with its sign where it has one.
@@ -140,14 +148,16 @@ pub(crate) fn small(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
+/// A power of ten on an axis: `1e-12`.
+fn power(value: f64) -> String {
+    format!("{value:.0e}")
+}
+
 /// The cost of a model, and whether it is counted or only estimated.
 pub(crate) fn cost(judged: &Judged) -> String {
     let about = if judged.model.mechanics.is_counted() { "" } else { "about " };
     format!("{about}{}", judged.cost)
 }
-
-/// What the column of costs is.
-pub(crate) const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
 
 /// What is known of an error: its size, and whether that is a bound or an estimate.
 pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
@@ -165,9 +175,22 @@ pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
 /// How far the stated uncertainty moves an answer.
 pub(crate) fn moved(spread: Option<Spread>) -> String {
     match spread {
-        Some(Spread { by, enclosed: true }) => format!("±{} at most", brief(by)),
-        Some(Spread { by, enclosed: false }) => format!("±{} at corners", brief(by)),
-        None => "-".to_owned(),
+        Some(Spread { by, enclosed: true, .. }) => format!("within ±{}", brief(by)),
+        Some(Spread { by, enclosed: false, .. }) => format!("±{} at corners", brief(by)),
+        None => String::new(),
+    }
+}
+
+/// The id of a body in files for programs; bodies are counted from 1.
+pub(crate) fn body_id(index: usize) -> String {
+    format!("body-{}", index + 1)
+}
+
+/// The ids of who meets.
+pub(crate) fn ids(encounter: Encounter) -> Vec<String> {
+    match encounter {
+        Encounter::Wall(i, side) => vec![body_id(i), side.id().to_owned()],
+        Encounter::Pair(i, j) => vec![body_id(i), body_id(j)],
     }
 }
 
@@ -188,8 +211,12 @@ pub(crate) fn verdict(verdict: &Verdict, known: Option<Known>) -> String {
             Some(Known::Documented) => "good enough as documented".to_owned(),
             _ => "good enough".to_owned(),
         },
-        Verdict::Misses { quantity, by, at_a_corner } => {
-            let place = if *at_a_corner { " within the uncertainty" } else { "" };
+        Verdict::Misses { quantity, by, place } => {
+            let place = match place {
+                Place::Stated => "",
+                Place::Corner => " within the uncertainty",
+                Place::Near => " within 1%",
+            };
             format!("{quantity} off by {}{place}", brief(*by))
         }
         Verdict::Uncertified(why) => format!("not certified: {why}"),

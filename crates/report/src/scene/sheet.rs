@@ -1,44 +1,130 @@
-//! A sheet for a chart: the title, the legend below it where it hides nothing, and the plot.
+//! What was asked, why by this model, the models, and every impact.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
+use kane_scene::simulate::{Bounce, End, Ending};
+use kane_scene::{Shown, Verdict};
 
-use crate::stability::PictureError;
+use super::{
+    SceneReport, brief, compare_picture, cost, drawn, error, ledger_picture, moved, number,
+    verdict, who,
+};
+use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
-/// Where charts are drawn.
-pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// Impacts that text and a page show; Markdown and the files have all.
+const IN_TEXT: usize = 16;
+const ON_PAGE: usize = 200;
 
-/// The size of a chart in pixels.
-pub(super) const SIZE: (u32, u32) = (860, 470);
+/// What the column of costs is.
+const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
 
-/// Title and legend, in pixels.
-const HEADER: u32 = 62;
-
-/// Blue, vermilion, green and purple of the palette by Okabe and Ito, and grey.
-pub(super) const INKS: [RGBColor; 5] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(120, 120, 120),
-];
-
-pub(super) const GRID: RGBColor = RGBColor(225, 225, 225);
-
-/// Fills the sheet, heads it, and returns what is left for the plot.
-pub(super) fn headed<'a>(
-    root: &Area<'a>,
-    title: &str,
-    legend: &[(&str, ShapeStyle)],
-) -> Result<Area<'a>, PictureError> {
-    root.fill(&WHITE)?;
-    root.draw(&Text::new(title.to_owned(), (12, 8), ("sans-serif", 17).into_font()))?;
-    let mut x = 14;
-    for (words, style) in legend {
-        root.draw(&PathElement::new(vec![(x, 44), (x + 22, 44)], *style))?;
-        root.draw(&Text::new((*words).to_owned(), (x + 28, 37), ("sans-serif", 13).into_font()))?;
-        // sans-serif of this size is about seven pixels a character
-        x += 28 + 8 * i32::try_from(words.chars().count()).unwrap_or(0) + 18;
+/// The report as a sheet.
+#[must_use]
+pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
+    let answer = report.answer;
+    let mut sheet = Sheet::new("Scene", &report.title, report.headline(), &report.command);
+    sheet.table(asked(report));
+    sheet.heading("why", "Why this model");
+    sheet.prose(answer.reasons.join(" "));
+    if let Some((name, heading)) = drawn(report) {
+        sheet.figure(name, heading, || {
+            super::picture(report).map_or_else(String::new, |drawn| drawn.svg)
+        });
     }
-    Ok(root.split_vertically(HEADER).1)
+    if !answer.bounces.is_empty() {
+        sheet.figure("ledger", "Energy", || ledger_picture(report).unwrap_or_default());
+    }
+    sheet.heading("models", "Models");
+    sheet.prose(COST);
+    sheet.table(models(report));
+    if report.is_compared {
+        sheet.figure("compare", "Error against cost", || compare_picture(report));
+    }
+    if !answer.bounces.is_empty() {
+        sheet.heading("impacts", "Impacts, with their energy by part");
+        sheet.table(impacts(report));
+        sheet.prose(answer.end.as_ref().map(ending).unwrap_or_default());
+    }
+    let digest = Words::code(&answer.sha256);
+    sheet.labelled(vec![Entry::new("SHA-256 of the scene", digest)]);
+    sheet
+}
+
+fn asked(report: &SceneReport<'_>) -> Table {
+    let answer = report.answer;
+    let columns = vec![
+        Column::left("asked"),
+        Column::right("answer"),
+        Column::left("unit"),
+        Column::left("error"),
+        Column::right("tolerance"),
+        Column::left("inputs move it by"),
+    ];
+    let rows = answer.lines.iter().map(|line| {
+        // long fractions are for JSON
+        let exact = line.exact.as_ref().filter(|exact| exact.len() <= 24);
+        row![
+            Words::code(line.quantity.to_string()),
+            exact.cloned().unwrap_or_else(|| number(line.value)),
+            line.quantity.unit(),
+            error(line.error, answer.known),
+            brief(line.tolerance),
+            moved(line.spread),
+        ]
+    });
+    Table::new(columns, rows.collect()).without_empty_columns()
+}
+
+fn models(report: &SceneReport<'_>) -> Table {
+    let answer = report.answer;
+    let columns = vec![
+        Column::left("model"),
+        Column::right("cost"),
+        Column::right("error/tol."),
+        Column::long("verdict", 24),
+    ];
+    let rows = answer.judged.iter().map(|judged| {
+        let good = judged.verdict == Verdict::Meets;
+        row![
+            Words::code(judged.model.to_string()),
+            cost(judged),
+            judged.ratio.map_or_else(|| "-".to_owned(), brief),
+            verdict(&judged.verdict, answer.known),
+        ]
+        .toned(if good { Tone::Good } else { Tone::Plain })
+    });
+    Table::new(columns, rows.collect())
+}
+
+fn impacts(report: &SceneReport<'_>) -> Table {
+    let answer = report.answer;
+    let energy = |part: &str| Column::right(part).unit("J");
+    let mut columns = vec![Column::right("t").unit("s"), Column::left("who"), Column::left("what")];
+    columns.extend(["normal", "tangential", "rotational", "gravity"].map(energy));
+    let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
+    let row = |(index, bounce): (usize, &Bounce<Shown>)| -> Row {
+        row![
+            number(bounce.time.value),
+            who(bounce.encounter, bodies),
+            bounce.regime,
+            number(bounce.ledger.normal.value),
+            number(bounce.ledger.tangential.value),
+            number(bounce.ledger.rotational.value),
+            number(bounce.gravity.value),
+        ]
+        .detail(index >= IN_TEXT)
+    };
+    let mut table = Table::new(columns, answer.bounces.iter().enumerate().map(row).collect());
+    table.most = ON_PAGE;
+    table.counted = Some("impacts");
+    table
+}
+
+/// How the motion ends.
+fn ending(end: &End<Shown>) -> String {
+    let how = match end.ending {
+        Ending::Impacts => "after the impacts asked for",
+        Ending::Duration => "at the end of the time asked for",
+        Ending::Rest => "at rest, after infinitely many more impacts",
+        Ending::Quiet => "nothing meets any more",
+    };
+    format!("t = {} s: {how}. Impacts: {}.", number(end.time.value), end.impacts)
 }

@@ -1,21 +1,17 @@
 //! The ranges as rows for spreadsheets and plotting programs.
 
-use std::fmt::Write as _;
-
 use super::{StabilityReport, bits};
 
 /// Every range of every formula of one input, one row each, with exact decimals for the edges.
 #[must_use]
 pub fn csv(report: &StabilityReport<'_>) -> String {
-    let mut out = String::from(
-        "label,quantity,formula,with,format,fault,from,to,bits_lost,worst,returns,exact,cause,better\n",
-    );
+    let mut rows = Vec::new();
     for entry in report.entries() {
         let formula = entry.formula;
         for line in &entry.lines {
             for range in &line.ranges {
                 let better = range.better.as_ref().and_then(|better| report.better(better));
-                let cells = [
+                rows.push(vec![
                     formula.label.clone(),
                     formula.quantity.clone(),
                     formula.text.clone(),
@@ -30,20 +26,10 @@ pub fn csv(report: &StabilityReport<'_>) -> String {
                     range.exact.clone(),
                     range.cause.clone(),
                     better.map_or_else(String::new, |better| better.text.clone()),
-                ];
-                let cells: Vec<String> = cells.iter().map(|cell| quoted(cell)).collect();
-                let _ = writeln!(out, "{}", cells.join(","));
+                ]);
             }
         }
     }
-    out
-}
-
-/// A cell, in quotes where it needs them.
-pub(crate) fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
-    } else {
-        cell.to_owned()
-    }
+    let names = "label,quantity,formula,with,format,fault,from,to,bits_lost,worst,returns,exact,cause,better";
+    crate::sheet::csv(names, rows)
 }

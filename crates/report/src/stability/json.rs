@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::envelope::{Program, Schema, written};
+use crate::envelope::{Schema, enveloped};
 
 use super::{Entry, StabilityReport, bits};
 
@@ -13,9 +13,6 @@ const SCHEMA_VERSION: u32 = 2;
 
 #[derive(Serialize)]
 struct File<'a> {
-    schema: Schema,
-    program: Program,
-    command: &'a str,
     document: &'a str,
     title: Option<&'a str>,
     left_out: Vec<LeftOut<'a>>,
@@ -120,9 +117,6 @@ pub fn json(report: &StabilityReport<'_>) -> String {
     let stability = report.stability;
     let entries = report.entries();
     let file = File {
-        schema: Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION },
-        program: Program::THIS,
-        command: &report.command,
         document: &stability.name,
         title: stability.title.as_deref(),
         left_out: stability
@@ -133,7 +127,7 @@ pub fn json(report: &StabilityReport<'_>) -> String {
             .collect(),
         formulas: entries.iter().enumerate().map(|(i, e)| formula(report, i, e)).collect(),
     };
-    written(&file)
+    enveloped(Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION }, &report.command, file)
 }
 
 fn formula<'a>(report: &StabilityReport<'a>, index: usize, entry: &Entry<'a>) -> Formula<'a> {

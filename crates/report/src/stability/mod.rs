@@ -1,19 +1,16 @@
-//! Where formulas fail in floating point: text, Markdown, JSON, CSV and a picture.
+//! Where formulas fail in floating point: a sheet, JSON, CSV and a picture.
 
 mod csv;
 mod json;
-mod markdown;
 mod picture;
-mod text;
+mod sheet;
 
 use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Searched, Stability};
 
 pub use csv::csv;
-pub(crate) use csv::quoted;
 pub use json::json;
-pub use markdown::markdown;
-pub use picture::{PictureError, picture};
-pub use text::text;
+pub use picture::picture;
+pub use sheet::sheet;
 
 /// What came out for a document, and the command that shows it again.
 #[derive(Clone, Debug)]

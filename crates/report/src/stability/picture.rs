@@ -1,205 +1,168 @@
-//! A picture: digits lost against the binade of the input, one panel a formula.
+//! A picture: where formulas of one input fail, a strip each; formulas of two inputs as planes.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 use std::collections::BTreeSet;
 
 use kane_measure::{Examined, Fault, Plane};
-use plotters::coord::Shift;
-use plotters::prelude::*;
 
-use super::{Entry, StabilityReport, title};
+use super::{Entry, StabilityReport};
+use crate::picture::{
+    Axis, Bar, Canvas, Frame, Ink, Key, Panel, Point, Strip, count, height_of, legend, strips,
+};
 use crate::shorten::shorten;
 
-/// Size of a panel and of the header, in pixels; panels in a row.
-const PANEL: (u32, u32) = (460, 250);
-const HEADER: u32 = 74;
+/// The width of the picture, where the axis of the strips begins, and a panel of a plane.
+const WIDTH: f64 = 960.0;
+const SPLIT: f64 = 400.0;
+const PANEL: Point = (316.0, 240.0);
 const COLUMNS: usize = 3;
+const LEGEND: f64 = 30.0;
 
-/// Blue and vermilion of the palette by Okabe and Ito, which colour-blind people tell apart.
-const DOUBLE: RGBColor = RGBColor(0, 114, 178);
-const SINGLE: RGBColor = RGBColor(213, 94, 0);
-/// Faults in a plane, worst first, and lost digits from few to all.
-const NAN: RGBColor = RGBColor(0, 0, 0);
-const INFINITE: RGBColor = RGBColor(204, 121, 167);
-const SIGN: RGBColor = RGBColor(213, 94, 0);
-const VANISHES: RGBColor = RGBColor(86, 180, 233);
-const LOST: RGBColor = RGBColor(230, 159, 0);
-const SOUND: RGBColor = RGBColor(235, 235, 235);
-
-/// The picture could not be drawn.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PictureError(String);
-
-impl std::fmt::Display for PictureError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "the picture cannot be drawn: {}", self.0)
-    }
-}
-
-impl std::error::Error for PictureError {}
-
-impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for PictureError {
-    fn from(error: DrawingAreaErrorKind<E>) -> Self {
-        Self(error.to_string())
-    }
-}
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Every formula that fails, as SVG. One input: bits lost by the binade of the input, in both
-/// formats; two inputs: the plane of both binades in `f64`, by the fault.
-///
-/// # Errors
-/// [`PictureError`], which drawing into a string does not give in practice.
-pub fn picture(report: &StabilityReport<'_>) -> Result<String, PictureError> {
+/// Every formula that fails and has at most two inputs, as SVG.
+#[must_use]
+pub fn picture(report: &StabilityReport<'_>) -> String {
     let entries = report.entries();
-    // a search has no picture
-    let is_drawn =
-        |entry: &&Entry<'_>| entry.fails() && !(entry.lines.is_empty() && entry.planes.is_empty());
-    let failing: Vec<&Entry<'_>> = entries.iter().filter(is_drawn).collect();
-    let rows = u32::try_from(failing.len().div_ceil(COLUMNS).max(1)).unwrap_or(1);
-    let columns = u32::try_from(COLUMNS).unwrap_or(1);
-    let size = (PANEL.0 * columns, HEADER + PANEL.1 * rows + 24);
-    let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        root.fill(&WHITE)?;
-        let (header, rest) = root.split_vertically(HEADER);
-        let (panels, footer) = rest.split_vertically(PANEL.1 * rows);
-        draw_header(&header, report)?;
-        let areas = panels.split_evenly((usize::try_from(rows).unwrap_or(1), COLUMNS));
-        for (entry, area) in failing.iter().zip(&areas) {
-            if entry.planes.is_empty() {
-                lines(area, entry)?;
-            } else if let Some(plane) = entry.planes.iter().find(|plane| plane.format == "f64") {
-                draw_plane(area, entry, plane)?;
-            }
-        }
-        let text = format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
-        footer.draw(&Text::new(text, (12, 4), ("sans-serif", 12).into_font()))?;
-        root.present()?;
-    }
-    Ok(svg)
-}
-
-/// Title and legend, above all panels so that it covers no data.
-fn draw_header(area: &Area<'_>, report: &StabilityReport<'_>) -> Result<(), PictureError> {
+    let failing = || entries.iter().filter(|entry| entry.fails());
+    let rows: Vec<Strip> = failing().flat_map(rows).collect();
+    let planes = failing().filter_map(|entry| {
+        let plane = entry.planes.iter().find(|plane| plane.format == "f64")?;
+        Some((entry, *plane))
+    });
+    let planes: Vec<(&Entry<'_>, &Plane)> = planes.collect();
     let title = report.stability.title.as_deref().unwrap_or(&report.stability.name);
-    let title = format!("{title}: bits lost, by the binade of the input");
-    area.draw(&Text::new(title, (12, 8), ("sans-serif", 20).into_font()))?;
-    let font = || ("sans-serif", 13).into_font();
-    for (x, colour, name) in [(12, DOUBLE, "f64 (53 bits)"), (130, SINGLE, "f32 (24 bits)")] {
-        area.draw(&PathElement::new(vec![(x, 54), (x + 24, 54)], colour.stroke_width(3)))?;
-        area.draw(&Text::new(name, (x + 30, 47), font()))?;
-    }
-    area.draw(&Text::new("dotted: half of the bits; thin: below 0", (250, 47), font()))?;
-    area.draw(&Text::new("planes, f64:", (500, 47), font()))?;
-    let legend = [
-        (SOUND, "sound"),
-        (LOST, "digits lost"),
-        (VANISHES, "0 instead"),
-        (SIGN, "wrong sign"),
-        (INFINITE, "infinite"),
-        (NAN, "NaN"),
+    let notes = [
+        "A strip is a formula over its input, f32 above f64; inputs below 0 have a strip of their own. Far from 1 the \
+         axis is squeezed; the grey band is from 1/1000 to 1000. Narrow ranges are drawn wider than they are. Planes: \
+         two inputs >= 0 in f64."
+            .to_owned(),
+        format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
     ];
-    let mut x = 585;
-    for (colour, name) in legend {
-        area.draw(&Rectangle::new([(x, 48), (x + 14, 60)], colour.filled()))?;
-        area.draw(&Rectangle::new([(x, 48), (x + 14, 60)], BLACK.stroke_width(1)))?;
-        area.draw(&Text::new(name, (x + 20, 47), font()))?;
-        x += 36 + 7 * i32::try_from(name.len()).unwrap_or(10);
+    let top = if rows.is_empty() { LEGEND } else { LEGEND + height_of(&rows) + 8.0 };
+    let lines = planes.len().div_ceil(COLUMNS);
+    let size = (WIDTH, top + PANEL.1 * count(lines));
+    let mut canvas = Canvas::new(size, &format!("{title}: where formulas fail"), &notes);
+    let named = FAULTS.map(|fault| (fault, fault.to_string()));
+    let keys: Vec<(Key, &str)> =
+        named.iter().map(|(fault, name)| (Key::Area(ink(Some(*fault))), name.as_str())).collect();
+    legend(&mut canvas, (12.0, 2.0), WIDTH - 24.0, &keys);
+    if !rows.is_empty() {
+        let powers = [-300_i32, -30, -3, 0, 3, 30, 300];
+        let tick = |power: &i32| (along(f64::from(*power)), format!("1e{power}"));
+        let ticks: Vec<(f64, String)> = powers.iter().map(tick).collect();
+        let band = (along(-3.0), along(3.0));
+        strips(
+            &mut canvas,
+            (LEGEND, SPLIT, WIDTH - 24.0),
+            &rows,
+            ("size of the input; 0 at the left end", &ticks, band),
+        );
     }
-    Ok(())
+    for (index, (entry, plane)) in planes.iter().enumerate() {
+        let (column, line) = (index % COLUMNS, index / COLUMNS);
+        let at = (PANEL.0 * count(column), top + PANEL.1 * count(line));
+        draw_plane(&mut canvas, at, entry, plane);
+    }
+    canvas.finish()
 }
 
-fn caption(entry: &Entry<'_>) -> String {
-    let formula = entry.formula;
-    let with = if formula.by.is_empty() {
-        String::new()
-    } else {
-        format!(", with {}", formula.by.join(", "))
-    };
-    shorten(&format!("{}{with}", title(formula)), 62)
+/// What can be wrong, the worst first.
+const FAULTS: [Fault; 5] =
+    [Fault::Nan, Fault::Infinite, Fault::WrongSign, Fault::Vanishes, Fault::Lost];
+
+const fn ink(fault: Option<Fault>) -> Ink {
+    match fault {
+        None => Ink::Grid,
+        Some(Fault::Lost) => Ink::ORANGE,
+        Some(Fault::Vanishes) => Ink::SKY,
+        Some(Fault::WrongSign) => Ink::VERMILION,
+        Some(Fault::Infinite) => Ink::PURPLE,
+        Some(Fault::Nan) => Ink::Text,
+    }
 }
 
-fn lines(area: &Area<'_>, entry: &Entry<'_>) -> Result<(), PictureError> {
-    let input = entry.formula.inputs.first().map_or("", |input| input.name.as_str());
-    let mut chart = ChartBuilder::on(area)
-        .caption(caption(entry), ("sans-serif", 13))
-        .margin(8)
-        .x_label_area_size(34)
-        .y_label_area_size(44)
-        .build_cartesian_2d(-1074_i64..1024, 0_i64..5600)?;
-    chart
-        .configure_mesh()
-        .x_desc(format!("log2 |{input}|"))
-        .y_desc("bits lost")
-        .x_labels(9)
-        .y_labels(6)
-        .y_label_formatter(&|hundredths| (hundredths / 100).to_string())
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(RGBColor(225, 225, 225))
-        .draw()?;
-    for (format, colour) in [("f64", DOUBLE), ("f32", SINGLE)] {
-        for line in entry.lines.iter().filter(|line| line.format == format) {
-            let half = 50 * i64::from(line.precision);
-            let ends = |examined: &Examined| -> Option<(i64, i64)> {
-                Some((examined.profile.first()?.0, examined.profile.last()?.0))
-            };
-            if let Some((first, last)) = ends(line) {
-                let step = ((last - first) / 60).max(1);
-                let steps = usize::try_from(step).unwrap_or(1);
-                for start in (first..last).step_by(2 * steps) {
-                    let dash = vec![(start, half), (start + step, half)];
-                    chart.draw_series(std::iter::once(PathElement::new(dash, colour)))?;
-                }
-            }
-            let points = super::thinned(line).into_iter().map(|(binade, lost, _)| (binade, lost));
-            let width = if line.negative { 1 } else { 2 };
-            chart.draw_series(LineSeries::new(points, colour.stroke_width(width)))?;
+/// How far along the axis a power of ten is: the middle is 1, and the logarithm of the power counts.
+fn along(power: f64) -> f64 {
+    0.5 + 0.5 * power.signum() * power.abs().ln_1p() / 324.0_f64.ln_1p()
+}
+
+/// The rows of a formula of one input, one for each sign of it.
+fn rows(entry: &Entry<'_>) -> Vec<Strip> {
+    let mut rows = Vec::new();
+    for negative in [false, true] {
+        let of = |format: &str| {
+            entry.lines.iter().find(|line| line.negative == negative && line.format == format)
+        };
+        let lines: Vec<&Examined> = ["f32", "f64"].into_iter().filter_map(of).copied().collect();
+        if lines.iter().all(|line| line.ranges.is_empty()) {
+            continue;
         }
+        let input = entry.formula.inputs.first().map_or("", |input| input.name.as_str());
+        let below = if negative { format!(", {input} < 0") } else { String::new() };
+        let with = entry.formula.by.join(", ");
+        let with = if with.is_empty() { with } else { format!(" with {with}") };
+        let name = super::title(entry.formula) + &with;
+        let name = shorten(&name, 54 - below.chars().count()) + &below;
+        rows.push(Strip { name, bars: lines.into_iter().map(bar).collect() });
     }
-    Ok(())
+    rows
 }
 
-fn draw_plane(area: &Area<'_>, entry: &Entry<'_>, plane: &Plane) -> Result<(), PictureError> {
+fn bar(line: &Examined) -> Bar {
+    let place = |point: &kane_measure::Point| match point.value {
+        0.0 => 0.0,
+        value => along(value.abs().log10()),
+    };
+    let both = |a: &kane_measure::Point, b: &kane_measure::Point| {
+        let (a, b) = (place(a), place(b));
+        (a.min(b), a.max(b))
+    };
+    let part = |range: &kane_measure::Range| (both(&range.from, &range.to), ink(Some(range.fault)));
+    Bar {
+        domain: both(&line.domain.0, &line.domain.1),
+        parts: line.ranges.iter().map(part).collect(),
+    }
+}
+
+fn draw_plane(canvas: &mut Canvas, at: Point, entry: &Entry<'_>, plane: &Plane) {
+    let float = |n: i64| f64::from(i32::try_from(n).unwrap_or(0));
+    let cells: Vec<((f64, f64), Option<Fault>)> = plane
+        .cells
+        .iter()
+        .map(|cell| ((float(cell.binades.0), float(cell.binades.1)), cell.sample.fault))
+        .collect();
     let name =
         |index: usize| entry.formula.inputs.get(index).map_or("", |input| input.name.as_str());
-    let ends = |of: &dyn Fn((i64, i64)) -> i64| {
-        let all = || plane.cells.iter().map(|cell| of(cell.binades));
-        (all().min().unwrap_or(0), all().max().unwrap_or(1))
+    // from where to where, and the widest gap between neighbours of the grid, so that no gap shows
+    let side = |binades: BTreeSet<i64>| {
+        let gaps = binades.iter().zip(binades.iter().skip(1)).map(|(a, b)| b - a);
+        let end = |end: Option<&i64>| float(end.copied().unwrap_or(0));
+        (end(binades.first()), end(binades.last()), float(gaps.max().unwrap_or(1)))
     };
-    let (x, y) = (ends(&|(x, _)| x), ends(&|(_, y)| y));
-    // the widest gap between neighbours of the grid, so that no gap shows
-    let step = |of: &dyn Fn((i64, i64)) -> i64| {
-        let all: BTreeSet<i64> = plane.cells.iter().map(|cell| of(cell.binades)).collect();
-        all.iter().zip(all.iter().skip(1)).map(|(a, b)| b - a).max().unwrap_or(1)
+    let x = side(plane.cells.iter().map(|cell| cell.binades.0).collect());
+    let y = side(plane.cells.iter().map(|cell| cell.binades.1).collect());
+    let axis = |index: usize, (from, to, step): (f64, f64, f64)| {
+        Axis::linear(format!("log2 {}", name(index)), (from, to + step), |n| n.to_string())
     };
-    let (width, height) = (step(&|(x, _)| x), step(&|(_, y)| y));
-    let mut chart = ChartBuilder::on(area)
-        .caption(caption(entry), ("sans-serif", 13))
-        .margin(8)
-        .x_label_area_size(34)
-        .y_label_area_size(52)
-        .build_cartesian_2d(x.0..x.1 + width, y.0..y.1 + height)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_desc(format!("log2 {}", name(0)))
-        .y_desc(format!("log2 {}", name(1)))
-        .x_labels(7)
-        .y_labels(6)
-        .draw()?;
-    chart.draw_series(plane.cells.iter().map(|cell| {
-        let (x, y) = cell.binades;
-        let colour = match cell.sample.fault {
-            None => SOUND,
-            Some(Fault::Lost) => LOST,
-            Some(Fault::Vanishes) => VANISHES,
-            Some(Fault::WrongSign) => SIGN,
-            Some(Fault::Infinite) => INFINITE,
-            Some(Fault::Nan) => NAN,
-        };
-        Rectangle::new([(x, y), (x + width, y + height)], colour.filled())
-    }))?;
-    Ok(())
+    let frame = Frame { at, size: PANEL, head: 26.0, beside: 12.0 };
+    let caption = shorten(&super::title(entry.formula), 36);
+    let panel = Panel::new(canvas, frame, (axis(0, x), axis(1, y)), &caption);
+    for fault in std::iter::once(None).chain(FAULTS.map(Some)) {
+        // runs of one fault along a row are one box
+        let mut boxes: Vec<(Point, Point)> = Vec::new();
+        let mut row: Vec<Point> =
+            cells.iter().filter(|(_, f)| *f == fault).map(|(at, _)| *at).collect();
+        row.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.total_cmp(&b.0)));
+        for (left, below) in row {
+            let corners = panel.at((left, below + y.2)).zip(panel.at((left + x.2, below)));
+            let Some((first, second)) = corners else { continue };
+            match boxes.last_mut() {
+                Some((known, end)) if known.1 == first.1 && end.0 >= first.0 - 0.01 => {
+                    end.0 = second.0;
+                }
+                _ => boxes.push((first, second)),
+            }
+        }
+        let strength = if fault.is_none() { 0.6 } else { 1.0 };
+        canvas.boxes(&boxes, ink(fault), strength);
+    }
 }

@@ -1,7 +1,8 @@
 //! A scene under one model.
 
+use kane_impact::compliant::Loss;
 use kane_impact::{Contact, Law, NumberSystem, Outcome};
-use kane_number::{Interval, Lane as _, Number as _, Rational, System};
+use kane_number::{Interval, Lane as _, Number as _, Rational, System, decode};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;
@@ -94,9 +95,7 @@ fn resolver<N: Coordinate + NumberSystem>(
     Ok(match mechanics {
         Mechanics::NormalOnly => Box::new(NormalOnly),
         Mechanics::Law(law) => Box::new(stated(law, &scene.tangential)?),
-        Mechanics::Compliant | Mechanics::Annuli => {
-            Box::new(contact(&scene.tangential, mechanics)?)
-        }
+        Mechanics::Compliant | Mechanics::Annuli => Box::new(contact(scene, mechanics)?),
         Mechanics::Chain => {
             return Err(Failed::Invalid("a chain is no single contact".to_owned()));
         }
@@ -113,6 +112,13 @@ fn stated(law: &Law, tangential: &Tangential) -> Result<Law, Failed> {
     with.ok_or_else(|| missing("tangential_restitution"))
 }
 
+/// The values by a model in floats, for measuring.
+pub(super) fn at(scene: &Scene, mechanics: Mechanics, setup: &Setup<Rational>) -> Option<Vec<f64>> {
+    let found = evaluate(scene, &setup.map(|x| x.to_f64()), mechanics, 1).ok()?;
+    let finite = found.values.iter().all(|value| decode(*value).is_ok());
+    finite.then_some(found.values)
+}
+
 /// The outcome of a tip's contact in floats.
 pub(crate) fn resolve_tip(
     scene: &Scene,
@@ -123,9 +129,13 @@ pub(crate) fn resolve_tip(
 }
 
 /// The elastic contact of the scene, followed by one process or by the finer one.
-fn contact(stated: &Tangential, mechanics: Mechanics) -> Result<Elastic, Failed> {
-    let of = |stiffness_ratio, process| Elastic { stiffness_ratio, process };
-    match (stated, mechanics) {
+pub(super) fn contact(scene: &Scene, mechanics: Mechanics) -> Result<Elastic, Failed> {
+    let (loss, finer) = (scene.loss, scene.finer);
+    let of = |stiffness_ratio, process| Elastic { stiffness_ratio, process, loss, finer };
+    match (&scene.tangential, mechanics) {
+        (_, Mechanics::Annuli) if loss.is_some_and(|loss| loss != Loss::Recoil) => {
+            Err(Failed::Invalid("annuli follow no damper".to_owned()))
+        }
         (Tangential::Elastic(nu), _) => {
             let (one, two) = (Rational::one(), Rational::one().double());
             // Mindlin's
@@ -172,7 +182,7 @@ fn bodies<N: Coordinate>(
     })?;
     let start_energy = world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
     let values = scene.asked.iter().map(|asked| {
-        let value = asked.quantity.of(&start_energy, bounces.first(), &end);
+        let value = asked.quantity.of(world, bounces.first(), &end);
         value.ok_or(Failed::NoValue(asked.quantity))
     });
     Ok(Found {
@@ -188,13 +198,14 @@ fn bodies<N: Coordinate>(
 }
 
 /// How many impacts are followed, by what one costs; of a ball that comes to rest fewer, because what
-/// has not stopped slipping by then never does.
+/// has not stopped slipping by then never does. In floats many impacts
+/// are cheap: a model whose impacts have no sum is followed until they change nothing any more.
 const fn most_impacts<N>(system: System, until: &Until<N>) -> u64 {
     match (system, until) {
         (System::Rational, Until::Rest) => 60,
         (System::Rational, _) => 1_000,
-        (_, Until::Rest) => 4_000,
         (System::F32 | System::F64, _) => 100_000,
+        (_, Until::Rest) => 4_000,
         (System::DoubleDouble | System::Interval, _) => 10_000,
     }
 }

@@ -3,13 +3,15 @@
 use kane_impact::NumberSystem;
 use kane_number::{DoubleDouble, Interval, Lane as _, Rational, System};
 
-use super::evaluate::{Found, evaluate};
+use super::evaluate::{Found, at, evaluate};
 use super::model::{Mechanics, Model};
-use super::reference::{Reference, at};
+use super::reference::Reference;
+use super::spread::{Part, affordable};
 use super::upwards;
 use crate::coordinate::Coordinate;
 use crate::quantity::Quantity;
-use crate::scene::Scene;
+use crate::scene::{Scene, Setup};
+use crate::tip::TipBody;
 
 /// What is said of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,13 +24,24 @@ pub enum Verdict {
         quantity: Quantity,
         /// At least so far off.
         by: f64,
-        /// Only at some corner of the stated uncertainty.
-        at_a_corner: bool,
+        /// Where.
+        place: Place,
     },
     /// It may be good enough, but nothing certifies it.
     Uncertified(&'static str),
     /// It has no answer.
     Fails(String),
+}
+
+/// At which state a model misses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// At the values as stated.
+    Stated,
+    /// At a corner of the stated uncertainty.
+    Corner,
+    /// At values within a hundredth of those stated: at these themselves it agrees by chance.
+    Near,
 }
 
 /// A model with its cost and its error.
@@ -101,17 +114,30 @@ fn verdict(
         .zip(bounds)
         .filter(|(asked, (least, _))| *least > asked.tolerance)
         .map(|(asked, (least, _))| (asked.quantity, upwards(least), asked.tolerance.to_f64()))
-        .max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
+        .max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)).then(a.1.total_cmp(&b.1)));
     if let Some((quantity, by, _)) = missing {
-        return Verdict::Misses { quantity, by, at_a_corner: false };
+        return Verdict::Misses { quantity, by, place: Place::Stated };
     }
     if scene.asked.iter().zip(bounds).any(|(asked, (_, most))| *most > asked.tolerance) {
         return Verdict::Uncertified("the reference is not known well enough");
     }
-    let Some(over) = &reference.over else { return Verdict::Meets };
     if model.mechanics == reference.mechanics {
         return Verdict::Meets;
     }
+    let alike = |setup: &Setup<Interval>| {
+        let found = evaluate(scene, setup, reference.mechanics, 1).ok()?;
+        let other = evaluate(scene, setup, model.mechanics, 1).ok()?;
+        Some((equal(model.mechanics, &found, &other), within(scene, &found, &other)))
+    };
+    let nominal = scene.nominal();
+    // on principle, or not only by chance
+    if alike(&nominal.map(Coordinate::enclosed)).is_none_or(|(equal, _)| !equal)
+        && let Some(miss) =
+            worst_at(scene, reference.mechanics, model.mechanics, &near(&nominal), Place::Near)
+    {
+        return miss;
+    }
+    let Some(over) = &reference.over else { return Verdict::Meets };
     // the same formulas over the whole uncertainty?
     let others =
         over.as_ref().ok().zip(evaluate(scene, &scene.enclosed(), model.mechanics, 1).ok());
@@ -120,13 +146,25 @@ fn verdict(
     {
         return Verdict::Meets;
     }
-    if let Some(miss) = corner(scene, reference, model.mechanics) {
+    let corners = scene.corners();
+    if let Some(miss) =
+        worst_at(scene, reference.mechanics, model.mechanics, &corners, Place::Corner)
+    {
         return miss;
     }
     if let Some((found, other)) = &others
         && within(scene, found, other)
     {
         return Verdict::Meets;
+    }
+    // part by part
+    let whole = Part::whole(scene);
+    let mut left = whole.halves(whole.widest(&whole)).to_vec();
+    for _ in 0..affordable(reference.mechanics, &reference.at) / 4 {
+        let Some(part) = left.pop() else { return Verdict::Meets };
+        if !alike(&part.enclosed(scene)).is_some_and(|(equal, within)| equal || within) {
+            left.extend(part.halves(part.widest(&whole)));
+        }
     }
     Verdict::Uncertified("it is not certified over the stated uncertainty")
 }
@@ -150,12 +188,70 @@ fn within(scene: &Scene, found: &Found<Interval>, other: &Found<Interval>) -> bo
     })
 }
 
-/// The worst miss at a corner of the uncertainty, measured in floats.
-fn corner(scene: &Scene, reference: &Reference, model: Mechanics) -> Option<Verdict> {
+/// Within a hundredth of the values as stated: friction, restitution, all velocities along one axis, or
+/// all spins, each less and more.
+fn near(nominal: &Setup<Rational>) -> Vec<Setup<Rational>> {
+    let part = |n: i64| Rational::new(n.into(), 100.into());
+    let one = Rational::from_integer(1.into());
+    let mut all = Vec::new();
+    for factor in [part(99), part(101)] {
+        for which in 0..5 {
+            let mut setup = nominal.clone();
+            let scaled = |x: &mut Rational, this: usize| {
+                if this == which {
+                    *x = &*x * &factor;
+                }
+            };
+            match &mut setup {
+                Setup::Bodies(world) => {
+                    scaled(&mut world.friction, 0);
+                    scaled(&mut world.restitution, 1);
+                    for body in &mut world.bodies {
+                        scaled(&mut body.motion.vx, 2);
+                        scaled(&mut body.motion.vy, 3);
+                        scaled(&mut body.motion.omega, 4);
+                    }
+                    world.restitution = world.restitution.clone().min(one.clone());
+                }
+                Setup::Tip(tip) => {
+                    scaled(&mut tip.friction, 0);
+                    scaled(&mut tip.restitution, 1);
+                    match &mut tip.body {
+                        TipBody::Rod { motion, .. } => {
+                            scaled(&mut motion.vx, 2);
+                            scaled(&mut motion.vy, 3);
+                            scaled(&mut motion.omega, 4);
+                        }
+                        TipBody::Pendulum { speeds: [first, second], .. } => {
+                            scaled(first, 2);
+                            scaled(second, 3);
+                        }
+                    }
+                    tip.restitution = tip.restitution.clone().min(one.clone());
+                }
+            }
+            if setup != *nominal {
+                all.push(setup);
+            }
+        }
+    }
+    all
+}
+
+/// The worst miss at these states, measured in floats.
+fn worst_at(
+    scene: &Scene,
+    reference: Mechanics,
+    model: Mechanics,
+    states: &[Setup<Rational>],
+    place: Place,
+) -> Option<Verdict> {
     let mut worst: Option<(Quantity, f64, f64)> = None;
-    for corner in scene.corners() {
-        let truth = at(scene, reference.mechanics, &corner)?;
-        let Some(values) = at(scene, model, &corner) else { continue };
+    for state in states {
+        let (Some(truth), Some(values)) = (at(scene, reference, state), at(scene, model, state))
+        else {
+            continue;
+        };
         for ((asked, a), b) in scene.asked.iter().zip(truth).zip(values) {
             let (error, tolerance) = ((a - b).abs(), asked.tolerance.to_f64());
             // what floats themselves may err by is no miss of the model
@@ -166,7 +262,7 @@ fn corner(scene: &Scene, reference: &Reference, model: Mechanics) -> Option<Verd
             }
         }
     }
-    worst.map(|(quantity, by, _)| Verdict::Misses { quantity, by, at_a_corner: true })
+    worst.map(|(quantity, by, _)| Verdict::Misses { quantity, by, place })
 }
 
 /// The model's values as exact numbers. Chains and processes say how far they are off themselves, and

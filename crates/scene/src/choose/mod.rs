@@ -10,10 +10,13 @@ mod judge;
 mod model;
 mod reasons;
 mod reference;
+mod refine;
+mod spread;
 
-pub use judge::{Judged, Verdict};
+pub use judge::{Judged, Place, Verdict};
 pub use model::{Mechanics, Model, UnknownModel, model_names};
-pub use reference::{Known, Spread};
+pub use reference::Known;
+pub use spread::Spread;
 
 use kane_impact::{Law, NumberSystem};
 use kane_number::{Lane as _, Rational, Rounding, encode};
@@ -22,7 +25,7 @@ use num_traits::Signed as _;
 use crate::coordinate::Coordinate;
 use crate::picture::Picture;
 use crate::quantity::Quantity;
-use crate::scene::Scene;
+use crate::scene::{Scene, Setup};
 use crate::simulate::{Bounce, End, Until};
 pub(crate) use evaluate::{Failed, chain_of, resolve_tip};
 use evaluate::{Found, evaluate};
@@ -68,6 +71,10 @@ pub struct Line {
 /// The answer to a scene.
 #[derive(Clone, Debug)]
 pub struct Answer {
+    /// The SHA-256 of the scene's file.
+    pub sha256: String,
+    /// What collides, at the values as stated.
+    pub stated: Setup<Shown>,
     /// Every quantity, in the order of the file.
     pub lines: Vec<Line>,
     /// How the reference is known, and so what every error here is: a bound, documented, or an
@@ -139,6 +146,7 @@ pub fn answer(
     effort: Effort,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Answer, NoAnswer> {
+    let scene = &refine::refined(scene, reference::mechanics(scene));
     let reference = Reference::of(scene);
     let candidates = model::candidates(reference.mechanics, laws);
     let mut judged = Vec::new();
@@ -164,7 +172,7 @@ pub fn answer(
     let shown = wanted.or(chosen).unwrap_or(faithful);
     let told = of_model(scene, shown).map_err(|reason| NoAnswer { model: shown, reason })?;
     let verdict = judged.iter().find(|judged| judged.model == shown);
-    let spread = reference.spread(scene);
+    let spread = reference.spread.as_ref();
     let lines = scene
         .asked
         .iter()
@@ -175,11 +183,14 @@ pub fn answer(
             exact: told.exact.then(|| told.values[index].text.clone()),
             error: verdict.and_then(|judged| judged.errors.get(index).copied().flatten()),
             tolerance: asked.tolerance.to_f64(),
-            spread: spread.as_ref().map(|spread| spread[index]),
+            spread: spread.map(|spread| spread[index]),
         })
         .collect();
     let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);
+    let stated = |x: &Rational| Shown { value: x.to_f64(), text: x.to_string() };
     Ok(Answer {
+        sha256: scene.sha256.clone(),
+        stated: scene.nominal().map(stated),
         lines,
         known: reference.values.is_ok().then_some(reference.known),
         chosen,

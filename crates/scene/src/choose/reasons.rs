@@ -1,10 +1,13 @@
 //! Why this model, in sentences.
 
-use super::judge::{Judged, Verdict};
+use super::evaluate::contact;
+use super::judge::{Judged, Place, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
+use crate::resolver::COMPLIANT;
 use crate::scene::{Scene, Setup};
-use kane_number::Lane as _;
+use kane_impact::compliant::{Compliance, Loss};
+use kane_number::{Lane as _, Number as _};
 
 /// A short number for prose.
 pub(super) fn short(value: f64) -> String {
@@ -36,11 +39,15 @@ pub(super) fn reasons(
             (Ok(_), Known::Enclosed) => ", enclosed by intervals",
             (Ok(_), Known::Documented) =>
                 ", which slides all the time here as is documented of it; that is enclosed by intervals",
+            (Ok(_), Known::Estimated)
+                if matches!(reference.mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) =>
+                ", followed in floats of two lengths, because intervals lose it; the difference of the two is an estimate and no bound",
             (Ok(_), Known::Estimated) =>
                 ", followed in steps; how far that is off is an estimate from finer and coarser steps and no bound",
         }
     )];
     said.extend(of_the_contact(scene, reference));
+    said.extend(of_the_loss(scene, reference));
     if let Some(wanted) = wanted {
         said.push(format!("{wanted} was asked for."));
     }
@@ -48,20 +55,40 @@ pub(super) fn reasons(
         Some(chosen) => of_the_choice(reference, judged, chosen, &mut said),
         None => said.push(limit(scene, reference, judged)),
     }
-    if let Some(spread) = reference.spread(scene) {
-        let moved = scene.asked.iter().zip(spread);
-        let beyond: Vec<String> = moved
-            .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
-            .map(|(asked, spread)| format!("{} by ±{}", asked.quantity, short(spread.by)))
-            .collect();
-        if !beyond.is_empty() {
-            said.push(format!(
-                "What is not known of the state moves {}, more than the tolerance: no model mends that.",
-                beyond.join(", ")
-            ));
-        }
-    }
+    said.extend(of_the_inputs(scene, reference));
     said
+}
+
+/// What the stated uncertainty does, where that is more than what was asked, or may be.
+fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
+    let moved = || scene.asked.iter().zip(reference.spread.iter().flatten());
+    let beyond: Vec<String> = moved()
+        .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
+        .map(|(asked, spread)| {
+            format!("{} by ±{} at least", asked.quantity, short(spread.at_least))
+        })
+        .collect();
+    let open: Vec<String> = moved()
+        .filter(|(asked, spread)| {
+            let tolerance = asked.tolerance.to_f64();
+            spread.may_exceed(tolerance) && !spread.exceeds(tolerance)
+        })
+        .map(|(asked, spread)| format!("{} within ±{}", asked.quantity, short(spread.by)))
+        .collect();
+    let mut said = Vec::new();
+    if !beyond.is_empty() {
+        said.push(format!(
+            "What is not known of the state moves {}, more than the tolerance: no model mends that.",
+            beyond.join(", ")
+        ));
+    }
+    if !open.is_empty() {
+        said.push(format!(
+            "What is not known of the state moves {}, as far as it could be enclosed; at its corners it is within the tolerance.",
+            open.join(", ")
+        ));
+    }
+    (!said.is_empty()).then(|| said.join(" "))
 }
 
 /// Coupling and α.
@@ -101,6 +128,38 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
             ))
         }
     }
+}
+
+/// What e < 1 is taken to mean for an elastic contact, where that is not stated.
+fn of_the_loss(scene: &Scene, reference: &Reference) -> Option<String> {
+    let Setup::Bodies(world) = &scene.setup else { return None };
+    let found = reference.at.as_ref().ok().filter(|found| found.estimated)?;
+    let elastic = contact(scene, reference.mechanics).ok()?;
+    let e = world.restitution.value.to_f64();
+    if scene.loss.is_some() || e >= 1.0 {
+        return None;
+    }
+    let mut said = format!(
+        "For e < 1 the theory does not say how energy is lost along the normal; here it is {}",
+        Loss::Recoil.words()
+    );
+    let first = found.bounces.first().filter(|bounce| bounce.regime == COMPLIANT);
+    let others = first.and_then(|first| {
+        let world = world.map(|stated| stated.value.to_f64());
+        let mobility = world.mobility_ratio(first.encounter);
+        let springs = elastic.stiffness_ratio.to_f64().recip();
+        let compliance = Compliance::of_springs(mobility, springs, e).ok()?;
+        let k = first.slip[1].checked_div(&first.slip[0])?.midpoint();
+        Some((k, elastic.other_choices(compliance, found.alpha?.midpoint().abs())))
+    });
+    if let Some((k, others)) = others {
+        let others: Vec<String> =
+            others.iter().map(|(loss, k)| format!("with {} {}", loss.words(), short(*k))).collect();
+        let others = others.join(" and ");
+        said.push_str(&format!(", with k = {} at the first impact ({others})", short(k)));
+    }
+    said.push_str("; the difference counts as error, unless the scene states its `loss`.");
+    Some(said)
 }
 
 fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: &mut Vec<String>) {
@@ -182,8 +241,12 @@ fn limit(scene: &Scene, reference: &Reference, judged: &[Judged]) -> String {
 pub(super) fn in_words(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Meets => "good enough".to_owned(),
-        Verdict::Misses { quantity, by, at_a_corner } => {
-            let place = if *at_a_corner { " within the stated uncertainty" } else { "" };
+        Verdict::Misses { quantity, by, place } => {
+            let place = match place {
+                Place::Stated => "",
+                Place::Corner => " within the stated uncertainty",
+                Place::Near => " where a value is a hundredth off, and agrees here by chance",
+            };
             format!("{quantity} is off by {}{place}", short(*by))
         }
         Verdict::Uncertified(why) => (*why).to_owned(),

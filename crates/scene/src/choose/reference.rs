@@ -1,9 +1,10 @@
 //! What a scene says is true, and what is known of it: models are held against this.
 
-use kane_number::{Interval, Lane as _, Rational, decode};
+use kane_number::{DoubleDouble, Interval, Lane as _, Number as _, Rational, decode};
 
 use super::evaluate::{Failed, Found, evaluate};
 use super::model::{COULOMB, ENERGETIC, GRIP, Mechanics};
+use super::spread::{Spread, affordable, spread};
 use crate::coordinate::Coordinate;
 use crate::scene::{Scene, Setup, Tangential};
 
@@ -18,7 +19,8 @@ pub enum Known {
     /// the time ([`Elastic::slides_up_to`](crate::Elastic::slides_up_to)). What the processes say
     /// there is charted in `docs/data/model-error.csv`.
     Documented,
-    /// Heuristic: a process or an integration, by the change under refinement of its steps.
+    /// Heuristic: a process or an integration, by the change under refinement of its steps, or a law in
+    /// floats of two lengths, by their difference.
     Estimated,
 }
 
@@ -47,23 +49,6 @@ impl Known {
     }
 }
 
-/// How far the stated uncertainty moves an answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
-    /// To either side, in the unit of the quantity.
-    pub by: f64,
-    /// Enclosed by intervals; else measured at the corners of the uncertainty, which is heuristic.
-    pub enclosed: bool,
-}
-
-impl Spread {
-    /// Whether the inputs leave more open than was asked; the tolerance in the unit of the quantity.
-    #[must_use]
-    pub fn exceeds(&self, tolerance: f64) -> bool {
-        self.by > tolerance
-    }
-}
-
 /// The reference of a scene.
 pub(super) struct Reference {
     pub(super) mechanics: Mechanics,
@@ -72,6 +57,9 @@ pub(super) struct Reference {
     pub(super) known: Known,
     /// What happens over the whole stated uncertainty, enclosed; `None` if nothing is uncertain.
     pub(super) over: Option<Result<Found<Interval>, Failed>>,
+    /// How far the stated uncertainty moves each answer; `None` if nothing is uncertain, or it is not
+    /// known.
+    pub(super) spread: Option<Vec<Spread>>,
     /// The same at the values as stated.
     pub(super) at: Result<Found<Interval>, Failed>,
 }
@@ -80,9 +68,9 @@ impl Reference {
     pub(super) fn of(scene: &Scene) -> Self {
         let mechanics = mechanics(scene);
         let nominal = scene.nominal();
-        let exact = || {
+        let exact = || -> Result<Vec<(Rational, Rational)>, Failed> {
             let found = evaluate(scene, &nominal, mechanics, 1)?;
-            Ok(found.values.into_iter().map(|value| (value.clone(), value)).collect::<Vec<_>>())
+            Ok(found.values.into_iter().map(|value| (value.clone(), value)).collect())
         };
         let asks_exactly = scene
             .asked
@@ -96,57 +84,64 @@ impl Reference {
                 });
             ends.collect()
         };
+        let tells = |ends: &[(Rational, Rational)]| {
+            let mut all = ends.iter().zip(&scene.asked);
+            // so wide that what is near the middle is still within the tolerance of either end
+            all.all(|((low, high), asked)| {
+                (high - low).double() <= &asked.tolerance + asked.tolerance.double()
+            })
+        };
         // exact numbers where they are needed and can be had; else enclosures
         let (values, known) = match (asks_exactly, &at) {
             (true, _) | (false, Err(_)) => match (exact(), &at) {
                 (Ok(values), _) => (Ok(values), Known::Exactly),
                 (Err(_), Ok(found)) => (enclosed(found), Known::on_intervals(mechanics, found)),
-                (Err(failed), Err(other)) => {
-                    let failed = if other.is_of_the_model() { other.clone() } else { failed };
-                    (Err(failed), Known::Enclosed)
-                }
+                (Err(_), Err(failed)) => (Err(failed.clone()), Known::Enclosed),
             },
             (false, Ok(found)) => (enclosed(found), Known::on_intervals(mechanics, found)),
         };
+        let untold = match &values {
+            Ok(ends) => !asks_exactly && known != Known::Estimated && !tells(ends),
+            Err(failed) => !failed.is_of_the_model(),
+        };
+        let (values, known) = match compared(scene, mechanics).filter(|_| untold) {
+            Some(ends) => (Ok(ends), Known::Estimated),
+            None => (values, known),
+        };
         let over =
             (scene.uncertain() > 0).then(|| evaluate(scene, &scene.enclosed(), mechanics, 1));
-        Self { mechanics, values, known, over, at }
-    }
-
-    /// How far the stated uncertainty moves each answer to either side, from enclosures where they
-    /// are finite, else by the corners of the box; `None` if nothing is uncertain, or not known.
-    pub(super) fn spread(&self, scene: &Scene) -> Option<Vec<Spread>> {
-        let over = self.over.as_ref()?;
-        let all = |halves: Vec<f64>, enclosed| {
-            Some(halves.into_iter().map(|by| Spread { by, enclosed }).collect())
-        };
-        if let Ok(found) = over {
-            let half: Vec<f64> = found.values.iter().map(|value| value.width() / 2.0).collect();
-            if half.iter().all(|half| half.is_finite()) {
-                return all(half, !found.estimated);
-            }
-        }
-        let middle = at(scene, self.mechanics, &scene.nominal())?;
-        let mut most = vec![0.0_f64; middle.len()];
-        for corner in scene.corners() {
-            let values = at(scene, self.mechanics, &corner)?;
-            for ((most, value), middle) in most.iter_mut().zip(values).zip(&middle) {
-                *most = most.max((value - middle).abs());
-            }
-        }
-        all(most, false)
+        let spread =
+            over.as_ref().and_then(|_| spread(scene, mechanics, affordable(mechanics, &at)));
+        Self { mechanics, values, known, over, spread, at }
     }
 }
 
-/// The values by a model in floats, for measuring.
-pub(super) fn at(scene: &Scene, mechanics: Mechanics, setup: &Setup<Rational>) -> Option<Vec<f64>> {
-    let found = evaluate(scene, &setup.map(|x| x.to_f64()), mechanics, 1).ok()?;
-    let finite = found.values.iter().all(|value| decode(*value).is_ok());
-    finite.then_some(found.values)
+/// The reference in floats of two lengths, where neither intervals nor exact numbers tell what is asked
+/// for: if both agree to the tolerance, the longer ones are taken to be right to a millionth of
+/// their difference, since both lose digits alike and they have more than as many again.
+fn compared(scene: &Scene, mechanics: Mechanics) -> Option<Vec<(Rational, Rational)>> {
+    if !matches!(mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) {
+        return None;
+    }
+    let nominal = scene.nominal();
+    let short = evaluate(scene, &nominal.map(|x| x.to_f64()), mechanics, 1).ok()?;
+    let long = evaluate(scene, &nominal.map(DoubleDouble::from_rational), mechanics, 1).ok()?;
+    let impacts = |end: Option<u64>| end.unwrap_or(0);
+    if impacts(short.end.map(|end| end.impacts)) != impacts(long.end.map(|end| end.impacts)) {
+        return None;
+    }
+    let values = short.values.iter().zip(&long.values).zip(&scene.asked);
+    let ends = values.map(|((short, long), asked)| {
+        let (short, long) = (decode(*short).ok()?, long.exact()?);
+        let apart = if short < long { &long - &short } else { &short - &long };
+        let within = &apart / Rational::from_integer(1_000_000.into());
+        (apart <= asked.tolerance).then(|| (&long - &within, &long + &within))
+    });
+    ends.collect()
 }
 
 /// What the scene states of its contacts.
-fn mechanics(scene: &Scene) -> Mechanics {
+pub(super) fn mechanics(scene: &Scene) -> Mechanics {
     let frictionless =
         scene.setup.friction().value == Rational::default() && scene.setup.friction().is_certain();
     match (&scene.tangential, &scene.setup) {

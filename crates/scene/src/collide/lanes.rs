@@ -92,7 +92,8 @@ pub(super) fn at_contact<N: Real>(
         (quantity("p_n", "N·s", "normal impulse"), Some(outcome.impulse.normal.clone())),
         (quantity("v_t+", "m/s", "slip after"), Some(outcome.slip.clone())),
         (quantity("v_n+", "m/s", "speed of separation"), Some(outcome.separation.clone())),
-        (column("k", "", "v_t+/v_t"), ratio(|r| r.k)),
+        // without friction or approach there is no i_x, but the slip stays
+        (column("k", "", "v_t+/v_t"), outcome.slip.checked_div(contact.slip())),
         (column("i_x", "", "-p_t/(mu*p_n)"), ratio(|r| r.impulse)),
         (quantity("de", "", "dE_t/(mu*p_n*v_t)"), ratio(|r| r.energy)),
         (quantity("dE_t", "J", "work of friction"), Some(outcome.work.tangential.clone())),

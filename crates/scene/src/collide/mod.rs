@@ -89,6 +89,12 @@ pub fn in_depth(question: &Question, law: &Law) -> Result<Collision, InvalidInpu
     answered(question, std::slice::from_ref(law), true)
 }
 
+/// What a reader of these laws' numbers must not miss.
+fn caveats(laws: &[Law]) -> impl Iterator<Item = String> {
+    let told = laws.iter().filter_map(|law| Some((law.info.id, law.info.caveat?)));
+    told.map(|(id, caveat)| format!("{id}: {caveat}."))
+}
+
 fn answered(
     question: &Question,
     laws: &[Law],
@@ -99,7 +105,7 @@ fn answered(
     Ok(Collision {
         title: question.title.clone(),
         given: question.given.clone(),
-        notes: question.notes.clone(),
+        notes: question.notes.iter().cloned().chain(caveats(laws)).collect(),
         before: readings::before(&question.system, &contact),
         laws: laws.iter().map(answer).collect(),
         in_depth,

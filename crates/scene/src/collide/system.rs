@@ -9,7 +9,8 @@ use kane_number::Real;
 /// A body, two bodies, or a mechanism, at the moment of touching.
 #[derive(Clone, Debug, PartialEq)]
 pub enum System<N> {
-    /// A round body and a fixed plane, in the paper's signs.
+    /// A round body and a fixed plane, in the paper's signs, y into the plane; what is read and shown
+    /// has y away from it.
     Sphere(SphereOnPlane<N>),
     /// Any planar body that meets an obstacle or another body.
     Planar(Collision<N>),
@@ -43,7 +44,7 @@ impl<N> System<N> {
     pub const fn signs(&self) -> &'static str {
         match self {
             Self::Sphere(_) => {
-                "Signs: x along the plane, y into it, the slip v_t = v_x - omega*r; p_t = -I_x is along x and p_n = I_y pushes out of the plane."
+                "Signs: x along the plane, y away from it, omega from x to y, the slip v_t = v_x + omega*r; p_t and p_n are on the body."
             }
             Self::Planar(Collision { other: None, .. }) => {
                 "Signs: x along the surface, y out of the obstacle into the body, omega from x to y; p_t and p_n are on the body."
@@ -127,9 +128,7 @@ impl<N: Real> System<N> {
         match self {
             Self::Sphere(sphere) => {
                 let Collided { after, energy, .. } = sphere.collision().collided(outcome)?;
-                // into the plane, as the motion before
-                let velocities = vec![after.vx, -after.vy, -after.omega];
-                Ok(After { velocities, ledger: Some(energy) })
+                Ok(After { velocities: three(after).to_vec(), ledger: Some(energy) })
             }
             Self::Planar(collision) => {
                 let Collided { after, other_after, energy, .. } = collision.collided(outcome)?;
@@ -159,7 +158,8 @@ impl<N: Real> System<N> {
         match &mut moving {
             Self::Sphere(sphere) => {
                 if let Some(Some(motion)) = motions.next() {
-                    sphere.before = motion;
+                    // the paper's y points into the plane
+                    sphere.before = Motion { vx: motion.vx, vy: -motion.vy, omega: -motion.omega };
                 }
             }
             Self::Planar(collision) => {

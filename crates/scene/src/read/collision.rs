@@ -91,6 +91,15 @@ pub fn collision(name: &str, text: &str) -> Result<Question, Fault> {
     Ok(question)
 }
 
+/// What is wrong with a velocity that points away from the plane, and maybe was right once.
+pub const TURNED: &str = "this body moves away from the plane: y points away from it and spin counts from x to y, as everywhere; up to version 0.1 y pointed into the plane and spin counted the other way, so change the signs of both";
+
+/// The same motion in the signs of the paper, whose y points into the plane.
+#[must_use]
+pub fn of_the_paper(motion: Motion<Rational>) -> Motion<Rational> {
+    Motion { vx: motion.vx, vy: -motion.vy, omega: -motion.omega }
+}
+
 /// What is known exactly.
 fn certain(motion: &Motion<Stated>) -> Motion<Rational> {
     motion.map(|stated| stated.value.clone())
@@ -118,6 +127,10 @@ fn system(reader: &mut Reader<'_>, file: &File) -> Result<System<Rational>, Faul
         let [mass, radius, inertia] = round(reader, sphere, "")?;
         let before = reader.motion(&sphere.velocity_m_s, sphere.spin_rad_s.as_ref(), "0")?;
         let before = certain(&before);
+        if before.vy > Rational::default() {
+            return Err(reader.fault(sphere.velocity_m_s[1].span(), TURNED));
+        }
+        let before = of_the_paper(before);
         return Ok(System::Sphere(SphereOnPlane {
             mass,
             radius,

@@ -3,8 +3,10 @@
 use std::collections::BTreeMap;
 
 use kane_algebra::syntax::visible;
+use kane_impact::compliant::Loss;
 use kane_number::Rational;
 use serde::Deserialize;
+use sha2::{Digest as _, Sha256};
 use toml::Spanned;
 
 use super::ask::{UntilTable, asked, until};
@@ -30,6 +32,7 @@ struct File {
     poisson_ratio: Option<Number>,
     #[serde(rename = "stiffness_ratio")]
     stiffness_ratio: Option<Number>,
+    loss: Option<Spanned<String>>,
     #[serde(rename = "hertz_stiffness_n_m_3_2")]
     stiffness: Option<Number>,
     #[serde(rename = "gravity_m_s2")]
@@ -61,7 +64,9 @@ pub fn scene(name: &str, text: &str) -> Result<Scene, Fault> {
 fn read(source: Source<'_>) -> Result<Scene, Fault> {
     let file: File = source.parse()?;
     let setup = setup(source, &file)?;
+    let digest = Sha256::digest(source.text.as_bytes());
     let scene = Scene {
+        sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
         title: file
             .title
             .as_deref()
@@ -81,6 +86,8 @@ fn read(source: Source<'_>) -> Result<Scene, Fault> {
             }
         },
         tangential: tangential(source, &file)?,
+        loss: file.loss.as_ref().map(|loss| lost(source, loss, &file)).transpose()?,
+        finer: 1,
         stiffness: match &file.stiffness {
             None => None,
             Some(number) => {
@@ -158,6 +165,21 @@ fn tangential(source: Source<'_>, file: &File) -> Result<Tangential, Fault> {
         }
         _ => Ok(Tangential::Elastic(value)),
     }
+}
+
+/// What e < 1 means for an elastic contact.
+fn lost(source: Source<'_>, loss: &Spanned<String>, file: &File) -> Result<Loss, Fault> {
+    let fault = |message: String| source.fault(loss.span(), message);
+    let known: &[Loss] = match (&file.poisson_ratio, &file.stiffness_ratio) {
+        (Some(_), _) => &Loss::ALL,
+        (None, Some(_)) => &[Loss::Recoil, Loss::Linear],
+        (None, None) => {
+            return Err(fault("loss is for poisson_ratio or stiffness_ratio".to_owned()));
+        }
+    };
+    let found = known.iter().find(|known| known.id() == loss.get_ref());
+    let ids = || known.iter().map(|known| known.id()).collect::<Vec<_>>().join(" or ");
+    found.copied().ok_or_else(|| fault(format!("loss is {} here", ids())))
 }
 
 fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {

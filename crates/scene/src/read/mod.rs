@@ -11,7 +11,7 @@ mod reader;
 mod source;
 mod stated;
 
-pub use collision::collision;
+pub use collision::{TURNED, collision, of_the_paper};
 pub use file::scene;
 pub use flags::Flags;
 pub use number::{Domain, read, read_in};

@@ -42,6 +42,15 @@ pub struct Bounce<N> {
 }
 
 impl<N> Bounce<N> {
+    /// The bodies that meet, by their index, in the order of `after`.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> {
+        let (first, second) = match self.encounter {
+            Encounter::Wall(i, _) => (i, None),
+            Encounter::Pair(i, j) => (i, Some(j)),
+        };
+        std::iter::once(first).chain(second)
+    }
+
     /// The same impact with other numbers.
     pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> Bounce<M> {
         Bounce {

@@ -1,15 +1,30 @@
 //! The end of a bouncing ball: infinitely many impacts in a finite time, in closed form.
 
+use kane_impact::{Contact, Delassus};
+
 use crate::coordinate::Coordinate;
+use crate::resolver::{Lasting, Resolver};
 use crate::world::Round;
 
 /// How the slip goes on through the impacts that are left.
 #[derive(Clone, Debug)]
 pub(super) enum Tail<N> {
-    /// No friction acts: the slip is zero and stays so, or μ = 0.
+    /// No friction acts: the model has none, μ = 0, or the slip is zero and stays so.
     Free,
+    /// What friction is left is too little for the number system to notice. How the ball slides on
+    /// when it lies on the floor, the model does not tell.
+    Unnoticed,
     /// Friction acts in full against the slip, by its sign, at every impact.
     Sliding(N),
+    /// Every impact turns the slip u into −β₀·u.
+    Gripping {
+        /// u
+        slip: N,
+        /// β₀ ≤ e
+        share: N,
+        /// `W_tt`/`W_nn`
+        ratio: N,
+    },
 }
 
 /// What is left of the bouncing of a ball that has just left the floor upwards with v, for
@@ -26,22 +41,46 @@ pub(super) enum Tail<N> {
 /// Δx = 2v/g·(v_x/(1 − e) − s·μ·(1 + e)·v·e/((1 − e)²·(1 + e)))
 /// ```
 ///
+/// If each impact gives the share β₀ < 1 of the slip u back, `v_x` + ((−β₀)ⁿ − 1)·u·`W_nn`/`W_tt` is the
+/// velocity after n of them, and
+///
+/// ```text
+/// Δv_x = −u·W_nn/W_tt        Δω = r·m/J·Δv_x
+/// Δx = 2v/g·((v_x − u·W_nn/W_tt)/(1 − e) + u·W_nn/W_tt/(1 + β₀·e))
+/// ```
+///
 /// Exact in exact numbers; in floats a few roundings.
 pub(super) struct Rest<N> {
     pub(super) time: N,
     pub(super) body: Round<N>,
 }
 
-/// Which tail there is, if one can be told: `None` means that the slip stops within finitely many
-/// impacts, which must be followed first.
+/// The next impact of a ball that has just left the floor with this slip.
+fn next<N: Coordinate>(body: &Round<N>, slip: &N, friction: &N, restitution: &N) -> Contact<N> {
+    let nn = N::one() / &body.mass;
+    let delassus = Delassus::unchecked(nn.clone() + body.rotational_mobility(), N::zero(), nn);
+    let approach = body.motion.vy.clone();
+    Contact::unchecked(slip.clone(), approach, delassus, friction.clone(), restitution.clone())
+}
+
+/// Which tail the model has, if one can be told: `None` means that impacts have to be followed one by
+/// one for now.
+///
+/// α falls from impact to impact where the slip is never stopped: with d·eⁿ for what the nth takes of it
+/// and `u_∞` ≥ 0 for what is left of it in the end, α = d·eⁿ/(2·(`u_∞` + d·eⁿ/(1 − e))). Where shares of the
+/// slip come back it grows by e/β₀. So the first α decides for all.
 pub(super) fn tail<N: Coordinate>(
+    resolver: &dyn Resolver<N>,
     body: &Round<N>,
     slip: &N,
     friction: &N,
     restitution: &N,
 ) -> Option<Tail<N>> {
+    let next = next(body, slip, friction, restitution);
+    let lasting = resolver.lasting(&next);
     let sign = slip.sign();
-    if sign.is_equal() == Some(true) || friction.sign().is_equal() == Some(true) {
+    let none = sign.is_equal() == Some(true);
+    if none || matches!(lasting, Lasting::Without) {
         return Some(Tail::Free);
     }
     let forward = match (sign.is_greater(), sign.is_less()) {
@@ -50,15 +89,32 @@ pub(super) fn tail<N: Coordinate>(
         _ => return None,
     };
     let one = N::one();
-    let up = &body.motion.vy;
-    let velocity = (one.clone() + restitution) * up / (one.clone() - restitution);
-    // what all impacts together can take from the slip: W_tt/W_nn times μ·Σp_n/m
-    let ratio = one + body.mass.clone() * body.rotational_mobility();
-    let most = ratio * friction * velocity;
+    let ratio = next.delassus().tt().clone() / next.delassus().nn();
+    // what the next impact takes from the slip, sliding, and what all of them do
+    let first = ratio.clone() * friction * (one.clone() + restitution) * next.approach();
+    let most = first.clone() / (one.clone() - restitution);
     let magnitude = if forward { slip.clone() } else { -slip.clone() };
-    let lasts = magnitude.compare(&most).is_at_least()?;
-    let sign = if forward { N::one() } else { -N::one() };
-    lasts.then_some(Tail::Sliding(sign))
+    if matches!(lasting, Lasting::Unsummed) {
+        // friction is at most full; where all of it is lost in rounding, there is none
+        let unmoved = (magnitude.clone() - &most).compare(&magnitude).is_equal();
+        return (unmoved == Some(true)).then_some(Tail::Unnoticed);
+    }
+    let slides = match &lasting {
+        // α = first/(2·magnitude)
+        Lasting::Full { up_to } => {
+            first.compare(&(up_to.double() * &magnitude)).is_at_most()?
+                && magnitude.compare(&most).is_at_least()?
+        }
+        Lasting::Share(_) => magnitude.compare(&most).is_at_least()?,
+        Lasting::Without | Lasting::Unsummed => false,
+    };
+    if slides {
+        return Some(Tail::Sliding(if forward { one } else { -one }));
+    }
+    let Lasting::Share(share) = lasting else { return None };
+    let grips = first.compare(&((one + &share) * magnitude)).is_at_least()?;
+    let lasts = share.compare(restitution).is_at_most()?;
+    (grips && lasts).then(|| Tail::Gripping { slip: slip.clone(), share, ratio })
 }
 
 /// Follows the tail to its end.
@@ -79,17 +135,29 @@ pub(super) fn rest<N: Coordinate>(
     let vx = &body.motion.vx;
     let [x, _] = &body.position;
     match tail {
-        Tail::Free => after.position[0] = vx.mul_add(&time, x),
+        Tail::Free | Tail::Unnoticed => after.position[0] = vx.mul_add(&time, x),
         Tail::Sliding(sign) => {
             let step = friction.clone() * sign * (one.clone() + restitution) * up;
             let change = step.clone() / &lost;
             let behind = step * restitution / (lost.square() * (one + restitution));
             let distance = first_flight * (vx.clone() / &lost - behind);
             after.position[0] = x.clone() + distance;
-            after.motion.vx = vx.clone() - &change;
-            let turn = body.radius.clone() * &body.mass * change / &body.inertia;
-            after.motion.omega = body.motion.omega.clone() - turn;
+            slow(&mut after, change);
+        }
+        Tail::Gripping { slip, share, ratio } => {
+            let change = slip.clone() / ratio;
+            let swings = change.clone() / share.mul_add(restitution, &one);
+            let distance = first_flight * ((vx.clone() - &change) / &lost + swings);
+            after.position[0] = x.clone() + distance;
+            slow(&mut after, change);
         }
     }
     Rest { time, body: after }
+}
+
+/// Takes this from `v_x`, by friction, which turns the body too.
+pub(super) fn slow<N: Coordinate>(body: &mut Round<N>, by: N) {
+    body.motion.vx = body.motion.vx.clone() - &by;
+    let turn = body.radius.clone() * &body.mass * by / &body.inertia;
+    body.motion.omega = body.motion.omega.clone() - turn;
 }

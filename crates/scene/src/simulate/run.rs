@@ -133,6 +133,11 @@ pub enum Stopped {
         "`rest` needs one ball, a floor, no other wall, and gravity; give `impacts` or `duration_s`"
     )]
     NotABall,
+    /// The ball has come to rest and still slips.
+    #[error(
+        "the ball lies on the floor and slips, and the model does not say how that goes on; give `rest` or `impacts`"
+    )]
+    LiesUntold,
 }
 
 /// Follows a world, event by event, and tells an observer every impact.
@@ -187,7 +192,7 @@ pub fn run<N: Coordinate>(
         if bounce.time.is_long() || bounce.slip[1].is_long() {
             return Err(Stopped::Long { impact: state.impacts, time: state.now.to_f64() });
         }
-        if let Some(end) = state.rests(until, budget, &bounce) {
+        if let Some(end) = state.rests(resolver, until, budget, &bounce)? {
             return Ok(end);
         }
         state.refresh(encounter).map_err(|Unknown| state.undecided())?;

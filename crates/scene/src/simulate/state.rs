@@ -2,7 +2,7 @@
 
 use super::encounter::{Bounce, Encounter, normal_of, strike};
 use super::flight::{Unknown, to_body, to_wall};
-use super::rest::{Tail, rest, tail};
+use super::rest::{Tail, rest, slow, tail};
 use super::run::{Budget, End, Ending, Stopped, Until};
 use crate::coordinate::Coordinate;
 use crate::resolver::Resolver;
@@ -235,13 +235,17 @@ impl<'a, N: Coordinate> State<'a, N> {
         if loses == Some(false) { Err(Stopped::NeverRests) } else { Ok(()) }
     }
 
-    /// The end, if the ball comes to rest before anything else is asked for.
+    /// The end, if the ball comes to rest before anything else is asked for, and the model tells how.
+    ///
+    /// # Errors
+    /// If the ball lies on the floor and slips, and the model does not tell how that goes on.
     pub(super) fn rests(
         &self,
+        resolver: &dyn Resolver<N>,
         until: &Until<N>,
         budget: Budget,
         bounce: &Bounce<N>,
-    ) -> Option<End<N>> {
+    ) -> Result<Option<End<N>>, Stopped> {
         let World { gravity, friction, restitution, .. } = self.world;
         let body = &bounce.after.0;
         let lies = body.motion.vy.sign().is_equal() == Some(true);
@@ -250,27 +254,37 @@ impl<'a, N: Coordinate> State<'a, N> {
             Until::Duration(_) | Until::Rest => true,
         };
         if !asked || !(lies || self.impacts >= budget.shown) || self.can_rest().is_err() {
-            return None;
+            return Ok(None);
         }
         if restitution.compare(&N::one()).is_less() != Some(true) {
-            return None;
+            return Ok(None);
         }
-        let tail = tail(body, &bounce.slip[1], friction, restitution)?;
+        let Some(tail) = tail(resolver, body, &bounce.slip[1], friction, restitution) else {
+            return match (lies, until) {
+                (false, _) => Ok(None),
+                (true, Until::Duration(_)) => Err(Stopped::LiesUntold),
+                // nothing is left to sum up
+                (true, _) => Ok(Some(self.end(Ending::Rest))),
+            };
+        };
         let rest = rest(body, &tail, gravity, friction, restitution);
         let time = self.now.clone() + &rest.time;
         let end =
             |time, body, ending| End { time, bodies: vec![body], impacts: self.impacts, ending };
-        match until {
+        Ok(match until {
             Until::Duration(end_time) => {
                 if end_time.compare(&time).is_less() != Some(false) {
-                    return None;
+                    return Ok(None);
+                }
+                if matches!(tail, Tail::Unnoticed) {
+                    return Err(Stopped::LiesUntold);
                 }
                 let left = end_time.clone() - time;
-                let body = crept(&rest.body, &tail, &left, gravity, friction)?;
-                Some(end(end_time.clone(), body, Ending::Duration))
+                let body = crept(&rest.body, &tail, &left, gravity, friction);
+                body.map(|body| end(end_time.clone(), body, Ending::Duration))
             }
             _ => Some(end(time, rest.body, Ending::Rest)),
-        }
+        })
     }
 }
 
@@ -293,9 +307,7 @@ fn crept<N: Coordinate>(
         let change = slowing * &slides;
         let mean = body.motion.vx.clone() - crate::coordinate::half(change.clone());
         after.position[0] = mean.mul_add(&slides, &body.position[0]);
-        after.motion.vx = body.motion.vx.clone() - &change;
-        let turn = body.radius.clone() * &body.mass * change / &body.inertia;
-        after.motion.omega = body.motion.omega.clone() - turn;
+        slow(&mut after, change);
         left = left - slides;
     }
     after.position[0] = after.motion.vx.mul_add(&left, &after.position[0]);

@@ -1,7 +1,8 @@
 //! The chooser is right: the chosen model meets the tolerance, the next cheaper one misses.
 
+use kane_impact::compliant::Loss;
 use kane_impact::laws;
-use kane_scene::{Answer, Effort, Known, Model, Scene, Verdict, answer, read};
+use kane_scene::{Answer, Effort, Known, Model, Place, Scene, Verdict, answer, read};
 
 /// The shipped scenes, and the model that each is answered by.
 const SHIPPED: [(&str, &str, &str); 11] = [
@@ -80,7 +81,8 @@ fn a_process_answers_where_an_elastic_contact_does_not_slide() {
     for (process, found) in
         [(Process::DimensionReduction, by_springs), (Process::Bilinear, by_pair)]
     {
-        let elastic = Elastic { stiffness_ratio: n("14/17"), process };
+        let elastic =
+            Elastic { stiffness_ratio: n("14/17"), process, loss: Some(Loss::Recoil), finer: 1 };
         // α = 7/2·1/5·19/10/(2·slip): 0.3325 slides by the formula, 0.665 takes the process
         let beyond = found.ratios.k;
         for (slip, k) in
@@ -112,9 +114,7 @@ fn two_ways_through_the_half_space_agree_on_the_alumina_sphere() {
     let springs = text.replacen("poisson_ratio = 0.23", "stiffness_ratio = \"154/177\"", 1);
     let (_, pair) = answered("springs", &springs, None);
     assert_eq!(pair.shown.to_string(), "compliant/f64");
-    let error = |answer: &Answer| answer.lines[0].error.unwrap();
-    assert!(error(&pair) < 1e-9 && error(&rows) < 1e-3, "{} {}", error(&pair), error(&rows));
-    assert!((k(&pair) - k(&rows)).abs() > error(&rows), "{} {}", k(&pair), k(&rows));
+    assert!((k(&pair) - k(&rows)).abs() > 1e-3, "{} {}", k(&pair), k(&rows));
 }
 
 #[test]
@@ -180,18 +180,64 @@ fn a_contact_slides_where_it_is_documented_to_by_the_processes_too() {
         let delassus = Delassus::new(crate::n("7/2"), crate::n("0"), one.clone()).unwrap();
         let contact = Contact::new(one.clone(), one, delassus, crate::n("1"), decimal(e)).unwrap();
         for process in [Process::DimensionReduction, Process::Bilinear] {
-            let elastic = Elastic { stiffness_ratio: stiffness_ratio.clone(), process };
+            let elastic =
+                Elastic { stiffness_ratio: stiffness_ratio.clone(), process, loss: None, finer: 1 };
             let limit: Rational = elastic.slides_up_to(&contact);
             let limit = kane_number::Lane::to_f64(&limit);
             for share in [0.3, 0.7, 0.999] {
                 let alpha = share * limit;
-                let found = process.outcome(compliance, alpha).expect("it ends");
+                let found = process.outcome(compliance, Loss::Recoil, 1, alpha).expect("it ends");
                 let off = (found.ratios.k - (1.0 - 2.0 * alpha)).abs();
                 // the process's own estimate, and its roundings
                 assert!(off <= 2.0 * found.error + 1e-9, "nu {nu}, e {e}, {process:?}: {off:e}");
             }
         }
     }
+}
+
+#[test]
+fn what_a_loss_of_energy_means_is_a_choice_that_counts() {
+    // an independent program has for the half-space with Tsuji's damper, and for springs with a linear
+    // damper, at nu = 0.3 and alpha = 1 and 0.8
+    for (e, alpha, tsuji, linear) in [
+        (0.98, 1.0, -0.4636, -0.4589),
+        (0.8, 1.0, -0.4595, -0.4568),
+        (0.5, 1.0, -0.4836, -0.487),
+        (0.5, 0.8, -0.377, -0.38),
+    ] {
+        use kane_impact::compliant::Compliance;
+        use kane_scene::Process::{Bilinear, DimensionReduction};
+        let compliance = Compliance::of_poisson(3.5, 0.3, e).unwrap();
+        let k = |process: kane_scene::Process, loss| {
+            process.outcome(compliance, loss, 1, alpha).expect("it ends").ratios.k
+        };
+        let found = [k(DimensionReduction, Loss::Tsuji), k(Bilinear, Loss::Linear)];
+        for (found, expected) in found.into_iter().zip([tsuji, linear]) {
+            assert!((found - expected).abs() < 6e-4, "e {e}, alpha {alpha}: {found} {expected}");
+        }
+    }
+    let (_, text, _) = SHIPPED[9];
+    let (_, unstated) = answered("alumina", text, None);
+    let of = |loss: &str| {
+        let stated = format!("loss = \"{loss}\"\n{text}");
+        answered("alumina", &stated, Some(Model::named("compliant", laws()).unwrap())).1
+    };
+    let k = |answer: &Answer| (answer.lines[0].value, answer.lines[0].error.unwrap());
+    let (recoil, tsuji, linear) = (of("recoil"), of("tsuji"), of("linear"));
+    assert_eq!(k(&unstated).0, k(&recoil).0, "what is not stated is recoil");
+    assert!(k(&recoil).1 < 1e-3 && k(&tsuji).1 < 1e-3, "a choice that is stated is no error");
+    for other in [&tsuji, &linear] {
+        let apart = (k(other).0 - k(&recoil).0).abs();
+        assert!(apart > 3e-3 && apart <= k(&unstated).1, "{apart} {:?}", k(&unstated));
+    }
+    // where it slides all the time a damper's force is there a little too soon
+    let (_, sliding) = answered("paper-sphere", SHIPPED[0].1, None);
+    assert!((1e-9..0.01).contains(&sliding.lines[0].error.unwrap()), "{:?}", sliding.lines[0]);
+    let why = unstated.reasons.join(" ");
+    for word in ["clock faster by 1/e", "Tsuji's damper", "a linear damper", "counts as error"] {
+        assert!(why.contains(word), "{word}: {why}");
+    }
+    assert!(!recoil.reasons.join(" ").contains("counts as error"));
 }
 
 #[test]
@@ -235,4 +281,113 @@ fn another_model_is_answered_with_its_error() {
         let error = Model::named(bad, laws()).unwrap_err().to_string();
         assert!(error.contains(message), "{error}");
     }
+}
+
+#[test]
+fn what_the_inputs_move_is_enclosed_tightly_enough_to_tell() {
+    let (_, answer) = answered("backspin", SHIPPED[1].1, None);
+    // 200,000 samples and the corners, in an independent program
+    for (line, measured) in answer.lines.iter().zip([0.0479, 2.24, 0.118]) {
+        let spread = line.spread.expect("it is uncertain");
+        assert!(spread.enclosed && !spread.exceeds(line.tolerance), "{line:?}");
+        assert!(spread.by >= measured * 0.99 && spread.by <= line.tolerance, "{line:?}");
+        assert!(spread.at_least <= spread.by && spread.at_least > 0.9 * measured, "{line:?}");
+    }
+    let why = answer.reasons.join(" ");
+    assert!(!why.contains("no model mends that"), "{why}");
+    // and where it is more than was asked, that is measured
+    let strict = SHIPPED[1].1.replacen("v_x_m_s = 0.05", "v_x_m_s = 0.01", 1);
+    let why = answered("strict", &strict, None).1.reasons.join(" ");
+    assert!(why.contains("moves v_x_m_s by ±0.0") && why.contains("no model mends"), "{why}");
+}
+
+#[test]
+fn curves_that_cross_are_no_reason_to_choose_a_law() {
+    // at alpha = 1.842 the law of Wang, Su and Li comes close to the elastic contact by chance
+    let text = r#"
+        friction = 0.3
+        restitution = 1
+        poisson_ratio = 0.3
+        floor_m = 0
+        loss = "recoil"
+        [[body]]
+        mass_kg = 1
+        radius_m = 0.1
+        position_m = [0, 1]
+        velocity_m_s = [1.140065, -2]
+        [until]
+        impacts = 1
+        [ask]
+        k = 0.0001
+    "#;
+    let scene = read::scene("crossing", text).unwrap();
+    let alpha = 3.5 * 0.3 * 2.0 / 1.140_065;
+    assert!((alpha - 1.842_f64).abs() < 1e-3);
+    let all = |scene: &Scene| answer(scene, laws(), None, Effort::All, &mut |_, _| {}).unwrap();
+    let of = |answer: &Answer| {
+        let paper = Model::named("wang-su-li/f64", laws()).unwrap();
+        let judged = answer.judged.iter().find(|judged| judged.model == paper).unwrap();
+        (judged.errors[0].unwrap(), judged.verdict.clone())
+    };
+    // where exactly they cross is found by the distance itself; there it is far below the tolerance
+    let tolerance = of(&all(&scene)).0 * 1.5;
+    let wide = text.replacen("k = 0.0001", &format!("k = {tolerance:.9}"), 1);
+    let (_, verdict) = of(&all(&read::scene("crossing", &wide).unwrap()));
+    let by_chance = matches!(verdict, Verdict::Misses { place: Place::Near, .. });
+    assert!(by_chance || tolerance > 0.02, "{tolerance} {verdict:?}");
+    assert!(tolerance < 0.02, "{tolerance}");
+}
+
+#[test]
+fn steps_get_finer_as_the_tolerance_asks() {
+    let text = SHIPPED[9].1.replacen("k = 0.02", "k = 0.00002", 1);
+    let text = text.replacen("v_x_m_s = 0.01\nomega_rad_s = 5\n", "", 1);
+    let stated = format!("loss = \"recoil\"\n{text}");
+    let (_, fine) = answered("fine", &stated, None);
+    assert_eq!(fine.chosen.map(|model| model.to_string()).as_deref(), Some("compliant/f64"));
+    assert!(fine.lines[0].error.unwrap() <= 2e-5, "{:?}", fine.lines[0]);
+}
+
+#[test]
+fn what_intervals_lose_is_estimated_by_floats_of_two_lengths() {
+    let mut text = String::from(
+        "friction = 0.2\nrestitution = 0.9\ngravity_m_s2 = 9.81\n\
+         floor_m = 0\nleft_m = 0\nright_m = 2\nceiling_m = 2\n",
+    );
+    for (i, (vx, vy)) in
+        [(1, 2), (-2, 1), (3, -1), (-1, -2), (2, 3), (-3, 2), (1, -3)].into_iter().enumerate()
+    {
+        let (x, y) = (0.2 + 0.25 * i as f64, 0.3 + 0.2 * i as f64);
+        text.push_str(&format!(
+            "[[body]]\nmass_kg = 0.{}\nradius_m = 0.08\nposition_m = [{x:.2}, {y:.2}]\n\
+             velocity_m_s = [{vx}, {vy}]\nspin_rad_s = {}\n",
+            i + 1,
+            3 * i
+        ));
+    }
+    text.push_str("[until]\nimpacts = 40\n[ask]\nkinetic_energy_j = 1e-9\n");
+    let (_, answer) = answered("seven", &text, None);
+    assert_eq!(answer.known, Some(Known::Estimated), "{:?}", answer.reasons);
+    let chosen = answer.chosen.expect("floats agree");
+    assert_eq!(chosen.to_string(), "routh-newton/f64");
+    assert!(answer.reasons.join(" ").contains("floats of two lengths"));
+    assert!(answer.lines[0].error.unwrap() < 1e-10, "{:?}", answer.lines[0]);
+}
+
+#[test]
+fn the_ratio_of_energies_counts_heights() {
+    let (_, answer) = answered("superball", SHIPPED[2].1, None);
+    let ratio = answer.lines.iter().find(|line| line.quantity.to_string() == "energy_ratio");
+    let ratio = ratio.expect("it is asked for");
+    assert!((ratio.value - 1.0).abs() < 1e-12, "nothing is lost: {ratio:?}");
+}
+
+#[test]
+fn the_quantity_that_is_named_is_the_worst() {
+    let (_, answer) = answered("rest", SHIPPED[3].1, None);
+    let paper = Model::named("wang-su-li/f64", laws()).unwrap();
+    let judged = answer.judged.iter().find(|judged| judged.model == paper).unwrap();
+    let Verdict::Misses { quantity, by, .. } = &judged.verdict else { panic!("{judged:?}") };
+    let worst = judged.errors.iter().flatten().copied().fold(0.0, f64::max);
+    assert!((by / worst - 1.0).abs() < 1e-9, "{quantity} {by} {worst}");
 }

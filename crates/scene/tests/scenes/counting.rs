@@ -8,7 +8,7 @@ use kane_impact::laws::{RouthNewton, Stronge1990, Walton, WangSuLi, WhittakerUnc
 use kane_impact::{Contact, ImpactLaw, NoImpulse, Outcome, law, laws};
 use kane_number::{Comparison, Interval, Lane, Number, Ordered, Rational, Real, System};
 use kane_scene::simulate::{Budget, Until, run};
-use kane_scene::{Coordinate, Model, NormalOnly, Resolver, model_names};
+use kane_scene::{Coordinate, Lasting, Model, NormalOnly, Resolver, model_names};
 
 use crate::{above_floor, ball};
 
@@ -151,6 +151,10 @@ impl<L: ImpactLaw> Resolver<Counted> for Generic<L> {
     fn resolve(&self, contact: &Contact<Counted>) -> Result<Outcome<Counted>, NoImpulse> {
         self.0.resolve(contact)
     }
+
+    fn lasting(&self, _: &Contact<Counted>) -> Lasting<Counted> {
+        Lasting::Unsummed
+    }
 }
 
 /// Keeps the operations of the impact alone.
@@ -163,6 +167,10 @@ impl Resolver<Counted> for Impact<'_> {
         let after = COUNTS.with(Cell::get);
         self.1.set(std::array::from_fn(|kind| after[kind] - before[kind]));
         outcome
+    }
+
+    fn lasting(&self, next: &Contact<Counted>) -> Lasting<Counted> {
+        self.0.lasting(next)
     }
 }
 

@@ -5,6 +5,7 @@ mod counting; // what models cost, counted
 mod format; // what bad files get
 mod motion; // flights and impacts, each by two ways
 mod picture; // what pictures show
+mod rest; // every model to the end of infinitely many impacts, its own way
 mod stress; // drift, reversal, Zeno, grazing, penalty steps
 
 use kane_impact::bodies::Motion;

@@ -238,8 +238,12 @@ fn what_never_ends_is_an_error() {
 fn a_law_without_an_answer_stops_the_motion_with_its_reason() {
     let world =
         above_floor(vec![ball("1", "1/10", ["0", "1"], ["1", "0", "0"])], "10", "1/5", "1/2");
-    let elastic =
-        kane_scene::Elastic { stiffness_ratio: n("1e18"), process: kane_scene::Process::Bilinear };
+    let elastic = kane_scene::Elastic {
+        stiffness_ratio: n("1e18"),
+        process: kane_scene::Process::Bilinear,
+        loss: None,
+        finer: 1,
+    };
     let stopped =
         run(&of::<f64>(&world), &elastic, &Until::Impacts(3), Budget::default(), &mut |_| {});
     let message = stopped.unwrap_err().to_string();

@@ -1,0 +1,100 @@
+//! Two logs, the older and the newer version of an engine, check by check.
+
+use crate::check::Check;
+use crate::friction::FrictionLaw;
+use crate::restitution::NormalLaw;
+use crate::study::{Checked, Study};
+
+/// How a check changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// which
+    pub check: Check,
+    /// the share of rows on which it failed, before and now
+    pub failing: [f64; 2],
+    /// the greatest size of a residual beyond tolerance, before and now
+    pub worst: [f64; 2],
+    /// whether it does worse
+    pub worse: bool,
+}
+
+/// What changed between two logs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// every check that either log could be asked
+    pub changes: Vec<Change>,
+    /// the nearest law of friction, before and now
+    pub friction: [Option<FrictionLaw>; 2],
+    /// the share of rows that it comes close to
+    pub friction_close: [f64; 2],
+    /// the restitution, before and now
+    pub normal: [Option<NormalLaw>; 2],
+    /// the share of rows whose e is as stated, to 0.01
+    pub normal_close: [f64; 2],
+    /// rows rejected, before and now
+    pub rejected: [u64; 2],
+}
+
+/// A share of rows, or a share of a residual, by which nothing is called worse: logs of two versions
+/// need not hold the same rows.
+const SLACK: f64 = 0.01;
+
+impl Comparison {
+    /// Whether a check or a law does worse, or rows are rejected that were not.
+    #[must_use]
+    pub fn is_worse(&self) -> bool {
+        self.changes.iter().any(|change| change.worse)
+            || self.friction_is_worse()
+            || self.normal_close[1] < self.normal_close[0] - SLACK
+            || self.rejected[1] > self.rejected[0]
+    }
+
+    /// Whether friction follows another law than before, or its own less.
+    #[must_use]
+    pub fn friction_is_worse(&self) -> bool {
+        let id = |law: &Option<FrictionLaw>| law.map(FrictionLaw::id);
+        id(&self.friction[0]) != id(&self.friction[1])
+            || self.friction_close[1] < self.friction_close[0] - SLACK
+    }
+}
+
+/// Compares an older log with a newer one.
+#[must_use]
+pub fn compare(old: &Study, new: &Study) -> Comparison {
+    let changes = Check::ALL.into_iter().filter_map(|check| {
+        let both = [old.checked(check)?, new.checked(check)?];
+        if both.iter().all(|checked| checked.rows == 0) {
+            return None;
+        }
+        let failing = both.map(failing);
+        let worst = both.map(|checked| match checked.worst {
+            Some((_, finding)) if !finding.holds => finding.size(),
+            _ => 0.0,
+        });
+        let more = failing[1] > failing[0] + SLACK || failing[0] == 0.0 && failing[1] > 0.0;
+        let farther = worst[1] > worst[0] * (1.0 + SLACK) + 1e-12 && failing[1] > 0.0;
+        Some(Change { check, failing, worst, worse: more || farther })
+    });
+    let studies = [old, new];
+    let friction = studies.map(|study| study.friction.first());
+    let restitution = studies.map(|study| study.restitution.as_ref());
+    Comparison {
+        changes: changes.collect(),
+        friction: friction.map(|fit| fit.map(|fit| fit.law)),
+        friction_close: friction.map(|fit| fit.map_or(0.0, |fit| share(fit.close, fit.rows))),
+        normal: restitution.map(|found| found.map(|found| found.law)),
+        normal_close: restitution
+            .map(|found| found.map_or(0.0, |found| share(found.close, found.stated))),
+        rejected: studies.map(|study| study.rejections.total()),
+    }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "shares of rows")]
+fn failing(checked: &Checked) -> f64 {
+    if checked.rows == 0 { 0.0 } else { checked.failed as f64 / checked.rows as f64 }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "shares of rows")]
+fn share(part: usize, all: usize) -> f64 {
+    if all == 0 { 0.0 } else { part as f64 / all as f64 }
+}

@@ -1,0 +1,207 @@
+//! The first line of a log: which column is what.
+
+use crate::schema::{Axis, Column, Field, Side, When, Word};
+use crate::spelling::{Spelled, spelled};
+
+/// What the columns of a log are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Header {
+    /// the field of each column of the file, or `None` for one that is not read
+    pub fields: Vec<Option<Field>>,
+    /// columns of the file that mean nothing to the checks
+    pub unread: Vec<String>,
+    /// columns whose names have no unit, which are taken to be SI
+    pub unitless: Vec<String>,
+}
+
+/// Why a header cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum HeaderFault {
+    /// Columns are missing without which no row can be checked.
+    #[error("columns are missing: {}; `kane check --schema` lists the names, and --map OURS=THEIRS renames", .0.join(", "))]
+    Missing(Vec<String>),
+    /// Two columns mean the same.
+    #[error("the columns `{0}` and `{1}` both mean {2}; choose one with --map {2}=NAME")]
+    Twice(String, String, String),
+    /// A unit that is not that of the schema.
+    #[error("the column `{0}` is in {1}: convert it to SI units (m, kg, s, rad) first")]
+    Unit(String, String),
+    /// A name that is nearly one of the schema.
+    #[error("what is the column `{0}`? Perhaps {1}; if so use that name or --map")]
+    Near(String, String),
+    /// `--map` names a column that is not in the file.
+    #[error("--map {0}={1}: the file has no column `{1}`")]
+    NoSuch(String, String),
+    /// `--map` names a column that is not in the schema.
+    #[error("--map {0}={1}: the schema has no column `{0}`; see kane check --schema")]
+    NotInSchema(String, String),
+}
+
+impl Header {
+    /// Reads the names of the columns; `map` has pairs of a name of the schema and one of the file.
+    ///
+    /// # Errors
+    /// The first [`HeaderFault`].
+    pub fn of(names: &[String], map: &[(String, String)]) -> Result<Self, HeaderFault> {
+        let mut header = Self { fields: vec![None; names.len()], unread: vec![], unitless: vec![] };
+        for (ours, theirs) in map {
+            let not_there = || HeaderFault::NoSuch(ours.clone(), theirs.clone());
+            let place = names.iter().position(|name| name == theirs).ok_or_else(not_there)?;
+            let Spelled::Known(field) = spelled(ours) else {
+                return Err(HeaderFault::NotInSchema(ours.clone(), theirs.clone()));
+            };
+            header.fields[place] = Some(field);
+        }
+        let mapped: Vec<Field> = header.fields.iter().flatten().copied().collect();
+        for (place, name) in names.iter().enumerate() {
+            if header.fields[place].is_some() {
+                continue;
+            }
+            match spelled(name) {
+                // what is mapped is decided
+                Spelled::Known(field) if mapped.contains(&field) => {
+                    header.unread.push(name.clone())
+                }
+                Spelled::Known(field) => {
+                    header.fields[place] = Some(field);
+                    header.note_unit(name, field);
+                }
+                Spelled::Unknown => header.unread.push(name.clone()),
+                Spelled::Unit(unit) => return Err(HeaderFault::Unit(name.clone(), unit)),
+                Spelled::Near(known) => return Err(HeaderFault::Near(name.clone(), known)),
+            }
+        }
+        header.no_field_twice(names)?;
+        header.complete()?;
+        Ok(header)
+    }
+
+    fn note_unit(&mut self, name: &str, field: Field) {
+        let Field::Number(column) = field else { return };
+        let unit = column.unit();
+        if !unit.is_empty() && !name.to_ascii_lowercase().ends_with(unit) {
+            self.unitless.push(name.to_owned());
+        }
+    }
+
+    fn no_field_twice(&self, names: &[String]) -> Result<(), HeaderFault> {
+        for (place, field) in self.fields.iter().enumerate() {
+            let Some(field) = field else { continue };
+            let first = self.fields[..place].iter().position(|other| *other == Some(*field));
+            if let Some(first) = first {
+                let (a, b) = (names[first].clone(), names[place].clone());
+                return Err(HeaderFault::Twice(a, b, field_name(*field)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the file has a column.
+    #[must_use]
+    pub fn has(&self, column: Column) -> bool {
+        self.fields.contains(&Some(Field::Number(column)))
+    }
+
+    /// Whether the log is one in space.
+    #[must_use]
+    pub fn is_spatial(&self) -> bool {
+        [When::Pre, When::Post]
+            .iter()
+            .any(|&when| self.has(Column::Velocity(Side::First, Axis::Z, when)))
+    }
+
+    /// Whether there is a second body.
+    #[must_use]
+    pub fn has_second(&self) -> bool {
+        self.has(Column::Mass(Side::Second))
+    }
+
+    fn complete(&self) -> Result<(), HeaderFault> {
+        let mut missing = Vec::new();
+        let axes: &[Axis] =
+            if self.is_spatial() { &[Axis::X, Axis::Y, Axis::Z] } else { &[Axis::X, Axis::Y] };
+        let spins: &[Axis] = if self.is_spatial() { axes } else { &[Axis::Z] };
+        let sides: &[Side] =
+            if self.has_second() { &[Side::First, Side::Second] } else { &[Side::First] };
+        let mut need = |column: Column| {
+            if !self.has(column) {
+                missing.push(column.name());
+            }
+        };
+        for &side in sides {
+            need(Column::Mass(side));
+            for when in [When::Pre, When::Post] {
+                axes.iter().for_each(|&axis| need(Column::Velocity(side, axis, when)));
+                spins.iter().for_each(|&axis| need(Column::Spin(side, axis, when)));
+            }
+        }
+        for &side in sides {
+            let shape = self.fields.contains(&Some(Field::Word(Word::Shape(side))));
+            let round = self.has(Column::Radius(side));
+            let known = self.has(Column::Inertia(side)) || round && shape;
+            if !known {
+                let radius = Column::Radius(side).name();
+                let shape = Word::Shape(side).name();
+                missing.push(format!("{} (or {radius} and {shape})", Column::Inertia(side).name()));
+            }
+            let arms = axes.iter().all(|&axis| self.has(Column::Arm(side, axis)));
+            if !arms && !round {
+                let arm = |axis| Column::Arm(side, axis).name();
+                let radius = Column::Radius(side).name();
+                missing.push(format!("{} and {} (or {radius})", arm(Axis::X), arm(Axis::Y)));
+            }
+        }
+        if missing.is_empty() { Ok(()) } else { Err(HeaderFault::Missing(missing)) }
+    }
+}
+
+/// The name of a field in the schema.
+#[must_use]
+pub fn field_name(field: Field) -> String {
+    match field {
+        Field::Number(column) => column.name(),
+        Field::Word(word) => word.name().to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: &str = "mass,radius,inertia,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
+
+    fn header(names: &str, map: &[(&str, &str)]) -> Result<Header, HeaderFault> {
+        let names: Vec<String> = names.split(',').map(str::to_owned).collect();
+        let owned = |(a, b): &(&str, &str)| ((*a).to_owned(), (*b).to_owned());
+        Header::of(&names, &map.iter().map(owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn a_plain_header_is_complete_and_its_units_are_assumed() {
+        let header = header(&format!("{PLAIN},wall_s"), &[]).expect("it is complete");
+        assert_eq!((header.unread, header.unitless.len()), (vec!["wall_s".to_owned()], 9));
+    }
+
+    #[test]
+    fn what_is_missing_is_named_all_at_once() {
+        let fault = header("mass,vx_pre,vy_pre", &[]).expect_err("much is missing").to_string();
+        for name in ["omega1_pre_rad_s", "vx1_post_m_s", "inertia1_kg_m2 (or", "arm1_x_m and"] {
+            assert!(fault.contains(name), "{fault}");
+        }
+    }
+
+    #[test]
+    fn a_map_renames_and_says_what_is_not_there() {
+        let names = PLAIN.replace("vx_pre", "foo");
+        assert!(matches!(header(&names, &[]), Err(HeaderFault::Missing(_))));
+        assert!(header(&names, &[("vx_pre", "foo")]).is_ok());
+        assert!(matches!(header(&names, &[("vx_pre", "no")]), Err(HeaderFault::NoSuch(..))));
+        assert!(matches!(header(&names, &[("zeal", "foo")]), Err(HeaderFault::NotInSchema(..))));
+    }
+
+    #[test]
+    fn two_columns_for_one_thing_are_no_choice() {
+        let twice = header(&format!("{PLAIN},vx_before"), &[]);
+        assert!(matches!(twice, Err(HeaderFault::Twice(..))), "{twice:?}");
+    }
+}

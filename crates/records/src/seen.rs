@@ -1,0 +1,129 @@
+//! An impact as attribution sees it: a contact, what was measured at it, and how well.
+
+use kane_impact::{Contact, Delassus};
+
+use crate::check::Case;
+use crate::event::Given;
+
+/// What attribution keeps of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// the line of the file
+    pub line: u64,
+    /// the pair of materials
+    pub pair: u32,
+    /// u_t before; m/s
+    pub slip: f64,
+    /// a = −u_n before; m/s
+    pub approach: f64,
+    /// u_t⁺; m/s
+    pub slip_after: f64,
+    /// u_n⁺; m/s
+    pub separation: f64,
+    /// p_t; N·s
+    pub tangential: f64,
+    /// p_n; N·s
+    pub normal: f64,
+    /// W_tt, W_tn, W_nn; 1/kg
+    pub mobility: [f64; 3],
+    /// what is stated
+    pub given: Given,
+    /// tolerances of u_t⁺, of u_n⁺, of p_t and of p_n
+    pub within: [f64; 4],
+    /// where the impulse acted along the normal, less the stated arm, by the stated arm; NaN where
+    /// there is too little friction to tell
+    pub arm: f64,
+    /// by how much the arm may differ
+    pub arm_within: f64,
+    /// J·Δω by r × p of the first body, which mechanics has at 1; NaN where there is too little to tell
+    pub turned: f64,
+    /// the stretching of errors by the contact, W_tt·W_nn/det W
+    pub stretch: f64,
+}
+
+impl Seen {
+    /// Of a case.
+    #[must_use]
+    pub fn of(case: &Case<'_>) -> Self {
+        let (facts, tolerance) = (&case.facts, &case.tolerance);
+        let w = case.event.delassus();
+        let mobility = [*w.tt(), *w.tn(), *w.nn()];
+        let [tt, tn, nn] = mobility;
+        let stretch = tt * nn / w.determinant().max(tt * nn * f64::EPSILON);
+        let [p_t, p_n] = facts.impulse;
+        let body = &case.event.first;
+        // J·Δω = x·p_n − y'·p_t gives the y' at which the impulse acted
+        let y = body.arm[1];
+        let told = p_t.abs() > 100.0 * tolerance.tangential && y != 0.0;
+        let arm = if told { facts.moment / p_t / y } else { f64::NAN };
+        let spin = body.before[2].abs() + body.after[2].abs();
+        let shift = case.shift();
+        let lever_arm = body.arm[0] * p_n - body.arm[1] * p_t;
+        let turns = lever_arm.abs() > 100.0 * tolerance.moment;
+        let turned = if turns { 1.0 + facts.moment / lever_arm } else { f64::NAN };
+        let coupling = if tn == 0.0 { 0.0 } else { spin * tolerance.arm * body.arm[0].abs() };
+        Self {
+            line: case.row.line,
+            pair: case.row.pair,
+            slip: facts.before[0],
+            approach: -facts.before[1],
+            slip_after: facts.after[0],
+            separation: facts.after[1],
+            tangential: p_t,
+            normal: p_n,
+            mobility,
+            given: case.given,
+            within: [
+                tolerance.slip + shift,
+                tolerance.separation + coupling,
+                tolerance.tangential,
+                tolerance.normal,
+            ],
+            arm,
+            arm_within: tolerance.arm,
+            turned,
+            stretch,
+        }
+    }
+
+    /// e as measured, −u_n⁺/u_n; `None` for a contact that does not approach.
+    #[must_use]
+    pub fn observed_restitution(&self) -> Option<f64> {
+        (self.approach > 0.0).then(|| self.separation / self.approach)
+    }
+
+    /// u_t if the normal impulse alone had acted.
+    #[must_use]
+    pub fn slip_without_friction(&self) -> f64 {
+        self.slip + self.mobility[1] * self.normal
+    }
+
+    /// The friction that ends with no slip.
+    #[must_use]
+    pub fn stopping(&self) -> f64 {
+        -self.slip_without_friction() / self.mobility[0]
+    }
+
+    /// Whether the contact couples normal and tangent.
+    #[must_use]
+    pub fn couples(&self) -> bool {
+        let [tt, tn, nn] = self.mobility;
+        tn.abs() > 1e-9 * (tt * nn).sqrt()
+    }
+
+    /// The contact as a law sees it, with these coefficients.
+    #[must_use]
+    pub fn contact(&self, friction: f64, restitution: f64) -> Contact<f64> {
+        let [tt, tn, nn] = self.mobility;
+        // a coupling that is rounding alone would keep laws from being the ones of spheres
+        let tn = if self.couples() { tn } else { 0.0 };
+        let w = Delassus::unchecked(tt, tn, nn);
+        Contact::unchecked(self.slip, self.approach.max(0.0), w, friction, restitution)
+    }
+
+    /// Whether slip is left beyond doubt.
+    #[must_use]
+    pub fn slips_after(&self) -> bool {
+        self.slip_after.abs() > self.within[0]
+    }
+}

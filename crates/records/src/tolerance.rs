@@ -1,0 +1,196 @@
+//! How far what is written down may be from what mechanics asks, derived from how it was written.
+//!
+//! Three things stand between an impact that obeys a law and its row in a log.
+//!
+//! **Rounding.** Let u be half a unit in the last place of the log's [`Format`]. A solver forms a
+//! velocity by additions and products of terms no greater than |v| + |v⁺|; with n roundings it is off
+//! by at most n·u/(1 − n·u) times that (Higham's γ_n). [`ROUNDINGS`] = 64 stands for ten sweeps
+//! over a contact of six operations each, and the rounding of the result when it is written down.
+//! Hence η = 64·u. In this program's own arithmetic a fact is a sum of at most twelve products, off by
+//! at most 16·2^−53 of their magnitudes: a quarter of η at most, as u ≥ 2^−53. So a residual that
+//! is computed in floats decides unless it is within a quarter of its tolerance, and there the
+//! residual is computed exactly.
+//!
+//! **Positions.** The arm and the normal are not the body's own: they are formed from positions in
+//! a world that is larger than a body. With coordinates up to E arms, two roundings of positions and
+//! one of their difference move the contact point by up to 3·u·E arms, and turn the normal by as much:
+//! τ = 3·u·E. [`EXTENT`] = 1000, a floor of a thousand radii, is what is taken unless it is said.
+//!
+//! **Time step.** An engine looks at the contact once a step. By then the surfaces have moved by up
+//! to Δt times their velocity at the contact: the arm is uncertain by δ = Δt·a along the normal, a
+//! the approach speed, where both bodies are round (their contact stays under the centre), and by
+//! Δt·(|u_t| + a) in every direction where they are not. Gravity adds g·Δt within the step, and
+//! whether before or after the impact is the engine's; that is taken off, and the choice is left open.
+//!
+//! Terms of second order in these are left out; each tolerance is a sum of first-order terms, all
+//! taken by their magnitudes.
+
+use crate::event::{Event, Given, Moving};
+use crate::facts::Facts;
+use crate::format::Format;
+
+/// Roundings between an impact and its row.
+pub const ROUNDINGS: f64 = 64.0;
+
+/// How large the world is, in arms.
+pub const EXTENT: f64 = 1000.0;
+
+/// What every row of a log shares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Precision {
+    /// the format of the numbers
+    pub format: Format,
+    /// η = 64·u
+    pub rounding: f64,
+    /// half a unit of the last decimal
+    pub absolute: f64,
+    /// τ = 3·u·E
+    pub tilt: f64,
+}
+
+impl Precision {
+    /// Of a format, in a world of `extent` arms.
+    #[must_use]
+    pub fn new(format: Format, extent: f64) -> Self {
+        let unit = format.relative();
+        Self {
+            format,
+            rounding: ROUNDINGS * unit,
+            absolute: format.absolute(),
+            tilt: 3.0 * unit * extent,
+        }
+    }
+}
+
+/// The tolerances of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// of p_t; N·s
+    pub tangential: f64,
+    /// of p_n; N·s
+    pub normal: f64,
+    /// of the sum of both impulses, along either axis; N·s
+    pub reaction: f64,
+    /// of M of the first body; N·m·s
+    pub moment: f64,
+    /// of M of the second body; N·m·s
+    pub other_moment: f64,
+    /// of u_t⁺; m/s
+    pub slip: f64,
+    /// of u_n⁺; m/s
+    pub separation: f64,
+    /// of u_n⁺ − e·a; m/s
+    pub restitution: f64,
+    /// of ΔT; J
+    pub energy: f64,
+    /// of u_t before; m/s
+    pub slip_before: f64,
+    /// by how much the arm is uncertain, by its length
+    pub arm: f64,
+}
+
+/// The magnitudes of a body.
+struct Size {
+    /// |v| + |v⁺| + |g·Δt| along both axes
+    speed: [f64; 2],
+    /// |ω| + |ω⁺|
+    spin: f64,
+    arm: f64,
+    round: bool,
+}
+
+impl Size {
+    fn of(body: &Moving<f64>, kick: [f64; 2]) -> Self {
+        let speed = [0, 1].map(|k| body.before[k].abs() + body.after[k].abs() + kick[k].abs());
+        let [x, y] = body.arm;
+        Self {
+            speed,
+            spin: body.before[2].abs() + body.after[2].abs(),
+            arm: x.abs() + y.abs(),
+            round: x.abs() <= 1e-6 * y.abs(),
+        }
+    }
+}
+
+impl Tolerance {
+    /// Of a row.
+    #[must_use]
+    pub fn of(event: &Event<f64>, facts: &Facts<f64>, given: &Given, log: &Precision) -> Self {
+        let (eta, q, tau) = (log.rounding, 2.0 * log.absolute, log.tilt);
+        let kick = event.kick;
+        let dt = given.dt.unwrap_or(0.0);
+        let first = Size::of(&event.first, kick);
+        let second = event.second.as_ref().map(|body| (body, Size::of(body, kick)));
+        let round = first.round && second.as_ref().is_none_or(|(_, size)| size.round);
+        let [u_t, u_n] = facts.before;
+        let along = dt * u_n.abs();
+        let every = if round { 0.0 } else { dt * (u_t.abs() + u_n.abs()) };
+        let [p_t, p_n] = facts.impulse.map(f64::abs);
+
+        let of_impulse =
+            |body: &Moving<f64>, size: &Size, k: usize| body.mass * (eta * size.speed[k] + q);
+        let tangential = of_impulse(&event.first, &first, 0) + tau * p_n;
+        let normal = of_impulse(&event.first, &first, 1) + tau * p_t;
+        let moment = |body: &Moving<f64>, size: &Size| {
+            let [x, y] = body.arm.map(f64::abs);
+            let rounding = eta * body.inertia * size.spin + q * body.inertia;
+            let arms = y * of_impulse(body, size, 0) + x * of_impulse(body, size, 1);
+            let shift = (along + tau * size.arm) * p_t + (every + tau * size.arm) * (p_t + p_n);
+            // on round bodies the tilt turns arm and impulse alike
+            let tilted = if round { tau * size.arm * p_t } else { 0.0 };
+            rounding + arms + if round { along * p_t + tilted } else { shift }
+        };
+
+        // velocities of the contact points
+        let [mut slip, mut separation, mut before] = [0.0; 3];
+        let mut add = |body: &Moving<f64>, size: &Size| {
+            let [x, y] = body.arm.map(f64::abs);
+            slip += eta * (size.speed[0] + y * size.spin) + q * (1.0 + y);
+            before += eta * (size.speed[0] + y * size.spin) + q * (1.0 + y);
+            separation += eta * (size.speed[1] + x * size.spin) + q * (1.0 + x);
+            let shift = (along + tau * size.arm + every) * size.spin;
+            slip += shift;
+            before += shift;
+            separation += if round { 0.0 } else { (every + tau * size.arm) * size.spin };
+        };
+        add(&event.first, &first);
+        if let Some((body, size)) = &second {
+            add(body, size);
+        }
+        let turned = tau * (u_t.abs() + facts.after[0].abs() + u_n.abs() + facts.after[1].abs());
+        let (slip, separation, before) = (slip + turned, separation + turned, before + turned);
+        // both bodies fall alike; a fixed one does not
+        let fall = if second.is_some() { [0.0; 2] } else { kick.map(f64::abs) };
+
+        let e = given.restitution.unwrap_or(1.0);
+        let mut reaction =
+            of_impulse(&event.first, &first, 0) + of_impulse(&event.first, &first, 1);
+        let mut energy = energy_scale(&event.first, &first, eta, q);
+        let mut other_moment = 0.0;
+        if let Some((body, size)) = &second {
+            reaction += of_impulse(body, size, 0) + of_impulse(body, size, 1);
+            energy += energy_scale(body, size, eta, q);
+            other_moment = moment(body, size);
+        }
+        energy += kick[0].abs() * p_t + kick[1].abs() * p_n;
+        Self {
+            tangential,
+            normal,
+            reaction,
+            moment: moment(&event.first, &first),
+            other_moment,
+            slip,
+            separation,
+            restitution: (1.0 + e) * (separation + fall[1]),
+            energy,
+            slip_before: before + fall[0],
+            arm: (along + every) / first.arm.max(f64::MIN_POSITIVE) + tau,
+        }
+    }
+}
+
+fn energy_scale(body: &Moving<f64>, size: &Size, eta: f64, q: f64) -> f64 {
+    let [t, n] = size.speed;
+    let square = body.mass * (t * t + n * n) + body.inertia * size.spin * size.spin;
+    eta * square + q * (body.mass * (t + n) + body.inertia * size.spin)
+}

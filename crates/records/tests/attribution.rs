@@ -1,0 +1,171 @@
+//! Logs made by equations that are written out here: what they follow is found, with its numbers.
+
+#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
+
+use std::fmt::Write as _;
+
+use kane_impact::laws;
+use kane_records::friction::FrictionLaw;
+use kane_records::reader::Kind;
+use kane_records::restitution::{Factor, NormalLaw};
+use kane_records::study::{Options, Study, study};
+use kane_records::untold::Untold;
+
+/// A disc of 1 kg and 1 m: j_p = 3.
+#[derive(Clone, Copy)]
+struct Impact {
+    vx: f64,
+    approach: f64,
+    mu: f64,
+    e: f64,
+    phase: f64,
+}
+
+/// Speeds, slips, coefficients and phases that vary by themselves.
+fn impacts() -> Vec<Impact> {
+    let mut all = Vec::new();
+    for speed in [0.2, 0.5, 0.8, 1.25, 2.0, 3.1] {
+        for slip in [-4.0, -1.1, 0.15, 0.6, 2.3, 7.0] {
+            for e in [0.25, 0.8] {
+                for phase in [0.1, 0.6] {
+                    all.push(Impact { vx: slip, approach: speed, mu: 0.23, e, phase });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The log in which the impacts have this e, and this p_t given p_n.
+fn log(
+    impacts: &[Impact],
+    e: impl Fn(&Impact) -> f64,
+    friction: impl Fn(&Impact, f64) -> f64,
+) -> String {
+    let mut text = String::from(
+        "mass,radius,inertia,mu,e,phase,pair,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n",
+    );
+    for impact in impacts {
+        let Impact { vx, approach, mu, e: stated, phase } = impact;
+        let p_n = (1.0 + e(impact)) * approach;
+        let p_t = friction(impact, p_n);
+        let (x, y, spin) = (vx + p_t, p_n - approach, 2.0 * p_t);
+        let _ = writeln!(
+            text,
+            "1,1,0.5,{mu},{stated},{phase},steel on steel,{vx},-{approach},0,{x},{y},{spin}"
+        );
+    }
+    text
+}
+
+fn coulomb(impact: &Impact, bound: f64) -> f64 {
+    (-impact.vx / 3.0).clamp(-bound, bound)
+}
+
+fn studied(log: &str) -> Study {
+    study(log.as_bytes(), Kind::Csv, &Options::new(laws())).expect("it is a log")
+}
+
+fn normal(study: &Study) -> NormalLaw {
+    study.restitution.as_ref().expect("there are rows").law
+}
+
+#[test]
+fn a_threshold_of_speed_is_found_with_its_value() {
+    let e = |impact: &Impact| if impact.approach < 1.0 { 0.0 } else { impact.e };
+    let study = studied(&log(&impacts(), e, |impact, p| coulomb(impact, impact.mu * p)));
+    let NormalLaw::Threshold(found) = normal(&study) else { panic!("{:?}", normal(&study)) };
+    assert_eq!((found.factor, found.between), (Factor::Speed, (0.8, 1.25)));
+    assert!(found.misses_below && found.instead == 0.0);
+    // friction is judged by the normal impulse that was measured, and has no part in this
+    assert_eq!(study.friction[0].law, FrictionLaw::Coulomb);
+    assert_eq!(study.friction[0].consistent, study.friction[0].rows);
+}
+
+#[test]
+fn what_restitution_depends_on_is_found_in_a_sweep() {
+    let by_phase = |impact: &Impact| 0.1 + impact.phase;
+    let study = studied(&log(&impacts(), by_phase, |impact, p| coulomb(impact, impact.mu * p)));
+    assert_eq!(normal(&study), NormalLaw::Depends);
+    let found = study.restitution.expect("there are rows").depends;
+    assert_eq!(found.iter().map(|(of, _)| *of).collect::<Vec<_>>(), [Factor::Phase]);
+    assert!((found[0].1 - 1.0).abs() < 1e-9, "{found:?}");
+
+    let study = studied(&log(&impacts(), |_| 0.4, |impact, p| coulomb(impact, impact.mu * p)));
+    assert_eq!(normal(&study), NormalLaw::Constant);
+}
+
+#[test]
+fn friction_is_named_by_the_bound_that_it_has() {
+    let best = |friction: &dyn Fn(&Impact, f64) -> f64| {
+        let study = studied(&log(&impacts(), |impact| impact.e, friction));
+        let best = study.friction[0].clone();
+        assert_eq!(best.consistent, best.rows, "{best:?}");
+        best.law
+    };
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    let share = best(&|impact, p| coulomb(impact, 0.4 * impact.mu * p));
+    assert!(matches!(share, FrictionLaw::Share(share) if near(share, 0.4)), "{share:?}");
+    let bound = best(&|impact, p| coulomb(impact, impact.mu * p / (1.0 + impact.e)));
+    assert_eq!(bound, FrictionLaw::Compression);
+    assert_eq!(best(&|_, _| 0.0), FrictionLaw::None);
+    let walton = best(&|impact, p| (-1.6 * impact.vx / 3.0).clamp(-impact.mu * p, impact.mu * p));
+    assert!(matches!(walton, FrictionLaw::Walton(beta) if near(beta, 0.6)), "{walton:?}");
+    let fading = best(&|impact, p| {
+        // i = 1/(1 + alpha), alpha = 3*mu*p/(2*v)
+        -impact.vx.signum() * impact.mu * p / (1.0 + 1.5 * impact.mu * p / impact.vx.abs())
+    });
+    assert_eq!(fading, FrictionLaw::WangSuLi);
+    let uncapped = best(&|impact, p| -impact.vx.signum() * impact.mu * p);
+    assert_eq!(uncapped, FrictionLaw::Uncapped);
+}
+
+#[test]
+fn coefficients_are_intervals_that_hold_the_truth() {
+    let study =
+        studied(&log(&impacts(), |impact| impact.e, |impact, p| coulomb(impact, impact.mu * p)));
+    assert_eq!(study.pairs, ["steel on steel"]);
+    assert_eq!(study.fits.len(), 2, "one for each stated e");
+    for (fit, e) in study.fits.iter().zip([0.25, 0.8]) {
+        let [found, mu] = [fit.restitution, fit.friction].map(|fitted| fitted.expect("told"));
+        for (fitted, truth) in [(found, e), (mu, 0.23)] {
+            assert!(fitted.one_value && fitted.low <= truth && truth <= fitted.high, "{fitted:?}");
+            assert!(fitted.high - fitted.low < 1e-9, "{fitted:?}");
+        }
+    }
+}
+
+#[test]
+fn what_the_rows_leave_open_is_said() {
+    let half = |impact: &Impact, p: f64| coulomb(impact, impact.mu * p / (1.0 + impact.e));
+    let one: Vec<Impact> = impacts().into_iter().filter(|impact| impact.e == 0.25).collect();
+    let study = studied(&log(&one, |impact| impact.e, half));
+    let mu = study.untold.iter().find_map(|open| match open {
+        Untold::ConstantRestitution(mu) => Some(*mu),
+        _ => None,
+    });
+    assert!(mu.is_some_and(|mu| (mu - 0.23 / 1.25).abs() < 1e-9), "{:?}", study.untold);
+    assert!(study.untold.contains(&Untold::Round));
+    assert!(study.untold.contains(&Untold::Same(Factor::Stated)));
+    // with two values of e it is told
+    let study = studied(&log(&impacts(), |impact| impact.e, half));
+    let open = |open: &Untold| matches!(open, Untold::ConstantRestitution(_));
+    assert!(!study.untold.iter().any(open), "{:?}", study.untold);
+
+    let slow: Vec<Impact> = impacts()
+        .into_iter()
+        .filter(|impact| impact.vx.abs() < 0.2 && impact.approach > 1.0)
+        .collect();
+    let study = studied(&log(&slow, |impact| impact.e, |impact, p| coulomb(impact, impact.mu * p)));
+    assert!(study.untold.contains(&Untold::NothingSlides), "{:?}", study.untold);
+}
+
+#[test]
+fn a_restitution_above_one_is_legitimate_without_a_gain() {
+    // what is lost along the tangent comes back along the normal
+    let one = [Impact { vx: 3.0, approach: 1.0, mu: 0.23, e: 1.0, phase: 0.5 }];
+    let study = studied(&log(&one, |_| 1.1, |impact, p| coulomb(impact, impact.mu * p)));
+    assert_eq!((study.energy.bouncy, study.rows), (1, 1));
+    let gain = kane_records::check::Check::Energy;
+    assert_eq!(study.checked(gain).map(|checked| checked.failed), Some(0));
+}

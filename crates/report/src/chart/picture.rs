@@ -1,0 +1,162 @@
+//! The picture of speed against accuracy: one panel for each quantity of each law.
+#![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
+
+use kane_measure::chart::{Measured, front};
+use kane_number::System;
+
+use super::{ChartReport, reach};
+use crate::picture::{
+    Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, Point, Shape, count, legend,
+    length, mark, staircase,
+};
+use crate::shorten::shorten;
+
+/// Size of a panel; panels in a row; the height of the legend.
+const PANEL: Point = (480.0, 330.0);
+const COLUMNS: usize = 2;
+const LEGEND: f64 = 30.0;
+/// Where exact methods are drawn, in digits.
+const EXACT: f64 = 38.0;
+
+/// The ink of a system of numbers.
+pub(crate) const fn ink(system: System) -> Ink {
+    match system {
+        System::F32 => Ink::VERMILION,
+        System::F64 => Ink::BLUE,
+        System::DoubleDouble => Ink::GREEN,
+        System::Interval => Ink::PURPLE,
+        System::Rational => Ink::Text,
+    }
+}
+
+/// The shape of its marks.
+const fn shape(system: System) -> Shape {
+    match system {
+        System::F32 => Shape::Triangle,
+        System::F64 => Shape::Disc,
+        System::DoubleDouble => Shape::Square,
+        System::Interval => Shape::Diamond,
+        System::Rational => Shape::Ring,
+    }
+}
+
+/// A method, where it is drawn, and whether nothing else is both cheaper and better.
+struct Drawn<'a> {
+    measured: &'a Measured,
+    /// picoseconds and digits
+    at: Point,
+    on_front: bool,
+}
+
+/// Every quantity with more than one method, as SVG: decimal digits that are right at the worst input, against the
+/// time; the Pareto front is a staircase, and its methods bear their names.
+#[must_use]
+pub fn picture(report: &ChartReport<'_>) -> String {
+    let on_front = front(report.all);
+    let mut groups: Vec<(String, Vec<Drawn<'_>>)> = Vec::new();
+    for ((law, quantity), group) in report.groups() {
+        let drawn = |index: &usize| {
+            let measured = report.all.get(*index)?;
+            Some(Drawn { measured, at: place(measured), on_front: *on_front.get(*index)? })
+        };
+        if group.len() > 1 {
+            groups.push((format!("{law}: {quantity}"), group.iter().filter_map(drawn).collect()));
+        }
+    }
+    // one axis of time for all, so that panels can be compared
+    let times = || groups.iter().flat_map(|(_, group)| group.iter().map(|drawn| drawn.at.0));
+    let least = times().fold(f64::INFINITY, f64::min).min(1000.0);
+    let most = times().fold(least * 10.0, f64::max);
+    let rows = groups.len().div_ceil(COLUMNS);
+    let size = (PANEL.0 * count(COLUMNS), LEGEND + PANEL.1 * count(rows));
+    let notes = [
+        "Digits right at the worst input, by the time of one evaluation; the line is the Pareto front: nothing else is \
+         both cheaper and better. A bar is from the first to the third quartile. Quantities with one method alone are \
+         in the table."
+            .to_owned(),
+        report.machine.clone(),
+        format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
+    ];
+    let mut canvas = Canvas::new(size, "What does the next digit cost?", &notes);
+    let names = System::ALL.map(|system| (system, system.to_string()));
+    let mut keys: Vec<(Key, &str)> = names
+        .iter()
+        .map(|(system, name)| (Key::Mark(shape(*system), ink(*system)), name.as_str()))
+        .collect();
+    keys.push((Key::Line(FRONT), "Pareto front"));
+    legend(&mut canvas, (12.0, 2.0), size.0, &keys);
+    for (index, (caption, group)) in groups.iter().enumerate() {
+        let (column, row) = (index % COLUMNS, index / COLUMNS);
+        let at = (PANEL.0 * count(column), LEGEND + PANEL.1 * count(row));
+        draw(&mut canvas, at, caption, group, (least / 2.0, most * 2.0));
+    }
+    canvas.finish()
+}
+
+const FRONT: Pen = Pen::new(Ink::GREY, 2.0);
+
+/// Picoseconds and digits of a method.
+fn place(measured: &Measured) -> Point {
+    let float = |n: u64| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+    let time = measured.time.as_ref().map_or(1, |time| time.median.max(1));
+    let digits = match measured.accuracy.worst {
+        i64::MAX => EXACT,
+        worst => f64::from(i32::try_from(worst).unwrap_or(0)) / 100.0,
+    };
+    (float(time), digits)
+}
+
+fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], range: Point) {
+    let time = Axis::logarithmic("time, ns", range, |picoseconds| {
+        let nanoseconds = picoseconds / 1000.0;
+        if nanoseconds < 1e4 { nanoseconds.to_string() } else { format!("{nanoseconds:e}") }
+    });
+    let ticks = [(0.0, "0"), (7.2, "f32"), (16.0, "f64"), (31.9, "dd"), (EXACT, "exact")];
+    let ticks = ticks.map(|(at, name)| (at, name.to_owned())).to_vec();
+    let digits = Axis::told("decimal digits right", (-4.5, 41.0), ticks);
+    let frame = Frame { at, size: PANEL, head: 28.0, beside: 14.0 };
+    let panel = Panel::new(canvas, frame, (time, digits), caption);
+    let mut steps: Vec<Point> = group.iter().filter(|d| d.on_front).map(|d| d.at).collect();
+    steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    steps.extend(steps.last().map(|last| (range.1, last.1)));
+    panel.line(canvas, staircase(&steps), FRONT);
+    let mut taken: Vec<(f64, f64, f64)> = Vec::new();
+    for drawn in group {
+        let Some((x, y)) = panel.at(drawn.at) else { continue };
+        let system = drawn.measured.method.system;
+        mark(canvas, (x, y), shape(system), ink(system));
+        if let Some(time) = &drawn.measured.time {
+            let quartile = |t: u64| (f64::from(u32::try_from(t).unwrap_or(u32::MAX)), drawn.at.1);
+            let ends = [time.quartiles.0, time.quartiles.1].map(quartile);
+            panel.line(canvas, ends, Pen::new(ink(system), 1.0));
+        }
+        taken.push((x - 6.0, x + 6.0, y));
+    }
+    for drawn in group.iter().filter(|drawn| drawn.on_front) {
+        let Some((x, y)) = panel.at(drawn.at) else { continue };
+        let name = name(drawn.measured);
+        let wide = length(&name, NUMBERS);
+        // below the line of the front, inside of the panel; names give way downward
+        let window = panel.window;
+        let left = (x + 4.0).min(window.right - wide).max(window.left + 2.0);
+        let mut at = y + 13.0;
+        while taken.iter().any(|(a, b, c)| left < *b && left + wide > *a && (at - c).abs() < 12.0) {
+            at += 4.0;
+        }
+        taken.push((left, left + wide, at));
+        canvas.words((left, at), &name, NUMBERS, Anchor::Start);
+    }
+}
+
+/// What a method on the front is called, with the bound that is proved of it.
+fn name(measured: &Measured) -> String {
+    let method = &measured.method;
+    let text = match (method.is_law, method.name) {
+        (true, "columns") => "the law's code, in columns".to_owned(),
+        (true, _) => "the law's code".to_owned(),
+        (false, name) => format!("{name} {}", method.text),
+    };
+    let bound = measured.proved.as_ref();
+    let bound = bound.map(|p| format!(", proved: {} ulp to {}", p.ulps, reach(p)));
+    shorten(&text, 30) + &bound.unwrap_or_default()
+}

@@ -1,0 +1,26 @@
+//! What was found in a log of impacts: the sentence that names it, and the report around it.
+
+mod compared;
+mod json;
+mod sentence;
+mod sheet;
+mod wording;
+
+pub use compared::{compared_json, compared_text};
+pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
+pub use sentence::headline;
+pub use sheet::sheet;
+pub use wording::schema;
+
+use kane_records::study::Study;
+
+/// A study, and how its report is headed.
+#[derive(Clone, Copy, Debug)]
+pub struct RecordsReport<'a> {
+    /// what was found
+    pub study: &'a Study,
+    /// the log, as its user calls it
+    pub log: &'a str,
+    /// the command that prints this again
+    pub command: &'a str,
+}

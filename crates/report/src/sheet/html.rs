@@ -1,0 +1,117 @@
+//! A sheet as a page.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::table::{Column, Fit, Table};
+use super::words::{Tone, Words};
+use super::{Block, Entry, Sheet};
+use crate::html::Frame;
+
+impl Sheet<'_> {
+    /// The sheet as one HTML file, which loads nothing. Equal sheets give equal bytes.
+    #[must_use]
+    pub fn html(&self) -> String {
+        let mut contents = Vec::new();
+        for block in &self.blocks {
+            match block {
+                Block::Heading { id, words } => contents.push((id.clone(), words.html())),
+                Block::Figure(figure) => {
+                    contents.push((figure.name.to_owned(), html! { (figure.heading) }));
+                }
+                _ => {}
+            }
+        }
+        let machine = self.machine.iter().map(|machine| ("Machine", html! { (machine) }));
+        let mut provenance = vec![
+            ("Program", html! { (Self::program()) }),
+            ("Command", html! { code { (self.command) } }),
+        ];
+        provenance.extend(machine);
+        provenance.push(("Seed", html! { "none: nothing here is drawn at random" }));
+        let page = Frame {
+            title: &self.title,
+            kind: self.kind,
+            news: html! { @if !self.headline.is_empty() { p { (self.headline) "." } } },
+            contents,
+            style: include_str!("sheet.css"),
+            script: "",
+            provenance,
+        };
+        page.page(&html! { @for block in &self.blocks { (block.html()) } })
+    }
+}
+
+impl Block<'_> {
+    fn html(&self) -> Markup {
+        match self {
+            Self::Heading { id, words } => html! { h2 id=(id) { (words.html()) } },
+            Self::Prose(words) => html! { p { (words.html()) } },
+            Self::Labelled(entries) => labelled(entries),
+            Self::Table(table) => rows(table),
+            Self::Figure(figure) => html! {
+                h2 id=(figure.name) { (figure.heading) }
+                figure.picture { (PreEscaped((figure.draw)())) }
+            },
+        }
+    }
+}
+
+fn labelled(entries: &[Entry]) -> Markup {
+    html! {
+        dl.labelled {
+            @for Entry { label, words } in entries {
+                div { dt { (label) } dd class=[class(words.tone)] { (words.html()) } }
+            }
+        }
+    }
+}
+
+fn rows(table: &Table) -> Markup {
+    let all = table.rows.len();
+    html! {
+        @if all > table.most { p { "The first " (table.most) " of " (all) "." } }
+        table {
+            thead { tr {
+                @for column in &table.columns {
+                    th scope="col" class=[number(column)] { (column.head()) }
+                }
+            } }
+            tbody {
+                @for row in table.rows.iter().take(table.most) {
+                    tr class=[class(row.tone)] {
+                        @for (index, (cell, column)) in row.cells.iter().zip(&table.columns).enumerate() {
+                            @if index == 0 {
+                                th scope="row" class=[number(column)] { (cell.html()) }
+                            } @else {
+                                (data(cell, column))
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn data(cell: &Words, column: &Column) -> Markup {
+    let classes: Vec<&str> = number(column).into_iter().chain(class(cell.tone)).collect();
+    html! { td class=[(!classes.is_empty()).then(|| classes.join(" "))] { (cell.html()) } }
+}
+
+fn number(column: &Column) -> Option<&'static str> {
+    match column.fit {
+        Fit::Right => Some("number"),
+        Fit::Long(_) => Some("long"),
+        Fit::Left => None,
+    }
+}
+
+const fn class(tone: Tone) -> Option<&'static str> {
+    match tone {
+        Tone::Plain => None,
+        Tone::Good => Some("good"),
+        Tone::Doubtful => Some("doubtful"),
+        Tone::Bad => Some("bad"),
+        Tone::Quiet => Some("little"),
+    }
+}

@@ -1,0 +1,130 @@
+//! Words of a sheet: what is said, what of it is code, and in which tone.
+
+use std::ops::Add;
+
+use maud::{Markup, html};
+
+use crate::{markdown, tex};
+
+/// Words in a row.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Words {
+    spans: Vec<Span>,
+    pub(crate) tone: Tone,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Span {
+    Plain(String),
+    /// a name or a formula as it is typed
+    Code(String),
+    Strong(String),
+}
+
+/// How something is to be taken. No form shows it by colour alone: the words say it, too.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Tone {
+    #[default]
+    Plain,
+    Good,
+    Doubtful,
+    Bad,
+    /// of little weight
+    Quiet,
+}
+
+impl<T: Into<String>> From<T> for Words {
+    fn from(text: T) -> Self {
+        Self { spans: vec![Span::Plain(text.into())], tone: Tone::Plain }
+    }
+}
+
+impl<T: Into<Self>> Add<T> for Words {
+    type Output = Self;
+
+    fn add(mut self, more: T) -> Self {
+        self.spans.extend(more.into().spans);
+        self
+    }
+}
+
+impl Words {
+    /// A name or a formula as it is typed.
+    pub(crate) fn code(text: impl Into<String>) -> Self {
+        Self { spans: vec![Span::Code(text.into())], tone: Tone::Plain }
+    }
+
+    /// What must not be overlooked.
+    pub(crate) fn strong(text: impl Into<String>) -> Self {
+        Self { spans: vec![Span::Strong(text.into())], tone: Tone::Plain }
+    }
+
+    pub(crate) fn toned(mut self, tone: Tone) -> Self {
+        self.tone = tone;
+        self
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.spans.iter().all(|span| span.text().is_empty())
+    }
+
+    pub(crate) fn plain(&self) -> String {
+        self.spans.iter().map(Span::text).collect()
+    }
+
+    pub(crate) fn markdown(&self) -> String {
+        let span = |span: &Span| match span {
+            Span::Plain(text) => markdown::escape(text),
+            Span::Code(text) if text.is_empty() => String::new(),
+            // a bar ends a cell even within code
+            Span::Code(text) => markdown::code(text).replace('|', "\\|"),
+            Span::Strong(text) => format!("**{}**", markdown::escape(text)),
+        };
+        self.spans.iter().map(span).collect()
+    }
+
+    pub(crate) fn html(&self) -> Markup {
+        html! {
+            @for span in &self.spans {
+                @match span {
+                    Span::Plain(text) => (text),
+                    Span::Code(text) => code { (text) },
+                    Span::Strong(text) => strong { (text) },
+                }
+            }
+        }
+    }
+
+    pub(crate) fn latex(&self) -> String {
+        let span = |span: &Span| match span {
+            Span::Plain(text) => tex::escape(text),
+            Span::Code(text) => format!("\\texttt{{{}}}", tex::escape(text)),
+            Span::Strong(text) => format!("\\textbf{{{}}}", tex::escape(text)),
+        };
+        self.spans.iter().map(span).collect()
+    }
+}
+
+impl Span {
+    fn text(&self) -> &str {
+        match self {
+            Self::Plain(text) | Self::Code(text) | Self::Strong(text) => text,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_character_of_a_cell_becomes_markup_in_any_form() {
+        let words = Words::from("a|b <i> $") + Words::code("|x| {y}") + Words::strong("_no_");
+        assert_eq!(words.plain(), "a|b <i> $|x| {y}_no_");
+        assert_eq!(words.markdown(), r"a\|b &lt;i&gt; \$`\|x\| {y}`**\_no\_**");
+        let html = "a|b &lt;i&gt; $<code>|x| {y}</code><strong>_no_</strong>";
+        assert_eq!(words.html().into_string(), html);
+        let latex = r"a$|$b $<$i$>$ \$\texttt{$|$x$|$ \{y\}}\textbf{\_no\_}";
+        assert_eq!(words.latex(), latex);
+    }
+}

@@ -1,0 +1,177 @@
+//! `kane check`: what a log of impacts obeys.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+
+use kane::impact::laws;
+use kane::records::comparison::compare;
+use kane::records::format::Format as Numbers;
+use kane::records::reader::Kind;
+use kane::records::study::{Options, Study, study};
+use kane::records::{replay, sweep};
+use kane::report::records::{RecordsReport, compared_json, compared_text, json, schema, sheet};
+
+use super::args::{CheckArgs, Format};
+use super::input::quoted;
+use super::{Outcome, bad_input, deliver, forms, output};
+
+/// Bytes that are read at once.
+const BUFFER: usize = 1 << 18;
+
+/// Runs the verb.
+pub(super) fn run(args: &CheckArgs) -> Outcome {
+    if args.schema {
+        return printed(&schema());
+    }
+    if args.generate {
+        return printed(&sweep::csv());
+    }
+    let Some(log) = &args.log else { return bad_input("which log? Give a file, or -") };
+    let options = match options(args) {
+        Ok(options) => options,
+        Err(message) => return bad_input(&message),
+    };
+    if let Some(line) = args.row {
+        return row(args, log, line, &options);
+    }
+    let study = match studied(args, log, &options) {
+        Ok(study) => study,
+        Err(message) => return bad_input(&message),
+    };
+    let name = log.display().to_string();
+    let command = command(args, &name);
+    if let Some(old) = &args.baseline {
+        return baseline(args, old, &study, &options, &name);
+    }
+    let report = RecordsReport { study: &study, log: &name, command: &command };
+    let sheet = sheet(&report);
+    let shown = || forms::printed(args.format, &sheet, || json(&report));
+    let stem = log.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let files = || Ok(forms::files(&format!("{stem}-check"), &sheet, json(&report)));
+    if let Err(outcome) = deliver(args.out.as_deref(), &[log], files, shown) {
+        return outcome;
+    }
+    match study.rows {
+        0 => Outcome::Nothing,
+        _ if study.as_expected() => Outcome::AsExpected,
+        _ => Outcome::Unexpected,
+    }
+}
+
+fn printed(text: &str) -> Outcome {
+    match output::to_stdout(text) {
+        Ok(()) => Outcome::AsExpected,
+        Err(error) => bad_input(&format!("cannot print: {error}")),
+    }
+}
+
+/// What the flags ask.
+fn options(args: &CheckArgs) -> Result<Options<'static>, String> {
+    let mut options = Options::new(laws());
+    for pair in &args.map {
+        let (ours, theirs) = pair
+            .split_once('=')
+            .ok_or_else(|| format!("--map takes OURS=THEIRS, and `{pair}` has no `=`"))?;
+        options.map.push((ours.to_owned(), theirs.to_owned()));
+    }
+    options.format = match args.float.as_deref() {
+        None => None,
+        Some("f32") => Some(Numbers::Binary32),
+        Some("f64") => Some(Numbers::Binary64),
+        Some(digits) => match digits.parse() {
+            Ok(digits @ 0..=15) => Some(Numbers::Decimals(digits)),
+            _ => {
+                return Err(format!(
+                    "--float takes f32, f64 or a count of decimals, not `{digits}`"
+                ));
+            }
+        },
+    };
+    if !(0.0..=1e12).contains(&args.extent) {
+        return Err("--extent must be between 0 and 1e12 arms".to_owned());
+    }
+    options.extent = args.extent;
+    Ok(options)
+}
+
+/// The form of the log.
+fn kind(args: &CheckArgs, log: &Path) -> Kind {
+    let ending = log.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    if args.jsonl || ["jsonl", "ndjson", "json"].contains(&&*ending) {
+        Kind::JsonLines
+    } else {
+        Kind::Csv
+    }
+}
+
+/// Opens the log.
+fn opened(log: &Path) -> Result<Box<dyn BufRead>, String> {
+    if log.as_os_str() == "-" {
+        return Ok(Box::new(BufReader::with_capacity(BUFFER, io::stdin())));
+    }
+    let file =
+        File::open(log).map_err(|error| format!("cannot read {}: {error}", log.display()))?;
+    Ok(Box::new(BufReader::with_capacity(BUFFER, file)))
+}
+
+fn studied(args: &CheckArgs, log: &Path, options: &Options<'_>) -> Result<Study, String> {
+    study(opened(log)?, kind(args, log), options)
+        .map_err(|fault| format!("{}: {fault}", log.display()))
+}
+
+/// The command that prints the report again.
+fn command(args: &CheckArgs, name: &str) -> String {
+    let mut command = format!("kane check {}", quoted(name));
+    for pair in &args.map {
+        command.push_str(&format!(" --map {}", quoted(pair)));
+    }
+    if args.jsonl {
+        command.push_str(" --jsonl");
+    }
+    if let Some(float) = &args.float {
+        command.push_str(&format!(" --float {}", quoted(float)));
+    }
+    if args.extent.to_bits() != kane::records::tolerance::EXTENT.to_bits() {
+        command.push_str(&format!(" --extent {}", args.extent));
+    }
+    command
+}
+
+/// The collision of one line.
+fn row(args: &CheckArgs, log: &Path, line: u64, options: &Options<'_>) -> Outcome {
+    let input = match opened(log) {
+        Ok(input) => input,
+        Err(message) => return bad_input(&message),
+    };
+    match replay::of_line(input, kind(args, log), &options.map, line) {
+        Ok(file) => printed(&file),
+        Err(fault) => bad_input(&format!("{}: {fault}", log.display())),
+    }
+}
+
+/// The log against an older one.
+fn baseline(
+    args: &CheckArgs,
+    old: &Path,
+    new: &Study,
+    options: &Options<'_>,
+    name: &str,
+) -> Outcome {
+    let before = match studied(args, old, options) {
+        Ok(study) => study,
+        Err(message) => return bad_input(&message),
+    };
+    let comparison = compare(&before, new);
+    let names = [old.display().to_string(), name.to_owned()];
+    let shown = match args.format {
+        Format::Json => compared_json(&comparison, &names),
+        Format::Text | Format::Markdown => compared_text(&comparison, &names),
+    };
+    match output::to_stdout(&shown) {
+        Err(error) => bad_input(&format!("cannot print: {error}")),
+        Ok(()) if new.rows == 0 => Outcome::Nothing,
+        Ok(()) if comparison.is_worse() => Outcome::Unexpected,
+        Ok(()) => Outcome::AsExpected,
+    }
+}

@@ -1,0 +1,176 @@
+//! `kane check`: logs, forms, exit codes; and an engine written out in full whose log is named.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use crate::{kane, scratch};
+
+/// How a solver bounds friction.
+#[derive(Clone, Copy, PartialEq)]
+enum Bound {
+    /// by the normal impulse with restitution
+    Whole,
+    /// by that of compression: friction is solved first, and restitution is added
+    Compression,
+}
+
+/// Steps a disc above a plane with sequential impulses until it has left it: an engine in a few
+/// lines, which knows no law.
+fn bounce(bound: Bound, mu: f64, e: f64, vx: f64, dt: f64) -> [f64; 3] {
+    let (mass, inertia, radius) = (1.0, 0.5, 1.0);
+    let (mut height, mut v, mut spin) = (radius + 2.5 * dt, [vx, -1.0], 0.0);
+    for _ in 0..8 {
+        if height + dt * v[1] <= radius && v[1] < 0.0 {
+            let approach = -v[1];
+            let (mut push, mut rub) = (0.0_f64, 0.0_f64);
+            for _ in 0..10 {
+                let more = (push + mass * (-v[1])).max(0.0) - push;
+                push += more;
+                v[1] += more / mass;
+                let share = if bound == Bound::Whole { 1.0 + e } else { 1.0 };
+                let slip = v[0] + radius * spin;
+                let stop = -slip / (1.0 / mass + radius * radius / inertia);
+                let more = (rub + stop).clamp(-mu * push * share, mu * push * share) - rub;
+                rub += more;
+                v[0] += more / mass;
+                spin += radius * more / inertia;
+            }
+            v[1] += e * approach;
+        }
+        height += dt * v[1];
+    }
+    [v[0], v[1], spin]
+}
+
+fn log(dir: &Path, name: &str, bound: Bound) -> String {
+    let mut text = String::from(
+        "id,mass,radius,inertia,mu,e,dt,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n",
+    );
+    for e in [0.0, 0.45, 0.9] {
+        for slip in 1..30 {
+            let (mu, vx, dt) = (0.3, 0.31 * f64::from(slip), 1.0 / 240.0);
+            let [x, y, spin] = bounce(bound, mu, e, vx, dt);
+            let _ = writeln!(text, "{slip}-{e},1,1,0.5,{mu},{e},{dt},{vx},-1,0,{x},{y},{spin}");
+        }
+    }
+    let path = dir.join(name);
+    fs::write(&path, text).expect("the scratch folder is ours");
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+#[test]
+fn an_engine_is_named_by_its_log() {
+    let dir = scratch("check-engine");
+    let whole = log(&dir, "whole.csv", Bound::Whole);
+    let run = kane(&["check", &whole]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let says = "Restitution as stated; friction is Coulomb's, which stops the slip";
+    assert!(run.stdout.contains(says), "{}", run.stdout);
+    assert!(run.stdout.contains("one-step law of time-stepping engines"), "{}", run.stdout);
+
+    let first = log(&dir, "first.csv", Bound::Compression);
+    let run = kane(&["check", &first]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    for says in ["saturates at mu*p_n/(1 + e)", "solved before", "of 87 impacts slide below the"] {
+        assert!(run.stdout.contains(says), "{says}: {}", run.stdout);
+    }
+    let worse = kane(&["check", &first, "--baseline", &whole]);
+    assert_eq!(worse.code, 1, "{}", worse.stdout);
+    assert!(worse.stdout.contains("Worse than before."), "{}", worse.stdout);
+    assert_eq!(kane(&["check", &whole, "--baseline", &first]).code, 1, "another law of friction");
+    assert_eq!(kane(&["check", &whole, "--baseline", &whole]).code, 0);
+}
+
+#[test]
+fn a_worst_row_is_replayed_by_the_command_beside_it() {
+    let dir = scratch("check-replay");
+    let log = log(&dir, "log.csv", Bound::Compression);
+    let run = kane(&["check", &log]);
+    let command = run.stdout.lines().find(|line| line.trim().starts_with("kane collide "));
+    let command = command.expect("a round body is asked for by flags").trim();
+    let arguments: Vec<&str> = command.split_whitespace().skip(1).collect();
+    let collided = kane(&arguments);
+    assert_eq!(collided.code, 0, "{command}: {}", collided.stderr);
+    assert!(collided.stdout.contains("kane-levinson"), "{}", collided.stdout);
+
+    // a spin counts the same way there: the slip is 2 − 1/2
+    let head = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
+    let spinning = dir.join("spinning.csv");
+    fs::write(&spinning, format!("{head}\n1,1,0.5,0.25,0.5,2,-1,-0.5,2,0.25,-0.5\n"))
+        .expect("the scratch folder is ours");
+    let run = kane(&["check", spinning.to_str().expect("UTF-8")]);
+    let command = run.stdout.lines().map(str::trim).find(|line| line.starts_with("kane collide "));
+    let arguments: Vec<&str> = command.expect("e is off").split_whitespace().skip(1).collect();
+    let collided = kane(&arguments);
+    assert!(collided.stdout.contains("v_t = 1.500 m/s"), "{arguments:?}: {}", collided.stdout);
+
+    let row = kane(&["check", &log, "--row", "3"]);
+    assert_eq!(row.code, 0, "{}", row.stderr);
+    let file = dir.join("row.toml");
+    fs::write(&file, &row.stdout).expect("the scratch folder is ours");
+    assert_eq!(kane(&["collide", file.to_str().expect("UTF-8")]).code, 0, "{}", row.stdout);
+    assert_eq!(kane(&["check", &log, "--row", "1"]).code, 2, "the header is no row");
+}
+
+#[test]
+fn every_form_is_written_and_two_runs_agree() {
+    let dir = scratch("check-forms");
+    let log = log(&dir, "log.csv", Bound::Whole);
+    let out = dir.join("out");
+    let run = kane(&["check", &log, "--out", out.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let read = |ending: &str| fs::read_to_string(out.join(format!("log-check.{ending}")));
+    assert_eq!(read("txt").expect("it was written"), run.stdout);
+    let json = read("json").expect("it was written");
+    assert_eq!(json, kane(&["check", &log, "--format", "json"]).stdout);
+    assert!(json.contains("\"as_expected\": true"), "{json}");
+    assert_eq!(
+        read("md").expect("it was written"),
+        kane(&["check", &log, "--format", "markdown"]).stdout
+    );
+}
+
+#[test]
+fn what_cannot_be_checked_ends_with_two_or_three() {
+    let dir = scratch("check-bad");
+    let write = |name: &str, text: &str| {
+        let path = dir.join(name);
+        fs::write(&path, text).expect("the scratch folder is ours");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let head = "mass,radius,inertia,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n";
+    for (name, text, says) in [
+        ("empty.csv", "", "empty"),
+        ("columns.csv", "a,b\n1,2\n", "columns are missing: mass1_kg"),
+        ("degrees.csv", &head.replace("omega_pre", "omega_pre_deg_s"), "convert it to SI"),
+        ("array.jsonl", "[1]\n", "line 1: no JSON object"),
+    ] {
+        let run = kane(&["check", &write(name, text)]);
+        assert_eq!(run.code, 2, "{name}: {}", run.stdout);
+        assert!(run.stderr.contains(says), "{name}: {}", run.stderr);
+    }
+    let run = kane(&["check", &write("nan.csv", &format!("{head}1,1,0.5,2,-1,0,NaN,0.5,0\n"))]);
+    assert_eq!(run.code, 3, "{}", run.stdout);
+    assert!(run.stdout.contains("line 2: NaN or infinity in vx1_post_m_s"), "{}", run.stdout);
+    assert_eq!(kane(&["check"]).code, 2);
+    assert_eq!(kane(&["check", "no-such.csv"]).code, 2);
+    assert_eq!(kane(&["check", "Cargo.toml", "--map", "mass1_kg"]).code, 2);
+}
+
+#[test]
+fn the_schema_and_the_sweep_are_printed() {
+    let schema = kane(&["check", "--schema"]);
+    assert_eq!(schema.code, 0, "{}", schema.stderr);
+    assert!(schema.stdout.contains("omega1_post_rad_s"), "{}", schema.stdout);
+    let sweep = kane(&["check", "--generate"]);
+    assert_eq!(sweep.code, 0, "{}", sweep.stderr);
+    assert!(sweep.stdout.lines().count() > 200, "{}", sweep.stdout);
+    // the columns that an engine fills in are empty, and each row says so
+    let dir = scratch("check-sweep");
+    let file = dir.join("sweep.csv");
+    fs::write(&file, &sweep.stdout).expect("the scratch folder is ours");
+    let run = kane(&["check", file.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 3, "{}", run.stdout);
+    assert!(run.stdout.contains("vx1_post_m_s is empty"), "{}", run.stdout);
+}
