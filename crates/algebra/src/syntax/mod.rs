@@ -55,7 +55,7 @@ pub use no_value::NoValue;
 pub use notation::Notation;
 pub use number::literal;
 pub use parser::{Parser, parse_expr, parse_relations, parse_sentence};
-pub use plain::moving;
+pub use plain::{comparison, moving};
 pub use rebuild::rebuild;
 pub use scope::{DeclareError, Scope, Symbol};
 pub use suggest::nearest;
