@@ -6,13 +6,14 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 14] = [
+const LEVELS: [(&str, u32); 15] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-semidefinite", 0),
     ("kane-algebra", 1),
     ("kane-impact", 2),
     ("kane-audit", 2),
+    ("kane-floats", 2),
     ("kane-matrix", 3),
     ("kane-judges", 3),
     ("kane-measure", 3),
