@@ -103,11 +103,3 @@ pub struct Core {
     /// further properties, by key, as written
     pub properties: Vec<(String, String)>,
 }
-
-impl Core {
-    /// The value as a formula in the usual notation.
-    #[must_use]
-    pub fn text(&self) -> String {
-        crate::text::infix(self, self.root)
-    }
-}

@@ -14,7 +14,7 @@ pub enum Language {
     Rust,
     /// C99, with `math.h`
     C,
-    /// Python 3; `f32` by NumPy, since Python has no such floats, and `fma` from 3.13 on
+    /// Python 3; `f32` by NumPy's `float32`, where a fused operation is rounded twice; `fma` from 3.13 on
     Python,
 }
 
@@ -72,6 +72,11 @@ impl Writer<'_> {
             Language::Python => writeln!(text, "def {name}({}):", arguments.join(", ")),
         }
         .expect("a string takes all");
+        if self.language == Language::Python && self.precision == Precision::F32 {
+            for argument in &arguments {
+                writeln!(text, "    {argument} = float32({argument})").expect("a string takes all");
+            }
+        }
         let needed = self.core.program.needed(self.core.root);
         for (index, operation) in self.core.program.operations().iter().enumerate() {
             let is_leaf = matches!(operation, Operation::Number(_) | Operation::Input(_));
@@ -143,6 +148,10 @@ impl Writer<'_> {
                     format!("{first}.{rust}({})", rest.join(", "))
                 }
                 Language::C => format!("{c}{single}({})", operands.join(", ")),
+                // these functions return doubles
+                Language::Python if self.precision == Precision::F32 => {
+                    format!("float32({python}({}))", operands.join(", "))
+                }
                 Language::Python => format!("{python}({})", operands.join(", ")),
             }
         };

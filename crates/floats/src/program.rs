@@ -61,6 +61,18 @@ impl Test {
         }
     }
 
+    /// The same test on results that stand elsewhere.
+    #[must_use]
+    pub fn moved(&self, at: &impl Fn(usize) -> usize) -> Self {
+        let all = |tests: &[Self]| tests.iter().map(|test| test.moved(at)).collect();
+        match self {
+            Self::Compare(rel, a, b) => Self::Compare(*rel, at(*a), at(*b)),
+            Self::All(tests) => Self::All(all(tests)),
+            Self::Any(tests) => Self::Any(all(tests)),
+            Self::Not(test) => Self::Not(Box::new(test.moved(at))),
+        }
+    }
+
     /// Whether it holds, given what each comparison gives: `None` is "not known". Where the rest
     /// decides, what is not known does not matter.
     pub fn holds(&self, compare: &impl Fn(Rel, usize, usize) -> Option<bool>) -> Option<bool> {
@@ -83,18 +95,27 @@ impl Test {
     }
 }
 
-/// A test on other results.
-pub(crate) fn mapped(test: &Test, at: &impl Fn(&usize) -> usize) -> Test {
-    let all = |tests: &[Test]| tests.iter().map(|test| mapped(test, at)).collect();
-    match test {
-        Test::Compare(rel, a, b) => Test::Compare(*rel, at(a), at(b)),
-        Test::All(tests) => Test::All(all(tests)),
-        Test::Any(tests) => Test::Any(all(tests)),
-        Test::Not(test) => Test::Not(Box::new(mapped(test, at))),
-    }
-}
-
 impl Operation {
+    /// The same operation on results that stand elsewhere.
+    #[must_use]
+    pub fn moved(&self, at: &impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Number(number) => Self::Number(number.clone()),
+            Self::Input(input) => Self::Input(*input),
+            Self::Neg(a) => Self::Neg(at(*a)),
+            Self::Add(a, b) => Self::Add(at(*a), at(*b)),
+            Self::Sub(a, b) => Self::Sub(at(*a), at(*b)),
+            Self::Mul(a, b) => Self::Mul(at(*a), at(*b)),
+            Self::Div(a, b) => Self::Div(at(*a), at(*b)),
+            Self::Sqrt(a) => Self::Sqrt(at(*a)),
+            Self::Fma(a, b, c) => Self::Fma(at(*a), at(*b), at(*c)),
+            Self::Abs(a) => Self::Abs(at(*a)),
+            Self::Min(a, b) => Self::Min(at(*a), at(*b)),
+            Self::Max(a, b) => Self::Max(at(*a), at(*b)),
+            Self::If(test, a, b) => Self::If(test.moved(at), at(*a), at(*b)),
+        }
+    }
+
     /// The results that it takes, those of a test left out.
     #[must_use]
     pub fn operands(&self) -> Vec<usize> {

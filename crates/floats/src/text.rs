@@ -11,6 +11,14 @@ const PRODUCT: u8 = 2;
 const SIGN: u8 = 3;
 const ATOM: u8 = 4;
 
+impl Core {
+    /// The value as a formula in the usual notation.
+    #[must_use]
+    pub fn text(&self) -> String {
+        infix(self, self.root)
+    }
+}
+
 /// The operation of this index. Shared operations are written out wherever they are used, so that the
 /// text of a program may be longer than the program.
 #[must_use]

@@ -6,7 +6,6 @@ use kane_algebra::rational_function::RationalFunction;
 use kane_kernel::{Context, Expr, Var};
 use kane_number::Rational;
 
-use crate::program::mapped;
 use crate::{Core, Operation, Program};
 
 /// A formula without choices. Equal trees are equal formulas.
@@ -113,19 +112,16 @@ impl Tree {
         // what is assumed is said in operations of the old program
         let mut moved = Vec::new();
         for operation in like.program.operations() {
-            let at = |index: &usize| moved.get(*index).copied().unwrap_or(0);
-            let copied = copy(operation, &at);
+            let at = |index: usize| moved.get(index).copied().unwrap_or(0);
+            let copied = operation.moved(&at);
             moved.push(if like.assumed.is_empty() {
                 0
             } else {
                 core.program.push(copied, nowhere.clone())
             });
         }
-        core.assumed = like
-            .assumed
-            .iter()
-            .map(|test| mapped(test, &|index| moved.get(*index).copied().unwrap_or(0)))
-            .collect();
+        let at = |index: usize| moved.get(index).copied().unwrap_or(0);
+        core.assumed = like.assumed.iter().map(|test| test.moved(&at)).collect();
         core.root = self.push(&mut core.program);
         core
     }
@@ -200,24 +196,5 @@ impl Tree {
             }
             _ => return None,
         })
-    }
-}
-
-/// The same operation on other results.
-fn copy(operation: &Operation, at: &impl Fn(&usize) -> usize) -> Operation {
-    match operation {
-        Operation::Number(number) => Operation::Number(number.clone()),
-        Operation::Input(input) => Operation::Input(*input),
-        Operation::Neg(a) => Operation::Neg(at(a)),
-        Operation::Add(a, b) => Operation::Add(at(a), at(b)),
-        Operation::Sub(a, b) => Operation::Sub(at(a), at(b)),
-        Operation::Mul(a, b) => Operation::Mul(at(a), at(b)),
-        Operation::Div(a, b) => Operation::Div(at(a), at(b)),
-        Operation::Sqrt(a) => Operation::Sqrt(at(a)),
-        Operation::Fma(a, b, c) => Operation::Fma(at(a), at(b), at(c)),
-        Operation::Abs(a) => Operation::Abs(at(a)),
-        Operation::Min(a, b) => Operation::Min(at(a), at(b)),
-        Operation::Max(a, b) => Operation::Max(at(a), at(b)),
-        Operation::If(test, a, b) => Operation::If(mapped(test, at), at(a), at(b)),
     }
 }

@@ -148,7 +148,9 @@ impl<M: Machine> Search<'_, M> {
                     break;
                 }
             }
-            let settled = top.bound <= best * budget.ratio;
+            // where every digit may be wrong at a point there is nothing left to refine
+            let hopeless = self.goal == Goal::Ulps && best >= power(i64::from(M::PRECISION));
+            let settled = hopeless || top.bound <= best * budget.ratio;
             if settled || cells >= budget.cells {
                 heap.push(top);
                 break;

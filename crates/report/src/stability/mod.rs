@@ -17,6 +17,8 @@ pub use sheet::sheet;
 pub struct StabilityReport<'a> {
     /// the findings
     pub stability: &'a Stability,
+    /// bounds, worst inputs and repairs of its formulas, where they were asked for
+    pub accounts: &'a [kane_measure::certify::Account],
     /// a command that prints this report
     pub command: String,
 }
@@ -170,11 +172,6 @@ pub(crate) fn short(point: &Point) -> String {
     } else {
         format!("{:.3e}", point.value)
     }
-}
-
-/// Several inputs in few characters.
-pub(crate) fn short_all(points: &[Point]) -> String {
-    points.iter().map(short).collect::<Vec<_>>().join(", ")
 }
 
 /// A range by its first and last failing input.
