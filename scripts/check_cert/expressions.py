@@ -22,17 +22,19 @@ GREEK = dict(zip(
     " epsilon phi theta rho".split(),
 ))
 GREEK["µ"] = "mu"  # the micro sign
-PLAIN = str.maketrans({"−": "-", "·": "*", "∞": "oo"})
+CLAUSES = ("as", "when", "from", "by", "expect")
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SPACE = re.compile(r"(?:[ \t\n]|#[^\n]*)*")
 LETTER = "A-Za-z" + "".join(GREEK)
 WORD = re.compile(
-    rf"(?P<number>[0-9]+(?:\.[0-9]+)?)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
-    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·]|[-+*/^=<>(){},;:])"
+    rf"(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
+    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:])"
 )
 LABEL = re.compile(r"\(([^()\n]*)\)|([\w.'-]+)")
-SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*"}
+SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*", "⋅": "*", "×": "*"}
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 MAX_POWER = 2**15 - 1
+MAX_DIGITS = 10_001
 
 
 def spelled(name):
@@ -100,7 +102,7 @@ class Reader:
         if not match:
             self.fail("expected a label")
         label = match[1].strip(" \t") if match[1] is not None else match[2]
-        if not label or match[2] in RESERVED:
+        if not label or match[2] in CLAUSES:
             self.fail("expected a label")
         self.at = match.end()
         self.advance()
@@ -128,6 +130,12 @@ class Reader:
         if self.take("-"):
             return ("neg", self.signed())
         base = self.atom()
+        if self.kind == "raised":
+            power = int(self.word.translate(RAISED))
+            if abs(power) > MAX_POWER:
+                self.fail("the exponent is too large")
+            self.advance()
+            return ("pow", base, power)
         return ("pow", base, self.exponent()) if self.take("^") else base
 
     def exponent(self):
@@ -137,8 +145,8 @@ class Reader:
         if self.take("("):
             value = self.exponent()
             self.expect(")")
-        elif self.kind == "number" and "." not in self.word:
-            value = int(self.word)
+        elif self.kind == "number" and self.literal().denominator == 1:
+            value = int(self.literal())
             self.advance()
         else:
             self.fail("only literal integers may be exponents")
@@ -151,15 +159,26 @@ class Reader:
             self.fail("the exponent is too large")
         return value
 
+    def literal(self):
+        """The value of a number."""
+        mantissa, _, exponent = self.word.lower().partition("e")
+        if len(mantissa) + abs(int(exponent or 0)) > MAX_DIGITS:
+            self.fail("the number has too many digits")
+        return Fraction(self.word)
+
     def atom(self):
         if self.kind == "number":
-            value = Fraction(self.word)
+            value = self.literal()
             self.advance()
             return ("num", value.numerator, value.denominator)
         if self.take("("):
             inner = self.sum()
             self.expect(")")
             return inner
+        if self.take("|"):
+            inner = self.sum()
+            self.expect("|")
+            return ("abs", inner)
         if function := self.take("abs", "sqrt", "min", "max", "d"):
             return self.call(function)
         if self.take("cases"):

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::{Parser, RESERVED, SyntaxError, SyntaxErrorKind, canonical_name};
+use kane_algebra::syntax::{Parser, SyntaxError, SyntaxErrorKind, canonical_name};
+
+use super::statement::CLAUSES;
 
 /// Bytes of a label.
 const MAX_LABEL_BYTES: usize = 200;
@@ -39,7 +41,7 @@ pub(super) fn take<'a>(p: &mut Parser<'a>) -> Result<(&'a str, Range<usize>), Sy
         return Err(p.unexpected("a label, such as `(9)` or `k-range`"));
     };
     let word = rest.get(..length).unwrap_or_default();
-    if RESERVED.contains(&word) {
+    if CLAUSES.contains(&word) {
         return Err(p.fault(SyntaxErrorKind::ReservedWord(word.to_owned())));
     }
     Ok(p.take_until(start + length))

@@ -16,7 +16,7 @@ use crate::{Parts, Verdict};
 pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
 
 /// Clauses in the order in which they must stand.
-const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
+pub(super) const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
 
 impl Reader {
     /// Reads the statement at `span` of `code`, which begins on line `line`.
