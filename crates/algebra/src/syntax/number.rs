@@ -12,9 +12,9 @@ use super::bounds::MAX_DIGITS;
 /// The digits that a literal has when its power of ten is written out, or more.
 pub(crate) fn written_out(text: &str) -> usize {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let shift = exponent.parse::<i64>().map_or(usize::MAX, |e| {
-        usize::try_from(e.unsigned_abs()).unwrap_or(usize::MAX)
-    });
+    let shift = exponent
+        .parse::<i64>()
+        .map_or(usize::MAX, |e| usize::try_from(e.unsigned_abs()).unwrap_or(usize::MAX));
     mantissa.len().saturating_sub(usize::from(mantissa.contains('.'))).saturating_add(shift)
 }
 
