@@ -9,6 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
+from . import angles
 from .errors import Unreadable
 
 RESERVED = set(
@@ -48,6 +49,7 @@ class Reader:
     def __init__(self, text, document):
         self.text, self.document = text, document
         self.at = 0
+        self.in_angle = False
         self.advance()
 
     def advance(self):
@@ -183,7 +185,31 @@ class Reader:
             return self.call(function)
         if self.take("cases"):
             return self.cases()
+        if self.kind == "name" and self.word in ("sin", "cos", "tan") and self.is_free(self.word):
+            return self.direction(self.take("sin", "cos", "tan"))
+        if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
+            self.advance()
+            return ("pi", 1)
         return self.document.use(self.name(), self)
+
+    def is_free(self, name):
+        return name not in self.document.symbols
+
+    def angle(self):
+        """Reads a sum in which angles and pi may stand."""
+        outer, self.in_angle = self.in_angle, True
+        expression = self.sum()
+        self.in_angle = outer
+        return angles.summed(expression)
+
+    def direction(self, function):
+        self.expect("(")
+        total = self.angle()
+        if total is None:
+            self.fail("this is no angle")
+        self.expect(")")
+        cos, sin = angles.direction(total, self.document, self.fail)
+        return {"cos": cos, "sin": sin}.get(function) or ("div", sin, cos)
 
     def call(self, function):
         self.expect("(")
@@ -194,6 +220,10 @@ class Reader:
         self.expect(",")
         if function == "d":
             name = self.name()
+            if self.document.is_angle(name) and self.document.symbols[name].argument is None:
+                self.expect(")")
+                found = self.document.mentioned(first)
+                return angles.slope(first, self.document.symbols[name], found)
             if not self.document.is_plain(name):
                 self.fail(f"nothing can be differentiated by `{name}`")
             second = name
