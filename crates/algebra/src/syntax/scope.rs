@@ -1,7 +1,7 @@
 //! What names mean at a place in a document.
 
 use std::cell::Cell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
@@ -73,6 +73,8 @@ pub struct Scope {
     heights: Vec<usize>,
     /// what stands for the symbols that are angles
     angles: HashMap<usize, Angle>,
+    /// by function, the symbol for its derivative
+    rates: BTreeMap<usize, usize>,
     /// nodes visited so far
     effort: Cell<usize>,
 }
@@ -170,16 +172,55 @@ impl Scope {
         Ok((index, angle))
     }
 
+    /// Declares symbols for the first derivatives of a function, up to an order; nothing for a plain
+    /// symbol.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_rates(&mut self, function: usize, order: u32) -> Result<(), DeclareError> {
+        let mut last = function;
+        for _ in 0..order {
+            let vars = &self.context.vars;
+            let Some((name, of)) = vars.get(last).and_then(|var| Some((&var.name, var.of?))) else {
+                return Ok(());
+            };
+            let name = format!("d({name}, {})", vars.get(of).map_or("?", |var| &var.name));
+            self.check_free(&spelled(&name))?;
+            self.typeset.entry(latex_name(&spelled(&name))).or_insert_with(|| name.clone());
+            let rate = self.declare(Var { name, of: Some(of), lower: None, upper: None })?;
+            self.rates.insert(last, rate);
+            last = rate;
+        }
+        Ok(())
+    }
+
+    /// The symbol for the derivative of a function, if one is declared.
+    #[must_use]
+    pub fn rate(&self, function: usize) -> Option<usize> {
+        self.rates.get(&function).copied()
+    }
+
+    /// All functions with the symbols for their derivatives.
+    #[must_use]
+    pub fn rates(&self) -> &BTreeMap<usize, usize> {
+        &self.rates
+    }
+
+    /// All angles with what stands for them, in no particular order.
+    pub fn angles(&self) -> impl Iterator<Item = (usize, Angle)> {
+        self.angles.iter().map(|(symbol, angle)| (*symbol, *angle))
+    }
+
     /// What stands for a symbol, if it is an angle.
     #[must_use]
     pub fn angle(&self, symbol: usize) -> Option<&Angle> {
         self.angles.get(&symbol)
     }
 
-    /// The angle of which a symbol is the cosine or the sine.
+    /// The angle of which a symbol is the cosine or the sine, and its symbol.
     #[must_use]
-    pub fn angle_at(&self, symbol: usize) -> Option<&Angle> {
-        self.angles.values().find(|angle| [angle.cos, angle.sin].contains(&symbol))
+    pub fn angle_at(&self, symbol: usize) -> Option<(usize, Angle)> {
+        self.angles().find(|(_, angle)| [angle.cos, angle.sin].contains(&symbol))
     }
 
     /// Adds a definition and returns its index.
