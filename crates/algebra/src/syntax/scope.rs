@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
-use super::names::{RESERVED, canonical_name, latex_name};
+use super::names::{RESERVED, applied, canonical_name, latex_name, rate};
 
 /// Nodes that all visits of a scope may see together. Definitions that share others can make
 /// every visit as long as the document.
@@ -88,6 +88,9 @@ impl Scope {
             scope.enter(&var.name, Symbol::Var(scope.context.vars.len()));
             scope.context.vars.push(var.clone());
         }
+        for (index, var) in context.vars.iter().enumerate() {
+            scope.recognise(index, &var.name);
+        }
         for definition in &context.lets {
             scope.enter(&definition.name, Symbol::Let(scope.context.lets.len()));
             let height = scope.height(&definition.body);
@@ -100,6 +103,25 @@ impl Scope {
     fn enter(&mut self, name: &str, symbol: Symbol) {
         self.names.entry(canonical_name(name).into_owned()).or_insert(symbol);
         self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
+    }
+
+    /// Takes the cosine of an angle, or the derivative of a function, for what its name says.
+    fn recognise(&mut self, index: usize, name: &str) {
+        let symbol = |name: &str| match self.resolve(name) {
+            Some(Symbol::Var(symbol)) => Some(symbol),
+            _ => None,
+        };
+        if let Some((function, _)) = rate(name) {
+            if let Some(function) = symbol(function) {
+                self.rates.insert(function, index);
+            }
+        } else if let Some(("cos", part)) = applied(name) {
+            let (angle, parts) = part.split_once('/').unwrap_or((part, "1"));
+            if let (Some(angle), Ok(parts)) = (symbol(angle), parts.parse()) {
+                // the sine is declared behind the cosine
+                self.angles.insert(angle, Angle { cos: index, sin: index + 1, parts });
+            }
+        }
     }
 
     /// The symbols and definitions.
