@@ -2,7 +2,7 @@
 //!
 //! A log has one row an impact ([`schema`], `docs/records.md`). [`study`] reads it once, row by row,
 //! and returns data: how each [`Check`](check::Check) fares, with a residual and a
-//! [tolerance](tolerance) that is derived from the format of the numbers and the time step; which
+//! [tolerance] that is derived from the format of the numbers and the time step; which
 //! [restitution](restitution::restitution), which [friction](friction::ranked) given the measured
 //! normal impulse, and which [rigid laws](rigid::ranked) the rows follow; which coefficients they
 //! have; and what they cannot tell. Nothing is printed here.

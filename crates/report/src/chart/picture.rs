@@ -6,8 +6,8 @@ use kane_number::System;
 
 use super::{ChartReport, reach};
 use crate::picture::{
-    Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, Point, count, legend, length,
-    staircase,
+    Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, Point, Shape, count, legend,
+    length, mark, staircase,
 };
 use crate::shorten::shorten;
 
@@ -18,7 +18,7 @@ const LEGEND: f64 = 30.0;
 /// Where exact methods are drawn, in digits.
 const EXACT: f64 = 38.0;
 
-/// The ink of a system of numbers; shapes differ, too.
+/// The ink of a system of numbers.
 pub(crate) const fn ink(system: System) -> Ink {
     match system {
         System::F32 => Ink::VERMILION,
@@ -26,6 +26,17 @@ pub(crate) const fn ink(system: System) -> Ink {
         System::DoubleDouble => Ink::GREEN,
         System::Interval => Ink::PURPLE,
         System::Rational => Ink::Text,
+    }
+}
+
+/// The shape of its marks.
+const fn shape(system: System) -> Shape {
+    match system {
+        System::F32 => Shape::Triangle,
+        System::F64 => Shape::Disc,
+        System::DoubleDouble => Shape::Square,
+        System::Interval => Shape::Diamond,
+        System::Rational => Shape::Ring,
     }
 }
 
@@ -68,8 +79,10 @@ pub fn picture(report: &ChartReport<'_>) -> String {
     ];
     let mut canvas = Canvas::new(size, "What does the next digit cost?", &notes);
     let names = System::ALL.map(|system| (system, system.to_string()));
-    let mut keys: Vec<(Key, &str)> =
-        names.iter().map(|(system, name)| (Key::Dot(ink(*system)), name.as_str())).collect();
+    let mut keys: Vec<(Key, &str)> = names
+        .iter()
+        .map(|(system, name)| (Key::Mark(shape(*system), ink(*system)), name.as_str()))
+        .collect();
     keys.push((Key::Line(FRONT), "Pareto front"));
     legend(&mut canvas, (12.0, 2.0), size.0, &keys);
     for (index, (caption, group)) in groups.iter().enumerate() {
@@ -100,7 +113,7 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
     });
     let ticks = [(0.0, "0"), (7.2, "f32"), (16.0, "f64"), (31.9, "dd"), (EXACT, "exact")];
     let ticks = ticks.map(|(at, name)| (at, name.to_owned())).to_vec();
-    let digits = Axis::told("decimal digits right", (-1.5, 41.0), ticks);
+    let digits = Axis::told("decimal digits right", (-4.5, 41.0), ticks);
     let frame = Frame { at, size: PANEL, head: 28.0, beside: 14.0 };
     let panel = Panel::new(canvas, frame, (time, digits), caption);
     let mut steps: Vec<Point> = group.iter().filter(|d| d.on_front).map(|d| d.at).collect();
@@ -110,11 +123,12 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
     let mut taken: Vec<(f64, f64, f64)> = Vec::new();
     for drawn in group {
         let Some((x, y)) = panel.at(drawn.at) else { continue };
-        mark(canvas, (x, y), drawn.measured);
+        let system = drawn.measured.method.system;
+        mark(canvas, (x, y), shape(system), ink(system));
         if let Some(time) = &drawn.measured.time {
             let quartile = |t: u64| (f64::from(u32::try_from(t).unwrap_or(u32::MAX)), drawn.at.1);
             let ends = [time.quartiles.0, time.quartiles.1].map(quartile);
-            panel.line(canvas, ends, Pen::new(ink(drawn.measured.method.system), 1.0));
+            panel.line(canvas, ends, Pen::new(ink(system), 1.0));
         }
         taken.push((x - 6.0, x + 6.0, y));
     }
@@ -145,21 +159,4 @@ fn name(measured: &Measured) -> String {
     let bound = measured.proved.as_ref();
     let bound = bound.map(|p| format!(", proved: {} ulp to {}", p.ulps, reach(p)));
     shorten(&text, 30) + &bound.unwrap_or_default()
-}
-
-/// A disc, a square, a triangle or a ring: shapes differ with the system, too.
-fn mark(canvas: &mut Canvas, (x, y): Point, measured: &Measured) {
-    let system = measured.method.system;
-    let ink = ink(system);
-    match system {
-        System::F32 => {
-            canvas.area(&[(x, y - 6.0), (x + 5.5, y + 4.0), (x - 5.5, y + 4.0)], ink, 1.0);
-        }
-        System::F64 => canvas.dot((x, y), 4.5, ink),
-        System::DoubleDouble => canvas.boxes(&[((x - 4.0, y - 4.0), (x + 4.0, y + 4.0))], ink, 1.0),
-        System::Interval => {
-            canvas.area(&[(x, y - 6.0), (x + 6.0, y), (x, y + 6.0), (x - 6.0, y)], ink, 1.0);
-        }
-        System::Rational => canvas.ring((x, y), 4.5, Pen::new(ink, 2.0)),
-    }
 }

@@ -7,8 +7,32 @@ use super::{Anchor, Canvas, Ink, LEADING, Pen, Point, WORDS, length};
 pub(crate) enum Key {
     Line(Pen),
     Area(Ink),
-    Dot(Ink),
-    Ring(Ink),
+    Mark(Shape, Ink),
+}
+
+/// The shape of a mark, so that marks never rest on colour alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    Disc,
+    Ring,
+    Square,
+    Triangle,
+    Diamond,
+}
+
+/// Draws a mark.
+pub(crate) fn mark(canvas: &mut Canvas, (x, y): Point, shape: Shape, ink: Ink) {
+    match shape {
+        Shape::Disc => canvas.dot((x, y), 4.5, ink),
+        Shape::Ring => canvas.ring((x, y), 4.5, Pen::new(ink, 2.0)),
+        Shape::Square => canvas.boxes(&[((x - 4.0, y - 4.0), (x + 4.0, y + 4.0))], ink, 1.0),
+        Shape::Triangle => {
+            canvas.area(&[(x, y - 6.0), (x + 5.5, y + 4.0), (x - 5.5, y + 4.0)], ink, 1.0);
+        }
+        Shape::Diamond => {
+            canvas.area(&[(x, y - 6.0), (x + 6.0, y), (x, y + 6.0), (x - 6.0, y)], ink, 1.0);
+        }
+    }
 }
 
 /// Draws a legend in rows from this place to the width, and returns how high it is.
@@ -39,7 +63,6 @@ fn beside(canvas: &mut Canvas, (x, y): Point, key: Key) {
             let corners = ((x, y - 6.0), (x + 20.0, y + 6.0));
             canvas.boxes(&[corners], ink, 1.0);
         }
-        Key::Dot(ink) => canvas.dot((x + 12.0, y), 4.5, ink),
-        Key::Ring(ink) => canvas.ring((x + 12.0, y), 4.5, Pen::new(ink, 2.0)),
+        Key::Mark(shape, ink) => mark(canvas, (x + 12.0, y), shape, ink),
     }
 }

@@ -16,7 +16,7 @@ mod strip;
 pub(crate) use axis::Axis;
 pub(crate) use canvas::{Anchor, Canvas};
 pub(crate) use clip::{Window, dense, height};
-pub(crate) use legend::{Key, legend};
+pub(crate) use legend::{Key, Shape, legend, mark};
 pub(crate) use palette::{Ink, Pen};
 pub(crate) use panel::{Frame, Panel, staircase};
 pub(crate) use strip::{Bar, Strip, height_of, strips};

@@ -4,7 +4,9 @@
 use kane_scene::{Judged, Known, Verdict};
 
 use super::{SceneReport, WIDTH, notes, power};
-use crate::picture::{Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, legend, length};
+use crate::picture::{
+    Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, Shape, legend, length, mark,
+};
 
 const HEIGHT: f64 = 430.0;
 /// What no error is drawn below.
@@ -26,9 +28,9 @@ pub fn compare_picture(report: &SceneReport<'_>) -> String {
     let mut canvas = Canvas::new((WIDTH, HEIGHT), &title, &notes(report, ""));
     let keys = [
         (Key::Line(TOLERANCE), "the tolerance"),
-        (Key::Ring(Ink::GREEN), "good enough"),
-        (Key::Dot(Ink::GREEN), "the chosen one"),
-        (Key::Ring(Ink::GREY), "not, or not known to be"),
+        (Key::Mark(Shape::Ring, Ink::GREEN), "good enough"),
+        (Key::Mark(Shape::Disc, Ink::GREEN), "the chosen one"),
+        (Key::Mark(Shape::Ring, Ink::GREY), "not, or not known to be"),
     ];
     let top = legend(&mut canvas, (66.0, 0.0), WIDTH, &keys);
     let what = match report.answer.known {
@@ -47,10 +49,8 @@ pub fn compare_picture(report: &SceneReport<'_>) -> String {
     for (judged, cost, ratio) in drawn {
         let ink = if judged.verdict == Verdict::Meets { Ink::GREEN } else { Ink::GREY };
         let Some(at) = panel.at((cost, ratio)) else { continue };
-        match report.answer.chosen == Some(judged.model) {
-            true => canvas.dot(at, 5.0, ink),
-            false => canvas.ring(at, 5.0, Pen::new(ink, 2.0)),
-        }
+        let chosen = report.answer.chosen == Some(judged.model);
+        mark(&mut canvas, at, if chosen { Shape::Disc } else { Shape::Ring }, ink);
         // models in one place share a label
         match labels.iter_mut().find(|(_, x, y)| *x == cost && (ratio / *y).ln().abs() < 0.2) {
             Some((text, ..)) => text.push_str(&format!(", {}", judged.model.system)),

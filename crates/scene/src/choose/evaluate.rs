@@ -2,7 +2,7 @@
 
 use kane_impact::compliant::Loss;
 use kane_impact::{Contact, Law, NumberSystem, Outcome};
-use kane_number::{Interval, Lane as _, Number as _, Rational, System};
+use kane_number::{Interval, Lane as _, Number as _, Rational, System, decode};
 
 use super::model::Mechanics;
 use crate::coordinate::Coordinate;
@@ -110,6 +110,13 @@ fn stated(law: &Law, tangential: &Tangential) -> Result<Law, Failed> {
         _ => None,
     };
     with.ok_or_else(|| missing("tangential_restitution"))
+}
+
+/// The values by a model in floats, for measuring.
+pub(super) fn at(scene: &Scene, mechanics: Mechanics, setup: &Setup<Rational>) -> Option<Vec<f64>> {
+    let found = evaluate(scene, &setup.map(|x| x.to_f64()), mechanics, 1).ok()?;
+    let finite = found.values.iter().all(|value| decode(*value).is_ok());
+    finite.then_some(found.values)
 }
 
 /// The outcome of a tip's contact in floats.

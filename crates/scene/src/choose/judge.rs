@@ -3,9 +3,9 @@
 use kane_impact::NumberSystem;
 use kane_number::{DoubleDouble, Interval, Lane as _, Rational, System};
 
-use super::evaluate::{Found, evaluate};
+use super::evaluate::{Found, at, evaluate};
 use super::model::{Mechanics, Model};
-use super::reference::{Reference, at};
+use super::reference::Reference;
 use super::spread::{Part, affordable};
 use super::upwards;
 use crate::coordinate::Coordinate;

@@ -140,13 +140,6 @@ fn compared(scene: &Scene, mechanics: Mechanics) -> Option<Vec<(Rational, Ration
     ends.collect()
 }
 
-/// The values by a model in floats, for measuring.
-pub(super) fn at(scene: &Scene, mechanics: Mechanics, setup: &Setup<Rational>) -> Option<Vec<f64>> {
-    let found = evaluate(scene, &setup.map(|x| x.to_f64()), mechanics, 1).ok()?;
-    let finite = found.values.iter().all(|value| decode(*value).is_ok());
-    finite.then_some(found.values)
-}
-
 /// What the scene states of its contacts.
 pub(super) fn mechanics(scene: &Scene) -> Mechanics {
     let frictionless =

@@ -2,9 +2,8 @@
 
 use kane_number::{Interval, Lane as _, Number as _, Rational};
 
-use super::evaluate::{Failed, Found, evaluate};
+use super::evaluate::{Failed, Found, at, evaluate};
 use super::model::Mechanics;
-use super::reference::at;
 use crate::scene::{Scene, Setup};
 
 /// How far the stated uncertainty moves an answer.
