@@ -1,6 +1,7 @@
 //! Coq and z3 on every shipped document. Where one is not installed its test says so and checks
 //! nothing; with `KANE_REQUIRE_JUDGES=1`, as in the gate, that is a failure.
 
+use std::cmp::Ordering;
 use std::fs;
 use std::path::Path;
 use std::rc::Rc;
@@ -9,7 +10,7 @@ use std::time::Duration;
 use kane::audit::{Audit, Options, Verdict, audit, read};
 use kane::judges::coq::{File, NotEmitted, file};
 use kane::judges::{ALLOWED_AXIOMS, Answer, Claims, Limits, ask_coq, ask_z3};
-use kane::kernel::{Conclusion, Expr, Link};
+use kane::kernel::{Conclusion, Evidence, Expr, Fuel, Link, SideProof, check};
 
 use crate::support::installed;
 
@@ -115,6 +116,50 @@ fn a_transplanted_proof_is_rejected() {
         let judge = ask_z3(&Claims::of(&audit), &LIMITS, &|_, _| {}).expect("z3 runs");
         assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
     }
+}
+
+/// What is equal to a polynomial lies between it and itself: the proof of the one shows the other.
+#[test]
+fn a_limit_between_two_bounds_needs_both() {
+    let labels = ["both", "swapped", "lower", "upper", "twice"];
+    let claims = labels.map(|label| format!("claim {label}: x -> 0 as x -> 0+\n"));
+    let text = format!("```kane\nvar x\n{}```\n", claims.concat());
+    let document = read("bounds.md", text.as_bytes()).expect("the document is well formed");
+    let mut audit = audit(document, &Options::default(), &mut |_, _| {});
+    let place = |audit: &Audit, label: &str| {
+        let found = audit.document.statements.iter().position(|s| s.label.contains(label));
+        found.expect("the claim is there")
+    };
+    for label in labels {
+        let statement = place(&audit, label);
+        let link = &mut audit.judgements[statement].links[0];
+        let mut accepted = (**link.accepted.as_ref().expect("it is proved")).clone();
+        let Evidence::Limit(sides) = &mut accepted.certificate.evidence else {
+            panic!("a limit");
+        };
+        let bound = |sense| SideProof { sense, ..sides[0].clone() };
+        let (lower, upper) = (bound(Ordering::Greater), bound(Ordering::Less));
+        let between = |a: SideProof, b: SideProof| SideProof { upper: Some(b.into()), ..a };
+        sides[0] = match label {
+            "both" => between(lower, upper),
+            "swapped" => between(upper, lower),
+            "lower" => lower,
+            "upper" => upper,
+            _ => between(lower.clone(), lower),
+        };
+        let verdict = check(&accepted.goal, &accepted.certificate, Fuel::new(1_000_000));
+        assert_eq!(verdict.is_ok(), label == "both", "{label}: {verdict:?}");
+        link.accepted = Some(Rc::new(accepted));
+    }
+    if !installed("coqc") {
+        return;
+    }
+    // Each lemma that is rejected costs a run.
+    let asked = ["both", "lower"].map(|label| place(&audit, label));
+    let judge = ask_coq(&file(&Claims::of(&audit).only(&asked)), &LIMITS).expect("coqc runs");
+    let [both, lower] = asked.map(|statement| &judge.answers[&(statement, 0)]);
+    assert!(matches!(both, Answer::Agrees), "{both:?}");
+    assert!(matches!(lower, Answer::Disagrees(_)), "{lower:?}");
 }
 
 /// The statement of a lemma is compared with the data, so that neither can be changed alone.

@@ -34,8 +34,8 @@ fn decimal(value: f64) -> String {
 /// The collision of a row with its coefficients, and zero where one is not stated. Every number is
 /// the shortest decimal of the float in the log, taken exactly.
 ///
-/// A round body that meets a fixed obstacle is asked for by flags, everything else by a file; the signs
-/// are those of the rows.
+/// A round body that meets a fixed obstacle is asked for by flags, everything else by a file; y and ω
+/// point the same way in both as in a row.
 #[must_use]
 pub fn replay(event: &Event<f64>, given: &Given) -> Replay {
     let mu = given.friction.unwrap_or(0.0);

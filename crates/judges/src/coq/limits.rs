@@ -129,18 +129,34 @@ impl Writer<'_> {
         limit: &Limit,
         p: &SideProof,
     ) -> Result<String, NotEmitted> {
-        if p.sense != Ordering::Equal {
-            return Err(NotEmitted::Step("a limit by bounds"));
+        let lower = self.bound(state, limit, p)?;
+        match &p.upper {
+            None => Ok(format!("By ({lower})")),
+            Some(upper) => Ok(format!("Between ({lower}) ({})", self.bound(state, limit, upper)?)),
         }
+    }
+
+    /// How a function compares with a quotient along a germ, and where that ends.
+    fn bound(
+        &self,
+        state: &State<'_, '_>,
+        limit: &Limit,
+        p: &SideProof,
+    ) -> Result<String, NotEmitted> {
         self.uses(&p.germ.side);
         let germ = self.germ(state, &p.germ)?;
         let along = state.along_unproved(&p.germ)?;
         let wrong = differs(state.scope, &limit.expr, (&p.num, &p.den), p.sense)?;
-        let identity = self.proof(&along.with_cases(wrong), &p.along)?;
+        let comparison = self.proof(&along.with_cases(wrong), &p.along)?;
+        let sense = match p.sense {
+            Ordering::Less => "AtMost",
+            Ordering::Equal => "Same",
+            Ordering::Greater => "AtLeast",
+        };
         let misses = misses(state, &p.germ.side, (&p.num, &p.den, p.order), &limit.to)?;
         let ends = self.proof(&state.with_cases(misses), &p.at_zero)?;
         Ok(format!(
-            "SideProof {germ} {} {} {} {identity} {ends}",
+            "Bound {germ} {} {} {} {sense} {comparison} {ends}",
             self.poly(&p.num)?,
             self.poly(&p.den)?,
             p.order

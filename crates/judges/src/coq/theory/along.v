@@ -11,32 +11,45 @@ Lemma has_side_in s ss : has_side s ss = true -> In s ss.
 Proof.
   unfold has_side. intro H. apply existsb_exists in H as [t [I H]]. apply seqb_side_eq in H; subst; trivial.
 Qed.
-Lemma stands_for_spec off e l f num den : agrees off e l -> rootless f = true ->
-  spec e (stands_for off f num den) (fun b => match b with
-    | Some true => total l f /\ peval e den * ev l f = peval e num
-    | Some false => total l f /\ peval e den * ev l f <> peval e num
+(** Where the denominator is not 0 this compares y with n/d. *)
+Definition relates (k : sense) (d y n : R) : Prop :=
+  match k with Same => d * y = n | AtLeast => 0 <= d * (d * y - n) | AtMost => d * (d * y - n) <= 0 end.
+Lemma against_spec off e l f num den k : agrees off e l -> rootless f = true ->
+  spec e (against off f num den k) (fun b => match b with
+    | Some true => total l f /\ relates k (peval e den) (ev l f) (peval e num)
+    | Some false => total l f /\ ~ relates k (peval e den) (ev l f) (peval e num)
     | None => ~ total l f end).
 Proof.
-  intros AG RT. unfold stands_for. apply spec_each with (is_value e l f).
+  intros AG RT. unfold against. apply spec_each with (is_value e l f).
   - apply regions_spec; trivial. apply rootless_rooted; trivial.
   - trivial.
   - intros v [C [D N]]. assert (Z : peval e (psub (pmul den (fst v)) (pmul num (snd v))) =
       peval e (snd v) * (peval e den * ev l f - peval e num)).
     { rewrite peval_sub, !peval_mul, <- N. ring. }
-    apply spec_either; unfold holds; cbn [asign apoly]; rewrite Z; intro H; split; trivial.
+    set (gap := psub _ _) in *. assert (B : peval e (pmul (pmul den (snd v)) gap) =
+      peval e (snd v) * peval e (snd v) * (peval e den * (peval e den * ev l f - peval e num))).
+    { rewrite !peval_mul, Z. ring. }
+    assert (P : 0 < peval e (snd v) * peval e (snd v)) by (destruct (Rdichotomy _ _ D); nra).
+    set (w := peval e den * (peval e den * ev l f - peval e num)) in *.
+    destruct k; apply spec_either; unfold holds; cbn [asign apoly relates]; rewrite ?peval_neg, ?Z, ?B; fold w;
+      intro H; split; trivial.
     + apply Rmult_integral in H as [H|H]; [tauto|lra].
     + intro Q. apply H. rewrite Q. ring.
+    + nra.
+    + nra.
+    + nra.
+    + nra.
 Qed.
 Lemma equals_holds off e l f num den : agrees off e l -> rootless f = true ->
   total l f -> peval e den * ev l f = peval e num -> some_case e (equals off f num den).
 Proof.
-  intros AG RT T Q. apply (select_spec e _ _ is_true True (stands_for_spec off e l f num den AG RT)); trivial.
+  intros AG RT T Q. apply (select_spec e _ _ is_true True (against_spec off e l f num den Same AG RT)); trivial.
   intros [[|]|]; simpl; tauto.
 Qed.
-Lemma differs_not off e l f num den : agrees off e l -> rootless f = true ->
-  ~ some_case e (differs off f num den) -> total l f /\ peval e den * ev l f = peval e num.
+Lemma differs_not off e l f num den k : agrees off e l -> rootless f = true ->
+  ~ some_case e (differs off f num den k) -> total l f /\ relates k (peval e den) (ev l f) (peval e num).
 Proof.
-  intros AG RT N. pose proof (stands_for_spec off e l f num den AG RT) as S.
+  intros AG RT N. pose proof (against_spec off e l f num den k AG RT) as S.
   destruct S as [A0 [p [I0 H]]]. pose proof (A0 p I0 H) as G.
   assert (K : is_true (snd p) = true).
   { destruct (is_true (snd p)) eqn:E; trivial. exfalso. apply N. exists (fst p). split; trivial.

@@ -141,12 +141,20 @@ Definition states_point (g : family) (c : setting) (l : R -> list R) : Prop :=
 (** ** What is known at a point, of constants, and along a germ *)
 
 Definition offset (g : family) : nat := S (length (premised g)).
-Definition stands_for (off : nat) (f : expr) (num den : poly) : pieces bool :=
+(** How a function compares with a quotient: it is equal, at least, or at most. *)
+Inductive sense := Same | AtLeast | AtMost.
+Definition against (off : nat) (f : expr) (num den : poly) (k : sense) : pieces bool :=
   each (regions off f) (fun v =>
-    either (A (psub (pmul den (fst v)) (pmul num (snd v))) SZ) (Some true) (Some false)).
-Definition equals (off : nat) (f : expr) (num den : poly) : cases := select is_true (stands_for off f num den).
-Definition differs (off : nat) (f : expr) (num den : poly) : cases :=
-  select (fun v => negb (is_true v)) (stands_for off f num den).
+    let gap := psub (pmul den (fst v)) (pmul num (snd v)) in
+    let both := pmul (pmul den (snd v)) gap in
+    match k with
+    | Same => either (A gap SZ) (Some true) (Some false)
+    | AtLeast => either (A (pneg both) SP) (Some false) (Some true)
+    | AtMost => either (A both SP) (Some false) (Some true)
+    end).
+Definition equals (off : nat) (f : expr) (num den : poly) : cases := select is_true (against off f num den Same).
+Definition differs (off : nat) (f : expr) (num den : poly) (k : sense) : cases :=
+  select (fun v => negb (is_true v)) (against off f num den k).
 Definition nothing : cases := [[]].
 Definition has_side (s : side) (ss : list side) : bool := existsb (seqb_side s) ss.
 Definition value_cases (off : nat) (i : nat) (q : premise_limit) : cases :=
@@ -196,20 +204,21 @@ Definition well_formed (g : family) (used : list side) : bool :=
   rootless_goal (body g) && forallb rootless_rel (more g) && forallb rootless_sentence (parts g) &&
   forallb (fun q : premise_limit => match q with Some (_, f, v) => rootless f && rootless v | None => true end) (premised g).
 
-Record side_proof := SideProof {
+Record bound := Bound {
   radius_num : poly; radius_den : poly; radius_positive : proof; germ_within : proof;
-  limit_num : poly; limit_den : poly; order : nat; identity : proof; ends : proof }.
+  limit_num : poly; limit_den : poly; order : nat; compares : sense; comparison_proved : proof; ends : proof }.
+Inductive side_proof := By (b : bound) | Between (lower upper : bound).
 Definition lower (n : nat) (p : poly) : poly :=
   map (fun t => (trim (match fst t with [] => [] | k :: m => (k - n)%nat :: m end), snd t)) p.
 Definition divisible (n : nat) (p : poly) : bool :=
   forallb (fun t => match fst t with [] => Nat.eqb n 0 | k :: _ => Nat.leb n k end) p.
 Definition misses (off : nat) (num den : poly) (order : nat) (to : target) : cases :=
   match to with
-  | Finite v => differs off v num den ++ [[A den SZ]]
+  | Finite v => differs off v num den Same ++ [[A den SZ]]
   | PlusInf => [[anot (A (pmul num den) SP)]]
   | MinusInf => [[anot (A (pneg (pmul num den)) SP)]]
   end.
-Definition shows (g : family) (used : list side) (f : expr) (to : target) (s : side) (c : side_proof) : bool :=
+Definition bounds (g : family) (used : list side) (f : expr) (to : target) (s : side) (c : bound) : bool :=
   let pc := passing_of g used in
   let off := offset g in
   let st := range_atoms off (constant_ranges g) in
@@ -221,10 +230,17 @@ Definition shows (g : family) (used : list side) (f : expr) (to : target) (s : s
   mentions_only (constants pc) (radius_num c) && mentions_only (constants pc) (radius_den c) &&
   refute (Some pc) depth (fs ++ [[[anot (A (radius_num c) SP)]; [anot (A (radius_den c) SP)]]]) st (radius_positive c) &&
   refute None depth leaving st' (germ_within c) &&
-  refute None depth (germ_formulas g s ++ [differs off f num den]) st' (identity c) &&
+  refute None depth (germ_formulas g s ++ [differs off f num den (compares c)]) st' (comparison_proved c) &&
   mentions_only zs num && divisible (order c) den && mentions_only zs (lower (order c) den) &&
   match to with Finite v => Nat.eqb (order c) 0 && rootless v | _ => Nat.ltb 0 (order c) end && rootless f &&
   refute (Some pc) depth (fs ++ [misses off (at0 num) (at0 (lower (order c) den)) (order c) to]) st (ends c).
+Definition shows (g : family) (used : list side) (f : expr) (to : target) (s : side) (c : side_proof) : bool :=
+  match c with
+  | By b => bounds g used f to s b &&
+      match compares b, to with Same, _ | AtLeast, PlusInf | AtMost, MinusInf => true | _, _ => false end
+  | Between b c => bounds g used f to s b && bounds g used f to s c &&
+      match compares b, compares c, to with AtLeast, AtMost, Finite _ => true | _, _, _ => false end
+  end.
 Definition proves_limit (g : family) (used : list side) (f : expr) (to : target) (cs : list (side * side_proof)) : bool :=
   well_formed g used && forallb (fun c => shows g used f to (fst c) (snd c)) cs.
 Definition proves_point (g : family) (used : list side) (p : proof) : bool :=

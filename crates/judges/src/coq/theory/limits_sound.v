@@ -91,16 +91,41 @@ Proof.
   assert (w * (Rabs b + 1) < w * f t) by lra.
   assert (Rabs b + 1 < f t) by (apply Rmult_lt_reg_l with w; trivial). lra.
 Qed.
-Lemma side_sound f to s c : shows g used f to s c = true ->
-  match to with Finite v => total (l 0) v | _ => True end /\ reaches l (l 0) f to s.
+Lemma nonzero_near f c : germ_limit f c -> c <> 0 -> small (fun t => f t <> 0).
 Proof.
-  unfold shows. intro C. cbv zeta in C. split_bools.
+  intros G N. apply (small_weaken _ _ (small_near f c (Rabs c) G (Rabs_pos_lt _ N))). intros t _ A0 Q.
+  rewrite Q, Rminus_0_l, Rabs_Ropp in A0. lra.
+Qed.
+Definition on_its_side (k : sense) (y q : R) : Prop :=
+  match k with Same => y = q | AtLeast => q <= y | AtMost => y <= q end.
+Lemma relates_quotient k d y n : d <> 0 -> relates k d y n -> on_its_side k y (n / d).
+Proof.
+  intros D K. assert (P : 0 < d * d) by (destruct (Rdichotomy _ _ D); nra).
+  assert (E : d * d * (n / d) = d * n) by (field; trivial).
+  destruct k; cbn [relates on_its_side] in *.
+  - rewrite <- K. field; trivial.
+  - apply Rmult_le_reg_l with (d * d); trivial. rewrite E. lra.
+  - apply Rmult_le_reg_l with (d * d); trivial. rewrite E. lra.
+Qed.
+Definition ends_at (q : R -> R) (v : list R) (to : target) : Prop :=
+  match to with
+  | Finite y => germ_limit q (ev v y)
+  | PlusInf => forall b, small (fun t => q t > b)
+  | MinusInf => forall b, small (fun t => q t < b)
+  end.
+(** A quotient to which a function compares close to the limit, and which tends there. *)
+Lemma bound_sound f to s c : bounds g used f to s c = true ->
+  match to with Finite v => total (l 0) v | _ => True end /\
+  exists q, ends_at q (l 0) to /\
+    small (fun t => total (l (germ_point s t)) f /\ on_its_side (compares c) (ev (l (germ_point s t)) f) (q t)).
+Proof.
+  unfold bounds. intro C. cbv zeta in C. split_bools.
   match goal with G : has_side s used = true |- _ => rename G into Hs; apply has_side_in in Hs end.
   match goal with G : match to with Finite _ => _ | _ => _ end = true |- _ => rename G into Ho end.
   match goal with G : rootless f = true |- _ => rename G into Rf end.
   match goal with G : divisible _ _ = true |- _ => rename G into Di end.
   match goal with G : refute _ _ (_ ++ [misses _ _ _ _ _]) _ _ = true |- _ => rename G into Ce end.
-  match goal with G : refute _ _ (_ ++ [differs _ _ _ _]) _ _ = true |- _ => rename G into Ci end.
+  match goal with G : refute _ _ (_ ++ [differs _ _ _ _ _]) _ _ = true |- _ => rename G into Ci end.
   match goal with G : refute _ _ leaving _ _ = true |- _ => rename G into Cw end.
   match goal with G : refute _ _ _ _ (radius_positive c) = true |- _ => rename G into Cp end.
   match goal with G : mentions_only _ (limit_num c) = true |- _ => rename G into Mn end.
@@ -125,50 +150,80 @@ Proof.
   { intros. eapply (refute_sound None); [exact I|eassumption..]. }
   destruct (germ_inside pc env s _ _ d (on_germ g l s) _ _ st HN Ge R0 Mrn Mrd Pn Pd depth _ Cw) as [d' [D' [_ Gi]]].
   assert (Id : small (fun t => total (l (germ_point s t)) f /\
-    peval (on_germ g l s t) (limit_den c) * ev (l (germ_point s t)) f = peval (on_germ g l s t) (limit_num c))).
+    relates (compares c) (peval (on_germ g l s t) (limit_den c)) (ev (l (germ_point s t)) f)
+      (peval (on_germ g l s t) (limit_num c)))).
   { exists d'. split; trivial. intros t T. destruct (Gi t T) as [G1 G2].
     apply (differs_not (offset g) (on_germ g l s t) (l (germ_point s t))); [apply agrees_germ|trivial|].
     intro Wr. apply (HN _ _ _ _ _ Ci G1). apply Forall_app; split; trivial. apply Forall_cons; [trivial|apply Forall_nil]. }
   assert (Ms : ~ some_case env (misses (offset g) (at0 (limit_num c)) (at0 (lower (order c) (limit_den c))) (order c) to)).
   { intro Wr. apply (refute_sound (Some pc) depth _ _ _ env GS Ce R0). apply Forall_app; split; trivial.
     apply Forall_cons; [trivial|apply Forall_nil]. }
-  assert (Il : small (fun t => t ^ order c * peval (on_germ g l s t) (lower (order c) (limit_den c)) *
-    ev (l (germ_point s t)) f = peval (on_germ g l s t) (limit_num c))).
-  { apply (small_weaken _ _ Id). intros t _ [_ E]. rewrite <- E, (lower_eval _ _ _ Di). trivial. }
-  assert (Db : forall P : R -> Prop, small P -> small (fun t => total (l (germ_point s t)) f /\ P t)).
-  { intros P S. apply small_and; trivial. apply (small_weaken _ _ Id). tauto. }
   set (q := lower (order c) (limit_den c)) in *.
+  set (Q := fun t => peval (on_germ g l s t) (limit_num c) / peval (on_germ g l s t) (limit_den c)).
+  assert (Nz : peval env (at0 q) <> 0 -> small (fun t => peval (on_germ g l s t) (limit_den c) <> 0)).
+  { intro N0. apply (small_weaken _ _ (nonzero_near _ _ Ld N0)). intros t T N1. rewrite (lower_eval _ _ _ Di).
+    apply Rmult_integral_contrapositive_currified; trivial. apply pow_nonzero.
+    change (on_germ g l s t 0%nat) with t. lra. }
+  assert (Il : peval env (at0 q) <> 0 ->
+    small (fun t => t ^ order c * peval (on_germ g l s t) q * Q t = peval (on_germ g l s t) (limit_num c))).
+  { intro N0. apply (small_weaken _ _ (Nz N0)). intros t _ N1.
+    change (t ^ order c) with (on_germ g l s t 0%nat ^ order c). unfold q. rewrite <- (lower_eval _ _ _ Di).
+    unfold Q. field. trivial. }
+  assert (Qs : peval env (at0 q) <> 0 -> small (fun t => total (l (germ_point s t)) f /\
+    on_its_side (compares c) (ev (l (germ_point s t)) f) (Q t))).
+  { intro N0. apply (small_weaken _ _ (small_and _ _ Id (Nz N0))). intros t _ [[T0 K] N1].
+    split; [trivial|apply relates_quotient; trivial]. }
   assert (Sg : forall p : poly, ~ some_case env [[anot (A p SP)]] -> 0 < peval env p).
   { intros p N. destruct (holds_dec env (A p SP)) as [Y|Y]; [exact Y|]. exfalso. apply N.
     exists [anot (A p SP)]. split; [left; trivial|]. apply Forall_cons; [apply anot_holds; trivial|apply Forall_nil]. }
   destruct to as [v| |]; cbn [misses] in Ms.
   - apply andb_true_iff in Ho as [Ho Rv]. apply Nat.eqb_eq in Ho.
-    assert (M1 : ~ some_case env (differs (offset g) v (at0 (limit_num c)) (at0 q))).
+    assert (M1 : ~ some_case env (differs (offset g) v (at0 (limit_num c)) (at0 q) Same)).
     { intros [a [Ia Ha]]. apply Ms. exists a. split; trivial. apply in_app_iff; auto. }
     assert (M2 : peval env (at0 q) <> 0).
-    { intro Q. apply Ms. exists [A (at0 q) SZ]. split; [apply in_app_iff; right; left; trivial|].
-      apply Forall_cons; [exact Q|apply Forall_nil]. }
-    destruct (differs_not _ _ _ _ _ _ AG Rv M1) as [Tv Ev_]. split; trivial.
-    assert (L : germ_limit (fun t => ev (l (germ_point s t)) f) (ev (l 0) v)).
-    { replace (ev (l 0) v) with (peval env (at0 (limit_num c)) / peval env (at0 q)) by (rewrite <- Ev_; field; trivial).
-      apply quotient_tends with (1 := Ld) (2 := Ln) (3 := M2). apply (small_weaken _ _ Il).
-      intros t _ E. rewrite <- E, Ho. simpl. ring. }
-    intros eps E. apply near_small. apply (small_weaken _ _ (Db _ (small_near _ _ eps L E))).
-    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. exact T2.
+    { intro Z0. apply Ms. exists [A (at0 q) SZ]. split; [apply in_app_iff; right; left; trivial|].
+      apply Forall_cons; [exact Z0|apply Forall_nil]. }
+    destruct (differs_not _ _ _ _ _ _ _ AG Rv M1) as [Tv Ev_]. cbn [relates] in Ev_. split; trivial.
+    exists Q. split; [|apply Qs; trivial]. cbn [ends_at].
+    replace (ev (l 0) v) with (peval env (at0 (limit_num c)) / peval env (at0 q)) by (rewrite <- Ev_; field; trivial).
+    apply quotient_tends with (1 := Ld) (2 := Ln) (3 := M2). apply (small_weaken _ _ (Il M2)).
+    intros t _ E. rewrite <- E, Ho. simpl. ring.
   - split; trivial. apply Nat.ltb_lt in Ho. destruct (order c) as [|n] eqn:On; [inversion Ho|].
-    apply Sg in Ms. rewrite peval_mul in Ms. intro b. apply near_small.
-    apply (small_weaken _ _ (Db _ (quotient_diverges _ _ _ _ _ n Ld Ln Ms Il b))).
-    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. exact T2.
+    apply Sg in Ms. rewrite peval_mul in Ms.
+    assert (N0 : peval env (at0 q) <> 0) by (intro E; rewrite E in Ms; lra).
+    exists Q. split; [|apply Qs; trivial]. exact (quotient_diverges _ _ _ _ _ n Ld Ln Ms (Il N0)).
   - split; trivial. apply Nat.ltb_lt in Ho. destruct (order c) as [|n] eqn:On; [inversion Ho|].
-    apply Sg in Ms. rewrite peval_neg, peval_mul in Ms. intro b. apply near_small.
+    apply Sg in Ms. rewrite peval_neg, peval_mul in Ms.
+    assert (N0 : peval env (at0 q) <> 0) by (intro E; rewrite E in Ms; lra).
+    exists Q. split; [|apply Qs; trivial]. intro b.
     assert (Ln' : germ_limit (fun t => - peval (on_germ g l s t) (limit_num c)) (- peval env (at0 (limit_num c))))
       by (apply limit_Ropp; trivial).
     assert (Ms' : 0 < - peval env (at0 (limit_num c)) * peval env (at0 q)) by lra.
-    assert (Il' : small (fun t => t ^ S n * peval (on_germ g l s t) q * - ev (l (germ_point s t)) f =
+    assert (Il' : small (fun t => t ^ S n * peval (on_germ g l s t) q * - Q t =
       - peval (on_germ g l s t) (limit_num c))).
-    { apply (small_weaken _ _ Il). intros t _ E. rewrite <- E. ring. }
-    apply (small_weaken _ _ (Db _ (quotient_diverges _ _ _ _ _ n Ld Ln' Ms' Il' (- b)))).
-    intros t _ [T1 T2]. apply conj_app. split; [exact T1|]. apply conj_one. lra.
+    { apply (small_weaken _ _ (Il N0)). intros t _ E. rewrite <- E. ring. }
+    apply (small_weaken _ _ (quotient_diverges _ _ _ _ _ n Ld Ln' Ms' Il' (- b))). intros t _ K. lra.
+Qed.
+Lemma side_sound f to s c : shows g used f to s c = true ->
+  match to with Finite v => total (l 0) v | _ => True end /\ reaches l (l 0) f to s.
+Proof.
+  destruct c as [b|b c]; cbn [shows]; intro C; split_bools.
+  - match goal with G : bounds _ _ _ _ _ b = true |- _ => destruct (bound_sound f to s b G) as [T0 [q [Q S]]] end.
+    split; trivial. match goal with G : match compares b with _ => _ end = true |- _ => revert G S end.
+    destruct to as [v| |]; cbn [reaches ends_at] in *; destruct (compares b); try discriminate;
+      cbn [on_its_side]; intros _ S; [intros eps E|intro y..]; apply near_small.
+    1: apply (small_weaken _ _ (small_and _ _ S (small_near _ _ eps Q E))).
+    2-5: apply (small_weaken _ _ (small_and _ _ S (Q y))).
+    all: intros t _ [[T1 K] D]; apply conj_app; split; [exact T1|]; apply conj_one; try lra. rewrite K. exact D.
+  - match goal with G : bounds _ _ _ _ _ b = true |- _ => destruct (bound_sound f to s b G) as [T0 [p [P S]]] end.
+    match goal with G : bounds _ _ _ _ _ c = true |- _ => destruct (bound_sound f to s c G) as [_ [q [Q U]]] end.
+    split; trivial. match goal with G : match compares b with _ => _ end = true |- _ => revert G S U end.
+    destruct (compares b); try discriminate. destruct (compares c); try discriminate.
+    destruct to as [v| |]; try discriminate. cbn [reaches ends_at on_its_side] in *. intros _ S U eps E. apply near_small.
+    apply (small_weaken _ _ (small_and _ _ (small_and _ _ S U)
+      (small_and _ _ (small_near _ _ eps P E) (small_near _ _ eps Q E)))).
+    intros t _ [[[T1 K] [_ M]] [D F]]. apply conj_app. split; [exact T1|]. apply conj_one.
+    apply Rabs_def2 in D. apply Rabs_def2 in F. apply Rabs_def1; lra.
 Qed.
 End Sound.
 
