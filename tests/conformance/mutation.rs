@@ -1,5 +1,7 @@
 //! Certificates changed in one place: a walk over all fields of a certificate, and small changes.
 
+use std::cmp::Ordering;
+
 use kane::kernel::{
     Atom, Certificate, Evidence, Expr, Failure, Finding, Germ, Model, Point, Poly, Proof, Root,
     Side, SideProof, Sign, Target,
@@ -50,6 +52,7 @@ pub(crate) enum Field<'a> {
     MaybeRatio(&'a mut Option<Q>),
     Flag(&'a mut bool),
     Sign(&'a mut Sign),
+    Sense(&'a mut Ordering),
     Root(&'a mut Option<Root>),
     Expr(&'a mut Expr),
     Target(&'a mut Target),
@@ -131,6 +134,7 @@ fn germ(g: &mut Germ, see: See<'_>) {
     see("Side.var", Field::Index(var));
     see("Side.at", Field::MaybeRatio(at));
     see("Side.above", Field::Flag(above));
+    see("Germ.power", Field::Power(&mut g.power));
     see("Germ.radius.0", Field::Poly(&mut g.radius.0));
     see("Germ.radius.1", Field::Poly(&mut g.radius.1));
     proof("Germ.positive", &mut g.positive, see);
@@ -150,8 +154,12 @@ fn side_proof(s: &mut SideProof, see: See<'_>) {
     see("SideProof.num", Field::Poly(&mut s.num));
     see("SideProof.den", Field::Poly(&mut s.den));
     see("SideProof.order", Field::Power(&mut s.order));
+    see("SideProof.sense", Field::Sense(&mut s.sense));
     proof("SideProof.along", &mut s.along, see);
     proof("SideProof.at_zero", &mut s.at_zero, see);
+    if let Some(upper) = &mut s.upper {
+        side_proof(upper, see);
+    }
 }
 
 fn factors(names: [&'static str; 3], list: &mut Vec<(usize, u32)>, see: See<'_>) {
@@ -244,6 +252,7 @@ pub(crate) const KINDS: &[&str] = &[
     "Side.var",
     "Side.at",
     "Side.above",
+    "Germ.power",
     "Germ.radius.0",
     "Germ.radius.1",
     "Germ.positive",
@@ -251,6 +260,7 @@ pub(crate) const KINDS: &[&str] = &[
     "SideProof.num",
     "SideProof.den",
     "SideProof.order",
+    "SideProof.sense",
     "SideProof.along",
     "SideProof.at_zero",
     "Assume.formula",
@@ -384,6 +394,7 @@ fn change(field: Field<'_>, chance: &mut Chance) {
         Field::Sign(s) => {
             *s = *chance.pick(&[Sign::Zero, Sign::NonZero, Sign::NonNegative, Sign::Positive]);
         }
+        Field::Sense(s) => *s = *chance.pick(&[Ordering::Less, Ordering::Equal, Ordering::Greater]),
         Field::Root(r) => {
             *r = match r {
                 Some(_) if chance.once_in(2) => None,
