@@ -3,7 +3,8 @@
 use crate::check::Check;
 use crate::friction::FrictionLaw;
 use crate::restitution::NormalLaw;
-use crate::study::{Checked, Study};
+use crate::study::Study;
+use crate::tally::Checked;
 
 /// How a check changed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,6 +21,7 @@
 //! # Ok::<(), kane_records::reader::ReadFault>(())
 //! ```
 
+pub mod case;
 pub mod check;
 pub mod comparison;
 pub mod event;
@@ -44,5 +45,7 @@ pub mod statistics;
 pub mod study;
 pub mod suspicion;
 pub mod sweep;
+pub mod tally;
 pub mod tolerance;
 pub mod untold;
+pub mod worst;

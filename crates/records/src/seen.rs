@@ -2,7 +2,7 @@
 
 use kane_impact::{Contact, Delassus};
 
-use crate::check::Case;
+use crate::case::Case;
 use crate::event::Given;
 
 /// What attribution keeps of a row.

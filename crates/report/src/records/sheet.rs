@@ -48,7 +48,7 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
     }
     if !study.worst.is_empty() {
         sheet.heading("worst", "The worst rows");
-        let line = |worst: &kane_records::study::Worst| {
+        let line = |worst: &kane_records::worst::Worst| {
             let id = if worst.id.is_empty() { String::new() } else { format!(" ({})", worst.id) };
             let left = residual(worst.check, &worst.finding);
             let what = format!("line {}{id}: {} - left {left}", worst.line, asks(worst.check));
@@ -72,7 +72,7 @@ fn checks(report: &RecordsReport<'_>) -> Table {
         Column::long("worst", 20),
     ];
     let asked = report.study.checks.iter().filter(|checked| checked.rows > 0);
-    let row = |checked: &kane_records::study::Checked| {
+    let row = |checked: &kane_records::tally::Checked| {
         let worst = checked.worst.map_or_else(String::new, |(line, finding)| {
             format!("{} (line {line})", residual(checked.check, &finding))
         });

@@ -9,9 +9,11 @@ use kane_records::replay::Replay;
 use kane_records::restitution::Factor;
 use kane_records::rigid::{LawFit, parameters};
 use kane_records::schema::{Column, SCHEMA_VERSION, Word};
-use kane_records::study::{Checked, Study, Worst};
+use kane_records::study::Study;
 use kane_records::suspicion::Suspicion;
+use kane_records::tally::Checked;
 use kane_records::untold::Untold;
+use kane_records::worst::Worst;
 
 use super::RecordsReport;
 
