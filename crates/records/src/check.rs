@@ -1,7 +1,7 @@
 //! Checks that need no impact law, and how each row fares.
 
 /// A check of one row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Check {
     /// The impulses on the two bodies, or the logged one and m·Δv, add up to nothing.
     Reaction,

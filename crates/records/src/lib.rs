@@ -38,6 +38,7 @@ pub mod restitution;
 pub mod rigid;
 pub mod row;
 pub mod sample;
+pub mod scatter;
 pub mod schema;
 pub mod seen;
 mod spelling;

@@ -16,6 +16,7 @@ use crate::restitution::{Restitution, restitution};
 use crate::rigid::{self, LawFit};
 use crate::row::Row;
 use crate::sample::Sample;
+use crate::scatter::{Spot, spots};
 use crate::schema::Column;
 use crate::seen::Seen;
 use crate::suspicion::{Suspicion, suspicions};
@@ -84,6 +85,8 @@ pub struct Study {
     pub worst: Vec<Worst>,
     /// where the impulse acted, by the stated arm, less one: median and worst of what can be told
     pub arm: Option<(f64, f64)>,
+    /// the rows in pictures
+    pub spots: Vec<Spot>,
 }
 
 impl Study {
@@ -307,6 +310,7 @@ impl Gathered {
             fits: fits(&rows),
             worst: self.worst,
             arm,
+            spots: spots(&rows),
         }
     }
 }
