@@ -87,8 +87,8 @@ fn between_them_friction_leaves_the_plane_and_the_rows_are_rejected() {
 #[test]
 fn another_share_is_no_pyramid() {
     for (share, pyramid) in [
-        (0.7071, Some(Pyramid::Inner)),
-        (1.4142, Some(Pyramid::Outer)),
+        (0.7075, Some(Pyramid::Inner)),
+        (1.4135, Some(Pyramid::Outer)),
         (0.72, None),
         (1.4, None),
         (0.5, None),
