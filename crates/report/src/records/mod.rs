@@ -2,12 +2,15 @@
 
 mod compared;
 mod json;
+mod junit;
+mod pictures;
 mod sentence;
 mod sheet;
 mod wording;
 
 pub use compared::{compared_json, compared_text};
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
+pub use junit::{compared_junit, junit};
 pub use sentence::headline;
 pub use sheet::sheet;
 pub use wording::schema;
