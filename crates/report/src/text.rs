@@ -38,6 +38,9 @@ pub fn text(report: &Report<'_>, page: Page) -> String {
     for entry in report.entries() {
         line(&mut out, &entry, &columns, ink(style(&entry)));
     }
+    if let Some(pointer) = report.pointer {
+        let _ = writeln!(out, "\n{pointer}");
+    }
     let _ = writeln!(out, "\nkane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
     out
 }
