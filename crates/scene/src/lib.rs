@@ -35,11 +35,13 @@
 //! assert_eq!(answer.shown.to_string(), "normal-only/f32");
 //! ```
 
+mod air;
 mod choose;
 pub mod collide;
 mod coordinate;
 mod impulse_plane;
 mod picture;
+mod plane;
 mod quantity;
 pub mod read;
 mod resolver;
@@ -47,9 +49,11 @@ mod scene;
 pub mod simulate;
 pub mod stress;
 mod strobe;
+mod terms;
 mod tip;
 mod world;
 
+pub use air::Air;
 pub use choose::{
     Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Place, Shown, Spread,
     UnknownModel, Verdict, answer, model_names,
@@ -58,9 +62,11 @@ pub use coordinate::Coordinate;
 pub use impulse_plane::{ImpulsePlane, PlaneLine};
 pub use kane_impact::oracle::Event;
 pub use picture::Picture;
+pub use plane::Plane;
 pub use quantity::{Kind, Quantity};
 pub use resolver::{Elastic, Lasting, NormalOnly, Process, Resolver};
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
 pub use strobe::{Frame, Strobe};
+pub use terms::{Restitution, Terms};
 pub use tip::{Tip, TipBody};
-pub use world::{Round, Side, Wall, World};
+pub use world::{MOST_PLANES, Round, Side, Wall, World};

@@ -83,6 +83,10 @@ fn ball(
     World {
         gravity: integer(10),
         walls: vec![Wall { side: Side::Floor, at: integer(0) }],
+        air: None,
+        planes: vec![],
+        terms: vec![],
+        rolling: integer(0),
         bodies: vec![Round {
             inertia: mass.clone() * gyration,
             mass,

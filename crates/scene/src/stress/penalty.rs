@@ -98,7 +98,17 @@ fn spheres() -> Contrast {
     let (gravity, friction, restitution) = (0.0, 0.0, 1.0);
     Contrast {
         name: "three spheres",
-        world: World { gravity, walls: Vec::new(), bodies, friction, restitution },
+        world: World {
+            gravity,
+            air: None,
+            walls: Vec::new(),
+            planes: Vec::new(),
+            bodies,
+            friction,
+            restitution,
+            terms: Vec::new(),
+            rolling: 0.0,
+        },
         stiffness: 1e5,
         mass: 0.05,
         duration: 0.1,
