@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::world::Round;
+use crate::round::Round;
 
 /// Air at rest, and the coefficients of the bodies in it.
 ///

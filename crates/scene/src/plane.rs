@@ -1,7 +1,7 @@
 //! Walls at any angle, at rest or in uniform motion.
 
 use crate::coordinate::Coordinate;
-use crate::world::Round;
+use crate::round::Round;
 
 /// A plane wall that moves as it is, without turning; SI units, y upwards.
 #[derive(Clone, Debug, PartialEq)]

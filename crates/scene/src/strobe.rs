@@ -2,8 +2,9 @@
 
 use crate::choose::{Mechanics, Model, run_for_picture};
 use crate::plane::Plane;
+use crate::round::Round;
 use crate::scene::{Scene, Setup};
-use crate::world::{Round, Side};
+use crate::side::Side;
 
 /// The bodies at one moment.
 #[derive(Clone, Debug, PartialEq)]

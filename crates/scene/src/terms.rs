@@ -3,7 +3,7 @@
 use kane_impact::NoImpulse;
 
 use crate::coordinate::Coordinate;
-use crate::simulate::Encounter;
+use crate::encounter::Encounter;
 
 /// e over the speed of approach a; m/s.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,80 +1,14 @@
 //! Round bodies among walls, under gravity.
 
 use kane_impact::NoImpulse;
-use kane_impact::bodies::Motion;
-use kane_number::Number;
 
 use crate::air::Air;
-use crate::coordinate::{Coordinate, half};
+use crate::coordinate::Coordinate;
+use crate::encounter::Encounter;
 use crate::plane::Plane;
-use crate::simulate::{Bounce, Encounter};
+use crate::round::Round;
+use crate::side::Side;
 use crate::terms::{Restitution, Terms};
-
-/// A round body and where it is; SI units, y upwards, ω from x to y.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Round<N> {
-    /// m > 0; kg.
-    pub mass: N,
-    /// J > 0; kg·m².
-    pub inertia: N,
-    /// r > 0; m.
-    pub radius: N,
-    /// The centre; m.
-    pub position: [N; 2],
-    /// Its velocity and the spin.
-    pub motion: Motion<N>,
-}
-
-/// A world has no more planes.
-pub const MOST_PLANES: usize = 8;
-
-/// The side on which a wall bounds the room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// below
-    Floor,
-    /// above
-    Ceiling,
-    /// at the least x
-    Left,
-    /// at the greatest x
-    Right,
-    /// a [`Plane`], by its index
-    Plane(u8),
-}
-
-/// The ids of planes.
-const PLANES: [&str; 8] =
-    ["wall-1", "wall-2", "wall-3", "wall-4", "wall-5", "wall-6", "wall-7", "wall-8"];
-/// In words.
-const PLANES_IN_WORDS: [&str; 8] =
-    ["wall 1", "wall 2", "wall 3", "wall 4", "wall 5", "wall 6", "wall 7", "wall 8"];
-
-impl Side {
-    /// Its id in files for programs.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Floor => "floor",
-            Self::Ceiling => "ceiling",
-            Self::Left => "left",
-            Self::Right => "right",
-            Self::Plane(index) => PLANES[(index as usize) % MOST_PLANES],
-        }
-    }
-
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Floor => "floor",
-            Self::Ceiling => "ceiling",
-            Self::Left => "left wall",
-            Self::Right => "right wall",
-            Self::Plane(index) => PLANES_IN_WORDS[(index as usize) % MOST_PLANES],
-        }
-    }
-}
 
 /// A fixed plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +28,7 @@ pub struct World<N> {
     pub air: Option<Air<N>>,
     /// At most one a side.
     pub walls: Vec<Wall<N>>,
-    /// Walls at an angle, or in motion; at most [`MOST_PLANES`].
+    /// Walls at an angle, or in motion; at most [`MOST_PLANES`](crate::MOST_PLANES).
     pub planes: Vec<Plane<N>>,
     /// At least one.
     pub bodies: Vec<Round<N>>,
@@ -106,49 +40,6 @@ pub struct World<N> {
     pub terms: Vec<Terms<N>>,
     /// ρ ≥ 0 of the floor: what rolls on it slows down by ρ·g/(1 + J/(m·r²)).
     pub rolling: N,
-}
-
-impl<N: Number> Round<N> {
-    /// The kinetic energy, m·v²/2 + J·ω²/2; J.
-    #[must_use]
-    pub fn kinetic_energy(&self) -> N {
-        let Motion { vx, vy, omega } = &self.motion;
-        half((vx.square() + vy.square()) * &self.mass + omega.square() * &self.inertia)
-    }
-
-    /// The body after a flight of the given time under gravity; s, m/s².
-    #[must_use]
-    pub fn flown(&self, time: &N, gravity: &N) -> Self {
-        let Motion { vx, vy, omega } = &self.motion;
-        let [x, y] = &self.position;
-        let gained = gravity.clone() * time;
-        let mean = vy.clone() - half(gained.clone());
-        Self {
-            position: [vx.mul_add(time, x), mean.mul_add(time, y)],
-            motion: Motion { vx: vx.clone(), vy: vy.clone() - gained, omega: omega.clone() },
-            ..self.clone()
-        }
-    }
-
-    /// The radius across J: r²/J, the rotational part of the tangential mobility; 1/kg.
-    pub(crate) fn rotational_mobility(&self) -> N {
-        self.radius.square() / &self.inertia
-    }
-}
-
-impl<N> Round<N> {
-    /// The same body in another number system.
-    pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> Round<M> {
-        let [x, y] = &self.position;
-        let Motion { vx, vy, omega } = &self.motion;
-        Round {
-            mass: to(&self.mass),
-            inertia: to(&self.inertia),
-            radius: to(&self.radius),
-            position: [to(x), to(y)],
-            motion: Motion { vx: to(vx), vy: to(vy), omega: to(omega) },
-        }
-    }
 }
 
 impl<N: Coordinate> World<N> {
@@ -208,15 +99,6 @@ impl<N: Coordinate> World<N> {
             Encounter::Pair(i, j) => (free(i) + free(j), turning(i) + turning(j)),
         };
         (nn.clone() + turn) / nn
-    }
-
-    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
-    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
-        let ratio = self.mobility_ratio(bounce.encounter);
-        let e = self.restitution_of(bounce.encounter, &bounce.approach).ok()?;
-        let friction = self.friction_of(bounce.encounter);
-        let change = ratio * friction * (N::one() + e) * &bounce.approach;
-        change.checked_div(&bounce.slip[0].double())
     }
 }
 

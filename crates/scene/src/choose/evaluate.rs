@@ -9,12 +9,13 @@ use crate::air::Air;
 use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
 use crate::resolver::{COMPLIANT, Elastic, NormalOnly, Process, Resolver};
+use crate::round::Round;
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{
     Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run, run_in_air,
 };
 use crate::tip::Tip;
-use crate::world::{Round, World};
+use crate::world::World;
 
 /// Why a model has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

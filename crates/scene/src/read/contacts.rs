@@ -8,10 +8,11 @@ use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::{Stated, stated};
+use crate::encounter::Encounter;
 use crate::plane::Plane;
-use crate::simulate::Encounter;
+use crate::side::{MOST_PLANES, Side};
 use crate::terms::{Restitution, Terms};
-use crate::world::{MOST_PLANES, Side, Wall};
+use crate::world::Wall;
 
 /// A wall at an angle.
 #[derive(Deserialize)]

@@ -17,10 +17,12 @@ use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::{Stated, stated};
+use crate::round::Round;
 use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
+use crate::side::Side;
 use crate::simulate::Until;
 use crate::tip::Tip;
-use crate::world::{Round, Side, Wall, World};
+use crate::world::{Wall, World};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]

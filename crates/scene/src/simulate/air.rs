@@ -1,10 +1,13 @@
 //! Motion in air, whose flights have no closed form: in steps, in floats.
 
-use super::encounter::{Bounce, Encounter, normal_of, strike};
+use super::bounce::{Bounce, normal_of, strike};
 use super::run::{Budget, End, Ending, Stopped, Until};
 use crate::air::Air;
+use crate::encounter::Encounter;
 use crate::resolver::Resolver;
-use crate::world::{Round, Side, World};
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::World;
 
 /// Steps of a motion; more are not made.
 const MOST_STEPS: u64 = 4_000_000;

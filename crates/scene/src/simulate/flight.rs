@@ -2,7 +2,9 @@
 
 use crate::coordinate::Coordinate;
 use crate::plane::Plane;
-use crate::world::{Round, Side, Wall};
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::Wall;
 
 /// The number system cannot tell whether or when two things meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

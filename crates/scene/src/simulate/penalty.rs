@@ -1,6 +1,8 @@
 //! For contrast: springs where bodies overlap, stepped as common engines do.
 
-use crate::world::{Round, Side, World};
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::World;
 
 /// A penalty method with a step of fixed length.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,12 +2,13 @@
 
 use kane_impact::NoImpulse;
 
-use super::encounter::Bounce;
+use super::bounce::Bounce;
 use super::flight::Unknown;
 use super::state::State;
 use crate::coordinate::Coordinate;
 use crate::resolver::Resolver;
-use crate::world::{Round, World};
+use crate::round::Round;
+use crate::world::World;
 
 /// When to stop.
 #[derive(Clone, Debug, PartialEq)]

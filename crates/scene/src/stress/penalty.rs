@@ -8,8 +8,9 @@ use kane_impact::laws::RouthNewton;
 use num_traits::Signed as _;
 
 use super::{Row, ball, box_of_discs, integer, ratio};
+use crate::round::Round;
 use crate::simulate::{Budget, Penalty, Until, energy_by_penalty, run};
-use crate::world::{Round, World};
+use crate::world::World;
 use kane_number::Lane;
 
 /// A motion, and what its energy is to be.

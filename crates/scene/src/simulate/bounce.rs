@@ -4,17 +4,11 @@ use kane_impact::bodies::{Ledger, Motion};
 use kane_impact::{Contact, Delassus, Impulse, NoImpulse};
 
 use crate::coordinate::{Coordinate, half};
+use crate::encounter::Encounter;
 use crate::resolver::Resolver;
-use crate::world::{Round, Side, World};
-
-/// Which bodies touch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Encounter {
-    /// A body and a wall.
-    Wall(usize, Side),
-    /// Two bodies, by their index; the first is the one whose impulse is counted.
-    Pair(usize, usize),
-}
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::World;
 
 /// An impact, with all that is to be told of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +66,17 @@ impl<N> Bounce<N> {
             gravity: to(&self.gravity),
             after: (self.after.0.map(&mut to), self.after.1.as_ref().map(|body| body.map(&mut to))),
         }
+    }
+}
+
+impl<N: Coordinate> World<N> {
+    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
+    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+        let ratio = self.mobility_ratio(bounce.encounter);
+        let e = self.restitution_of(bounce.encounter, &bounce.approach).ok()?;
+        let friction = self.friction_of(bounce.encounter);
+        let change = ratio * friction * (N::one() + e) * &bounce.approach;
+        change.checked_div(&bounce.slip[0].double())
     }
 }
 
