@@ -9,6 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
+from . import angles, motion
 from .errors import Unreadable
 
 RESERVED = set(
@@ -48,6 +49,7 @@ class Reader:
     def __init__(self, text, document):
         self.text, self.document = text, document
         self.at = 0
+        self.in_angle = False
         self.advance()
 
     def advance(self):
@@ -183,24 +185,69 @@ class Reader:
             return self.call(function)
         if self.take("cases"):
             return self.cases()
+        if self.kind == "name" and self.word in ("sin", "cos", "tan") and self.is_free(self.word):
+            return self.direction(self.take("sin", "cos", "tan"))
+        if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
+            self.advance()
+            return ("pi", 1)
         return self.document.use(self.name(), self)
+
+    def is_free(self, name):
+        return name not in self.document.symbols
+
+    def angle(self):
+        """Reads a sum in which angles and pi may stand."""
+        outer, self.in_angle = self.in_angle, True
+        expression = self.sum()
+        self.in_angle = outer
+        return angles.summed(expression)
+
+    def direction(self, function):
+        self.expect("(")
+        total = self.angle()
+        if total is None:
+            self.fail("this is no angle")
+        self.expect(")")
+        cos, sin = angles.direction(total, self.document, self.fail)
+        return {"cos": cos, "sin": sin}.get(function) or ("div", sin, cos)
 
     def call(self, function):
         self.expect("(")
+        outer, self.in_angle = self.in_angle, self.in_angle or function == "d"
         first = self.sum()
+        self.in_angle = outer
         if function in ("abs", "sqrt"):
             self.expect(")")
             return (function, first)
         self.expect(",")
         if function == "d":
-            name = self.name()
-            if not self.document.is_plain(name):
-                self.fail(f"nothing can be differentiated by `{name}`")
-            second = name
-        else:
-            second = self.sum()
+            return self.derivative(first)
+        second = self.sum()
         self.expect(")")
         return (function, first, second)
+
+    def derivative(self, f):
+        """Reads the variable of a derivative."""
+        if self.word in ("cos", "sin", "d"):
+            by = self.sum()
+            if by[0] != "sym":
+                self.fail("nothing can be differentiated by this")
+            name = by[1]
+        else:
+            name = self.name()
+        self.expect(")")
+        symbol = self.document.symbols.get(name)
+        if not symbol or symbol.body:
+            self.fail(f"nothing can be differentiated by `{name}`")
+        names = self.document.mentioned(f)
+        functions = any(self.document.symbols[other].argument == name for other in names)
+        if functions and not symbol.argument and not symbol.parts:
+            return motion.rate(f, name, self.document, self.fail)
+        if any(self.document.symbols[other].parts for other in names):
+            self.fail("an angle is no number")
+        if symbol.parts:
+            return angles.slope(f, symbol, names)
+        return ("d", f, name)
 
     def cases(self):
         self.expect("{")

@@ -49,6 +49,8 @@ pub struct Parser<'a> {
     span: Range<usize>,
     last_end: usize,
     nesting: usize,
+    /// what is read is the angle of a sine: `pi` has a meaning, and angles stand by themselves
+    pub(crate) in_angle: bool,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
     errors: Vec<SyntaxError>,
@@ -97,6 +99,7 @@ impl<'a> Parser<'a> {
             span,
             last_end: 0,
             nesting: 0,
+            in_angle: false,
             side_may_follow: false,
             errors: Vec::new(),
         }

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use kane_algebra::syntax::{Parser, SyntaxError, SyntaxErrorKind, canonical_name};
 
-use super::statement::CLAUSES;
+/// Clauses in the order in which they must stand; no label is called so.
+pub(super) const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
 
 /// Bytes of a label.
 const MAX_LABEL_BYTES: usize = 200;
