@@ -31,6 +31,9 @@ const PICTURES: [Picture; 2] = {
     ]
 };
 
+/// Where the paper's question is answered as a whole.
+const POINTER: &str = "docs/verdict.md answers Kane's puzzle on one page";
+
 /// Runs the verb.
 pub(super) fn run(args: &AuditArgs) -> Outcome {
     let (inputs, unreadable) = input::read(&args.files);
@@ -66,7 +69,10 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
             let report = Report::new(audit, command(input, args));
-            let report = if input.is_paper() { report.with_pictures(&PICTURES) } else { report };
+            let report = match input.is_paper() {
+                true => report.with_pictures(&PICTURES).with_pointer(POINTER),
+                false => report,
+            };
             (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
         .unzip();

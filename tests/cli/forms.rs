@@ -1,5 +1,7 @@
 //! What is printed: formats, selections, explanations; the same bytes every time.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::{command, document, finish, kane, scratch};
@@ -10,6 +12,19 @@ fn the_news_come_first() {
     let news = run.stdout.lines().nth(1).expect("there is a second line");
     assert!(news.starts_with("29 equations, "), "{news}");
     assert!(news.contains("; refuted as printed: (1)"), "{news}");
+}
+
+#[test]
+fn the_paper_ends_with_where_its_question_is_answered() {
+    let pointer = |output: &str| {
+        let line = output.lines().rev().nth(1).unwrap_or_default();
+        line.split_once(" answers ").map(|(page, _)| page.to_owned())
+    };
+    let page = pointer(&kane(&["audit"]).stdout).expect("a line before the last");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+    assert!(std::fs::read_to_string(page).is_ok_and(|text| text.contains("# Kane's puzzle")));
+    let other = kane(&["audit", "docs/derivations/bouncing-ball.md"]);
+    assert_eq!(pointer(&other.stdout), None);
 }
 
 #[test]

@@ -6,6 +6,7 @@
 mod laws;
 mod model_error;
 mod puzzle;
+mod verdict;
 
 use std::fmt;
 use std::path::Path;
@@ -22,6 +23,7 @@ use kane::scene::stress;
 pub use laws::{Docstring, docstrings, laws};
 pub use model_error::model_error;
 pub use puzzle::energy_map;
+pub use verdict::verdict;
 
 /// A file of the documentation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,7 +74,9 @@ pub fn pages(root: &Path) -> Result<Vec<Page>, NotMade> {
     let picture = stress_picture(&rows);
     all.push(page("docs/data/scene-stress.csv", stress_csv(&rows)));
     all.push(page("docs/data/scene-stress.svg", picture));
-    all.extend(figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {})));
+    let matrix = figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {}));
+    all.push(page("docs/verdict.md", verdict(root, &matrix[1].text)?));
+    all.extend(matrix);
     Ok(all)
 }
 

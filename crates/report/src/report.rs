@@ -20,6 +20,8 @@ pub struct Report<'a> {
     pub pictures: &'a [Picture],
     /// other judges that were asked, or should have been
     pub judges: &'a [Judge],
+    /// where to read on, in a sentence without its full stop
+    pub pointer: Option<&'a str>,
 }
 
 /// A picture that belongs to a document.
@@ -41,7 +43,15 @@ impl<'a> Report<'a> {
             command: visible(&command.into()).into_owned(),
             pictures: &[],
             judges: &[],
+            pointer: None,
         }
+    }
+
+    /// The same report with where to read on, for its text.
+    #[must_use]
+    pub const fn with_pointer(mut self, pointer: &'a str) -> Self {
+        self.pointer = Some(pointer);
+        self
     }
 
     /// The same report with pictures.

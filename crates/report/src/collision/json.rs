@@ -9,7 +9,7 @@ use kane_scene::collide::{self, Collision};
 /// The name of the schema.
 pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
 /// The version of the schema.
-pub const COLLISION_SCHEMA_VERSION: u32 = 2;
+pub const COLLISION_SCHEMA_VERSION: u32 = 3;
 
 /// The collision as JSON, ended by a line feed. Floats are finite or null.
 #[must_use]
@@ -94,6 +94,7 @@ struct Reading<'a> {
     symbol: &'a str,
     unit: &'a str,
     exact: Option<&'a str>,
+    digits: Option<&'a str>,
     float: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     lanes: Option<Lanes>,
@@ -123,7 +124,8 @@ impl<'a> Reading<'a> {
         Self {
             symbol: reading.symbol,
             unit: reading.unit,
-            exact: reading.exact.as_deref(),
+            exact: reading.fraction.as_deref(),
+            digits: reading.exact.as_deref(),
             float: reading.float.and_then(finite),
             lanes,
         }

@@ -107,6 +107,10 @@ pub struct Panel {
     pub case: [String; 2],
     /// The stretches.
     pub stretches: Vec<Stretch>,
+    /// Places that are marked by a ring.
+    pub marks: Vec<(f64, f64)>,
+    /// Whether the law's name bears a mark, which the notes explain.
+    pub is_marked: bool,
 }
 
 /// A stretch of x at one y.

@@ -116,6 +116,7 @@ fn law(telling: &Telling, properties: &[&'static Property], row: &Row, told: &To
         section aria-labelledby=(row.law.info.id) {
             h3 id=(row.law.info.id) { (row.law.info.id) }
             p { (row.law.info.source) "." }
+            @if let Some(caveat) = row.law.info.caveat { p { "Caution: " (caveat) "." } }
             @if !with.is_empty() { p { "Here with " (with) "." } }
             @if let Some(words) = told.law(row.law.info.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }

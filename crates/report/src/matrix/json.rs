@@ -58,7 +58,8 @@ struct Law<'a> {
     known_by: &'static str,
     statement: &'static str,
     restitution: &'static str,
-    lacks: Option<&'static str>,
+    lacks: Option<String>,
+    caveat: Option<&'static str>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     parameters: BTreeMap<&'static str, String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -87,7 +88,8 @@ impl<'a> Law<'a> {
             known_by: info.known_by.name(),
             statement: info.statement,
             restitution: row.law.restitution(),
-            lacks: info.gap,
+            lacks: info.lacks(),
+            caveat: info.caveat,
             parameters: parameters.collect(),
             parameters_are: parameters_are.collect(),
             cells: cells.map(|(property, cell)| (property.id, Entry::of(cell))).collect(),

@@ -72,6 +72,18 @@ pub(crate) fn mark(finding: Finding) -> &'static str {
     }
 }
 
+/// The law's id, with a mark where something must not be missed.
+pub(crate) fn marked(row: &Row) -> String {
+    let mark = if row.law.info.caveat.is_some() { "†" } else { "" };
+    format!("{}{mark}", row.law.info.id)
+}
+
+/// What must not be missed of the laws that bear the mark.
+pub(crate) fn caveats(matrix: &Matrix) -> Vec<String> {
+    let told = matrix.rows.iter().filter_map(|row| Some((row.law.info.id, row.law.info.caveat?)));
+    told.map(|(id, caveat)| format!("† {id}: {caveat}.")).collect()
+}
+
 /// The law's own parameters, `name = value, …`.
 pub(crate) fn parameters(row: &Row) -> String {
     let pairs = row.law.parameters().into_iter().map(|(name, value)| format!("{name} = {value}"));

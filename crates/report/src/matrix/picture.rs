@@ -3,7 +3,7 @@
 
 use kane_matrix::{Finding, Row};
 
-use super::{FINDINGS, MatrixReport, word};
+use super::{FINDINGS, MatrixReport, caveats, marked, word};
 use crate::picture::{Anchor, Canvas, Ink, NUMBERS, Pen, Point, WORDS, count};
 
 /// Sizes of a cell, and of the heads of rows and of columns.
@@ -24,13 +24,14 @@ pub fn picture(report: &MatrixReport<'_>) -> String {
     rows.sort_by_key(|row| refuted(row));
     let bottom = HEADS + CELL.1 * count(rows.len());
     let right = LAWS + CELL.0 * count(matrix.properties.len());
-    let notes = [
+    let mut notes = vec![
         report.headline(),
         "* asked of every planar contact; the others where it does not couple, W_tn = 0. Laws stand by the \
          number of properties refuted, at the right; below is by how many laws each property is refuted."
             .to_owned(),
         format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
     ];
+    notes.splice(2..2, caveats(matrix));
     let width = (right + 40.0).max(ENTRY * count(FINDINGS.len())) + 12.0;
     let size = (width, bottom + GAP + CELL.1 + 18.0);
     let mut canvas = Canvas::new(size, "Laws and properties", &notes);
@@ -45,7 +46,7 @@ pub fn picture(report: &MatrixReport<'_>) -> String {
     }
     for (line, row) in rows.iter().enumerate() {
         let y = HEADS + CELL.1 * (count(line) + 0.5);
-        canvas.words((12.0, y), row.law.info.id, WORDS, Anchor::Start);
+        canvas.words((12.0, y), &marked(row), WORDS, Anchor::Start);
         canvas.words((right + 10.0, y), &refuted(row).to_string(), NUMBERS, Anchor::Start);
     }
     for (entry, finding) in FINDINGS.into_iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The report for programs. The schema is documented in `docs/scene-format.md`.
 
 use kane_number::System;
-use kane_scene::{Answer, Known, Round, Setup, Shown, TipBody};
+use kane_scene::{Answer, Known, Plane, Restitution, Round, Setup, Shown, Side, Terms, TipBody};
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
@@ -79,7 +79,44 @@ struct Stated<'a> {
     #[serde(flatten)]
     coefficients: Numbers<'a>,
     walls: Vec<Wall<'a>>,
+    /// only where something is stated of single contacts
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    contacts: Vec<Contact<'a>>,
     bodies: Vec<State<'a>>,
+}
+
+#[derive(Serialize)]
+struct Contact<'a> {
+    between: Option<Vec<String>>,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    by_speed: Vec<Numbers<'a>>,
+}
+
+impl<'a> Contact<'a> {
+    fn of(terms: &'a Terms<Shown>) -> Self {
+        let mut pairs: Vec<_> = terms.friction.iter().map(|mu| ("friction", mu)).collect();
+        let mut by_speed = Vec::new();
+        match &terms.restitution {
+            None => {}
+            Some(Restitution::Constant(e)) => pairs.push(("restitution", e)),
+            Some(Restitution::QuarterPower { speed, value }) => {
+                pairs.extend([("restitution", value), ("restitution_at_m_s", speed)]);
+            }
+            Some(Restitution::Table(points)) => {
+                by_speed = points
+                    .iter()
+                    .map(|[speed, e]| Numbers {
+                        pairs: vec![("speed_m_s", speed), ("restitution", e)],
+                        exact: true,
+                    })
+                    .collect();
+            }
+        }
+        let numbers = Numbers { pairs, exact: true };
+        Self { between: terms.between.map(ids), numbers, by_speed }
+    }
 }
 
 #[derive(Serialize)]
@@ -143,6 +180,7 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
         sha256: &answer.sha256,
         coefficients: of(vec![]),
         walls: Vec::new(),
+        contacts: Vec::new(),
         bodies: Vec::new(),
     };
     let body = |index: usize, pairs| State { id: body_id(index), numbers: of(pairs) };
@@ -153,10 +191,33 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
                 ("restitution", &world.restitution),
                 ("gravity_m_s2", &world.gravity),
             ]);
+            if world.rolling.value != 0.0 {
+                stated.coefficients.pairs.push(("rolling_resistance", &world.rolling));
+            }
+            if let Some(air) = &world.air {
+                stated.coefficients.pairs.extend([
+                    ("density_kg_m3", &air.density),
+                    ("drag_coefficient", &air.drag),
+                    ("lift_coefficient", &air.lift),
+                ]);
+            }
             let walls = world.walls.iter();
             stated.walls = walls
                 .map(|wall| Wall { id: wall.side.id(), numbers: of(vec![("at_m", &wall.at)]) })
                 .collect();
+            for (plane, number) in world.planes.iter().zip(0..) {
+                let Plane { normal: [nx, ny], through: [x, y], velocity: [along, out] } = plane;
+                let numbers = of(vec![
+                    ("normal_x", nx),
+                    ("normal_y", ny),
+                    ("through_x_m", x),
+                    ("through_y_m", y),
+                    ("sliding_m_s", along),
+                    ("advancing_m_s", out),
+                ]);
+                stated.walls.push(Wall { id: Side::Plane(number).id(), numbers });
+            }
+            stated.contacts = world.terms.iter().map(Contact::of).collect();
             let bodies = world.bodies.iter().enumerate();
             stated.bodies = bodies
                 .map(|(index, round)| {
