@@ -14,7 +14,7 @@ pub enum Side {
     Left,
     /// at the greatest x
     Right,
-    /// a [`Plane`], by its index
+    /// a [`Plane`](crate::Plane), by its index
     Plane(u8),
 }
 
