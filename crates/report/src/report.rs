@@ -5,6 +5,7 @@ use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statemen
 use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
 
+use crate::place::Place;
 use crate::words::{self, Form, Line, Subject};
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
@@ -20,6 +21,8 @@ pub struct Report<'a> {
     pub pictures: &'a [Picture],
     /// other judges that were asked, or should have been
     pub judges: &'a [Judge],
+    /// what is beside its page
+    pub place: Place,
 }
 
 /// A picture that belongs to a document.
@@ -41,7 +44,15 @@ impl<'a> Report<'a> {
             command: visible(&command.into()).into_owned(),
             pictures: &[],
             judges: &[],
+            place: Place::default(),
         }
+    }
+
+    /// The same report with links to what is beside its page.
+    #[must_use]
+    pub fn placed(mut self, place: Place) -> Self {
+        self.place = place;
+        self
     }
 
     /// The same report with pictures.

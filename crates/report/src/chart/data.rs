@@ -123,6 +123,27 @@ pub fn json(report: &ChartReport<'_>) -> String {
     enveloped(Schema { name: "kane-chart", version: 1 }, &report.command, file)
 }
 
+/// The times as CSV with the machine in a comment, for a figure that is the same in every run.
+#[must_use]
+pub fn times(report: &ChartReport<'_>) -> String {
+    let row = |measured: &Measured| {
+        let (method, time) = (&measured.method, measured.time.as_ref()?);
+        Some(vec![
+            method.law.to_owned(),
+            method.quantity.to_owned(),
+            method.name.to_owned(),
+            method.system.to_string(),
+            time.quartiles.0.to_string(),
+            time.median.to_string(),
+            time.quartiles.1.to_string(),
+            time.rounds.to_string(),
+        ])
+    };
+    let names = "law,quantity,name,system,ps_first_quartile,ps,ps_third_quartile,rounds";
+    let rows = report.all.iter().filter_map(row);
+    format!("# {}\n{}", report.machine, crate::sheet::csv(names, rows))
+}
+
 /// The table that is committed: the errors and the counted costs, and how they were made. No times.
 #[must_use]
 pub fn committed(all: &[Measured]) -> String {
