@@ -6,8 +6,9 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
+from . import angles
 from .errors import Rejected, Unreadable
-from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
+from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
 from .ties import Ties
 
 SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
@@ -23,6 +24,7 @@ class Symbol:
     lower: tuple = None  # (rational, whether the bound is strict)
     upper: tuple = None
     body: tuple = None  # of a definition
+    parts: int = None  # of an angle: into how many equal parts it is cut
 
 
 @dataclass(eq=False)
@@ -61,20 +63,35 @@ class Document:
     """All that a document says."""
 
     def __init__(self, text):
-        self.symbols, self.statements, self.claims = {}, {}, []
-        self.mentions, self.printed = {}, {}
-        for statement in statements(text):
-            self.read(Reader(statement, self))
+        wanted = {}  # symbols that are angles, which is seen only where they are used
+        while True:
+            self.symbols, self.statements, self.claims = {}, {}, []
+            self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
+            try:
+                self.late = None  # a fault, unless the symbol turns out to be an angle
+                for statement in statements(text):
+                    self.read(Reader(statement, self))
+                break
+            except angles.Met as met:
+                wanted[met.name] = met.parts
+        if self.late:
+            raise Unreadable(self.late)
 
     def use(self, name, reader):
         """The expression that a name stands for."""
         symbol = self.symbols.get(name) or reader.fail("unknown symbol")
+        if symbol.parts and not reader.in_angle:
+            reader.fail("an angle is no number")
         return ("def" if symbol.body else "sym", name)
+
+    def is_angle(self, name):
+        symbol = self.symbols.get(name)
+        return symbol is not None and symbol.parts is not None
 
     def is_plain(self, name):
         """Is it a variable that is neither a function nor defined?"""
         symbol = self.symbols.get(name)
-        return symbol is not None and symbol.argument is None and symbol.body is None
+        return symbol is not None and not (symbol.argument or symbol.body or symbol.parts)
 
     def expression(self, text):
         """Reads an expression from the certificate."""
@@ -151,7 +168,7 @@ class Document:
         """Reads a name with its bounds on either side."""
         symbol, sides, signs = None, [], []
         while True:
-            if reader.kind == "name" and reader.word not in RESERVED:
+            if reader.kind == "name" and reader.word not in RESERVED and not pi_bounds(reader, symbol):
                 if symbol:
                     reader.fail("bounds are rational constants")
                 symbol = Symbol(reader.name())
@@ -176,8 +193,52 @@ class Document:
             if getattr(symbol, key):
                 reader.fail("a bound is given twice")
             setattr(symbol, key, (bound, len(sign) == 1))
+        if symbol.name in self.wanted:
+            self.declare_angle(symbol, reader)
+            return
+        for key in ("lower", "upper"):
+            bound = getattr(symbol, key)
+            if bound and isinstance(bound[0], dict):
+                self.late = self.late or f"`{symbol.name}` is bounded by multiples of pi, but no angle"
+                setattr(symbol, key, None)
         self.check_range(symbol, reader)
         self.declare(symbol)
+
+    def declare_angle(self, symbol, reader):
+        """An angle, the point of its part, and the `given` that says where that lies."""
+        ends = []
+        for key, infinite in (("lower", "-oo"), ("upper", "oo")):
+            bound, strict = getattr(symbol, key) or (infinite, True)
+            if isinstance(bound, str):
+                if (bound, strict) != (infinite, True):
+                    reader.fail("the domain is empty")
+                ends.append(None)
+            elif isinstance(bound, dict):
+                ends.append((bound["pi"], strict))
+            elif bound:
+                reader.fail("the bounds of an angle are multiples of pi")
+            else:
+                ends.append((bound, strict))
+        symbol.lower = symbol.upper = None
+        symbol.parts = self.wanted[symbol.name]
+        self.declare(symbol)
+        for part in angles.point(symbol.name, symbol.parts):
+            self.declare(Symbol(part[1], symbol.argument))
+        given = Statement("given", f"angle {symbol.name}", angles.circle(symbol, ends, self))
+        self.add(given)
+        for part in angles.point(symbol.name, symbol.parts):
+            self.circles[part[1]] = given
+
+    def spoken(self, statement):
+        """The `given`s of the angles of which a claim or what it cites speaks."""
+        names = set()
+        others = [statement.other] if statement.other else []
+        for said in (statement, *statement.cited, *others):
+            for expression in said.expressions():
+                names |= self.mentioned(expression)
+        found = {id(self.circles[name]): self.circles[name] for name in names if name in self.circles}
+        order = list(self.statements.values())
+        return sorted(found.values(), key=order.index)
 
     def check_range(self, symbol, reader):
         """A range has points, and an infinite bound is none."""
@@ -196,7 +257,10 @@ class Document:
         """Reads a rational constant, or an infinite one."""
         if infinite := self.infinite(reader):
             return infinite
-        return rational(reader.sum(), reader)
+        total = reader.angle()
+        if total is None or not set(total) <= {"", "pi"} or len(total) > 1:
+            reader.fail("a bound is a number, or a multiple of pi")
+        return total if "pi" in total else total.get("", Fraction(0))
 
     def infinite(self, reader):
         """Reads `oo` or `-oo`, if one is there."""
@@ -239,6 +303,8 @@ class Document:
         if kind == "claim":
             self.read_support(statement, reader)
         self.check(statement, reader)
+        if kind == "claim" and self.circles:
+            statement.cited += [s for s in self.spoken(statement) if s not in statement.cited]
         self.add(statement)
         if kind == "claim":
             self.claims.append(statement)
@@ -311,6 +377,12 @@ class Document:
             for expression in spoken.expressions():
                 self.check_derivatives(expression, (), ties, seen, reader)
 
+    def varied(self, variable):
+        """What varies with a variable of a derivative: cosine and sine vary together."""
+        given = self.circles.get(variable)
+        together = {name for name, other in self.circles.items() if given and other is given}
+        return together or {variable}
+
     def check_derivatives(self, expression, variables, ties, seen, reader):
         """What is differentiated is explicit, and nothing in it is tied to the variable."""
         kind, name = expression[:2]
@@ -320,13 +392,22 @@ class Document:
             for variable in variables:
                 if self.symbols[name].argument == variable:
                     reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
-                if name in ties().to(variable):
+                if any(name in ties().to(v) and name not in self.varied(v) for v in self.varied(variable)):
                     reader.fail(f"a premise ties `{name}` to `{variable}`")
         elif kind == "def" and (name, variables) not in seen:
             seen.add((name, variables))
             self.check_derivatives(self.symbols[name].body, variables, ties, seen, reader)
         for part in parts(expression):
             self.check_derivatives(part, variables, ties, seen, reader)
+
+
+def pi_bounds(reader, symbol):
+    """Is `pi` a bound here, and not the symbol that is declared?"""
+    if reader.word != "pi":
+        return False
+    item = spelled(reader.text[reader.start:].partition(",")[0])
+    names = re.findall(r"(?<![\w'])[^\W\d_][\w']*", item)
+    return symbol is not None or any(name != "pi" for name in names)
 
 
 def printed(name):

@@ -17,10 +17,20 @@ pub(super) fn printed(format: Format, sheet: &Sheet<'_>, json: impl FnOnce() -> 
 
 /// The sheet in every form, and its drawings.
 pub(super) fn files(stem: &str, sheet: &Sheet<'_>, json: String) -> Vec<Written> {
+    files_with_page(stem, sheet, sheet.html(), json)
+}
+
+/// The same with a page that is more than the sheet.
+pub(super) fn files_with_page(
+    stem: &str,
+    sheet: &Sheet<'_>,
+    page: String,
+    json: String,
+) -> Vec<Written> {
     let forms = [
         ("txt", sheet.text(Page::default())),
         ("md", sheet.markdown()),
-        ("html", sheet.html()),
+        ("html", page),
         ("tex", sheet.latex()),
         ("json", json),
     ];

@@ -1,7 +1,5 @@
 //! `kane laws`: every law against every property.
 
-use std::path::Path;
-
 use kane::algebra::syntax::nearest;
 use kane::impact::laws;
 use kane::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
@@ -95,9 +93,7 @@ pub(super) const LAWS: &str = include_str!("../../docs/laws.md");
 
 /// The report in every form, with the page that the matrix has, and the picture with its data.
 fn files(report: &MatrixReport<'_>, sheet: &Sheet<'_>) -> Vec<Written> {
-    let mut files = forms::files("laws", sheet, json(report));
-    files.retain(|file| file.path != Path::new("laws.html"));
-    files.push(Written::new("laws.html", html(report, LAWS)));
+    let mut files = forms::files_with_page("laws", sheet, html(report, LAWS), json(report));
     files.push(Written::new("matrix.csv", csv(report)));
     files
 }

@@ -97,6 +97,22 @@ fn latex_of_every_verdict() {
 }
 
 #[test]
+fn a_limit_by_bounds_is_told_in_each_notation() {
+    let text = "```kane\nvar x > 0\nclaim root: sqrt(x + 1) -> 1 as x -> 0\n```\n";
+    let document = kane::audit::read("root.md", text.as_bytes()).expect("it is well formed");
+    let audit = kane::audit::audit(document, &Options::default(), &mut |_, _| {});
+    let told = explain(&audit, 0).expect("it is a claim");
+    assert!(
+        told.contains("sqrt(x + 1) >= 1 - t") && told.contains("sqrt(x + 1) <= 1 + t"),
+        "{told}"
+    );
+    let report = Report::new(&audit, "kane audit root.md");
+    let set = latex(&report);
+    assert!(set.contains("\\sqrt{x + 1} \\ge 1 - t") && !set.contains(['≤', '≥']), "{set}");
+    assert!(html(&report).contains("</math> ≥ "), "the page has the sign itself");
+}
+
+#[test]
 fn the_page_and_the_appendix_of_the_paper_hold_all_that_the_report_holds() {
     let bytes = include_bytes!("../../docs/derivations/oblique-collision.md");
     let document = kane::audit::read("oblique-collision.md", bytes).expect("it is well formed");

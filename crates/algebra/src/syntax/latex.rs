@@ -97,6 +97,29 @@ fn seems_shorter(base: &Expr, latex: &str) -> bool {
     }
 }
 
+/// Whether an expression, set with fractions, needs parentheses where an operand of at least `least` is
+/// due. A fraction holds together by itself, but an exponent would seem to belong to its top; behind a
+/// derivative it would seem to belong to what is differentiated.
+pub(super) fn is_loose(e: &Expr, least: Level) -> bool {
+    match e {
+        Expr::Div(..) | Expr::Deriv(..) => least > Level::Power,
+        _ => level(e) < least,
+    }
+}
+
+/// What the next factor of a product stands behind.
+pub(super) fn last_factor(product: &Expr) -> &Expr {
+    match product {
+        Expr::Mul(_, last) => last,
+        only => only,
+    }
+}
+
+/// Whether a symbol is a function of another.
+pub(super) fn is_function(symbol: usize, context: &Context) -> bool {
+    context.vars.get(symbol).is_some_and(|var| var.of.is_some())
+}
+
 struct Writer<'a> {
     context: &'a Context,
     beyond: &'a dyn Fn(usize) -> Option<String>,
@@ -106,13 +129,7 @@ impl Writer<'_> {
     /// `e` where an operand of at least `least` is due.
     fn expr(&self, e: &Expr, least: Level) -> String {
         let bare = self.bare(e);
-        let loose = match e {
-            // a fraction holds together by itself, but an exponent would seem to belong to its top;
-            // behind a derivative it would seem to belong to what is differentiated
-            Expr::Div(..) | Expr::Deriv(..) => least > Level::Power,
-            _ => level(e) < least,
-        };
-        if loose { format!("\\left({bare}\\right)") } else { bare }
+        if is_loose(e, least) { format!("\\left({bare}\\right)") } else { bare }
     }
 
     fn bare(&self, e: &Expr) -> String {
@@ -167,16 +184,11 @@ impl Writer<'_> {
     fn product(&self, a: &Expr, b: &Expr) -> String {
         let left = self.operand(a, Level::Product);
         let right = self.operand(b, Level::Power);
-        let last = match a {
-            Expr::Mul(_, last) => last,
-            only => only,
-        };
-        let is_function = |v: &usize| self.context.vars.get(*v).is_some_and(|v| v.of.is_some());
-        let dot = match last {
+        let dot = match last_factor(a) {
             // what follows a derivative would seem to be differentiated, too
             Expr::Deriv(..) => true,
             // a function before parentheses would seem to be applied
-            Expr::Var(v) if is_function(v) && right.starts_with("\\left(") => true,
+            Expr::Var(v) if is_function(*v, self.context) && right.starts_with("\\left(") => true,
             // juxtaposed digits would read as one number, a difference of E as the product Δ·E
             _ => {
                 right.starts_with(|c: char| c.is_ascii_digit())

@@ -7,10 +7,11 @@ use kane_kernel::{Context, Expr, Rel, Relation};
 use num_rational::BigRational;
 use num_traits::Signed as _;
 
-use super::names::{canonical_name, greek_letter, greek_subscript, name_parts};
+use super::latex::{is_function, is_loose, last_factor};
+use super::names::{applied, canonical_name, greek_letter, greek_subscript, name_parts};
 use super::number::decimal;
 use super::parser::Level;
-use super::plain::{let_name, level, var_name};
+use super::plain::{let_name, var_name};
 
 /// An expression; further symbols, which the context does not name, are set as `beyond` says.
 #[must_use]
@@ -21,6 +22,13 @@ pub fn mathml(expr: &Expr, context: &Context, beyond: &dyn Fn(usize) -> Option<S
 /// A name: a letter with its subscript and primes, or a word.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
+    if let Some((function, argument)) = applied(name) {
+        let argument = match argument.split_once('/') {
+            Some((angle, parts)) => format!("{}<mo>/</mo><mn>{parts}</mn>", mathml_name(angle)),
+            None => mathml_name(argument),
+        };
+        return format!("<mrow><mi>{function}</mi><mo>(</mo>{argument}<mo>)</mo></mrow>");
+    }
     let canonical = canonical_name(name);
     let (base, sub) = name_parts(&canonical);
     let primes = "′".repeat(canonical.matches('\'').count());
@@ -83,11 +91,7 @@ impl Writer<'_> {
     /// `e` where an operand of at least `least` is due.
     fn expr(&self, e: &Expr, least: Level) -> String {
         let bare = self.bare(e);
-        let loose = match e {
-            Expr::Div(..) | Expr::Deriv(..) => least > Level::Power,
-            _ => level(e) < least,
-        };
-        if loose { in_parentheses(&bare) } else { bare }
+        if is_loose(e, least) { in_parentheses(&bare) } else { bare }
     }
 
     fn free(&self, e: &Expr) -> String {
@@ -157,15 +161,11 @@ impl Writer<'_> {
 
     fn product(&self, a: &Expr, b: &Expr) -> String {
         let (left, right) = (self.operand(a, Level::Product), self.operand(b, Level::Power));
-        let last = match a {
-            Expr::Mul(_, last) => last,
-            only => only,
-        };
-        let is_function = |v: &usize| self.context.vars.get(*v).is_some_and(|v| v.of.is_some());
+        let last = last_factor(a);
         let dot = match last {
             Expr::Deriv(..) => true,
             // a function before parentheses would seem to be applied
-            Expr::Var(v) if is_function(v) => right.starts_with("<mrow><mo>("),
+            Expr::Var(v) if is_function(*v, self.context) => right.starts_with("<mrow><mo>("),
             // numbers side by side would read as one, words as a word
             _ => {
                 right.starts_with("<mn>")

@@ -36,7 +36,9 @@ pub(super) fn chain(relations: &[Relation], context: &Context) -> String {
     out
 }
 
-fn comparison(rel: Rel) -> &'static str {
+/// A comparison as it is typed.
+#[must_use]
+pub fn comparison(rel: Rel) -> &'static str {
     match rel {
         Rel::Eq => "=",
         Rel::Ne => "!=",

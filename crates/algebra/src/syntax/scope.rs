@@ -21,6 +21,17 @@ pub enum Symbol {
     Let(usize),
 }
 
+/// What stands for an angle: cosine and sine of one of its equal parts, as symbols.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Angle {
+    /// the cosine of the part
+    pub cos: usize,
+    /// the sine of the part
+    pub sin: usize,
+    /// how many parts make the angle
+    pub parts: u32,
+}
+
 /// Why a name cannot be declared.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DeclareError {
@@ -45,6 +56,12 @@ pub enum DeclareError {
     },
 }
 
+/// `cos(theta/2)` as programs spell it that have names of letters alone.
+fn spelled(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || c == '\'' { c } else { '_' };
+    canonical_name(name).chars().map(plain).collect()
+}
+
 /// The symbols and definitions known so far, by name.
 #[derive(Clone, Debug, Default)]
 pub struct Scope {
@@ -54,6 +71,8 @@ pub struct Scope {
     typeset: HashMap<String, String>,
     /// height of each definition, those that it uses expanded
     heights: Vec<usize>,
+    /// what stands for the symbols that are angles
+    angles: HashMap<usize, Angle>,
     /// nodes visited so far
     effort: Cell<usize>,
 }
@@ -129,6 +148,38 @@ impl Scope {
         self.enter(&var.name, Symbol::Var(index));
         self.context.vars.push(var);
         Ok(index)
+    }
+
+    /// Declares a symbol as an angle, with cosine and sine of one of its equal parts.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_angle(&mut self, var: Var, parts: u32) -> Result<(usize, Angle), DeclareError> {
+        let part = if parts == 1 { var.name.clone() } else { format!("{}/{parts}", var.name) };
+        let point = ["cos", "sin"].map(|f| Var { name: format!("{f}({part})"), ..var.clone() });
+        for var in &point {
+            self.check_free(&spelled(&var.name))?;
+        }
+        let index = self.declare(var)?;
+        let [cos, sin] = point.map(|var| {
+            self.typeset.entry(latex_name(&spelled(&var.name))).or_insert_with(|| var.name.clone());
+            self.declare(var)
+        });
+        let angle = Angle { cos: cos?, sin: sin?, parts };
+        self.angles.insert(index, angle);
+        Ok((index, angle))
+    }
+
+    /// What stands for a symbol, if it is an angle.
+    #[must_use]
+    pub fn angle(&self, symbol: usize) -> Option<&Angle> {
+        self.angles.get(&symbol)
+    }
+
+    /// The angle of which a symbol is the cosine or the sine.
+    #[must_use]
+    pub fn angle_at(&self, symbol: usize) -> Option<&Angle> {
+        self.angles.values().find(|angle| [angle.cos, angle.sin].contains(&symbol))
     }
 
     /// Adds a definition and returns its index.

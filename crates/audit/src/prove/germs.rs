@@ -59,25 +59,6 @@ impl Radius {
             }
         }
     }
-
-    /// A germ of this radius, without the proof that it lies in any range.
-    fn around(
-        &self,
-        state: &State<'_, '_>,
-        side: &Side,
-        (power, steps): (u32, u64),
-    ) -> Option<Germ> {
-        let (num, den) = self.fraction(state, side.var)?;
-        let any = |_: usize, _: &Poly| true;
-        let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
-        let state = state.with_cases(vec![not(&num), not(&den)]);
-        let Outcome::Closed(argument) = Search::new(steps, &any, false).solve(&state) else {
-            return None;
-        };
-        let proof = expand(&state, &argument).ok()?;
-        let (side, radius) = (side.clone(), (num, den));
-        Some(Germ { side, power, radius, positive: Box::new(proof), inside: Vec::new() })
-    }
 }
 
 /// What is known of functions with which a given holds near a limit.
@@ -117,11 +98,26 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
         simple.chain(std::iter::once(()).flat_map(|()| self.shrinking()))
     }
 
+    /// A germ of a radius, without the proof that it lies in any range.
+    fn around(&self, radius: &Radius) -> Option<Germ> {
+        let Self { state, side, power, steps, .. } = self;
+        let (num, den) = radius.fraction(state, side.var)?;
+        let any = |_: usize, _: &Poly| true;
+        let not = |p: &Poly| vec![Atom::new(p.clone(), Sign::Positive).not()];
+        let state = state.with_cases(vec![not(&num), not(&den)]);
+        let Outcome::Closed(argument) = Search::new(*steps, &any, false).solve(&state) else {
+            return None;
+        };
+        let positive = Box::new(expand(&state, &argument).ok()?);
+        let (side, radius) = ((*side).clone(), (num, den));
+        Some(Germ { side, power: *power, radius, positive, inside: Vec::new() })
+    }
+
     fn simple(&self, radius: &Radius) -> Option<Germ> {
         if self.known.borrow().iter().any(|known| matches!(known, Known::Nothing)) {
             return None;
         }
-        self.inside(radius.around(self.state, self.side, (self.power, self.steps))?, &|i, germ| {
+        self.inside(self.around(radius)?, &|i, germ| {
             let known = self.known.borrow()[i].clone();
             match known {
                 Known::Values(values) => ranges::proved(self.state, germ, self.owed[i], values),
@@ -141,7 +137,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     /// Functions with which a given holds near enough.
     fn smallest(&self, given: &Sentence) -> Option<Values> {
         let found = |radius: &Radius| {
-            let germ = radius.around(self.state, self.side, (self.power, self.steps))?;
+            let germ = self.around(radius)?;
             ranges::inside(self.state, &germ, given).map(|found| found.values)
         };
         SMALLEST.iter().find_map(found)
@@ -163,7 +159,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     }
 
     fn germ(&self, radius: &Radius) -> Option<Germ> {
-        let around = radius.around(self.state, self.side, (self.power, self.steps))?;
+        let around = self.around(radius)?;
         self.inside(around, &|i, germ| ranges::inside(self.state, germ, self.owed[i]))
     }
 
@@ -183,7 +179,7 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     /// the limit.
     pub(super) fn leads(&self) -> Vec<Poly> {
         let mut out: Vec<Poly> = Vec::new();
-        let Some(germ) = RADII[0].around(self.state, self.side, (self.power, self.steps)) else {
+        let Some(germ) = self.around(&RADII[0]) else {
             return out;
         };
         for given in &self.owed {

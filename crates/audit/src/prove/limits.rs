@@ -3,11 +3,10 @@
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Rejection, Side, Sign, State, Target, constants,
-    differs, exponent, misses, premised, sides,
+    differs, exponent, premised, sides,
 };
 use num_bigint::BigInt;
 use std::cmp::Ordering;
-use std::rc::Rc;
 
 use super::bounds;
 use super::germs::Germs;
@@ -232,18 +231,11 @@ fn along(
     found: &Found,
     steps: u64,
 ) -> Option<SideArgument> {
-    let any = |_: usize, _: &Poly| true;
     let parts = (&found.num, &found.den, found.order);
-    let with = |state: &State<'_, '_>, cases| Rc::new([&state.formulas[..], &[cases]].concat());
-    let mut at_zero = state.clone();
-    at_zero.formulas = with(state, misses(state, side, parts, &limit.to).ok()?);
-    let Outcome::Closed(at_zero) = Search::new(steps, &any, false).solve(&at_zero) else {
-        return None;
-    };
-    let mut along = state.along_unproved(&germ).ok()?;
-    let cases =
+    let at_zero = bounds::at_zero(state, limit, side, parts, steps)?;
+    let wrong =
         differs(state.scope, &limit.expr, (&found.num, &found.den), Ordering::Equal).ok()?;
-    along.formulas = with(&along, cases);
+    let along = state.along_unproved(&germ).ok()?.with_cases(wrong);
     let may = varies(state, side.var);
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
         return None;

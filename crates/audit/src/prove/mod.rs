@@ -2,6 +2,7 @@
 //! kernel, and what the kernel does not accept is not reported.
 
 mod bounds;
+mod enclosure;
 mod expansion;
 mod functions;
 mod germs;

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use kane_kernel::{Expr, Link, Relation, Sentence};
 
-use super::tie::Ties;
+use super::tie::{self, Ties};
 use super::{Fault, MAX_FAULTS, Reader, label};
 use crate::{Body, Claim, Content, Parts, Statement, Verdict};
 
@@ -106,6 +106,11 @@ impl Reader {
             }
         }
         faults.extend(ties.find(index, &cites, resolved.target));
+        let spoken =
+            [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
+        let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
+        let circles = self.circles_of(sides);
+        resolved.from.extend(circles.into_iter().filter(|circle| seen.insert(*circle)));
         resolved
     }
 

@@ -9,14 +9,12 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
+use super::label::CLAUSES;
 use super::{Fault, Reader, label, symbol};
 use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
 pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
-
-/// Clauses in the order in which they must stand.
-const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
 
 impl Reader {
     /// Reads the statement at `span` of `code`, which begins on line `line`.
@@ -90,6 +88,7 @@ impl Reader {
         for SyntaxError { kind, span } in errors {
             let mut fault = Fault::new(span, kind.to_string());
             fault.note = kind.hint().map(str::to_owned);
+            self.met.learn(&kind);
             if let SyntaxErrorKind::UnknownSymbol(name) = kind {
                 if defined.is_some_and(|own| canonical_name(own) == canonical_name(&name)) {
                     fault.message = format!("cycle: `{name}` is defined in terms of itself");
@@ -101,7 +100,7 @@ impl Reader {
         }
     }
 
-    fn enter(&mut self, draft: Draft) {
+    pub(super) fn enter(&mut self, draft: Draft) {
         let index = self.drafts.len();
         let first = *self.labels.entry(label::key(&draft.label)).or_insert(index);
         if let Some(first) = self.drafts.get(first) {
@@ -327,6 +326,10 @@ fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Ex
         p.expect(Token::Define, "`:=` and a value or function")?;
         let value = p.expr()?;
         match p.scope().resolve(name) {
+            Some(Symbol::Var(index)) if p.scope().angle(index).is_some() => {
+                faults
+                    .push(Fault::new(span, format!("`{name}` is an angle, and has no value here")));
+            }
             Some(Symbol::Var(index)) if by.iter().any(|(seen, _)| *seen == index) => {
                 faults.push(Fault::new(span, format!("`{name}` is given twice")));
             }

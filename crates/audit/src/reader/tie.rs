@@ -141,8 +141,13 @@ impl<'a> Ties<'a> {
             self.scope.visit(side, &mut |node| {
                 if let Expr::Deriv(f, x) = node {
                     let mut others = self.scope.symbols(f);
-                    others.remove(x);
-                    found.push((*x, others));
+                    // cosine and sine vary together
+                    let varied = match self.scope.angle_at(*x) {
+                        Some(angle) => vec![angle.cos, angle.sin],
+                        None => vec![*x],
+                    };
+                    others.retain(|other| !varied.contains(other));
+                    found.extend(varied.into_iter().map(|x| (x, others.clone())));
                 }
             });
         }
@@ -340,7 +345,7 @@ fn relations(body: &DraftBody) -> Vec<&Relation> {
 }
 
 /// All expressions of a statement.
-fn sides(body: &DraftBody) -> Vec<&Expr> {
+pub(super) fn sides(body: &DraftBody) -> Vec<&Expr> {
     let mut sides = Vec::new();
     for link in links(body) {
         match link {

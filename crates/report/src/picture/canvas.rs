@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::palette::{Ink, Pen, STYLE};
 use super::{LEADING, NUMBERS, Point, TITLE, broken, count};
+use crate::words::escaped;
 
 /// Where words stand from their place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -207,10 +208,6 @@ fn short(number: f64) -> String {
     let text = format!("{number:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
-fn escaped(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

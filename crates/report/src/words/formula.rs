@@ -1,6 +1,6 @@
 //! Formulas within sentences: text, MathML that may be broken between its terms, or math mode.
 
-use kane_algebra::syntax::{Notation as _, latex_with, literal, mathml};
+use kane_algebra::syntax::{Notation as _, comparison, latex_with, literal, mathml};
 use kane_audit::{Variable, expression};
 use kane_kernel::{Approach, Atom, Context, Expr, Poly, Rel, Relation, Side, Sign, Target, Var};
 use num_rational::BigRational;
@@ -190,7 +190,7 @@ impl Formulas {
 
     /// A relation.
     pub(crate) fn relation(&self, r: &Relation) -> String {
-        self.compared(&self.expr(&r.lhs), sign(r.rel), &self.expr(&r.rhs))
+        self.compared(&self.expr(&r.lhs), comparison(r.rel), &self.expr(&r.rhs))
     }
 
     /// Relations with commas between; those that share a side become a chain.
@@ -206,7 +206,7 @@ impl Formulas {
         let mut last: Option<&Expr> = None;
         for r in relations {
             if last == Some(&r.lhs) {
-                out = self.compared(&out, sign(r.rel), &self.expr(&r.rhs));
+                out = self.compared(&out, comparison(r.rel), &self.expr(&r.rhs));
             } else {
                 let comma = if last.is_some() { ", " } else { "" };
                 out = format!("{out}{comma}{}", self.relation(r));
@@ -350,18 +350,6 @@ pub(super) fn decimal(q: &BigRational) -> String {
     format!("{sign}{whole}.{rest:0>4}")
 }
 
-/// A comparison in plain notation.
-fn sign(rel: Rel) -> &'static str {
-    match rel {
-        Rel::Eq => "=",
-        Rel::Ne => "!=",
-        Rel::Lt => "<",
-        Rel::Le => "<=",
-        Rel::Gt => ">",
-        Rel::Ge => ">=",
-    }
-}
-
 /// Two sides with a relation between.
 pub(super) fn joined(form: Form, left: &str, relation: &str, right: &str) -> String {
     let relation = match (form, relation) {
@@ -404,7 +392,7 @@ fn math(inside: &str) -> String {
 }
 
 /// Text for HTML.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -12,7 +12,7 @@ mod value;
 use kane_audit::{Judgement, LinkJudgement, Proof};
 use kane_kernel::{Context, Goal};
 
-pub(crate) use formula::Formulas;
+pub(crate) use formula::{Formulas, escaped};
 pub(crate) use prose::Prose;
 
 /// In which form sentences are written.
@@ -80,7 +80,7 @@ impl Subject<'_> {
 pub(crate) fn words(text: &str, form: Form) -> String {
     match form {
         Form::Plain => text.to_owned(),
-        Form::Html => formula::escaped(text),
+        Form::Html => escaped(text),
         Form::Latex => crate::tex::escape(text),
     }
 }

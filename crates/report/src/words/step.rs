@@ -130,9 +130,9 @@ impl Teller<'_> {
             }
             Step::LimitFrom { side, power, of, sense, quotient, otherwise, start, order } => {
                 let sign = match sense {
-                    Ordering::Less => "≤",
+                    Ordering::Less => "<=",
                     Ordering::Equal => "=",
-                    Ordering::Greater => "≥",
+                    Ordering::Greater => ">=",
                 };
                 let equal = f.compared(&f.expr(of), sign, &f.ratio(quotient));
                 let (with, small) = (f.side(side, *power), f.small_germ());
