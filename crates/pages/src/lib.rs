@@ -72,6 +72,11 @@ pub fn pages(root: &Path) -> Result<Vec<Page>, NotMade> {
     for bound in kane::measure::rounding_bounds() {
         all.push(page(&format!("docs/rounding/{}.g", bound.name()), bound.gappa()));
     }
+    for (name, schema) in kane_report::schemas() {
+        let text = serde_json::to_string_pretty(&schema);
+        let text = text.map_err(|error| NotMade::because(name, error))? + "\n";
+        all.push(page(&format!("docs/schema/{name}.json"), text));
+    }
     let rows = stress::rows(all_laws());
     let picture = stress_picture(&rows);
     all.push(page("docs/data/scene-stress.csv", stress_csv(&rows)));

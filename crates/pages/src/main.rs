@@ -22,6 +22,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         if fs::read_to_string(&path).is_ok_and(|kept| kept == page.text) {
             continue;
         }
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)?;
+        }
         fs::write(&path, &page.text)?;
         println!("{}", page.path);
     }

@@ -29,6 +29,8 @@ mod place;
 pub mod records;
 mod report;
 pub mod scene;
+#[cfg(feature = "schema")]
+mod schema;
 mod sheet;
 mod shorten;
 pub mod site;
@@ -47,6 +49,8 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub use place::{Link, Place};
 pub use report::{Picture, Report};
+#[cfg(feature = "schema")]
+pub use schema::schemas;
 pub use sheet::{Page, Sheet};
 pub use summary::Summary;
 pub use text::text;

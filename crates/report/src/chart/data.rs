@@ -46,6 +46,7 @@ pub fn csv(report: &ChartReport<'_>) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     machine: &'a str,
     warnings: Vec<String>,
@@ -53,6 +54,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Row<'a> {
     law: &'a str,
     quantity: &'a str,
@@ -76,10 +78,17 @@ struct Row<'a> {
 /// A proved bound: in ulps, exactly; where it ends; and the worst error measured up to there, in
 /// hundredths of log2 ulps.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Bound {
     ulps: String,
     to: String,
     log2_ulps_worst: Option<i64>,
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane chart")
 }
 
 /// The table for programs, ended by a line feed; times as first quartile, median, third quartile.

@@ -9,6 +9,8 @@ use kane_measure::chart::{DOMAIN, Measured, Method, Proved, contradictions};
 use kane_number::Rational;
 use num_bigint::BigInt;
 
+#[cfg(feature = "schema")]
+pub(crate) use data::schema;
 pub use data::{committed, csv, json, times};
 pub use overview::speed_accuracy;
 pub(crate) use overview::{Reading, readings, timed};

@@ -14,6 +14,8 @@ pub use csv::csv;
 pub use explain::explain;
 pub(crate) use finding::{breaking, conflicts};
 pub use html::{html, html_in_site};
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
 pub use picture::picture;
 pub use sheet::{properties, sheet};

@@ -7,6 +7,8 @@ mod sheet;
 mod wording;
 
 pub use compared::{compared_json, compared_text};
+#[cfg(feature = "schema")]
+pub(crate) use json::report_schema;
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
 pub use sentence::headline;
 pub use sheet::sheet;

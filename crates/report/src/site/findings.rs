@@ -35,7 +35,7 @@ pub(super) fn findings(site: &Site<'_>) -> Vec<Told> {
         Words::link(Strips::of(&site.stability).reading(), "stability.html") + ".",
     ));
     all.push(("Experiment", experiment(site.fits)));
-    all.retain(|(_, words)| words.plain().trim_end_matches('.') != "");
+    all.retain(|(_, words)| !words.plain().trim_end_matches('.').is_empty());
     all
 }
 

@@ -48,15 +48,23 @@ pub fn index<'a>(site: &'a Site<'_>) -> Sheet<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Told {
     about: &'static str,
     says: String,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Contents {
     findings: Vec<Told>,
     pages: Vec<Listed>,
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<Contents>("kane site")
 }
 
 /// The findings and the pages for programs.

@@ -7,6 +7,7 @@ use crate::{Summary, collision, growth, matrix, scene, stability};
 
 /// A page of a site.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Listed {
     /// the heading that it stands under
     pub group: &'static str,

@@ -21,6 +21,8 @@ use crate::{Link, Place, Report};
 
 pub use files::File;
 pub use index::index;
+#[cfg(feature = "schema")]
+pub(crate) use index::schema;
 pub use listed::Listed;
 
 /// What a site is made of.

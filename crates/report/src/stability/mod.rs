@@ -10,6 +10,8 @@ use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Search
 
 pub use csv::csv;
 pub use json::json;
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use picture::picture;
 pub use sheet::sheet;
 pub(crate) use strips_picture::Strips;
