@@ -6,12 +6,13 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
-from . import angles
+from . import angles, motion
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
 from .ties import Ties
 
 SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
+MAX_ORDER = 6
 VERDICTS = ("proved", "refuted", "ill-defined", "vacuous", "unsupported", "undecided")
 
 
@@ -42,6 +43,7 @@ class Statement:
     when: tuple = ()
     cited: list = field(default_factory=list)
     expect: str = None
+    derived_from: "Statement" = None  # of which premise it is the derivative
 
     @cached_property
     def relations(self):
@@ -64,9 +66,11 @@ class Document:
 
     def __init__(self, text):
         wanted = {}  # symbols that are angles, which is seen only where they are used
+        orders = {}  # how often functions are differentiated
         while True:
             self.symbols, self.statements, self.claims = {}, {}, []
             self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
+            self.points, self.rate_of, self.orders = {}, {}, orders
             try:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
                 for statement in statements(text):
@@ -74,6 +78,13 @@ class Document:
                 break
             except angles.Met as met:
                 wanted[met.name] = met.parts
+            except motion.MetRate as met:
+                name, order = met.name, 1
+                while name in self.rate_of:
+                    name, order = self.rate_of[name], order + 1
+                if order > MAX_ORDER:
+                    raise Unreadable(f"`{name}` is differentiated too often") from None
+                orders[name] = order
         if self.late:
             raise Unreadable(self.late)
 
@@ -147,8 +158,25 @@ class Document:
         self.statements[statement.label] = statement
 
     def cite(self, reader):
+        if reader.text.startswith("d(", reader.start):
+            return self.cite_derivative(reader)
         label = reader.label()
         return self.statements.get(label) or reader.fail(f"undeclared label `{label}`")
+
+    def cite_derivative(self, reader):
+        """Reads `d(LABEL, t)`; the derivative is a premise of its own."""
+        reader.expect("d")
+        reader.at = reader.start + 1  # what follows is a label
+        reader.advance()
+        base = self.cite(reader)
+        reader.expect(",")
+        variable = reader.name()
+        reader.expect(")")
+        label = f"d({base.label}, {variable})"
+        if label not in self.statements:
+            relations = motion.derived(base, variable, self, reader.fail)
+            self.add(Statement("given", label, relations, derived_from=base))
+        return self.statements[label]
 
     def read(self, reader):
         """Reads one statement."""
@@ -203,6 +231,15 @@ class Document:
                 setattr(symbol, key, None)
         self.check_range(symbol, reader)
         self.declare(symbol)
+        self.declare_rates(symbol)
+
+    def declare_rates(self, symbol):
+        """The derivatives of a function that are spoken of."""
+        for _ in range(self.orders.get(symbol.name, 0) if symbol.argument else 0):
+            rate = Symbol(f"d({symbol.name}, {symbol.argument})", symbol.argument)
+            self.declare(rate)
+            self.rate_of[rate.name] = symbol.name
+            symbol = rate
 
     def declare_angle(self, symbol, reader):
         """An angle, the point of its part, and the `given` that says where that lies."""
@@ -224,6 +261,9 @@ class Document:
         self.declare(symbol)
         for part in angles.point(symbol.name, symbol.parts):
             self.declare(Symbol(part[1], symbol.argument))
+            self.points[part[1]] = symbol.name
+        rates = self.orders.get(symbol.name, 0)
+        self.declare_rates(symbol if rates else Symbol(symbol.name))
         given = Statement("given", f"angle {symbol.name}", angles.circle(symbol, ends, self))
         self.add(given)
         for part in angles.point(symbol.name, symbol.parts):
@@ -344,8 +384,12 @@ class Document:
                 cited = self.cite(reader)
                 if cited.form != "relations":
                     reader.fail("this states nothing that could be used")
-                if cited.kind != "let" and cited not in statement.cited:
-                    statement.cited.append(cited)
+                chain = [cited]
+                while chain[0].derived_from:
+                    chain.insert(0, chain[0].derived_from)
+                for said in chain:
+                    if said.kind != "let" and said not in statement.cited:
+                        statement.cited.append(said)
                 if not reader.take(","):
                     break
         if statement.form == "not implied" and reader.take("by"):
@@ -379,6 +423,8 @@ class Document:
 
     def varied(self, variable):
         """What varies with a variable of a derivative: cosine and sine vary together."""
+        if self.symbols[variable].argument:
+            return set()  # a function, beside which others may vary
         given = self.circles.get(variable)
         together = {name for name, other in self.circles.items() if given and other is given}
         return together or {variable}

@@ -9,7 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
-from . import angles
+from . import angles, motion
 from .errors import Unreadable
 
 RESERVED = set(
@@ -213,24 +213,41 @@ class Reader:
 
     def call(self, function):
         self.expect("(")
+        outer, self.in_angle = self.in_angle, self.in_angle or function == "d"
         first = self.sum()
+        self.in_angle = outer
         if function in ("abs", "sqrt"):
             self.expect(")")
             return (function, first)
         self.expect(",")
         if function == "d":
-            name = self.name()
-            if self.document.is_angle(name) and self.document.symbols[name].argument is None:
-                self.expect(")")
-                found = self.document.mentioned(first)
-                return angles.slope(first, self.document.symbols[name], found)
-            if not self.document.is_plain(name):
-                self.fail(f"nothing can be differentiated by `{name}`")
-            second = name
-        else:
-            second = self.sum()
+            return self.derivative(first)
+        second = self.sum()
         self.expect(")")
         return (function, first, second)
+
+    def derivative(self, f):
+        """Reads the variable of a derivative."""
+        if self.word in ("cos", "sin", "d"):
+            by = self.sum()
+            if by[0] != "sym":
+                self.fail("nothing can be differentiated by this")
+            name = by[1]
+        else:
+            name = self.name()
+        self.expect(")")
+        symbol = self.document.symbols.get(name)
+        if not symbol or symbol.body:
+            self.fail(f"nothing can be differentiated by `{name}`")
+        names = self.document.mentioned(f)
+        functions = any(self.document.symbols[other].argument == name for other in names)
+        if functions and not symbol.argument and not symbol.parts:
+            return motion.rate(f, name, self.document, self.fail)
+        if any(self.document.symbols[other].parts for other in names):
+            self.fail("an angle is no number")
+        if symbol.parts:
+            return angles.slope(f, symbol, names)
+        return ("d", f, name)
 
     def cases(self):
         self.expect("{")

@@ -138,7 +138,7 @@ Exit codes:
 const CHECK_EXAMPLES: &str = "\
 Examples:
   kane check impacts.csv                  what the log follows, in a sentence, and every check
-  kane check impacts.jsonl --out reports  also writes reports/impacts-check.txt, .md and .json
+  kane check impacts.jsonl --out reports  also writes reports/impacts-check.html, .svg and more
   kane check - < impacts.csv              a log from standard input
   kane check --schema                     the columns, with their units
   kane check log.csv --map vx1_pre_m_s=speed_in
@@ -146,6 +146,7 @@ Examples:
   kane check log.csv --row 17             the collision of line 17, for kane collide
   kane check --generate > sweep.csv       impacts for an engine to run, that tell laws apart
   kane check new.csv --baseline old.csv   whether a new version does worse
+  kane check log.csv --format junit       every check as a test, for continuous integration
 
 A log has one row an impact: mass, inertia (or radius and shape), arm (or radius), velocity and spin
 before and after; mu, e, the time step and more if they are known. See docs/records.md.
@@ -451,10 +452,10 @@ pub(crate) struct CheckArgs {
     pub(crate) baseline: Option<PathBuf>,
 
     /// How to print the report
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(crate) format: CheckFormat,
 
-    /// Also write NAME-check.txt, .md and .json into this directory
+    /// Also write NAME-check.html, .txt, .md, .tex, .json, .svg and .xml (JUnit) into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -464,6 +465,19 @@ pub(crate) struct SiteArgs {
     /// The directory, which is made if need be; nothing in it that kane did not write is replaced
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
+}
+
+/// How the report on a log is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CheckFormat {
+    /// for people: the news, then a line each
+    Text,
+    /// for programs; the schemas are in docs
+    Json,
+    /// for the web
+    Markdown,
+    /// for continuous integration: each check as a test of JUnit's XML
+    Junit,
 }
 
 /// How a report is printed.

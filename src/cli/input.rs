@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The paper, carried along so that an installed program needs no checkout.
 const PAPER: &str = include_str!("../../docs/derivations/oblique-collision.md");
@@ -46,7 +46,7 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
     for (at, file) in files.iter().enumerate() {
         let piped = is_standard_input(file);
         let name = if piped { STANDARD_INPUT.to_owned() } else { file.display().to_string() };
-        if piped && files.iter().take(at).any(is_standard_input) {
+        if piped && files.iter().take(at).any(|other| is_standard_input(other)) {
             errors.push("`-` is standard input, which can be read once".to_owned());
             continue;
         }
@@ -79,7 +79,7 @@ fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
 }
 
 /// Whether a file is written as `-`. A file of that name is `./-`.
-fn is_standard_input(file: &PathBuf) -> bool {
+fn is_standard_input(file: &Path) -> bool {
     file.as_os_str() == "-"
 }
 

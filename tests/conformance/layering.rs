@@ -6,7 +6,7 @@ use std::path::Path;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, PackageId};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 14] = [
+const LEVELS: [(&str, u32); 15] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-semidefinite", 0),
@@ -21,6 +21,7 @@ const LEVELS: [(&str, u32); 14] = [
     ("kane-report", 4),
     ("kane", 5),
     ("kane-pages", 6),
+    ("kane-lake", 5),
 ];
 
 /// All that the kernel may stand on.

@@ -14,10 +14,12 @@
 mod angle;
 mod blocks;
 mod citation;
+mod differentiation;
 mod label;
 mod statement;
 mod symbol;
 mod tie;
+mod wanted;
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
@@ -29,8 +31,9 @@ use kane_algebra::syntax::{
 
 use crate::Document;
 use crate::document::digest;
-use angle::Wanted;
+use crate::motion::Motion;
 use citation::Draft;
+use wanted::Wanted;
 
 /// Bytes of a file.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
@@ -42,7 +45,7 @@ const MAX_SYMBOLS: usize = 100_000;
 const MAX_FAULTS: usize = 200;
 /// Names above which no nearest one is sought.
 const MAX_CANDIDATES: usize = 10_000;
-/// Times that a document is read again because an angle was met.
+/// Times that a document is read again because an angle or a derivative was met.
 const MAX_READINGS: usize = 100;
 
 /// Reads the document `bytes`, which goes by the name `name` in messages.
@@ -77,7 +80,13 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         reader.faults.push(Fault::new(0..0, message));
     }
     if reader.faults.is_empty() {
+        let motion = Motion {
+            rates: reader.scope.rates().clone(),
+            angles: reader.scope.angles().collect(),
+            derived: reader.derived,
+        };
         return Ok(Document {
+            motion,
             name: visible(name).into_owned(),
             text: text.to_owned(),
             title: blocks.title.map(|title| visible(&title).into_owned()),
@@ -89,7 +98,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
     Err(reader.diagnostics(name, text))
 }
 
-/// Reads the statements of a text, in which these angles are known.
+/// Reads the statements of a text, in which these angles and derivatives are known.
 fn read_once(text: &str, wanted: Wanted) -> (Reader, blocks::Blocks) {
     let mut reader = Reader { met: wanted.clone(), wanted, ..Reader::default() };
     let blocks = blocks::find(text, &mut reader.faults);
@@ -173,6 +182,8 @@ struct Reader {
     met: Wanted,
     /// by angle, the statement of what holds of it
     circles: BTreeMap<usize, usize>,
+    /// by derived statement, what it is the derivative of
+    derived: BTreeMap<usize, usize>,
     /// the line of the statement that is being read
     line: usize,
     faults: Vec<Fault>,

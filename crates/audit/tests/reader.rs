@@ -181,8 +181,13 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): f -> 2 as x -> oo", 1, 27, "the domain of `x` does not reach"),
         ("claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0", 1, 45, "the `when` of a limit"),
         // derivatives
-        ("claim (2): d(x*k, alpha) = 0", 1, 14, "`k` is a function of `alpha`"),
-        ("claim (2): d(x, k) = 0", 1, 17, "`k` is not a plain `var`"),
+        ("claim (2): d(alpha*k, alpha) = 0", 1, 14, "a derivative by `alpha` is not taken where"),
+        ("claim (2): d(x, f) = 0", 1, 17, "`f` is no symbol"),
+        ("claim (2): x = 1 from d(dom, alpha)", 1, 23, "`dom` is no equation"),
+        ("claim (2): x = 1 from d((1), x)", 1, 23, "`(1)` speaks of `x` itself"),
+        ("claim (2): x = 1 from d((1), k)", 1, 23, "`k` is not a plain `var`"),
+        ("claim (2): x = 1 from d(no, alpha)", 1, 23, "`no` is no `given`"),
+        ("claim (2): x = 1 from d(nope, alpha)", 1, 23, "undeclared label `d(nope, alpha)`"),
         ("claim (2): d(x*m, x) = m from (1)", 1, 31, "`(1)` ties `m` to `x`"),
         // citations
         ("claim (2): x = 1 from no", 1, 23, "`no` states nothing that could be used"),

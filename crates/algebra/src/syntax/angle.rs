@@ -190,7 +190,7 @@ fn is_whole(e: &Expr, n: i64) -> bool {
     *e == Expr::int(n)
 }
 
-fn sum(a: Expr, b: Expr) -> Expr {
+pub(crate) fn sum(a: Expr, b: Expr) -> Expr {
     match (a, b) {
         (a, b) if is_whole(&a, 0) => b,
         (a, b) if is_whole(&b, 0) => a,

@@ -100,19 +100,9 @@ pub enum SyntaxErrorKind {
     /// the limit value varies with the limit variable
     #[error("the limit must be free of `{0}`")]
     LimitNotFree(String),
-    /// differentiation with respect to something other than a plain symbol
-    #[error("`{0}` is not a plain `var`: nothing can be differentiated by it")]
+    /// differentiation with respect to something other than a symbol
+    #[error("`{0}` is no symbol: nothing can be differentiated by it")]
     NotADerivativeVariable(String),
-    /// an unknown function of the variable inside a derivative
-    #[error(
-        "`{function}` is a function of `{variable}` without a definition: d(f, {variable}) needs f explicit"
-    )]
-    NotExplicit {
-        /// the function
-        function: String,
-        /// the variable of differentiation
-        variable: String,
-    },
     /// `sin` of something else than a sum of angles
     #[error("`sin`, `cos` and `tan` take a sum of angles and multiples of `pi`")]
     NotAnAngle,
@@ -136,7 +126,10 @@ pub enum SyntaxErrorKind {
     /// such as `sin(100*theta)`
     #[error("multiples of an angle are written out up to 24 of its parts")]
     TooOften,
-    /// an angle that varies, beside others
+    /// a function whose derivative has no symbol yet
+    #[error("derivatives of functions go up to the sixth order: `{0}` has none here")]
+    NoRate(String),
+    /// the variable beside functions of it
     #[error("a derivative by `{0}` is not taken where `{0}` itself stands beside functions of it")]
     Explicit(String),
     /// `cases { }`
@@ -158,6 +151,9 @@ impl SyntaxErrorKind {
             }
             Self::ImplicitProduct(_) => {
                 "a product needs its `*`, and a function is used by its name alone: `k`, not `k(x)`"
+            }
+            Self::Explicit(_) => {
+                "declare a function that is equal to it: `var s(t)`, `given s = t, d(s, t) = 1`"
             }
             Self::AngleAlone(_) => {
                 "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \

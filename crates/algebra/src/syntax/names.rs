@@ -120,6 +120,10 @@ pub fn canonical_name(name: &str) -> Cow<'_, str> {
 /// is, unless it is a word of three or more small letters, which is set upright as a whole.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
+    if let Some((function, time)) = rate(name) {
+        let (function, time) = (latex_name(function), latex_name(time));
+        return format!("\\left(\\frac{{d {function}}}{{d {time}}}\\right)");
+    }
     if let Some((function, argument)) = applied(name) {
         let argument = match argument.split_once('/') {
             Some((angle, parts)) => format!("{}/{parts}", latex_name(angle)),
@@ -153,6 +157,11 @@ pub fn latex_name(name: &str) -> String {
         out.push('}');
     }
     out + &primes
+}
+
+/// `d(x, t)` as `x` and `t`; nothing if it is no derivative.
+pub(crate) fn rate(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix("d(")?.strip_suffix(')')?.rsplit_once(", ")
 }
 
 /// `cos(theta/2)` as `cos` and `theta/2`; nothing if it is a plain name.
@@ -267,6 +276,7 @@ mod tests {
             ("eta", "\\eta"),
             ("omicron", "o"),
             ("kWSL", "k_{WSL}"),
+            ("d(x_1, t)", "\\left(\\frac{d x_1}{d t}\\right)"),
             ("cos(theta)", "\\cos(\\theta)"),
             ("sin(θ_1/2)", "\\sin(\\theta_1/2)"),
         ] {

@@ -9,6 +9,7 @@ use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::Token;
 use super::names::canonical_name;
 use super::parser::{Binary, Node, Parser, excerpt};
+use super::rate::rate;
 use super::scope::{Angle, Scope, Symbol};
 
 /// d f / dθ = (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
@@ -118,22 +119,29 @@ impl Parser<'_> {
         }
     }
 
-    /// `f, x` of a derivative. f may contain x and constants, but no unknown function of x.
+    /// `f, x` of a derivative.
     fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
-        let f = self.node()?;
+        // an angle may stand here by itself
+        let outer = std::mem::replace(&mut self.in_angle, true);
+        let f = self.node();
+        self.in_angle = outer;
+        let f = f?;
         self.expect(Token::Comma, "`,` and the variable of differentiation")?;
-        let (name, span) = self.name()?;
-        let vars = &self.scope().context().vars;
-        if let Some(Symbol::Var(x)) = self.scope().resolve(name)
-            && vars.get(x).is_some_and(|v| v.of.is_none())
-            && let Some(angle) = self.scope().angle(x)
-        {
-            let slope = by_angle(&f.expr, *angle, self.scope());
-            let height = self.scope().height(&slope);
-            return Ok((slope, height));
+        let at = self.span();
+        // what has no name of its own: `d(f, cos(theta))`, `d(f, d(x, t))`
+        if ["cos", "sin", "d"].contains(&self.lexeme()) {
+            let by = self.node()?;
+            return match by.expr {
+                Expr::Var(v) => self.partial(f, v),
+                _ => {
+                    self.report(SyntaxErrorKind::NotADerivativeVariable("this".to_owned()), at);
+                    Ok((f.expr, f.height))
+                }
+            };
         }
+        let (name, span) = self.name()?;
         let x = match self.scope().resolve(name) {
-            Some(Symbol::Var(x)) if vars.get(x).is_some_and(|v| v.of.is_none()) => x,
+            Some(Symbol::Var(x)) => x,
             found => {
                 let kind = match found {
                     None => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
@@ -143,19 +151,52 @@ impl Parser<'_> {
                 return Ok((f.expr, f.height));
             }
         };
-        let function = self
-            .scope()
-            .symbols(&f.expr)
-            .into_iter()
-            .find_map(|y| vars.get(y).filter(|v| v.of == Some(x)));
-        if let Some(function) = function {
-            let kind = SyntaxErrorKind::NotExplicit {
-                function: function.name.clone(),
-                variable: name.to_owned(),
+        let scope = self.scope();
+        let of = |v: usize| scope.context().vars.get(v).and_then(|var| var.of);
+        if scope.symbols(&f.expr).into_iter().any(|v| of(v) == Some(x)) {
+            return match rate(&f.expr, x, scope) {
+                Ok(slope) => {
+                    let height = scope.height(&slope);
+                    Ok((slope, height))
+                }
+                Err(kind) => {
+                    self.report(kind, f.span);
+                    Ok((Expr::int(1), 1))
+                }
             };
-            self.report(kind, f.span);
         }
+        if let Some(angle) = scope.angle(x) {
+            self.no_angle_alone(&f);
+            let slope = by_angle(&f.expr, *angle, scope);
+            let height = scope.height(&slope);
+            return Ok((slope, height));
+        }
+        self.partial(f, x)
+    }
+
+    /// ∂f/∂x, all other symbols held fixed.
+    fn partial(&mut self, f: Node, x: usize) -> Result<(Expr, usize), SyntaxError> {
+        self.no_angle_alone(&f);
         Ok((Expr::Deriv(Box::new(f.expr), x), f.height + 1))
+    }
+
+    /// Notes an angle that stands by itself in what is differentiated.
+    fn no_angle_alone(&mut self, f: &Node) {
+        let mut todo = vec![&f.expr];
+        let mut alone = None;
+        while let Some(e) = todo.pop() {
+            match e {
+                Expr::Var(PI) => alone = alone.or(Some("pi".to_owned())),
+                Expr::Var(v) if self.scope().angle(*v).is_some() => {
+                    alone = self.scope().context().vars.get(*v).map(|var| var.name.clone());
+                }
+                _ => {}
+            }
+            todo.extend(e.children());
+        }
+        if let Some(name) = alone {
+            self.report(SyntaxErrorKind::AngleAlone(name), f.span.clone());
+        }
     }
 
     fn cases(&mut self) -> Result<Node, SyntaxError> {

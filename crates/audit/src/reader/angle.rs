@@ -1,13 +1,12 @@
 //! Symbols that are angles: what stands for them, and what holds of it.
 //!
-//! Whatever stands inside of a sine is an angle. That is known only where it is used, so a document is
-//! read again when an angle, or a finer part of one, is met. An angle brings a `given` along: the point
+//! An angle brings a `given` along: the point
 //! (cos, sin) of its part lies on the unit circle, and in the range that is declared. Whoever speaks of
 //! the point rests on that `given`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use kane_algebra::syntax::{SyntaxErrorKind, Turn, canonical_name};
+use kane_algebra::syntax::Turn;
 use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Var};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -17,25 +16,6 @@ use super::symbol::Item;
 use super::{Fault, Reader};
 use crate::Parts;
 
-/// The angles of a document, by name, with the parts that are spoken of.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Wanted(BTreeMap<String, u32>);
-
-impl Wanted {
-    /// Of how many parts the symbol is an angle, if it is one.
-    pub(super) fn parts(&self, name: &str) -> Option<u32> {
-        self.0.get(canonical_name(name).as_ref()).copied()
-    }
-
-    /// Takes in what a fault asks for.
-    pub(super) fn learn(&mut self, kind: &SyntaxErrorKind) {
-        if let SyntaxErrorKind::NoAngle { name, parts } = kind {
-            let known = self.0.entry(canonical_name(name).into_owned()).or_insert(1);
-            *known = num_integer::lcm(*known, *parts);
-        }
-    }
-}
-
 impl Reader {
     /// Enters an angle, and what holds of it.
     pub(super) fn declare_angle(&mut self, item: Item, of: Option<usize>, parts: u32) {
@@ -44,13 +24,16 @@ impl Reader {
             Ok((angle, _)) => angle,
             Err(error) => return self.refuse(&error, item.span),
         };
-        // the angle, its cosine and its sine
-        self.var_sites.extend([item.span.start; 3]);
+        self.declare_rates(angle, &item.name, item.span.clone());
         let links = match self.circle(angle, &item) {
             Ok(relations) => relations.into_iter().map(Link::Relation).collect(),
             Err(message) => {
-                let note = "a half turn at most, or a whole one; a `given` can say the rest";
-                self.faults.push(Fault::new(item.whole, message).with_note(note));
+                let mut fault = Fault::new(item.whole, message);
+                if fault.message.contains("half a turn") {
+                    let note = "a half turn at most, or a whole one; a `given` can say the rest";
+                    fault.note = Some(note.to_owned());
+                }
+                self.faults.push(fault);
                 return;
             }
         };

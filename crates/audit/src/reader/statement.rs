@@ -72,6 +72,11 @@ impl Reader {
                 (Parsed::Broken, span.end)
             }
         };
+        if let Parsed::Body(DraftBody::Claim(claim)) = &parsed {
+            for cited in &claim.from {
+                self.differentiate(cited);
+            }
+        }
         // a broken statement keeps its label and its name, lest every use of them be a fault too
         let body = match (parsed, head.name) {
             (Parsed::Let(body), Some((name, site))) => self.define(&name, site, body),
@@ -171,6 +176,9 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label.unwrap_or((name, site.clone()));
     Ok(Head { label: label.to_owned(), label_span, name: Some((name.to_owned(), site)) })
 }
+
+/// Citations of derivatives in one statement that are looked into.
+const MAX_DERIVATIVES: usize = 100;
 
 type Outcome<T> = Result<(T, usize), Vec<SyntaxError>>;
 
@@ -288,8 +296,23 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
 }
 
 fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
+    let (rest, at) = p.rest();
+    if let Some(inside) = rest.strip_prefix("d(") {
+        let start = p.span().start;
+        if inside.matches("d(").count() > MAX_DERIVATIVES {
+            return Err(p.fault(SyntaxErrorKind::TooNested));
+        }
+        p.take_until(at + 2);
+        let inner = cited(p)?;
+        p.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let (variable, _) = p.name()?;
+        p.expect(Token::CloseParen, "`)` after the variable of differentiation")?;
+        let label = format!("d({}, {variable})", inner.label);
+        let derivative = Some((Box::new(inner), variable.to_owned()));
+        return Ok(Cited { label, span: start..p.last_end(), derivative });
+    }
     let (label, span) = label::take(p)?;
-    Ok(Cited { label: label.to_owned(), span })
+    Ok(Cited { label: label.to_owned(), span, derivative: None })
 }
 
 /// `RELATION` of a `when`. Beside a limit it must leave the limit variable free.

@@ -32,12 +32,24 @@ impl Reader {
                 let message = format!("the domain of `{}` is empty", item.name);
                 self.faults.push(Fault::new(item.whole.clone(), message));
             }
-            let var = Var { name: item.name, of, lower: item.lower, upper: item.upper };
+            let name = item.name.clone();
+            let var = Var { name, of, lower: item.lower, upper: item.upper };
             match self.scope.declare(var) {
-                Ok(_) => self.var_sites.push(item.span.start),
+                Ok(symbol) => {
+                    self.var_sites.push(item.span.start);
+                    self.declare_rates(symbol, &item.name, item.span);
+                }
                 Err(error) => self.refuse(&error, item.span),
             }
         }
+    }
+
+    /// Enters the derivatives that are spoken of.
+    pub(super) fn declare_rates(&mut self, symbol: usize, name: &str, span: Range<usize>) {
+        if let Err(error) = self.scope.declare_rates(symbol, self.wanted.order(name)) {
+            self.refuse(&error, span.clone());
+        }
+        self.var_sites.resize(self.scope.context().vars.len(), span.start);
     }
 
     /// The symbol of which a function is declared.
