@@ -158,6 +158,19 @@ Exit codes:
   2  bad input or usage
   3  no row could be checked";
 
+const SITE_EXAMPLES: &str = "\
+Examples:
+  kane site --out site                    writes site/index.html and all that it leads to
+
+The shipped derivations are audited, the laws held against every property, the paper's formulas
+examined, the shipped collisions and scenes answered, and methods timed, quickly. It takes under a
+minute; standard error says what takes how long. The site is read from the disk: no page loads
+anything, and all links are relative.
+
+Exit codes:
+  0  the site is written, whatever it says
+  2  bad input or usage";
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Judge every statement of derivation documents
@@ -179,6 +192,9 @@ pub(crate) enum Verb {
     /// Check a log of impacts row by row, and name the law that it follows
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArgs),
+    /// Make a site of every report: an index that says what they come to, four pictures, and a page each
+    #[command(after_help = SITE_EXAMPLES)]
+    Site(SiteArgs),
 }
 
 /// Another judge of claims.
@@ -442,6 +458,13 @@ pub(crate) struct CheckArgs {
     /// Also write NAME-check.html, .txt, .md, .tex, .json, .svg and .xml (JUnit) into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct SiteArgs {
+    /// The directory, which is made if need be; nothing in it that kane did not write is replaced
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
 }
 
 /// How the report on a log is printed.

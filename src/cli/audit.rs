@@ -16,7 +16,7 @@ use super::{Outcome, bad_input, deliver, labels, output};
 
 /// Two figures for the paper, drawn beforehand: `docs/figures`, which the tests draw anew. With all of
 /// them the page would be above a megabyte.
-const PICTURES: [Picture; 2] = {
+pub(super) const PICTURES: [Picture; 2] = {
     macro_rules! picture {
         ($stem:literal, $title:literal) => {
             Picture {
@@ -232,7 +232,7 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
         }
         let claims = claims(report);
         let lemmas = judges::coq::file(&claims).text();
-        files.push(Written::question(format!("{}.v", library(&input.stem)), &lemmas));
+        files.push(Written::question(format!("{}.v", judges::coq::library(&input.stem)), &lemmas));
         for (name, question) in judges::smt::questions(&claims) {
             let path = Path::new(&input.stem).join(format!("{name}.smt2"));
             files.push(Written::question(path, &question.text));
@@ -241,17 +241,13 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
     files
 }
 
-/// A stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.
-fn library(stem: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-    let name: String = stem.chars().map(plain).collect();
-    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("_{name}") } else { name }
-}
-
 /// A name that two documents share, at least as libraries.
 fn twin(inputs: &[Input]) -> Option<&str> {
     let mut seen = BTreeSet::new();
-    inputs.iter().map(|input| input.stem.as_str()).find(|stem| !seen.insert(library(stem)))
+    inputs
+        .iter()
+        .map(|input| input.stem.as_str())
+        .find(|stem| !seen.insert(judges::coq::library(stem)))
 }
 
 /// How the run ends.

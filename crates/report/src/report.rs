@@ -5,6 +5,7 @@ use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statemen
 use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
 
+use crate::place::Place;
 use crate::words::{self, Form, Line, Subject};
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
@@ -22,6 +23,8 @@ pub struct Report<'a> {
     pub judges: &'a [Judge],
     /// where to read on, in a sentence without its full stop
     pub pointer: Option<&'a str>,
+    /// what is beside its page
+    pub place: Place,
 }
 
 /// A picture that belongs to a document.
@@ -44,6 +47,7 @@ impl<'a> Report<'a> {
             pictures: &[],
             judges: &[],
             pointer: None,
+            place: Place::default(),
         }
     }
 
@@ -51,6 +55,13 @@ impl<'a> Report<'a> {
     #[must_use]
     pub const fn with_pointer(mut self, pointer: &'a str) -> Self {
         self.pointer = Some(pointer);
+        self
+    }
+
+    /// The same report with links to what is beside its page.
+    #[must_use]
+    pub fn placed(mut self, place: Place) -> Self {
+        self.place = place;
         self
     }
 

@@ -78,6 +78,8 @@ pub struct Series {
     pub kind: Kind,
     /// x, and y where there is one; a line is broken where there is none.
     pub points: Vec<(f64, Option<f64>)>,
+    /// How far each point may be off to either side, where that is told; otherwise empty.
+    pub bars: Vec<f64>,
     /// To how many decimals y is written.
     pub decimals: usize,
 }

@@ -2,6 +2,7 @@
 
 mod csv;
 mod explain;
+mod finding;
 mod html;
 mod json;
 mod picture;
@@ -11,7 +12,10 @@ use kane_matrix::{Finding, Matrix, Row};
 
 pub use csv::csv;
 pub use explain::explain;
-pub use html::html;
+pub(crate) use finding::{breaking, conflicts};
+pub use html::{html, html_in_site};
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
 pub use picture::picture;
 pub use sheet::{properties, sheet};

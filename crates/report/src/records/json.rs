@@ -17,6 +17,12 @@ pub const RECORDS_SCHEMA_NAME: &str = "kane-check";
 /// The version of the schema.
 pub const RECORDS_SCHEMA_VERSION: u32 = 1;
 
+/// What the report is, as a JSON Schema. It is written by hand, since the study is told value by value.
+#[cfg(feature = "schema")]
+pub(crate) fn report_schema() -> Value {
+    serde_json::from_str(include_str!("schema.json")).expect("the schema is JSON")
+}
+
 /// The study as JSON, ended by a line feed. A number that is not finite is null.
 #[must_use]
 pub fn json(report: &RecordsReport<'_>) -> String {

@@ -9,6 +9,8 @@ mod sheet;
 mod wording;
 
 pub use compared::{compared_json, compared_text};
+#[cfg(feature = "schema")]
+pub(crate) use json::report_schema;
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
 pub use junit::{compared_junit, junit};
 pub use sentence::headline;

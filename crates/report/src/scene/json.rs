@@ -9,6 +9,7 @@ use super::{SceneReport, body_id, ids, verdict};
 use crate::envelope::{Schema, enveloped};
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     title: &'a str,
     headline: String,
@@ -24,6 +25,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Asked<'a> {
     quantity: String,
     unit: &'static str,
@@ -37,6 +39,7 @@ struct Asked<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Tried {
     model: String,
     cost: u64,
@@ -49,6 +52,7 @@ struct Tried {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Impact<'a> {
     who: Vec<String>,
     regime: &'a str,
@@ -58,6 +62,7 @@ struct Impact<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct State<'a> {
     id: String,
     #[serde(flatten)]
@@ -65,6 +70,7 @@ struct State<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct End<'a> {
     impacts: u64,
     #[serde(flatten)]
@@ -74,6 +80,7 @@ struct End<'a> {
 
 /// What the scene states, at its nominal values.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Stated<'a> {
     sha256: &'a str,
     #[serde(flatten)]
@@ -86,6 +93,7 @@ struct Stated<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Contact<'a> {
     between: Option<Vec<String>>,
     #[serde(flatten)]
@@ -120,6 +128,7 @@ impl<'a> Contact<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Wall<'a> {
     id: &'static str,
     #[serde(flatten)]
@@ -130,6 +139,27 @@ struct Wall<'a> {
 struct Numbers<'a> {
     pairs: Vec<(&'static str, &'a Shown)>,
     exact: bool,
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Numbers<'_> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Numbers".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": "object",
+            "properties": {
+                "exact": { "type": "object", "additionalProperties": { "type": "string" } }
+            },
+            "additionalProperties": { "type": ["number", "null"] }
+        })
+    }
 }
 
 impl Serialize for Numbers<'_> {
@@ -251,6 +281,12 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
         }
     }
     stated
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane scene")
 }
 
 /// The report as JSON, ended by a line feed. Numbers are numbers; where the model's are exact, fractions
