@@ -12,7 +12,7 @@ from fractions import Fraction
 from .errors import Unreadable
 
 RESERVED = set(
-    "oo d abs min max sqrt cases else from when as by expect not implied contradiction".split()
+    "oo d abs min max sqrt cases else from when as using by expect not implied contradiction".split()
 )
 GREEK = dict(zip(
     "αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϵϕϑϱ",
