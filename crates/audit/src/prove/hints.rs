@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::search::{Elimination, Factors};
+use super::elimination::{Elimination, Factors, open_vars};
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
@@ -211,7 +211,7 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
         }
     }
     let mut multiples: Vec<(usize, Poly, Poly)> = Vec::new();
-    let vars = super::search::open_vars(state);
+    let vars = open_vars(state);
     let simple = std::iter::once(Poly::one()).chain(vars.into_iter().map(Poly::var));
     let mut cofactors: Vec<Poly> = simple.collect();
     cofactors.extend(products.iter().cloned());

@@ -5,8 +5,10 @@ use kane_kernel::{Atom, Point, Poly, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::elimination::{Elimination, open_vars};
 use super::hints::{Hint, Wealth, hinted, untold};
-use super::search::{Elimination, MAX_SPLITS, Outcome, Search, Step, open_vars, since};
+use super::linear::{combination, is_linear_in_all, solution};
+use super::search::{MAX_SPLITS, Outcome, Search, Step, since};
 use super::squares::{Reach, squares};
 use super::{expansion, tactics};
 use crate::argument::{Argument, Rules as _};
@@ -53,10 +55,16 @@ impl Search<'_> {
         }
         if self.models {
             self.note(Method::Points);
-            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
+            // Where all is linear a simple point is nicer, and the simplex method is sure.
+            let linear = is_linear_in_all(state);
+            let tries = if linear { (2, 12) } else { (5, 200) };
+            if let Some(point) = self.sample(state, trail, &vars, tries) {
                 return Outcome::Model(point);
             }
-            if let Some(point) = self.on_boundary(state, trail, splits) {
+            if let Some(point) = self.linear_point(state, trail, &vars) {
+                return Outcome::Model(point);
+            }
+            if !linear && let Some(point) = self.on_boundary(state, trail, splits) {
                 return Outcome::Model(point);
             }
         }
@@ -82,7 +90,12 @@ impl Search<'_> {
                 self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits))
             };
             self.note(Method::Combinations);
-            let combined = tactics::combination(state);
+            let combined = combination(state);
+            // Of linear conditions the simplex method has said all.
+            if combined.is_none() && solution(&state.atoms, &vars, &state.scope.fuel).is_some() {
+                self.leave(&state.atoms);
+                return Outcome::Open;
+            }
             if !self.products {
                 return combined.map_or(Outcome::Open, Outcome::Closed);
             }

@@ -1,7 +1,9 @@
 //! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
 //! kernel, and what the kernel does not accept is not reported.
 
+mod attempt;
 mod bounds;
+mod elimination;
 mod enclosure;
 mod expansion;
 mod functions;
@@ -9,6 +11,7 @@ mod germs;
 mod hints;
 mod leaf;
 mod limits;
+mod linear;
 mod ranges;
 mod sample;
 mod search;
@@ -30,11 +33,11 @@ use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
 
+pub(crate) use attempt::Attempt;
 use functions::Effort;
 use germs::Germs;
 use hints::Hint;
 pub(crate) use hints::expanded;
-pub(crate) use search::Attempt;
 use search::{Outcome, Search};
 
 pub use functions::expression;

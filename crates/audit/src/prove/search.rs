@@ -4,15 +4,14 @@ use std::cell::{Cell, RefCell};
 
 use kane_algebra::ring::{common_sign, content_in, exact_quotient};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
-use num_rational::BigRational;
 use num_traits::Zero;
 
+use super::attempt::Attempt;
+use super::elimination::{Elimination, Factors};
 use super::hints::Hint;
 use super::tactics;
 use crate::argument::{Argument, Rules};
 use crate::open::Method;
-
-type Q = BigRational;
 
 /// How a search ends.
 #[derive(Clone, Debug)]
@@ -24,17 +23,6 @@ pub(crate) enum Outcome {
     /// neither was found
     Open,
 }
-
-/// v = −e/d, found on the way.
-#[derive(Clone, Debug)]
-pub(crate) struct Elimination {
-    pub(crate) var: usize,
-    pub(crate) d: Poly,
-    pub(crate) e: Poly,
-}
-
-/// Indices of atoms, with powers.
-pub(crate) type Factors = Vec<(usize, u32)>;
 
 /// How little an elimination is liked: kept variables, leads that vary, constants, size.
 type Score = (u32, usize, usize, usize);
@@ -85,38 +73,6 @@ pub(crate) struct Search<'a> {
     pub(crate) hints: Vec<Hint>,
     /// what was tried, and the smallest conditions on which all of it failed
     pub(crate) attempt: RefCell<Attempt>,
-}
-
-/// What a search tried, and the smallest conditions on which all of it failed.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Attempt {
-    pub(crate) tried: Vec<Method>,
-    pub(crate) left: Option<Vec<Atom>>,
-}
-
-impl Attempt {
-    fn note(&mut self, method: Method) {
-        if !self.tried.contains(&method) {
-            self.tried.push(method);
-        }
-    }
-
-    /// Notes conditions that stay open.
-    fn leave(&mut self, atoms: &[Atom]) {
-        let size = |atoms: &[Atom]| atoms.iter().map(|a| a.poly.len() + 1).sum::<usize>();
-        let open: Vec<Atom> = atoms.iter().filter(|a| a.decided().is_none()).cloned().collect();
-        if self.left.as_ref().is_none_or(|known| size(&open) < size(known)) {
-            self.left = Some(open);
-        }
-    }
-
-    /// Takes over what another search tried; what this one leaves stays.
-    pub(crate) fn join(&mut self, other: Self) {
-        other.tried.into_iter().for_each(|m| self.note(m));
-        if self.left.is_none() {
-            self.left = other.left;
-        }
-    }
 }
 
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
@@ -477,14 +433,6 @@ fn all(
         }
     }
     if open { Outcome::Open } else { Outcome::Closed(wrap(proofs)) }
-}
-
-/// Variables of the atoms that are not decided.
-pub(crate) fn open_vars(state: &State<'_, '_>) -> Vec<usize> {
-    let mut vars: Vec<usize> = state.atoms.iter().flat_map(|a| a.poly.vars()).collect();
-    vars.sort_unstable();
-    vars.dedup();
-    vars
 }
 
 /// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.
