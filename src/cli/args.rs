@@ -24,6 +24,7 @@ Examples:
   kane audit                              the paper, which the program carries with it
   kane audit --only 9                     one statement of it, by its label
   kane audit --explain 16                 its proof or witness, step by step
+  kane audit - < notes.md                 a document from standard input
   kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
   kane audit --judges coq,z3              what a proof assistant and a solver say, too
@@ -190,7 +191,7 @@ pub(crate) enum JudgeName {
 
 #[derive(Args, Debug)]
 pub(crate) struct AuditArgs {
-    /// Documents to audit; without one, the paper on oblique collisions
+    /// Documents to audit, `-` for standard input; without one, the paper on oblique collisions
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
@@ -230,9 +231,9 @@ pub(crate) struct AuditArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) effort: Option<u64>,
 
-    /// Print the proof or the witness of the statement with this label, step by step
+    /// Print the proof or the witness of the statement with this label, step by step; may be repeated
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
-    pub(crate) explain: Option<String>,
+    pub(crate) explain: Vec<String>,
 }
 
 #[derive(Args, Debug)]

@@ -80,11 +80,12 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         .zip(&answers)
         .map(|(report, judges)| report.with_judges(judges))
         .collect();
-    let shown = || match args.explain {
-        Some(_) => explanations(&reports),
-        None => print(&reports, args.format),
+    let shown = || match args.explain.is_empty() {
+        true => print(&reports, args.format),
+        false => explanations(&reports),
     };
-    let paths: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+    let named = args.files.iter().filter(|file| file.as_os_str() != "-");
+    let paths: Vec<&Path> = named.map(PathBuf::as_path).collect();
     let files = || Ok(files(&inputs, &reports));
     if let Err(outcome) = deliver(args.out.as_deref(), &paths, files, shown) {
         return outcome;

@@ -102,6 +102,39 @@ fn an_explanation_ends_in_what_the_kernel_accepted() {
 }
 
 #[test]
+fn explanations_of_several_statements_follow_each_other() {
+    let run = kane(&["audit", "--explain", "16", "--explain", "(9)"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let [first, second] = ["claim (9): ", "claim (16): "].map(|head| run.stdout.find(head));
+    assert!(first.is_some() && second.is_some(), "{}", run.stdout);
+}
+
+#[test]
+fn a_document_comes_from_standard_input_too() {
+    let dir = scratch("stdin");
+    let path = document(&dir, "a.md", "var x\nclaim a: |x|² >= 0");
+    let out = dir.join("out");
+    let piped = |arguments: &[&str]| {
+        let file = std::fs::File::open(&path).expect("it was written just now");
+        finish(command().args(arguments).stdin(file).output().expect("the program starts"))
+    };
+    let run = piped(&["audit", "-", "--out", &out.to_string_lossy()]);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("1 claim"), "{}", run.stdout);
+    assert!(out.join("stdin.html").exists());
+    let twice = piped(&["audit", "-", "-"]);
+    assert_eq!((twice.code, twice.stdout.as_str()), (2, ""), "{}", twice.stderr);
+    assert!(twice.stderr.contains("can be read once"), "{}", twice.stderr);
+    // `-` is no file, so a wrong document names where it came from
+    let bad = document(&dir, "bad.md", "var x\nclaim a: x >");
+    let file = std::fs::File::open(bad).expect("it was written just now");
+    let run =
+        finish(command().args(["audit", "-"]).stdin(file).output().expect("the program starts"));
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("--> standard input:"), "{}", run.stderr);
+}
+
+#[test]
 fn two_runs_print_the_same_bytes() {
     for format in ["text", "json", "markdown"] {
         let [first, second] = [0, 1].map(|_| kane(&["audit", "--format", format]).stdout);

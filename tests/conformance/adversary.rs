@@ -42,6 +42,17 @@ fn no_wrong_verdict_of_old_comes_back() {
 }
 
 #[test]
+fn no_verdict_on_derivatives_of_functions_is_wrong() {
+    let claims = many(300).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
+    if let Some(output) = adversary("motion.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+        assert!(printed.contains("true proved") && printed.contains("false refuted"), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_a_random_claim_is_wrong() {
     let claims = many(CLAIMS).to_string();
     // where z3 is not installed the script says what it leaves out; the gate asks for it

@@ -7,6 +7,7 @@ use kane_kernel::{Context, Expr, Sentence};
 use sha2::{Digest as _, Sha256};
 
 use crate::Verdict;
+use crate::motion::Motion;
 
 /// A derivation document that was read without error.
 #[derive(Clone, Debug)]
@@ -21,6 +22,7 @@ pub struct Document {
     pub context: Context,
     /// `let`, `given` and `claim` in the order of the text
     pub statements: Vec<Statement>,
+    pub(crate) motion: Motion,
     pub(crate) digest: String,
 }
 

@@ -11,7 +11,7 @@ use kane_kernel::{
 use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
     Accepted, Audit, Behind, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement,
-    Unreached, Verdict, explain,
+    Open, Unreached, Verdict, explain,
 };
 
 /// What to judge, and with how much effort.
@@ -234,7 +234,10 @@ fn judge(
             resting: &resting,
         };
         // The hypotheses are the same for all links: whether they can hold is found once.
-        let found = prover.judge(&goal, links.is_empty() || vacuous);
+        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
+        let ids = [&cited[..], &further].concat();
+        let complete = found.behind_met || behind.is_empty();
+        only_motions(document, (&resting, &ids), complete, &mut found);
         let unreached = found.unreached.as_ref();
         let unreached =
             unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
@@ -254,6 +257,30 @@ fn judge(
         hypotheses: cited,
         met,
         expect: claim.expect,
+    }
+}
+
+/// Where derivatives of functions are spoken of, keeps a model only if functions pass through it for
+/// which the premises hold for all points.
+fn only_motions(
+    document: &Document,
+    (resting, ids): (&Goal, &[usize]),
+    complete: bool,
+    found: &mut Verdicts,
+) {
+    let motion = &document.motion;
+    if !motion.concerns(resting) {
+        return;
+    }
+    // what is behind and cannot be held against a point has no hypothesis
+    let all = resting.hypotheses.len() == ids.len();
+    let met = |evidence: &Evidence| all && motion.is_met(resting, ids, evidence);
+    found.model = found.model.take().filter(|model| met(&Evidence::Model(model.clone())));
+    let model = |decided: &&Decided| matches!(decided.certificate.evidence, Evidence::Model(_));
+    let unmet = |decided: &Decided| !(complete && met(&decided.certificate.evidence));
+    if found.decided.as_ref().filter(model).is_some_and(unmet) {
+        found.decided = None;
+        found.open = Some(Open::Motion);
     }
 }
 

@@ -24,6 +24,8 @@ pub enum Open {
     Unwritten(Flaw),
     /// a certificate was found and not accepted
     Rejected(Rejection),
+    /// a point was found, but not shown to be one of functions for which the premises hold for all t
+    Motion,
 }
 
 impl fmt::Display for Open {
@@ -37,6 +39,11 @@ impl fmt::Display for Open {
             Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
             Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
             Self::Rejected(why) => write!(f, "a certificate was found but not accepted: {why}"),
+            Self::Motion => f.write_str(
+                "it fails for some values of the functions and their derivatives, but whether functions \
+                 have them for which the premises hold for all points is not known; premises may be \
+                 differentiated, as in `from d(law, t)`",
+            ),
         }
     }
 }

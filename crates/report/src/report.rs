@@ -268,10 +268,10 @@ impl<'a> Entry<'a> {
             // only a claim can surprise
             _ if !self.is_claim() => None,
             Some(Verdict::Proved) | None if self.judgement.as_expected() => None,
+            // where nothing is written, the verdict alone says that it is not proved
+            None => None,
             Some(_) if self.judgement.as_expected() => Some("expected".to_owned()),
-            expect => {
-                Some(format!("NOT EXPECTED (should be {})", expect.unwrap_or(Verdict::Proved)))
-            }
+            Some(expect) => Some(format!("NOT EXPECTED (should be {expect})")),
         }
     }
 

@@ -188,7 +188,8 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
     for (square, own) in &named {
         for factors in &known {
             // A hint as it is stands alone, an atom too.
-            if !many && !factors.is_empty() && !(own.is_empty() && square.is_constant()) {
+            let alone = factors.is_empty() || (own.is_empty() && square.is_constant());
+            if !many && !alone {
                 continue;
             }
             let mut factors: Factors = [&own[..], &factors[..]].concat();

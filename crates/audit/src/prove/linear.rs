@@ -139,8 +139,8 @@ pub(super) fn solution(atoms: &[Atom], vars: &[usize], fuel: &Fuel) -> Option<Ve
         }
     }
     // Each lies off some of the planes, and almost all points between them lie off all of them.
-    (0..40i64).find_map(|n| {
-        let weight = |k: usize| Q::from_integer((1 + (n * (k as i64 + n)) % 11).into());
+    (0..40usize).find_map(|n| {
+        let weight = |k: usize| Q::from_integer((1 + (n * (k + n)) % 11).into());
         let total = (0..points.len()).map(weight).fold(Q::zero(), |a, b| a + b);
         let middle = |at: usize| {
             let sum = points.iter().enumerate().map(|(k, point)| &point[at].1 * weight(k));

@@ -9,14 +9,12 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
+use super::label::CLAUSES;
 use super::{Fault, Reader, label, symbol};
 use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
 pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
-
-/// Clauses in the order in which they must stand.
-const CLAUSES: [&str; 6] = ["as", "when", "from", "using", "by", "expect"];
 
 impl Reader {
     /// Reads the statement at `span` of `code`, which begins on line `line`.
@@ -74,6 +72,11 @@ impl Reader {
                 (Parsed::Broken, span.end)
             }
         };
+        if let Parsed::Body(DraftBody::Claim(claim)) = &parsed {
+            for cited in &claim.from {
+                self.differentiate(cited);
+            }
+        }
         // a broken statement keeps its label and its name, lest every use of them be a fault too
         let body = match (parsed, head.name) {
             (Parsed::Let(body), Some((name, site))) => self.define(&name, site, body),
@@ -90,6 +93,7 @@ impl Reader {
         for SyntaxError { kind, span } in errors {
             let mut fault = Fault::new(span, kind.to_string());
             fault.note = kind.hint().map(str::to_owned);
+            self.met.learn(&kind);
             if let SyntaxErrorKind::UnknownSymbol(name) = kind {
                 if defined.is_some_and(|own| canonical_name(own) == canonical_name(&name)) {
                     fault.message = format!("cycle: `{name}` is defined in terms of itself");
@@ -101,7 +105,7 @@ impl Reader {
         }
     }
 
-    fn enter(&mut self, draft: Draft) {
+    pub(super) fn enter(&mut self, draft: Draft) {
         let index = self.drafts.len();
         let first = *self.labels.entry(label::key(&draft.label)).or_insert(index);
         if let Some(first) = self.drafts.get(first) {
@@ -172,6 +176,9 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label.unwrap_or((name, site.clone()));
     Ok(Head { label: label.to_owned(), label_span, name: Some((name.to_owned(), site)) })
 }
+
+/// Citations of derivatives in one statement that are looked into.
+const MAX_DERIVATIVES: usize = 100;
 
 type Outcome<T> = Result<(T, usize), Vec<SyntaxError>>;
 
@@ -304,8 +311,23 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
 }
 
 fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
+    let (rest, at) = p.rest();
+    if let Some(inside) = rest.strip_prefix("d(") {
+        let start = p.span().start;
+        if inside.matches("d(").count() > MAX_DERIVATIVES {
+            return Err(p.fault(SyntaxErrorKind::TooNested));
+        }
+        p.take_until(at + 2);
+        let inner = cited(p)?;
+        p.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let (variable, _) = p.name()?;
+        p.expect(Token::CloseParen, "`)` after the variable of differentiation")?;
+        let label = format!("d({}, {variable})", inner.label);
+        let derivative = Some((Box::new(inner), variable.to_owned()));
+        return Ok(Cited { label, span: start..p.last_end(), derivative });
+    }
     let (label, span) = label::take(p)?;
-    Ok(Cited { label: label.to_owned(), span })
+    Ok(Cited { label: label.to_owned(), span, derivative: None })
 }
 
 /// `RELATION` of a `when`. Beside a limit it must leave the limit variable free.
@@ -351,6 +373,10 @@ fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Ex
         p.expect(Token::Define, "`:=` and a value or function")?;
         let value = p.expr()?;
         match p.scope().resolve(name) {
+            Some(Symbol::Var(index)) if p.scope().angle(index).is_some() => {
+                faults
+                    .push(Fault::new(span, format!("`{name}` is an angle, and has no value here")));
+            }
             Some(Symbol::Var(index)) if by.iter().any(|(seen, _)| *seen == index) => {
                 faults.push(Fault::new(span, format!("`{name}` is given twice")));
             }

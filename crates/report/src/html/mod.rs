@@ -112,7 +112,9 @@ impl<'a> Page<'a> {
             @if summary.surprises.is_empty() {
                 p { (crate::markdown::capitalised(&summary.expectation())) "." }
             } @else {
-                p.surprise { "Not as expected: " (labels(&summary.surprises)) }
+                @for (what, those) in summary.groups() {
+                    p.surprise { (what) ": " (labels(&those)) }
+                }
             }
         }
     }
