@@ -392,6 +392,12 @@ class Document:
                         statement.cited.append(said)
                 if not reader.take(","):
                     break
+        if statement.form != "not implied" and not statement.limits and reader.take("using"):
+            # Hints to the search: what they led to is checked, and they say nothing.
+            while True:
+                reader.sum()
+                if not reader.take(","):
+                    break
         if statement.form == "not implied" and reader.take("by"):
             while True:
                 reader.name()

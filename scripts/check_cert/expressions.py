@@ -13,7 +13,7 @@ from . import angles, motion
 from .errors import Unreadable
 
 RESERVED = set(
-    "oo d abs min max sqrt cases else from when as by expect not implied contradiction".split()
+    "oo d abs min max sqrt cases else from when as using by expect not implied contradiction".split()
 )
 GREEK = dict(zip(
     "αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϵϕϑϱ",

@@ -244,6 +244,10 @@ pub(crate) struct AuditArgs {
     #[arg(long, value_name = "OPERATIONS")]
     pub(crate) budget: Option<u64>,
 
+    /// Multiply every budget, of states, operations, functions and squares, by this number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) effort: Option<u64>,
+
     /// Print the proof or the witness of the statement with this label, step by step; may be repeated
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
     pub(crate) explain: Vec<String>,

@@ -62,7 +62,7 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         let chosen = (!wanted.is_empty()).then(|| {
             wanted.iter().flat_map(|label| labels::find(&document, label)).collect::<Vec<_>>()
         });
-        audits.push((input, judge(document, chosen.as_deref(), args.budget), chosen));
+        audits.push((input, judge(document, chosen.as_deref(), args), chosen));
     }
     let (inputs, reports): (Vec<&Input>, Vec<Report<'_>>) = audits
         .iter()
@@ -163,9 +163,9 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 }
 
 /// Judges the document, or of it only what is asked for and what that cites.
-fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> Audit {
+fn judge(document: Document, chosen: Option<&[usize]>, args: &AuditArgs) -> Audit {
     let mut options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
-    if let Some(fuel) = budget {
+    if let Some(fuel) = args.budget {
         let whole = options.budget;
         options.budget.fuel = fuel;
         // states and functions in the same measure
@@ -174,6 +174,7 @@ fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> A
         options.budget.squares = part(whole.squares);
         options.budget.functions = part(whole.functions as u64).try_into().unwrap_or(usize::MAX);
     }
+    options.budget = options.budget.times(args.effort.unwrap_or(1));
     let mut progress = Progress::new();
     kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
 }
@@ -183,6 +184,9 @@ fn command(input: &Input, args: &AuditArgs) -> String {
     let mut command = input.command.clone();
     if let Some(budget) = args.budget {
         command.push_str(&format!(" --budget {budget}"));
+    }
+    if let Some(effort) = args.effort {
+        command.push_str(&format!(" --effort {effort}"));
     }
     for label in &args.only {
         command.push_str(" --only ");

@@ -63,3 +63,13 @@ fn no_verdict_on_a_random_claim_is_wrong() {
         assert!(printed.contains("wrong: 0"), "{printed}");
     }
 }
+
+#[test]
+fn no_verdict_on_a_limit_with_roots_is_wrong() {
+    let arguments = ["--kane", env!("CARGO_BIN_EXE_kane"), "--claims", "100", "--certificates"];
+    let arguments = [&arguments[..], &["--budget", "1000000"]].concat();
+    if let Some(output) = adversary("radicals.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains("wrong: 0"), "{printed}");
+    }
+}

@@ -8,7 +8,7 @@ use kane_kernel::{
     Sentence, Side, Target,
 };
 
-use crate::prove::{Budget, Decided, Prover, Verdicts};
+use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
     Accepted, Audit, Behind, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement,
     Open, Unreached, Verdict, explain,
@@ -205,6 +205,8 @@ fn judge(
             sentence.map(Conclusion::NotImplied).into_iter().collect()
         }
     };
+    let using: Vec<Expr> =
+        claim.using.iter().filter_map(|e| expanded(e, &document.context)).collect();
     let mut links = Vec::new();
     let (mut met, mut vacuous) = (None, false);
     for conclusion in conclusions {
@@ -225,6 +227,7 @@ fn judge(
         };
         let prover = Prover {
             budget: options.budget,
+            using: &using,
             by: &claim.by,
             earlier,
             cited: hypotheses.len(),
@@ -340,10 +343,12 @@ fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts)
         explanation: Explanation::default(),
         behind: None,
         open: None,
+        attempt: None,
         unreached: None,
     };
     let Some(Decided { certificate, grounds }) = found.decided else {
-        return LinkJudgement { open: found.open, ..undecided };
+        let attempt = explain::attempt(goal, found.attempt);
+        return LinkJudgement { open: found.open, attempt, ..undecided };
     };
     let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
     let used = explain::used(whose, &grounds, cited.len());

@@ -3,7 +3,7 @@
 //! Fenced blocks tagged `kane` hold statements. A statement begins at the margin of its block and
 //! goes on over the indented lines that follow; `#` starts a comment, which ends with its line; a line
 //! ends at LF, CR or CRLF; the clauses of a claim come
-//! in the order `as`, `when`, `from`, `by`, `expect`. Three decisions that the language page leaves
+//! in the order `as`, `when`, `from`, `using`, `by`, `expect`. Three decisions that the language page leaves
 //! open:
 //!
 //! - A label is what stands between parentheses on one line, or a word of letters, digits and

@@ -70,7 +70,7 @@ let (2 by 2) f := x # from nowhere
 given (as taken from a table):
   x = y   # by hand
   when x > 0
-claim c: x = y when y > 0 from (2 by 2) expect proved
+claim c: x = y when y > 0 from (2 by 2) using x - y, f expect proved
 claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
 ```
 ";
@@ -80,8 +80,8 @@ claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
         .iter()
         .map(|s| {
             let parts = &s.parts;
-            let clauses =
-                [&parts.when, &parts.from, &parts.by, &parts.expect].into_iter().flatten();
+            let clauses = [&parts.when, &parts.from, &parts.using, &parts.by, &parts.expect];
+            let clauses = clauses.into_iter().flatten();
             let all = [&parts.label, &parts.content].into_iter().chain(clauses);
             all.map(|place| document.on_one_line(place.clone())).collect()
         })
@@ -91,7 +91,7 @@ claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
         [
             vec!["(2 by 2)", "f := x"],
             vec!["(as taken from a table)", "x = y", "when x > 0"],
-            vec!["c", "x = y", "when y > 0", "from (2 by 2)", "expect proved"],
+            vec!["c", "x = y", "when y > 0", "from (2 by 2)", "using x - y, f", "expect proved"],
             vec![
                 "free",
                 "not implied (as taken from a table)",
@@ -198,6 +198,15 @@ fn each_bad_input_is_told_at_its_place() {
         // clauses
         ("claim (2): x = 1 from (1) when m > 1", 1, 27, "expected the clauses once each"),
         ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `not implied`"),
+        ("claim (2): x = 1 using m from (1)", 1, 26, "expected the clauses once each"),
+        ("claim (2): x = 1 using", 1, 23, "expected an expression"),
+        ("claim (2): x = 1 using m,", 1, 26, "expected an expression"),
+        ("claim (2): x = 1 using m > 1", 1, 26, "expected an operator or the end"),
+        ("claim (2): x = using m", 1, 14, "relation without a right side"),
+        ("claim (2): x = 1 using q", 1, 24, "unknown symbol `q`"),
+        ("claim (2): k -> 1 as alpha -> 0 using m", 1, 33, "expected the end (only a claim about"),
+        ("claim (2): not implied (1) using m", 1, 28, "expected the end (only a claim about"),
+        ("given (2): x = 1 using m", 1, 18, "expected the end (only a claim about"),
         ("given (2): x = 1 from (1)", 1, 18, "expected the end (only a claim"),
         ("claim (2): x = 1 expect right", 1, 25, "expected `proved`, `refuted`"),
         ("claim (2) x = 1", 1, 11, "expected `:` after the label"),
@@ -395,7 +404,7 @@ proptest! {
     fn statements_of_any_words_never_panic(
         words in prop::collection::vec(prop::sample::select(vec![
             "var", "let", "given", "claim", "\n", "\n  ", "(1)", "a-b", ":", ":=", "x", "k(x)", "k", "=", "->",
-            "oo", "as", "when", "from", "by", "expect", "proved", "not", "implied", "contradiction",
+            "oo", "as", "when", "from", "using", "by", "expect", "proved", "not", "implied", "contradiction",
             "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
         ]), 0..60)
     ) {

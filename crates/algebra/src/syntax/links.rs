@@ -72,7 +72,7 @@ impl Parser<'_> {
             | Token::Semicolon
             | Token::Colon
             | Token::End => true,
-            Token::Name => ["when", "from", "expect", "by", "as"].contains(&self.lexeme()),
+            Token::Name => ["when", "from", "using", "expect", "by", "as"].contains(&self.lexeme()),
             _ => false,
         };
         if missing {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// Words that can be neither names nor labels.
-pub const RESERVED: [&str; 16] = [
+pub const RESERVED: [&str; 17] = [
     "oo",
     "d",
     "abs",
@@ -16,6 +16,7 @@ pub const RESERVED: [&str; 16] = [
     "when",
     "as",
     "by",
+    "using",
     "expect",
     "not",
     "implied",

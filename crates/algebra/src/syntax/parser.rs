@@ -349,7 +349,7 @@ impl<'a> Parser<'a> {
         let (token, span) = lexer::next(self.text, self.span.end);
         let word = self.text.get(span).unwrap_or_default();
         match token {
-            Token::Name => !["when", "from", "expect", "by", "as"].contains(&word),
+            Token::Name => !["when", "from", "using", "expect", "by", "as"].contains(&word),
             Token::End | Token::Comma => false,
             _ => true,
         }

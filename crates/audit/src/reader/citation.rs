@@ -33,6 +33,7 @@ pub(super) struct DraftClaim {
     pub(super) content: DraftContent,
     pub(super) when: Vec<Relation>,
     pub(super) from: Vec<Cited>,
+    pub(super) using: Vec<Expr>,
     pub(super) by: Vec<(usize, Expr)>,
     pub(super) expect: Option<Verdict>,
 }
@@ -180,6 +181,7 @@ impl Draft {
                 },
                 when: claim.when,
                 from: resolved.from,
+                using: claim.using,
                 by: claim.by,
                 expect: claim.expect,
             }),

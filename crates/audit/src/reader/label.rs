@@ -5,7 +5,7 @@ use std::ops::Range;
 use kane_algebra::syntax::{Parser, SyntaxError, SyntaxErrorKind, canonical_name};
 
 /// Clauses in the order in which they must stand; no label is called so.
-pub(super) const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
+pub(super) const CLAUSES: [&str; 6] = ["as", "when", "from", "using", "by", "expect"];
 
 /// Bytes of a label.
 const MAX_LABEL_BYTES: usize = 200;

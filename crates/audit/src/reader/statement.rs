@@ -233,10 +233,10 @@ fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
 }
 
 /// `RELATION [as x -> a] | contradiction | not implied M`, then
-/// `[when RELATION] [from …] [by f := …, …] [expect VERDICT]`
+/// `[when RELATION] [from …] [using EXPR, …] [by f := …, …] [expect VERDICT]`
 fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let claim = (|| {
-        let (content, when, from, by, expect);
+        let (content, when, from, using, by, expect);
         (content, parts.content) = placed(&mut p, content_of_claim)?;
         let links = match &content {
             DraftContent::Links(links) => links.as_slice(),
@@ -251,6 +251,19 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             Ok(from)
         })?;
         let mut allowed = vec!["when", "from", "expect"];
+        let at_points = match &content {
+            DraftContent::Links(links) => {
+                links.iter().all(|(link, _)| matches!(link, Link::Relation(_)))
+            }
+            DraftContent::Contradiction => true,
+            DraftContent::NotImplied(_) => false,
+        };
+        (using, parts.using) = if at_points {
+            allowed.push("using");
+            clause(&mut p, "using", hints)?
+        } else {
+            (Vec::new(), None)
+        };
         (by, parts.by) = if matches!(content, DraftContent::NotImplied(_)) {
             allowed.push("by");
             clause(&mut p, "by", |p| witness(p, faults))?
@@ -259,7 +272,7 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
         };
         (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
-        Ok(DraftBody::Claim(DraftClaim { content, when, from, by, expect }))
+        Ok(DraftBody::Claim(DraftClaim { content, when, from, using, by, expect }))
     })();
     finish(p, claim)
 }
@@ -285,9 +298,11 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
         return Ok(());
     }
     Err(p.unexpected(if allowed.contains(&word) {
-        "the clauses once each and in the order `as`, `when`, `from`, `by`, `expect`"
+        "the clauses once each and in the order `as`, `when`, `from`, `using`, `by`, `expect`"
     } else if word == "by" {
         "the end (only `not implied` takes `by`)"
+    } else if word == "using" {
+        "the end (only a claim about points takes `using`, not a limit and not `not implied`)"
     } else if word == "as" {
         "the end (`as` follows the limit)"
     } else {
@@ -339,6 +354,15 @@ fn conditions(
         }
     }
     Ok(relations.into_iter().map(|(relation, _)| relation).collect())
+}
+
+/// `EXPR, …`
+fn hints(p: &mut Parser<'_>) -> Result<Vec<Expr>, SyntaxError> {
+    let mut using = vec![p.expr()?];
+    while p.next_item(using.len())? {
+        using.push(p.expr()?);
+    }
+    Ok(using)
 }
 
 /// `f := EXPR, …`
