@@ -110,6 +110,7 @@ pub mod figures;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;
+pub use kane_floats as floats;
 pub use kane_impact as impact;
 pub use kane_judges as judges;
 pub use kane_kernel as kernel;

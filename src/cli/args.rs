@@ -83,13 +83,25 @@ const STABILITY_EXAMPLES: &str = "\
 Examples:
   kane stability                          the paper, and the equal forms that the program knows
   kane stability notes.md                 the formulas of a document of yours
+  kane stability docs/examples/roots.fpcore
+                                          formulas in FPCore
+  kane stability notes.md --range alpha=1/1000..1000 --range e=0..1
+                                          over ranges of your own
   kane stability --out maps               also writes maps/oblique-collision-stability.html,
                                           .svg, .csv and more
 
-A formula is evaluated as written, in f32 and in f64, over its whole domain: one input along all
-floats of either sign, two that are not negative on a plane, all others at points that are searched
-for the worst. What cannot be evaluated is listed with the reason. A formula fails where it returns NaN, an infinity, 0 or the wrong sign though the exact value is otherwise,
-or where more than half of its bits are wrong. Ranges end at representable numbers.
+A formula is evaluated as written, in f32 and in f64, over its domain: one input along the floats of
+either sign, two that are not negative on a plane, all others at points that are searched for the
+worst. What cannot be evaluated is listed with the reason. A formula fails where it returns NaN, an
+infinity, 0 or the wrong sign though the exact value is otherwise, or where more than half of its bits
+are wrong. Ranges end at representable numbers.
+
+Where the document leaves an input's range open, it ends at 1e6 in magnitude, and that of a positive
+input begins at 1e-6; --range says otherwise, and --full-line goes on to the ends of the format.
+
+For a file of yours, every formula has a rigorous bound on its round-off beside the worst input that was
+found, and where digits are lost, equal forms that lose less, proved equal; --out writes the best of
+them as Rust, C, Python and FPCore. docs/floats.md says how.
 
 Exit codes:
   0  the formulas are examined, whatever is found
@@ -381,9 +393,21 @@ pub(crate) struct ChartArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct StabilityArgs {
-    /// The document; without one, the paper on oblique collisions
-    #[arg(value_name = "DOCUMENT")]
+    /// A document, or FPCore in a file called .fpcore; without one, the paper on oblique collisions
+    #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
+
+    /// Examine an input from here to there: alpha=1/1000..1000; may be repeated
+    #[arg(long, value_name = "NAME=FROM..TO", allow_hyphen_values = true)]
+    pub(crate) range: Vec<String>,
+
+    /// Follow inputs whose range is left open to the least and the greatest float
+    #[arg(long)]
+    pub(crate) full_line: bool,
+
+    /// Bound errors for inputs that are real numbers, rounded to the format first
+    #[arg(long)]
+    pub(crate) rounded_inputs: bool,
 
     /// Also write NAME-stability.html, .txt, .md, .tex, .json, .csv and .svg into this directory
     #[arg(long, value_name = "DIR")]

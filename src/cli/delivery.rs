@@ -60,6 +60,8 @@ impl Written {
         let path = path.into();
         let first = match ending(&path) {
             "v" => format!("(* {} *)", mark()),
+            "rs" | "c" => format!("// {}", mark()),
+            "py" => format!("# {}", mark()),
             _ => format!("; {}", mark()),
         };
         Self::new(path, format!("{first}\n{text}"))
@@ -219,7 +221,9 @@ fn is_own(path: &Path, there: &[u8], new: &str) -> bool {
         "tex" => has_mark(there, "\\footnotesize kane "),
         // its schema, or the program, is named first
         "json" => there.lines().take(8).any(|line| line.contains("\": \"kane")),
-        "v" | "smt2" => has_mark(there.lines().next().unwrap_or_default(), "written by kane "),
+        "v" | "smt2" | "rs" | "c" | "py" | "fpcore" => {
+            has_mark(there.lines().next().unwrap_or_default(), "written by kane ")
+        }
         _ => false,
     }
 }

@@ -6,6 +6,7 @@ mod chart;
 mod check;
 mod collide;
 mod delivery;
+mod floats;
 mod forms;
 mod help;
 mod input;

@@ -20,6 +20,65 @@ fn a_document_of_one_s_own_is_examined() {
     assert_eq!(json, kane(&["stability", &file, "--format", "json"]).stdout);
 }
 
+/// 1 - p^2 on (0, 1) loses half of its digits next to 1, on few floats: no all-clear.
+#[test]
+fn the_ends_of_a_domain_are_looked_at_to_the_float() {
+    let dir = scratch("stability-ends");
+    let file = document(&dir, "ends.md", "var 0 < p < 1\nlet i_p := 1 - p^2");
+    let run = kane(&["stability", &file, "--format", "json"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let value: serde_json::Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    let line = &value["formulas"][0]["lines"][1];
+    assert_eq!(line["format"], "f64");
+    let lost: f64 = line["bits_lost"].as_str().expect("a text").parse().expect("a number");
+    assert!(lost > 24.0, "{line}");
+    let bound = &value["bounds"][0]["formats"][1];
+    let (least, most) = (&bound["ulps_found"]["error"], &bound["ulps_at_most"]);
+    let (least, most) = (least.as_f64().expect("found"), most.as_f64().expect("bounded"));
+    assert!(least > 2.0_f64.powi(23) && least <= most, "{bound}");
+}
+
+#[test]
+fn fpcore_has_bounds_repairs_and_sources() {
+    let dir = scratch("stability-fpcore");
+    let file = dir.join("two.fpcore");
+    let text =
+        "(FPCore (x) :name \"f\" :precision binary64 :pre (<= 1 x) (- (sqrt (+ x 1)) (sqrt x)))";
+    fs::write(&file, text).expect("it is writable");
+    let file = file.to_str().expect("UTF-8");
+    let target = dir.join("out");
+    let out = target.to_str().expect("UTF-8");
+    let run = kane(&["stability", file, "--range", "x=1..100", "--out", out]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("x in [1, 100]"), "{}", run.stdout);
+    assert!(run.stdout.contains("1/(sqrt(x + 1) + sqrt(x))"), "{}", run.stdout);
+    let rust = fs::read_to_string(target.join("two-floats.rs")).expect("it was written");
+    assert!(rust.contains("pub fn f_1(x: f64) -> f64 {"), "{rust}");
+    for ending in ["c", "py", "fpcore", "json", "html", "md"] {
+        assert!(target.join(format!("two-floats.{ending}")).is_file(), "{ending}");
+    }
+    // what the program wrote it may write again
+    assert_eq!(kane(&["stability", file, "--range", "x=1..100", "--out", out]).code, 0);
+}
+
+#[test]
+fn ranges_and_fpcore_that_cannot_be_read_are_bad_input() {
+    let dir = scratch("stability-bad-floats");
+    let file = document(&dir, "one.md", "var x > 0\nlet f := x + 1");
+    for (range, why) in
+        [("x", "name=from..to"), ("y=1..2", "the inputs are: x"), ("x=2..1", "empty")]
+    {
+        let run = kane(&["stability", &file, "--range", range]);
+        assert_eq!(run.code, 2, "{range}");
+        assert!(run.stderr.contains(why), "{range}: {}", run.stderr);
+    }
+    let bad = dir.join("bad.fpcore");
+    fs::write(&bad, "(FPCore (x)\n (sin x))").expect("it is writable");
+    let run = kane(&["stability", bad.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("bad.fpcore:2:3") && run.stderr.contains('^'), "{}", run.stderr);
+}
+
 #[test]
 fn without_formulas_there_is_nothing_to_examine() {
     let dir = scratch("stability-nothing");

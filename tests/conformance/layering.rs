@@ -14,6 +14,7 @@ const LEVELS: [(&str, u32); 15] = [
     ("kane-algebra", 1),
     ("kane-impact", 2),
     ("kane-audit", 2),
+    ("kane-floats", 2),
     ("kane-matrix", 3),
     ("kane-judges", 3),
     ("kane-measure", 3),

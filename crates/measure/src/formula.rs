@@ -64,6 +64,11 @@ pub struct Condition {
 }
 
 impl Condition {
+    /// Its two sides and how they compare.
+    pub(crate) const fn sides(&self) -> (&Program, Rel, &Program) {
+        (&self.lhs, self.rel, &self.rhs)
+    }
+
     /// Whether it holds at a point, as far as the arithmetic can tell.
     pub fn holds<A: Arithmetic>(&self, arithmetic: &A, inputs: &[A::Value]) -> bool {
         let (lhs, rhs) = (self.lhs.value(arithmetic, inputs), self.rhs.value(arithmetic, inputs));

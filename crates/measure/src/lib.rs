@@ -21,6 +21,7 @@
 
 mod arithmetic;
 mod axis;
+pub mod certify;
 pub mod chart;
 mod dyadic;
 mod error;
@@ -29,6 +30,7 @@ mod formula;
 pub mod growth;
 mod over_alpha;
 mod program;
+mod ranges;
 mod rounding;
 mod stability;
 
@@ -39,7 +41,9 @@ pub use error::{Fault, Sample, judge};
 pub use formula::{Condition, Formula, Formulas, Input, formulas};
 pub use over_alpha::{Curve, OverAlpha, over_alpha};
 pub use program::{Branch, Operation, Program, Unsupported};
+pub use ranges::{NoRange, Ranges};
 pub use rounding::{Piece, RoundingBound, rounding_bounds};
 pub use stability::{
-    Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms, examine,
+    Better, Cell, Examined, Plane, Point, Range, Searched, Stability, Subject, equal_forms,
+    examine, examine_over,
 };

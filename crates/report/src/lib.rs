@@ -15,6 +15,7 @@ pub mod collision;
 mod envelope;
 mod explain;
 pub mod figures;
+pub mod floats;
 pub mod growth;
 mod html;
 mod json;

@@ -9,7 +9,7 @@ mod search;
 
 use kane_audit::Document;
 
-use crate::{Fault, Format, Formula, formulas};
+use crate::{Fault, Format, Formula, Ranges, formulas};
 use scan::Probe;
 
 pub use plane::{Cell, Plane};
@@ -177,7 +177,20 @@ pub fn examine(
     all: bool,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Stability {
+    examine_over(document, all, &Ranges::full_line(), progress)
+}
+
+/// The same over ranges of the inputs.
+pub fn examine_over(
+    document: &Document,
+    all: bool,
+    ranges: &Ranges,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Stability {
     let mut subject = Subject::new(document, all);
+    for formula in &mut subject.formulas {
+        formula.inputs = formula.inputs.iter().map(|input| ranges.narrowed(input)).collect();
+    }
     let (mut planes, mut searches) = (Vec::new(), Vec::new());
     let steps = 2 * subject.formulas.len();
     let mut found: [Vec<Option<Examined>>; 4] = Default::default();

@@ -127,7 +127,9 @@ pub(super) fn scan<F: Format>(probe: &Probe<'_, F>, axis: &Axis) -> Vec<Tried> {
     let mut more = Vec::new();
     for (left, right) in samples.iter().zip(samples.iter().skip(1)) {
         if left.sign != right.sign {
-            more.extend(around(axis, zero(probe, left, right.place)));
+            let zero = zero(probe, left, right.place);
+            more.extend(around(axis, zero));
+            more.extend(beside(axis, zero));
         }
     }
     // where the domain begins or ends within the axis, as at the guard of a case
@@ -136,7 +138,13 @@ pub(super) fn scan<F: Format>(probe: &Probe<'_, F>, axis: &Axis) -> Vec<Tried> {
         if place != end {
             let edge = domain_edge(probe, end, place);
             more.extend(around(axis, edge));
+            more.extend(beside(axis, edge));
         }
+    }
+    // there, as at a zero, little may be left of the value, and digits are lost on some floats only
+    let ends: Vec<u64> = ends.into_iter().flatten().map(|end| end.place).collect();
+    for end in ends {
+        more.extend(beside(axis, end));
     }
     samples.extend(more.into_iter().filter_map(|place| probe.ask(place)));
     samples.sort_by_key(|tried| tried.place);
@@ -182,6 +190,26 @@ fn around(axis: &Axis, center: u64) -> Vec<u64> {
     for bit in 0..52 {
         let step = 1_u64 << bit;
         places.extend([center.saturating_add(step), center.saturating_sub(step)]);
+    }
+    places.retain(|place| (axis.first..=axis.last).contains(place));
+    places
+}
+
+/// Places on both sides of one, several in every doubling of the distance, the same in every run.
+fn beside(axis: &Axis, center: u64) -> Vec<u64> {
+    const IN_A_DOUBLING: u64 = 12;
+    let mut places = Vec::new();
+    let mut seed = center;
+    for bit in 1..52 {
+        let from = 1_u64 << bit;
+        for _ in 0..IN_A_DOUBLING {
+            // a step of a linear congruential generator, by its upper bits
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let step = from + (seed >> 11) % from;
+            places.extend([center.saturating_add(step), center.saturating_sub(step)]);
+        }
     }
     places.retain(|place| (axis.first..=axis.last).contains(place));
     places

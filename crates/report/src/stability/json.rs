@@ -9,7 +9,7 @@ use super::{Entry, StabilityReport, bits};
 /// The name of the schema.
 const SCHEMA_NAME: &str = "kane-stability";
 /// The version of the schema.
-const SCHEMA_VERSION: u32 = 2;
+const SCHEMA_VERSION: u32 = 3;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -18,6 +18,7 @@ struct File<'a> {
     title: Option<&'a str>,
     left_out: Vec<LeftOut<'a>>,
     formulas: Vec<Formula<'a>>,
+    bounds: Vec<crate::floats::AccountJson<'a>>,
 }
 
 #[derive(Serialize)]
@@ -142,6 +143,7 @@ pub fn json(report: &StabilityReport<'_>) -> String {
             .map(|(label, why)| LeftOut { label, why })
             .collect(),
         formulas: entries.iter().enumerate().map(|(i, e)| formula(report, i, e)).collect(),
+        bounds: crate::floats::accounts_json(report.accounts),
     };
     enveloped(Schema { name: SCHEMA_NAME, version: SCHEMA_VERSION }, &report.command, file)
 }

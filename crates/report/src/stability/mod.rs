@@ -22,6 +22,8 @@ pub use strips_picture::strips_picture;
 pub struct StabilityReport<'a> {
     /// the findings
     pub stability: &'a Stability,
+    /// bounds, worst inputs and repairs of its formulas, where they were asked for
+    pub accounts: &'a [kane_measure::certify::Account],
     /// a command that prints this report
     pub command: String,
 }
@@ -175,11 +177,6 @@ pub(crate) fn short(point: &Point) -> String {
     } else {
         format!("{:.3e}", point.value)
     }
-}
-
-/// Several inputs in few characters.
-pub(crate) fn short_all(points: &[Point]) -> String {
-    points.iter().map(short).collect::<Vec<_>>().join(", ")
 }
 
 /// A range by its first and last failing input.

@@ -2,13 +2,14 @@
 
 use kane_measure::{Fault, Point};
 
-use super::{
-    Entry, StabilityReport, bits, interval, named, picture, short, short_all, strips_picture,
-};
+use super::{Entry, StabilityReport, bits, interval, named, picture, short, strips_picture};
 use crate::sheet::{Column, Entry as Line, Row, Sheet, Table, Tone, Words, row};
 
 const READING: &str = "A range runs from the first to the last failing input; bits are lost at its worst input. \
 Cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs.";
+
+const BOUNDS: &str = "No float of the ranges has a larger error than the bound; the error found is exact. \
+Repairs are proved equal by the auditor.";
 
 /// The report as a sheet.
 #[must_use]
@@ -35,7 +36,8 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
         let planes = entry.planes.iter().flat_map(|plane| {
             let (format, all) = (plane.format, plane.cells.len());
             let row = move |(fault, count, (a, b)): &(Fault, usize, (Point, Point))| {
-                counted(format, *fault, (*count, all), format!("{}, {}", short(a), short(b)))
+                let example = named_all(entry, &[a.clone(), b.clone()]);
+                counted(format, *fault, (*count, all), example)
             };
             plane.faults.iter().map(row)
         });
@@ -43,7 +45,7 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
         let searches = entry.searches.iter().flat_map(|search| {
             let (format, all) = (search.format, search.tried);
             let row = move |(fault, count, example): &(Fault, usize, Vec<Point>)| {
-                counted(format, *fault, (*count, all), short_all(example))
+                counted(format, *fault, (*count, all), named_all(entry, example))
             };
             search.faults.iter().map(row)
         });
@@ -60,6 +62,11 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
         sheet.heading("sound", "No failure, and the most bits lost");
         let columns = vec![Column::left("f32"), Column::left("f64"), Column::long("formula", 30)];
         sheet.table(Table::new(columns, sound.into_iter().map(losses).collect()));
+    }
+    if !report.accounts.is_empty() {
+        sheet.heading("bounds", "Bounds on round-off, and repairs");
+        sheet.prose(BOUNDS);
+        crate::floats::blocks(&mut sheet, report.accounts);
     }
     if !stability.subject.left_out.is_empty() {
         sheet.heading("left-out", "Left out");
@@ -125,6 +132,14 @@ fn examples(what: &'static str, rows: Vec<Row>) -> Table {
 
 fn counted(format: &str, fault: Fault, (count, all): (usize, usize), example: String) -> Row {
     row![format, fault.to_string(), format!("{count} of {all}"), example].toned(tone(fault))
+}
+
+/// Several inputs, each with its name.
+fn named_all(entry: &Entry<'_>, points: &[Point]) -> String {
+    let inputs = entry.formula.inputs.iter().zip(points);
+    let named: Vec<String> =
+        inputs.map(|(input, point)| format!("{} = {}", input.name, short(point))).collect();
+    named.join(", ")
 }
 
 /// The formulas that are better somewhere, in the order of their first mention.

@@ -1,0 +1,211 @@
+//! Formulas as functions in Rust, C and Python.
+
+use std::fmt::Write as _;
+
+use kane_number::Rational;
+
+use crate::machine::rounded;
+use crate::{Core, Operation, Precision, text};
+
+/// A programming language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// Rust
+    Rust,
+    /// C99, with `math.h`
+    C,
+    /// Python 3; `f32` by NumPy's `float32`, where a fused operation is rounded twice; `fma` from 3.13 on
+    Python,
+}
+
+impl Language {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Rust, Self::C, Self::Python];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rust => "Rust",
+            Self::C => "C",
+            Self::Python => "Python",
+        }
+    }
+}
+
+/// The formula as a function that carries out exactly these operations in this order, one a line, in a
+/// format. Compilers that keep to IEEE 754 return what is bounded here (no `-ffast-math`, and for C
+/// `-ffp-contract=off`).
+#[must_use]
+pub fn emit(core: &Core, precision: Precision, language: Language) -> String {
+    let writer = Writer { core, precision, language };
+    writer.function()
+}
+
+struct Writer<'a> {
+    core: &'a Core,
+    precision: Precision,
+    language: Language,
+}
+
+impl Writer<'_> {
+    fn function(&self) -> String {
+        let name = identifier(self.core.name.as_deref().unwrap_or("f"));
+        let arguments: Vec<String> =
+            (0..self.core.arguments.len()).map(|i| self.argument(i)).collect();
+        let float = match (self.language, self.precision) {
+            (Language::Rust, precision) => precision.name(),
+            (_, Precision::F32) => "float",
+            (_, Precision::F64) => "double",
+        };
+        let mut text = String::new();
+        match self.language {
+            Language::Rust => {
+                let typed: Vec<String> =
+                    arguments.iter().map(|a| format!("{a}: {float}")).collect();
+                writeln!(text, "pub fn {name}({}) -> {float} {{", typed.join(", "))
+            }
+            Language::C => {
+                let typed: Vec<String> = arguments.iter().map(|a| format!("{float} {a}")).collect();
+                writeln!(text, "{float} {name}({}) {{", typed.join(", "))
+            }
+            Language::Python => writeln!(text, "def {name}({}):", arguments.join(", ")),
+        }
+        .expect("a string takes all");
+        if self.language == Language::Python && self.precision == Precision::F32 {
+            for argument in &arguments {
+                writeln!(text, "    {argument} = float32({argument})").expect("a string takes all");
+            }
+        }
+        let needed = self.core.program.needed(self.core.root);
+        for (index, operation) in self.core.program.operations().iter().enumerate() {
+            let is_leaf = matches!(operation, Operation::Number(_) | Operation::Input(_));
+            if needed.get(index) != Some(&true) || is_leaf || index == self.core.root {
+                continue;
+            }
+            let value = self.operation(operation);
+            match self.language {
+                Language::Rust => writeln!(text, "    let t{index} = {value};"),
+                Language::C => writeln!(text, "    const {float} t{index} = {value};"),
+                Language::Python => writeln!(text, "    t{index} = {value}"),
+            }
+            .expect("a string takes all");
+        }
+        let last = match self.core.program.get(self.core.root) {
+            Some(Operation::Number(_) | Operation::Input(_)) | None => self.at(self.core.root),
+            Some(operation) => self.operation(operation),
+        };
+        match self.language {
+            Language::Rust => write!(text, "    {last}\n}}"),
+            Language::C => write!(text, "    return {last};\n}}"),
+            Language::Python => write!(text, "    return {last}"),
+        }
+        .expect("a string takes all");
+        text
+    }
+
+    fn argument(&self, index: usize) -> String {
+        let name = self.core.arguments.get(index).map_or("x", |argument| argument.name.as_str());
+        let name = identifier(name);
+        // two names may come out the same
+        let earlier = self.core.arguments.iter().take(index);
+        let same = earlier.filter(|other| identifier(&other.name) == name).count();
+        if same == 0 { name } else { format!("{name}_{}", same + 1) }
+    }
+
+    fn at(&self, index: usize) -> String {
+        match self.core.program.get(index) {
+            Some(Operation::Number(number)) => self.number(number),
+            Some(Operation::Input(input)) => self.argument(*input),
+            _ => format!("t{index}"),
+        }
+    }
+
+    /// The float that a constant is rounded to, by its shortest decimal.
+    fn number(&self, number: &Rational) -> String {
+        let digits = match self.precision {
+            Precision::F32 => format!("{:?}", rounded::<f32>(number)),
+            Precision::F64 => format!("{:?}", rounded::<f64>(number)),
+        };
+        let digits = match (self.language, self.precision) {
+            (Language::Rust, precision) => format!("{digits}_{}", precision.name()),
+            (Language::C, Precision::F32) => format!("{digits}f"),
+            (Language::Python, Precision::F32) => format!("float32({digits})"),
+            _ => digits,
+        };
+        if rounded::<f64>(number).is_sign_negative() { format!("({digits})") } else { digits }
+    }
+
+    fn operation(&self, operation: &Operation) -> String {
+        let at = |index: &usize| self.at(*index);
+        let single = if self.precision == Precision::F32 { "f" } else { "" };
+        let call = |rust: &str, c: &str, python: &str, operands: &[&usize]| {
+            let operands: Vec<String> = operands.iter().map(|index| at(index)).collect();
+            match self.language {
+                Language::Rust => {
+                    let (first, rest) =
+                        operands.split_first().map_or(("", &[][..]), |(f, r)| (f, r));
+                    format!("{first}.{rust}({})", rest.join(", "))
+                }
+                Language::C => format!("{c}{single}({})", operands.join(", ")),
+                // these functions return doubles
+                Language::Python if self.precision == Precision::F32 => {
+                    format!("float32({python}({}))", operands.join(", "))
+                }
+                Language::Python => format!("{python}({})", operands.join(", ")),
+            }
+        };
+        match operation {
+            Operation::Number(_) | Operation::Input(_) => String::new(),
+            Operation::Neg(a) => format!("-{}", at(a)),
+            Operation::Add(a, b) => format!("{} + {}", at(a), at(b)),
+            Operation::Sub(a, b) => format!("{} - {}", at(a), at(b)),
+            Operation::Mul(a, b) => format!("{} * {}", at(a), at(b)),
+            Operation::Div(a, b) => format!("{} / {}", at(a), at(b)),
+            Operation::Sqrt(a) => call("sqrt", "sqrt", "sqrt", &[a]),
+            Operation::Fma(a, b, c) => call("mul_add", "fma", "fma", &[a, b, c]),
+            Operation::Abs(a) => call("abs", "fabs", "abs", &[a]),
+            Operation::Min(a, b) => call("min", "fmin", "min", &[a, b]),
+            Operation::Max(a, b) => call("max", "fmax", "max", &[a, b]),
+            Operation::If(test, a, b) => {
+                let side = |index: usize| self.at(index);
+                let guard = text::condition(test, &side);
+                match self.language {
+                    Language::Rust => {
+                        format!("if {} {{ {} }} else {{ {} }}", symbols(&guard), at(a), at(b))
+                    }
+                    Language::C => format!("({}) ? {} : {}", symbols(&guard), at(a), at(b)),
+                    Language::Python => {
+                        let guard = guard.replace("true", "True").replace("false", "False");
+                        format!("{} if {guard} else {}", at(a), at(b))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A condition in the words of Rust and C.
+fn symbols(guard: &str) -> String {
+    guard.replace(" and ", " && ").replace(" or ", " || ").replace("not (", "!(")
+}
+
+/// A name that all three languages take.
+fn identifier(name: &str) -> String {
+    let mut text: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        text.insert(0, 'v');
+    }
+    const RESERVED: [&str; 20] = [
+        "as", "if", "in", "is", "do", "for", "fn", "let", "lambda", "def", "int", "float",
+        "double", "true", "false", "self", "type", "sqrt", "fma", "abs",
+    ];
+    // temporaries are `t` and a number
+    let temporary =
+        text.strip_prefix('t').is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()));
+    if RESERVED.contains(&text.as_str()) || temporary {
+        text.push('_');
+    }
+    text
+}

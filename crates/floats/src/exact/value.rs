@@ -1,0 +1,125 @@
+//! Programs over enclosures, and how far a float is from the truth.
+
+use kane_number::{Integer, Rounding, decode, encode};
+
+use super::Enclosure;
+use crate::machine::{Machine, compares};
+use crate::{Operation, Program};
+
+/// Bits at which the first attempt is made, and the most.
+const FIRST: u32 = 192;
+const MOST: u32 = 6_144;
+/// Bits of the value that are enough.
+const ENOUGH: i64 = 80;
+
+/// The enclosure of an operation's exact value at exact inputs, at a number of bits; `None` where
+/// there is no value, or where these bits do not tell.
+#[must_use]
+pub fn value(program: &Program, root: usize, inputs: &[Enclosure], bits: u32) -> Option<Enclosure> {
+    results(program, inputs, bits).into_iter().nth(root).flatten()
+}
+
+/// The exact results of all operations.
+fn results(program: &Program, inputs: &[Enclosure], bits: u32) -> Vec<Option<Enclosure>> {
+    let mut results: Vec<Option<Enclosure>> = Vec::with_capacity(program.operations().len());
+    for operation in program.operations() {
+        let at = |index: usize| results.get(index)?.as_ref();
+        let result = match *operation {
+            Operation::Number(ref number) => Some(Enclosure::of_rational(number, bits)),
+            Operation::Input(input) => inputs.get(input).cloned(),
+            Operation::Neg(a) => at(a).map(Enclosure::neg),
+            Operation::Add(a, b) => at(a).zip(at(b)).map(|(a, b)| a.add(b, bits)),
+            Operation::Sub(a, b) => at(a).zip(at(b)).map(|(a, b)| a.sub(b, bits)),
+            Operation::Mul(a, b) => at(a).zip(at(b)).map(|(a, b)| a.mul(b, bits)),
+            Operation::Div(a, b) => at(a).zip(at(b)).and_then(|(a, b)| a.div(b, bits)),
+            Operation::Sqrt(a) => at(a).and_then(|a| a.sqrt(bits)),
+            Operation::Fma(a, b, c) => {
+                at(a).zip(at(b)).zip(at(c)).map(|((a, b), c)| a.mul(b, bits).add(c, bits))
+            }
+            Operation::Abs(a) => at(a).map(Enclosure::abs),
+            Operation::Min(a, b) => at(a).zip(at(b)).map(|(a, b)| a.min(b)),
+            Operation::Max(a, b) => at(a).zip(at(b)).map(|(a, b)| a.max(b)),
+            Operation::If(ref test, a, b) => {
+                let compare = |rel, a, b| {
+                    let difference = at(a)?.sub(at(b)?, bits);
+                    Some(compares(rel, Some(difference.sign()?)))
+                };
+                match test.holds(&compare) {
+                    Some(true) => at(a).cloned(),
+                    Some(false) => at(b).cloned(),
+                    None => None,
+                }
+            }
+        };
+        results.push(result);
+    }
+    results
+}
+
+/// A computed value beside the exact one.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// the exact value
+    pub exact: Enclosure,
+    /// |computed − exact| at least, as a float rounded down; ∞ for a computed NaN or ±∞
+    pub error: f64,
+    /// and at most
+    pub error_at_most: f64,
+    /// the error in ulps of the exact value at least
+    pub ulps: f64,
+    /// and at most
+    pub ulps_at_most: f64,
+}
+
+/// Compares what a program returns with its exact value. Rigorous: `None` where there is no exact
+/// value, or where 6,144 bits do not tell it.
+#[must_use]
+pub fn compared<M: Machine>(
+    program: &Program,
+    root: usize,
+    inputs: &[M],
+    computed: M,
+) -> Option<Compared> {
+    let inputs: Vec<Enclosure> = inputs.iter().map(|x| Enclosure::of(*x)).collect::<Option<_>>()?;
+    let mut bits = FIRST;
+    loop {
+        let found = value(program, root, &inputs, bits);
+        let last = bits >= MOST;
+        if let Some(exact) = found {
+            let Some(float) = Enclosure::of(computed) else {
+                let infinite = f64::INFINITY;
+                return Some(Compared {
+                    exact,
+                    error: infinite,
+                    error_at_most: infinite,
+                    ulps: infinite,
+                    ulps_at_most: infinite,
+                });
+            };
+            let error = float.sub(&exact, bits).abs();
+            if last || (exact.sharpness() >= ENOUGH && error.sharpness() >= 20) {
+                return Some(told::<M>(exact, &error));
+            }
+        } else if last {
+            return None;
+        }
+        bits *= 2;
+    }
+}
+
+fn told<M: Machine>(exact: Enclosure, error: &Enclosure) -> Compared {
+    let (least, most) = error.ends();
+    let precision = i64::from(M::PRECISION);
+    let (low, high) = exact.binades();
+    let unit = |binade: i64| binade.max(M::LEAST_EXPONENT + precision - 1) - precision + 1;
+    let ulps = in_units(least, unit(high), Rounding::Down);
+    let ulps_at_most = in_units(most, unit(low), Rounding::Up);
+    Compared { exact, error: least, error_at_most: most, ulps, ulps_at_most }
+}
+
+/// x/2^unit, rounded in a direction.
+fn in_units(x: f64, unit: i64, rounding: Rounding) -> f64 {
+    let Ok(value) = decode(x) else { return f64::INFINITY };
+    let power = Integer::from(1) << unit.unsigned_abs();
+    encode(&if unit >= 0 { value / power } else { value * power }, rounding)
+}
