@@ -6,11 +6,13 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
+from . import angles, motion
 from .errors import Rejected, Unreadable
-from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
+from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
 from .ties import Ties
 
 SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
+MAX_ORDER = 6
 VERDICTS = ("proved", "refuted", "ill-defined", "vacuous", "unsupported", "undecided")
 
 
@@ -23,6 +25,7 @@ class Symbol:
     lower: tuple = None  # (rational, whether the bound is strict)
     upper: tuple = None
     body: tuple = None  # of a definition
+    parts: int = None  # of an angle: into how many equal parts it is cut
 
 
 @dataclass(eq=False)
@@ -40,6 +43,7 @@ class Statement:
     when: tuple = ()
     cited: list = field(default_factory=list)
     expect: str = None
+    derived_from: "Statement" = None  # of which premise it is the derivative
 
     @cached_property
     def relations(self):
@@ -61,20 +65,44 @@ class Document:
     """All that a document says."""
 
     def __init__(self, text):
-        self.symbols, self.statements, self.claims = {}, {}, []
-        self.mentions, self.printed = {}, {}
-        for statement in statements(text):
-            self.read(Reader(statement, self))
+        wanted = {}  # symbols that are angles, which is seen only where they are used
+        orders = {}  # how often functions are differentiated
+        while True:
+            self.symbols, self.statements, self.claims = {}, {}, []
+            self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
+            self.points, self.rate_of, self.orders = {}, {}, orders
+            try:
+                self.late = None  # a fault, unless the symbol turns out to be an angle
+                for statement in statements(text):
+                    self.read(Reader(statement, self))
+                break
+            except angles.Met as met:
+                wanted[met.name] = met.parts
+            except motion.MetRate as met:
+                name, order = met.name, 1
+                while name in self.rate_of:
+                    name, order = self.rate_of[name], order + 1
+                if order > MAX_ORDER:
+                    raise Unreadable(f"`{name}` is differentiated too often") from None
+                orders[name] = order
+        if self.late:
+            raise Unreadable(self.late)
 
     def use(self, name, reader):
         """The expression that a name stands for."""
         symbol = self.symbols.get(name) or reader.fail("unknown symbol")
+        if symbol.parts and not reader.in_angle:
+            reader.fail("an angle is no number")
         return ("def" if symbol.body else "sym", name)
+
+    def is_angle(self, name):
+        symbol = self.symbols.get(name)
+        return symbol is not None and symbol.parts is not None
 
     def is_plain(self, name):
         """Is it a variable that is neither a function nor defined?"""
         symbol = self.symbols.get(name)
-        return symbol is not None and symbol.argument is None and symbol.body is None
+        return symbol is not None and not (symbol.argument or symbol.body or symbol.parts)
 
     def expression(self, text):
         """Reads an expression from the certificate."""
@@ -130,8 +158,25 @@ class Document:
         self.statements[statement.label] = statement
 
     def cite(self, reader):
+        if reader.text.startswith("d(", reader.start):
+            return self.cite_derivative(reader)
         label = reader.label()
         return self.statements.get(label) or reader.fail(f"undeclared label `{label}`")
+
+    def cite_derivative(self, reader):
+        """Reads `d(LABEL, t)`; the derivative is a premise of its own."""
+        reader.expect("d")
+        reader.at = reader.start + 1  # what follows is a label
+        reader.advance()
+        base = self.cite(reader)
+        reader.expect(",")
+        variable = reader.name()
+        reader.expect(")")
+        label = f"d({base.label}, {variable})"
+        if label not in self.statements:
+            relations = motion.derived(base, variable, self, reader.fail)
+            self.add(Statement("given", label, relations, derived_from=base))
+        return self.statements[label]
 
     def read(self, reader):
         """Reads one statement."""
@@ -151,7 +196,7 @@ class Document:
         """Reads a name with its bounds on either side."""
         symbol, sides, signs = None, [], []
         while True:
-            if reader.kind == "name" and reader.word not in RESERVED:
+            if reader.kind == "name" and reader.word not in RESERVED and not pi_bounds(reader, symbol):
                 if symbol:
                     reader.fail("bounds are rational constants")
                 symbol = Symbol(reader.name())
@@ -176,8 +221,64 @@ class Document:
             if getattr(symbol, key):
                 reader.fail("a bound is given twice")
             setattr(symbol, key, (bound, len(sign) == 1))
+        if symbol.name in self.wanted:
+            self.declare_angle(symbol, reader)
+            return
+        for key in ("lower", "upper"):
+            bound = getattr(symbol, key)
+            if bound and isinstance(bound[0], dict):
+                self.late = self.late or f"`{symbol.name}` is bounded by multiples of pi, but no angle"
+                setattr(symbol, key, None)
         self.check_range(symbol, reader)
         self.declare(symbol)
+        self.declare_rates(symbol)
+
+    def declare_rates(self, symbol):
+        """The derivatives of a function that are spoken of."""
+        for _ in range(self.orders.get(symbol.name, 0) if symbol.argument else 0):
+            rate = Symbol(f"d({symbol.name}, {symbol.argument})", symbol.argument)
+            self.declare(rate)
+            self.rate_of[rate.name] = symbol.name
+            symbol = rate
+
+    def declare_angle(self, symbol, reader):
+        """An angle, the point of its part, and the `given` that says where that lies."""
+        ends = []
+        for key, infinite in (("lower", "-oo"), ("upper", "oo")):
+            bound, strict = getattr(symbol, key) or (infinite, True)
+            if isinstance(bound, str):
+                if (bound, strict) != (infinite, True):
+                    reader.fail("the domain is empty")
+                ends.append(None)
+            elif isinstance(bound, dict):
+                ends.append((bound["pi"], strict))
+            elif bound:
+                reader.fail("the bounds of an angle are multiples of pi")
+            else:
+                ends.append((bound, strict))
+        symbol.lower = symbol.upper = None
+        symbol.parts = self.wanted[symbol.name]
+        self.declare(symbol)
+        for part in angles.point(symbol.name, symbol.parts):
+            self.declare(Symbol(part[1], symbol.argument))
+            self.points[part[1]] = symbol.name
+        rates = self.orders.get(symbol.name, 0)
+        self.declare_rates(symbol if rates else Symbol(symbol.name))
+        given = Statement("given", f"angle {symbol.name}", angles.circle(symbol, ends, self))
+        self.add(given)
+        for part in angles.point(symbol.name, symbol.parts):
+            self.circles[part[1]] = given
+
+    def spoken(self, statement):
+        """The `given`s of the angles of which a claim or what it cites speaks."""
+        names = set()
+        others = [statement.other] if statement.other else []
+        for said in (statement, *statement.cited, *others):
+            for expression in said.expressions():
+                names |= self.mentioned(expression)
+        found = {id(self.circles[name]): self.circles[name] for name in names if name in self.circles}
+        order = list(self.statements.values())
+        return sorted(found.values(), key=order.index)
 
     def check_range(self, symbol, reader):
         """A range has points, and an infinite bound is none."""
@@ -196,7 +297,10 @@ class Document:
         """Reads a rational constant, or an infinite one."""
         if infinite := self.infinite(reader):
             return infinite
-        return rational(reader.sum(), reader)
+        total = reader.angle()
+        if total is None or not set(total) <= {"", "pi"} or len(total) > 1:
+            reader.fail("a bound is a number, or a multiple of pi")
+        return total if "pi" in total else total.get("", Fraction(0))
 
     def infinite(self, reader):
         """Reads `oo` or `-oo`, if one is there."""
@@ -239,6 +343,8 @@ class Document:
         if kind == "claim":
             self.read_support(statement, reader)
         self.check(statement, reader)
+        if kind == "claim" and self.circles:
+            statement.cited += [s for s in self.spoken(statement) if s not in statement.cited]
         self.add(statement)
         if kind == "claim":
             self.claims.append(statement)
@@ -278,8 +384,18 @@ class Document:
                 cited = self.cite(reader)
                 if cited.form != "relations":
                     reader.fail("this states nothing that could be used")
-                if cited.kind != "let" and cited not in statement.cited:
-                    statement.cited.append(cited)
+                chain = [cited]
+                while chain[0].derived_from:
+                    chain.insert(0, chain[0].derived_from)
+                for said in chain:
+                    if said.kind != "let" and said not in statement.cited:
+                        statement.cited.append(said)
+                if not reader.take(","):
+                    break
+        if statement.form != "not implied" and not statement.limits and reader.take("using"):
+            # Hints to the search: what they led to is checked, and they say nothing.
+            while True:
+                reader.sum()
                 if not reader.take(","):
                     break
         if statement.form == "not implied" and reader.take("by"):
@@ -311,6 +427,14 @@ class Document:
             for expression in spoken.expressions():
                 self.check_derivatives(expression, (), ties, seen, reader)
 
+    def varied(self, variable):
+        """What varies with a variable of a derivative: cosine and sine vary together."""
+        if self.symbols[variable].argument:
+            return set()  # a function, beside which others may vary
+        given = self.circles.get(variable)
+        together = {name for name, other in self.circles.items() if given and other is given}
+        return together or {variable}
+
     def check_derivatives(self, expression, variables, ties, seen, reader):
         """What is differentiated is explicit, and nothing in it is tied to the variable."""
         kind, name = expression[:2]
@@ -320,13 +444,22 @@ class Document:
             for variable in variables:
                 if self.symbols[name].argument == variable:
                     reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
-                if name in ties().to(variable):
+                if any(name in ties().to(v) and name not in self.varied(v) for v in self.varied(variable)):
                     reader.fail(f"a premise ties `{name}` to `{variable}`")
         elif kind == "def" and (name, variables) not in seen:
             seen.add((name, variables))
             self.check_derivatives(self.symbols[name].body, variables, ties, seen, reader)
         for part in parts(expression):
             self.check_derivatives(part, variables, ties, seen, reader)
+
+
+def pi_bounds(reader, symbol):
+    """Is `pi` a bound here, and not the symbol that is declared?"""
+    if reader.word != "pi":
+        return False
+    item = spelled(reader.text[reader.start:].partition(",")[0])
+    names = re.findall(r"(?<![\w'])[^\W\d_][\w']*", item)
+    return symbol is not None or any(name != "pi" for name in names)
 
 
 def printed(name):

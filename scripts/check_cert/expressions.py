@@ -9,10 +9,11 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
+from . import angles, motion
 from .errors import Unreadable
 
 RESERVED = set(
-    "oo d abs min max sqrt cases else from when as by expect not implied contradiction".split()
+    "oo d abs min max sqrt cases else from when as using by expect not implied contradiction".split()
 )
 GREEK = dict(zip(
     "αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϵϕϑϱ",
@@ -22,17 +23,19 @@ GREEK = dict(zip(
     " epsilon phi theta rho".split(),
 ))
 GREEK["µ"] = "mu"  # the micro sign
-PLAIN = str.maketrans({"−": "-", "·": "*", "∞": "oo"})
+CLAUSES = ("as", "when", "from", "by", "expect")
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SPACE = re.compile(r"(?:[ \t\n]|#[^\n]*)*")
 LETTER = "A-Za-z" + "".join(GREEK)
 WORD = re.compile(
-    rf"(?P<number>[0-9]+(?:\.[0-9]+)?)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
-    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·]|[-+*/^=<>(){},;:])"
+    rf"(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
+    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:])"
 )
 LABEL = re.compile(r"\(([^()\n]*)\)|([\w.'-]+)")
-SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*"}
+SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*", "⋅": "*", "×": "*"}
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 MAX_POWER = 2**15 - 1
+MAX_DIGITS = 10_001
 
 
 def spelled(name):
@@ -46,6 +49,7 @@ class Reader:
     def __init__(self, text, document):
         self.text, self.document = text, document
         self.at = 0
+        self.in_angle = False
         self.advance()
 
     def advance(self):
@@ -100,7 +104,7 @@ class Reader:
         if not match:
             self.fail("expected a label")
         label = match[1].strip(" \t") if match[1] is not None else match[2]
-        if not label or match[2] in RESERVED:
+        if not label or match[2] in CLAUSES:
             self.fail("expected a label")
         self.at = match.end()
         self.advance()
@@ -128,6 +132,12 @@ class Reader:
         if self.take("-"):
             return ("neg", self.signed())
         base = self.atom()
+        if self.kind == "raised":
+            power = int(self.word.translate(RAISED))
+            if abs(power) > MAX_POWER:
+                self.fail("the exponent is too large")
+            self.advance()
+            return ("pow", base, power)
         return ("pow", base, self.exponent()) if self.take("^") else base
 
     def exponent(self):
@@ -137,8 +147,8 @@ class Reader:
         if self.take("("):
             value = self.exponent()
             self.expect(")")
-        elif self.kind == "number" and "." not in self.word:
-            value = int(self.word)
+        elif self.kind == "number" and self.literal().denominator == 1:
+            value = int(self.literal())
             self.advance()
         else:
             self.fail("only literal integers may be exponents")
@@ -151,37 +161,93 @@ class Reader:
             self.fail("the exponent is too large")
         return value
 
+    def literal(self):
+        """The value of a number."""
+        mantissa, _, exponent = self.word.lower().partition("e")
+        if len(mantissa) + abs(int(exponent or 0)) > MAX_DIGITS:
+            self.fail("the number has too many digits")
+        return Fraction(self.word)
+
     def atom(self):
         if self.kind == "number":
-            value = Fraction(self.word)
+            value = self.literal()
             self.advance()
             return ("num", value.numerator, value.denominator)
         if self.take("("):
             inner = self.sum()
             self.expect(")")
             return inner
+        if self.take("|"):
+            inner = self.sum()
+            self.expect("|")
+            return ("abs", inner)
         if function := self.take("abs", "sqrt", "min", "max", "d"):
             return self.call(function)
         if self.take("cases"):
             return self.cases()
+        if self.kind == "name" and self.word in ("sin", "cos", "tan") and self.is_free(self.word):
+            return self.direction(self.take("sin", "cos", "tan"))
+        if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
+            self.advance()
+            return ("pi", 1)
         return self.document.use(self.name(), self)
+
+    def is_free(self, name):
+        return name not in self.document.symbols
+
+    def angle(self):
+        """Reads a sum in which angles and pi may stand."""
+        outer, self.in_angle = self.in_angle, True
+        expression = self.sum()
+        self.in_angle = outer
+        return angles.summed(expression)
+
+    def direction(self, function):
+        self.expect("(")
+        total = self.angle()
+        if total is None:
+            self.fail("this is no angle")
+        self.expect(")")
+        cos, sin = angles.direction(total, self.document, self.fail)
+        return {"cos": cos, "sin": sin}.get(function) or ("div", sin, cos)
 
     def call(self, function):
         self.expect("(")
+        outer, self.in_angle = self.in_angle, self.in_angle or function == "d"
         first = self.sum()
+        self.in_angle = outer
         if function in ("abs", "sqrt"):
             self.expect(")")
             return (function, first)
         self.expect(",")
         if function == "d":
-            name = self.name()
-            if not self.document.is_plain(name):
-                self.fail(f"nothing can be differentiated by `{name}`")
-            second = name
-        else:
-            second = self.sum()
+            return self.derivative(first)
+        second = self.sum()
         self.expect(")")
         return (function, first, second)
+
+    def derivative(self, f):
+        """Reads the variable of a derivative."""
+        if self.word in ("cos", "sin", "d"):
+            by = self.sum()
+            if by[0] != "sym":
+                self.fail("nothing can be differentiated by this")
+            name = by[1]
+        else:
+            name = self.name()
+        self.expect(")")
+        symbol = self.document.symbols.get(name)
+        if not symbol or symbol.body:
+            self.fail(f"nothing can be differentiated by `{name}`")
+        names = self.document.mentioned(f)
+        functions = any(self.document.symbols[other].argument == name for other in names)
+        if functions and not symbol.argument and not symbol.parts:
+            return motion.rate(f, name, self.document, self.fail)
+        if any(self.document.symbols[other].parts for other in names):
+            self.fail("an angle is no number")
+        if symbol.parts:
+            return angles.slope(f, symbol, names)
+        return ("d", f, name)
 
     def cases(self):
         self.expect("{")

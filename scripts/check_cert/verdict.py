@@ -3,8 +3,9 @@
 from .errors import Rejected, demand
 from .evidence import keys, listed, text
 from .functions import Functions
-from .goal import Goal
+from .goal import Goal, rests_on
 from .limits import prove_limit
+from .motion import check_witness
 from .point import check_point
 from .proof import ANY, Proof
 
@@ -51,12 +52,14 @@ def check_link(document, claim, item, link):
         demand(kind == "sides", "a proof of each side is expected")
         prove_limit(proof, content, claim, *item[1:], claim.variable)
     elif kind == "functions":
+        check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
         Functions(goal, content).check(finding)
     else:
         demand(kind == "point", "a witness is expected")
         demand(not goal.has_limits, "a witness by functions is expected")
         state = goal.at_point(finding)
         check_point(goal, content, goal.mentioned, goal.listed_roots, state.conditions, state.formulas)
+        check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
     return "undecided" if finding == "consistent" else finding
 
 

@@ -24,6 +24,7 @@ Examples:
   kane audit                              the paper, which the program carries with it
   kane audit --only 9                     one statement of it, by its label
   kane audit --explain 16                 its proof or witness, step by step
+  kane audit - < notes.md                 a document from standard input
   kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
   kane audit --judges coq,z3              what a proof assistant and a solver say, too
@@ -149,7 +150,7 @@ Exit codes:
 const CHECK_EXAMPLES: &str = "\
 Examples:
   kane check impacts.csv                  what the log follows, in a sentence, and every check
-  kane check impacts.jsonl --out reports  also writes reports/impacts-check.txt, .md and .json
+  kane check impacts.jsonl --out reports  also writes reports/impacts-check.html, .svg and more
   kane check - < impacts.csv              a log from standard input
   kane check --schema                     the columns, with their units
   kane check log.csv --map vx1_pre_m_s=speed_in
@@ -157,6 +158,7 @@ Examples:
   kane check log.csv --row 17             the collision of line 17, for kane collide
   kane check --generate > sweep.csv       impacts for an engine to run, that tell laws apart
   kane check new.csv --baseline old.csv   whether a new version does worse
+  kane check log.csv --format junit       every check as a test, for continuous integration
 
 A log has one row an impact: mass, inertia (or radius and shape), arm (or radius), velocity and spin
 before and after; mu, e, the time step and more if they are known. See docs/records.md.
@@ -167,6 +169,19 @@ Exit codes:
   1  a check fails, a row is rejected, or units are suspected; with --baseline, something is worse
   2  bad input or usage
   3  no row could be checked";
+
+const SITE_EXAMPLES: &str = "\
+Examples:
+  kane site --out site                    writes site/index.html and all that it leads to
+
+The shipped derivations are audited, the laws held against every property, the paper's formulas
+examined, the shipped collisions and scenes answered, and methods timed, quickly. It takes under a
+minute; standard error says what takes how long. The site is read from the disk: no page loads
+anything, and all links are relative.
+
+Exit codes:
+  0  the site is written, whatever it says
+  2  bad input or usage";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
@@ -189,6 +204,9 @@ pub(crate) enum Verb {
     /// Check a log of impacts row by row, and name the law that it follows
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArgs),
+    /// Make a site of every report: an index that says what they come to, four pictures, and a page each
+    #[command(after_help = SITE_EXAMPLES)]
+    Site(SiteArgs),
 }
 
 /// Another judge of claims.
@@ -202,7 +220,7 @@ pub(crate) enum JudgeName {
 
 #[derive(Args, Debug)]
 pub(crate) struct AuditArgs {
-    /// Documents to audit; without one, the paper on oblique collisions
+    /// Documents to audit, `-` for standard input; without one, the paper on oblique collisions
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
@@ -238,9 +256,13 @@ pub(crate) struct AuditArgs {
     #[arg(long, value_name = "OPERATIONS")]
     pub(crate) budget: Option<u64>,
 
-    /// Print the proof or the witness of the statement with this label, step by step
+    /// Multiply every budget, of states, operations, functions and squares, by this number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) effort: Option<u64>,
+
+    /// Print the proof or the witness of the statement with this label, step by step; may be repeated
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
-    pub(crate) explain: Option<String>,
+    pub(crate) explain: Vec<String>,
 }
 
 #[derive(Args, Debug)]
@@ -458,12 +480,32 @@ pub(crate) struct CheckArgs {
     pub(crate) baseline: Option<PathBuf>,
 
     /// How to print the report
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(crate) format: CheckFormat,
 
-    /// Also write NAME-check.txt, .md and .json into this directory
+    /// Also write NAME-check.html, .txt, .md, .tex, .json, .svg and .xml (JUnit) into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct SiteArgs {
+    /// The directory, which is made if need be; nothing in it that kane did not write is replaced
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+}
+
+/// How the report on a log is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CheckFormat {
+    /// for people: the news, then a line each
+    Text,
+    /// for programs; the schemas are in docs
+    Json,
+    /// for the web
+    Markdown,
+    /// for continuous integration: each check as a test of JUnit's XML
+    Junit,
 }
 
 /// How a report is printed.

@@ -16,7 +16,7 @@ use super::{Outcome, bad_input, deliver, labels, output};
 
 /// Two figures for the paper, drawn beforehand: `docs/figures`, which the tests draw anew. With all of
 /// them the page would be above a megabyte.
-const PICTURES: [Picture; 2] = {
+pub(super) const PICTURES: [Picture; 2] = {
     macro_rules! picture {
         ($stem:literal, $title:literal) => {
             Picture {
@@ -30,6 +30,9 @@ const PICTURES: [Picture; 2] = {
         picture!("energy-map", "at which friction and restitution laws create energy"),
     ]
 };
+
+/// Where the paper's question is answered as a whole.
+const POINTER: &str = "docs/verdict.md answers Kane's puzzle on one page";
 
 /// Runs the verb.
 pub(super) fn run(args: &AuditArgs) -> Outcome {
@@ -59,14 +62,17 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         let chosen = (!wanted.is_empty()).then(|| {
             wanted.iter().flat_map(|label| labels::find(&document, label)).collect::<Vec<_>>()
         });
-        audits.push((input, judge(document, chosen.as_deref(), args.budget), chosen));
+        audits.push((input, judge(document, chosen.as_deref(), args), chosen));
     }
     let (inputs, reports): (Vec<&Input>, Vec<Report<'_>>) = audits
         .iter()
         .filter(|(_, _, chosen)| chosen.as_ref().is_none_or(|indices| !indices.is_empty()))
         .map(|(input, audit, chosen)| {
             let report = Report::new(audit, command(input, args));
-            let report = if input.is_paper() { report.with_pictures(&PICTURES) } else { report };
+            let report = match input.is_paper() {
+                true => report.with_pictures(&PICTURES).with_pointer(POINTER),
+                false => report,
+            };
             (*input, chosen.iter().fold(report, |report, indices| report.only(indices)))
         })
         .unzip();
@@ -80,11 +86,12 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         .zip(&answers)
         .map(|(report, judges)| report.with_judges(judges))
         .collect();
-    let shown = || match args.explain {
-        Some(_) => explanations(&reports),
-        None => print(&reports, args.format),
+    let shown = || match args.explain.is_empty() {
+        true => print(&reports, args.format),
+        false => explanations(&reports),
     };
-    let paths: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+    let named = args.files.iter().filter(|file| file.as_os_str() != "-");
+    let paths: Vec<&Path> = named.map(PathBuf::as_path).collect();
     let files = || Ok(files(&inputs, &reports));
     if let Err(outcome) = deliver(args.out.as_deref(), &paths, files, shown) {
         return outcome;
@@ -156,9 +163,9 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 }
 
 /// Judges the document, or of it only what is asked for and what that cites.
-fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> Audit {
+fn judge(document: Document, chosen: Option<&[usize]>, args: &AuditArgs) -> Audit {
     let mut options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
-    if let Some(fuel) = budget {
+    if let Some(fuel) = args.budget {
         let whole = options.budget;
         options.budget.fuel = fuel;
         // states and functions in the same measure
@@ -167,6 +174,7 @@ fn judge(document: Document, chosen: Option<&[usize]>, budget: Option<u64>) -> A
         options.budget.squares = part(whole.squares);
         options.budget.functions = part(whole.functions as u64).try_into().unwrap_or(usize::MAX);
     }
+    options.budget = options.budget.times(args.effort.unwrap_or(1));
     let mut progress = Progress::new();
     kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
 }
@@ -176,6 +184,9 @@ fn command(input: &Input, args: &AuditArgs) -> String {
     let mut command = input.command.clone();
     if let Some(budget) = args.budget {
         command.push_str(&format!(" --budget {budget}"));
+    }
+    if let Some(effort) = args.effort {
+        command.push_str(&format!(" --effort {effort}"));
     }
     for label in &args.only {
         command.push_str(" --only ");
@@ -225,7 +236,7 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
         }
         let claims = claims(report);
         let lemmas = judges::coq::file(&claims).text();
-        files.push(Written::question(format!("{}.v", library(&input.stem)), &lemmas));
+        files.push(Written::question(format!("{}.v", judges::coq::library(&input.stem)), &lemmas));
         for (name, question) in judges::smt::questions(&claims) {
             let path = Path::new(&input.stem).join(format!("{name}.smt2"));
             files.push(Written::question(path, &question.text));
@@ -234,17 +245,13 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
     files
 }
 
-/// A stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.
-fn library(stem: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-    let name: String = stem.chars().map(plain).collect();
-    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("_{name}") } else { name }
-}
-
 /// A name that two documents share, at least as libraries.
 fn twin(inputs: &[Input]) -> Option<&str> {
     let mut seen = BTreeSet::new();
-    inputs.iter().map(|input| input.stem.as_str()).find(|stem| !seen.insert(library(stem)))
+    inputs
+        .iter()
+        .map(|input| input.stem.as_str())
+        .find(|stem| !seen.insert(judges::coq::library(stem)))
 }
 
 /// How the run ends.

@@ -1,7 +1,5 @@
 //! `kane chart`: speed against accuracy, growth, and the figures.
 
-use std::fs;
-
 use kane::measure::chart::{Effort, chart};
 use kane::measure::growth::growth;
 use kane::report::chart::{self as digits, ChartReport};
@@ -10,6 +8,7 @@ use kane::report::growth::{self as size, GrowthReport};
 
 use super::args::ChartArgs;
 use super::delivery::Written;
+use super::machine::machine;
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, forms};
 
@@ -77,20 +76,4 @@ fn figures(args: &ChartArgs) -> Result<(), Outcome> {
         Ok(files)
     };
     deliver(args.out.as_deref(), &[], files, || drawn::text(&figures))
-}
-
-/// The processor as far as it says, how many there are, and how the program was compiled.
-fn machine() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = info
-        .lines()
-        .find_map(|line| line.strip_prefix("model name"))
-        .map(|rest| rest.trim_start_matches([' ', '\t', ':']).trim().to_owned());
-    let model = model.unwrap_or_else(|| "processor unknown".to_owned());
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let fused = if cfg!(target_feature = "fma") { "with fused multiply-add" } else { "no fma" };
-    let build = if cfg!(debug_assertions) { "unoptimised build" } else { "release build" };
-    let (os, arch) = (std::env::consts::OS, std::env::consts::ARCH);
-    let compiler = env!("KANE_RUSTC");
-    format!("{model}, {cores} cores, {os} {arch}, {fused}; {compiler}, {build}")
 }

@@ -10,9 +10,12 @@ use kane::records::format::Format as Numbers;
 use kane::records::reader::Kind;
 use kane::records::study::{Options, Study, study};
 use kane::records::{replay, sweep};
-use kane::report::records::{RecordsReport, compared_json, compared_text, json, schema, sheet};
+use kane::report::records::{
+    RecordsReport, compared_json, compared_junit, compared_text, json, junit, schema, sheet,
+};
 
-use super::args::{CheckArgs, Format};
+use super::args::{CheckArgs, CheckFormat, Format};
+use super::delivery::Written;
 use super::input::quoted;
 use super::{Outcome, bad_input, deliver, forms, output};
 
@@ -46,9 +49,19 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
     }
     let report = RecordsReport { study: &study, log: &name, command: &command };
     let sheet = sheet(&report);
-    let shown = || forms::printed(args.format, &sheet, || json(&report));
+    let printed = |format| forms::printed(format, &sheet, || json(&report));
+    let shown = || match args.format {
+        CheckFormat::Text => printed(Format::Text),
+        CheckFormat::Json => printed(Format::Json),
+        CheckFormat::Markdown => printed(Format::Markdown),
+        CheckFormat::Junit => junit(&report),
+    };
     let stem = log.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let files = || Ok(forms::files(&format!("{stem}-check"), &sheet, json(&report)));
+    let files = || {
+        let mut files = forms::files(&format!("{stem}-check"), &sheet, json(&report));
+        files.push(Written::picture(format!("{stem}-check.xml"), &junit(&report)));
+        Ok(files)
+    };
     if let Err(outcome) = deliver(args.out.as_deref(), &[log], files, shown) {
         return outcome;
     }
@@ -165,8 +178,9 @@ fn baseline(
     let comparison = compare(&before, new);
     let names = [old.display().to_string(), name.to_owned()];
     let shown = match args.format {
-        Format::Json => compared_json(&comparison, &names),
-        Format::Text | Format::Markdown => compared_text(&comparison, &names),
+        CheckFormat::Json => compared_json(&comparison, &names),
+        CheckFormat::Junit => compared_junit(&comparison, &names),
+        CheckFormat::Text | CheckFormat::Markdown => compared_text(&comparison, &names),
     };
     match output::to_stdout(&shown) {
         Err(error) => bad_input(&format!("cannot print: {error}")),

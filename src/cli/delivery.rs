@@ -50,7 +50,7 @@ impl Written {
         Self { path: path.into(), text: printable(&text).into_owned() }
     }
 
-    /// A picture that does not say in its drawing where it comes from.
+    /// A picture, or other XML, that does not say in itself where it comes from.
     pub(super) fn picture(path: impl Into<PathBuf>, svg: &str) -> Self {
         Self::new(path, format!("{}\n<!-- {} -->\n", svg.trim_end(), mark()))
     }
@@ -215,6 +215,7 @@ fn is_own(path: &Path, there: &[u8], new: &str) -> bool {
         _ if there == new => true,
         "csv" => lines(1),
         "svg" => has_mark(there, ">\nkane ") || has_mark(last, "by kane ") || lines(5),
+        "xml" => has_mark(last, "by kane "),
         "md" | "txt" => has_mark(&format!("\n{}", last.trim_start_matches('`')), "\nkane "),
         "html" => has_mark(there, "<meta name=\"generator\" content=\"kane "),
         "tex" => has_mark(there, "\\footnotesize kane "),
@@ -289,6 +290,7 @@ mod tests {
             ("a.csv", "law,finding\n3,4\n"),
             ("a.svg", "<svg>\n<text>\nkane 0.1.0: kane laws\n</text>\n</svg>\n"),
             ("a.svg", "<svg>\n</svg>\n<!-- written by kane 0.1.0 -->\n"),
+            ("a.xml", "<testsuites>\n</testsuites>\n<!-- written by kane 0.1.0 -->\n"),
             ("a.v", "(* written by kane 0.1.0 *)\n"),
             ("a.smt2", "; written by kane 0.1.0\n(check-sat)\n"),
         ] {
@@ -305,6 +307,7 @@ mod tests {
             ("a.csv", "time,speed\n"),
             ("a.csv", ""),
             ("a.svg", "<svg>\n</svg>\n"),
+            ("a.xml", "<testsuites>\n</testsuites>\n"),
             ("a.v", "Lemma mine : True.\n"),
             ("a.smt2", "(check-sat)\n"),
             ("a", "kane 0.1.0: kane"),

@@ -1,13 +1,16 @@
 //! The documents that the command line names.
 
 use std::fs::File;
-use std::io::{self, Read as _};
-use std::path::PathBuf;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
 
 /// The paper, carried along so that an installed program needs no checkout.
 const PAPER: &str = include_str!("../../docs/derivations/oblique-collision.md");
 /// Where the paper stands in a checkout.
 const PAPER_NAME: &str = "oblique-collision.md";
+
+/// What standard input is called in messages.
+const STANDARD_INPUT: &str = "standard input";
 
 /// The bytes of a document and what to call it.
 pub(super) struct Input {
@@ -40,15 +43,26 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
     }
     let mut inputs = Vec::new();
     let mut errors = Vec::new();
-    for file in files {
+    for (at, file) in files.iter().enumerate() {
+        let piped = is_standard_input(file);
+        let name = if piped { STANDARD_INPUT.to_owned() } else { file.display().to_string() };
+        if piped && files.iter().take(at).any(|other| is_standard_input(other)) {
+            errors.push("`-` is standard input, which can be read once".to_owned());
+            continue;
+        }
+        let stem = if piped {
+            "stdin".to_owned()
+        } else {
+            file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+        };
         match load(file) {
             Ok(bytes) => inputs.push(Input {
-                name: file.display().to_string(),
-                stem: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+                name,
+                stem,
                 command: format!("kane audit {}", quoted(&file.display().to_string())),
                 bytes,
             }),
-            Err(error) => errors.push(format!("cannot read {}: {error}", file.display())),
+            Err(error) => errors.push(format!("cannot read {name}: {error}")),
         }
     }
     (inputs, errors)
@@ -58,8 +72,15 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
 fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let limit = u64::try_from(kane::audit::MAX_FILE_BYTES).unwrap_or(u64::MAX).saturating_add(1);
-    File::open(file)?.take(limit).read_to_end(&mut bytes)?;
+    let source: Box<dyn Read> =
+        if is_standard_input(file) { Box::new(io::stdin()) } else { Box::new(File::open(file)?) };
+    source.take(limit).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// Whether a file is written as `-`. A file of that name is `./-`.
+fn is_standard_input(file: &Path) -> bool {
+    file.as_os_str() == "-"
 }
 
 /// The word as a shell takes it.

@@ -89,7 +89,7 @@ fn explained(matrix: &Matrix) -> String {
 }
 
 /// What each law says and how it is known, for the page.
-const LAWS: &str = include_str!("../../docs/laws.md");
+pub(super) const LAWS: &str = include_str!("../../docs/laws.md");
 
 /// The report in every form, with the page that the matrix has, and the picture with its data.
 fn files(report: &MatrixReport<'_>, sheet: &Sheet<'_>) -> Vec<Written> {

@@ -12,9 +12,11 @@ mod help;
 mod input;
 mod labels;
 mod laws;
+mod machine;
 mod output;
 mod progress;
 mod scene;
+mod site;
 mod stability;
 
 use std::io;
@@ -62,6 +64,7 @@ pub(crate) fn run() -> ExitCode {
         Verb::Stability(args) => stability::run(&args),
         Verb::Scene(args) => scene::run(&args),
         Verb::Check(args) => check::run(&args),
+        Verb::Site(args) => site::run(&args),
     };
     outcome.into()
 }

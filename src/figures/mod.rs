@@ -7,9 +7,12 @@ pub mod experiment;
 mod model_error;
 mod over_alpha;
 mod puzzle_map;
+mod times;
 
 use kane_impact::compliant::NoOutcome;
 use kane_report::figures::{Axis, Figure};
+
+pub use times::{Times, timed};
 
 /// The tables behind the last two figures, as CSV. To compute them takes half a minute, so that the
 /// program carries them with it.

@@ -18,6 +18,7 @@ pub(super) fn figure(table: &str) -> Figure {
             .iter()
             .filter_map(|row| Some((*row.first()?, row.get(column).copied())))
             .collect(),
+        bars: Vec::new(),
         decimals: 4,
     };
     // alpha and k itself are no differences

@@ -152,6 +152,7 @@ fn figure(
             names: curve.laws.iter().map(|id| (*id).to_owned()).collect(),
             kind: Kind::Law,
             points: alphas.iter().copied().zip(curve.ratios.iter().map(value)).collect(),
+            bars: Vec::new(),
             decimals: 6,
         });
     }
@@ -160,12 +161,18 @@ fn figure(
         names: vec!["maw-barber-fawcett, with the materials of the experiment".to_owned()],
         kind: Kind::Process,
         points: half_space.ratios.iter().map(of_process).collect(),
+        bars: Vec::new(),
         decimals: 4,
     });
+    let bar = |point: &Point| {
+        let [a, b] = point.ends().map(|end| (quantity.of_point)(&end));
+        (a - b).abs() / 2.0
+    };
     series.extend(observed.iter().map(|observed| Series {
         names: vec![observed.name.to_owned()],
         kind: Kind::Measured,
         points: observed.points.iter().map(|p| (p.alpha, Some((quantity.of_point)(p)))).collect(),
+        bars: observed.points.iter().map(bar).collect(),
         decimals: 4,
     }));
     let zone = |name: &str, borders: &[Edge]| Zone {
@@ -207,6 +214,11 @@ fn notes(laws: &OverAlpha, half_space: &HalfSpace, beyond: usize) -> Vec<String>
         "A sphere on a plane: α = j_p·μ·(1 + e)·v_n/(2·v_t). Laws have their default parameters; those that coincide share a line.".to_owned(),
         "A line ends where its law has no answer: brach's, which depends on all of the energy, here for e = 0.".to_owned(),
         "Measured: Kharaz, Gorham and Salman (2001), spheres of alumina on glass, e = 0.98, μ = 0.092, as digitised by others; weak at both ends.".to_owned(),
+        format!(
+            "Bars: what {}% of the measured quantity does. The source as digitised tells no errors; two hands read one figure up to {:.1}% apart.",
+            100.0 * experiment::READING,
+            100.0 * experiment::hands_differ(),
+        ),
         format!("The half-space is fitted to nothing; the estimated error of its k is below {}.", ceiling(half_space.error)),
     ];
     if !laws.without.is_empty() {

@@ -2,6 +2,10 @@
 
 use kane_report::figures::{Axis, Content, Figure, Panel, Stretch};
 
+/// Kane's body, and μ and e that are quoted as his.
+const PENDULUM: &str = "double pendulum";
+const KANES: [(f64, f64); 2] = [(0.5, 0.5), (0.5, 0.7)];
+
 pub(super) fn figure(table: &str) -> Figure {
     let mut panels: Vec<Panel> = Vec::new();
     for row in super::rows(table).skip(1) {
@@ -13,13 +17,27 @@ pub(super) fn figure(table: &str) -> Figure {
         let stretch = Stretch { y: super::number(e), from: super::number(from), to };
         match panels.iter_mut().find(|panel| panel.case == case) {
             Some(panel) => panel.stretches.push(stretch),
-            None => panels.push(Panel { case, stretches: vec![stretch] }),
+            None => {
+                let marks = if case[0] == PENDULUM { KANES.to_vec() } else { Vec::new() };
+                let is_marked = kane_impact::law(law).is_some_and(|law| law.info.caveat.is_some());
+                panels.push(Panel { case, stretches: vec![stretch], marks, is_marked });
+            }
         }
     }
     let mut notes = vec![
         "A bar is where energy grows, at one e each; μ was searched up to 2. Signs are exact; a stretch shorter than the step of 1/25 may be missed.".to_owned(),
         "Double pendulum: two equal rods, tan(q₁/2) = 3/17, tan(q₂/2) = 4/15, q̇ = (−0.1, −0.2). Rod tip: half-tangent 1/2, v = (−1, −1), no spin.".to_owned(),
     ];
+    notes.push(format!(
+        "Rings: μ and e that the literature quotes as Kane's, {}.",
+        KANES.map(|(mu, e)| format!("({mu}, {e})")).join(" and ")
+    ));
+    for law in kane_impact::laws() {
+        let is_drawn = panels.iter().any(|panel| panel.case[1] == law.info.id);
+        if let (true, Some(caveat)) = (is_drawn, law.info.caveat) {
+            notes.push(format!("† {}: {caveat}.", law.info.id));
+        }
+    }
     let mut bodies: Vec<&String> = panels.iter().map(|panel| &panel.case[0]).collect();
     bodies.dedup();
     for body in bodies {

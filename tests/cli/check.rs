@@ -129,6 +129,65 @@ fn every_form_is_written_and_two_runs_agree() {
         read("md").expect("it was written"),
         kane(&["check", &log, "--format", "markdown"]).stdout
     );
+    let page = read("html").expect("it was written");
+    let drawn = |name: &str| fs::read_to_string(out.join(format!("log-check-{name}.svg")));
+    let picture = drawn("k-over-alpha").expect("it was drawn");
+    assert!(picture.contains("<title>The tangential velocity ratio") && page.contains("<svg"));
+    // what happens in every row needs no picture of where
+    assert!(drawn("energy").is_err() && drawn("e-over-phase").is_err());
+}
+
+/// How many times a text has a part.
+fn count(text: &str, part: &str) -> usize {
+    text.matches(part).count()
+}
+
+#[test]
+fn every_check_is_a_test_for_continuous_integration() {
+    let dir = scratch("check-junit");
+    let (whole, first) =
+        (log(&dir, "whole.csv", Bound::Whole), log(&dir, "first.csv", Bound::Compression));
+    let run = kane(&["check", &first, "--format", "junit"]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    // ten checks, the rows and the units; one fails, and two have nothing to ask
+    for part in [
+        "<testsuites name=\"kane check\" tests=\"12\" failures=\"1\" errors=\"0\">",
+        "skipped=\"2\">",
+    ] {
+        assert!(run.stdout.contains(part), "{part}: {}", run.stdout);
+    }
+    assert_eq!(count(&run.stdout, "<testcase "), 12);
+    assert_eq!((count(&run.stdout, "<failure "), count(&run.stdout, "<skipped/>")), (1, 2));
+    let at = run.stdout.find("name=\"sticks: ").expect("it is one of them");
+    assert!(run.stdout[at..].contains("<failure message=\"FAILS in "), "{}", run.stdout);
+    assert!(run.stdout.contains("mu*p_n/(1 + e)"), "the sentence is there: {}", run.stdout);
+
+    let out = dir.join("out");
+    kane(&["check", &first, "--out", out.to_str().expect("UTF-8")]);
+    let file = fs::read_to_string(out.join("first-check.xml")).expect("it was written");
+    assert_eq!(
+        file.strip_suffix(&format!("\n<!-- written by kane {} -->\n", env!("CARGO_PKG_VERSION"))),
+        Some(run.stdout.trim_end())
+    );
+    // a second run knows the file as its own
+    let again = kane(&["check", &first, "--out", out.to_str().expect("UTF-8")]);
+    assert_eq!((again.code, &*again.stderr), (1, ""));
+
+    let worse = kane(&["check", &first, "--baseline", &whole, "--format", "junit"]);
+    assert_eq!(worse.code, 1, "{}", worse.stdout);
+    assert!(worse.stdout.contains("name=\"friction: "), "{}", worse.stdout);
+    assert!(count(&worse.stdout, "<failure ") >= 2, "{}", worse.stdout);
+    let same = kane(&["check", &whole, "--baseline", &whole, "--format", "junit"]);
+    assert_eq!((same.code, count(&same.stdout, "<failure ")), (0, 0), "{}", same.stdout);
+}
+
+#[test]
+fn a_name_that_xml_cannot_bear_is_written_otherwise() {
+    let dir = scratch("check-junit-name");
+    let log = log(&dir, "a<b>&\"c\u{1}.csv", Bound::Whole);
+    let run = kane(&["check", &log, "--format", "junit"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("a&lt;b&gt;&amp;&quot;c\u{fffd}.csv"), "{}", run.stdout);
 }
 
 #[test]

@@ -172,6 +172,34 @@ fn without_friction_the_slip_stays_and_k_is_1() {
     }
 }
 
+/// In JSON an exact value is a fraction in full, near the float beside it; what has a root in it has
+/// digits alone.
+#[test]
+fn exact_values_have_one_form() {
+    let run = kane(&["collide", "docs/collisions/rod-tip.toml", "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    let (mut fractions, mut roots) = (0, 0);
+    for law in report["laws"].as_array().expect("a list") {
+        for quantity in law["outcome"]["quantities"].as_array().into_iter().flatten() {
+            match (quantity["exact"].as_str(), quantity["float"].as_f64()) {
+                (Some(exact), Some(float)) => {
+                    let exact = kane::number::parse(exact).expect("a fraction");
+                    let near: f64 =
+                        kane::number::encode(&exact, kane::number::Rounding::NearestEven);
+                    assert_eq!(near, float, "{quantity}");
+                    fractions += 1;
+                }
+                (None, Some(_)) => {
+                    assert!(quantity["digits"].is_string(), "{quantity}");
+                    roots += 1;
+                }
+                (_, None) => {}
+            }
+        }
+    }
+    assert!(fractions > 50 && roots > 5, "{fractions} {roots}");
+}
+
 #[test]
 fn y_points_away_from_the_plane_in_flags_and_files() {
     let dir = scratch("collide-signs");

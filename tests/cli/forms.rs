@@ -1,5 +1,7 @@
 //! What is printed: formats, selections, explanations; the same bytes every time.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::{command, document, finish, kane, scratch};
@@ -10,6 +12,19 @@ fn the_news_come_first() {
     let news = run.stdout.lines().nth(1).expect("there is a second line");
     assert!(news.starts_with("29 equations, "), "{news}");
     assert!(news.contains("; refuted as printed: (1)"), "{news}");
+}
+
+#[test]
+fn the_paper_ends_with_where_its_question_is_answered() {
+    let pointer = |output: &str| {
+        let line = output.lines().rev().nth(1).unwrap_or_default();
+        line.split_once(" answers ").map(|(page, _)| page.to_owned())
+    };
+    let page = pointer(&kane(&["audit"]).stdout).expect("a line before the last");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+    assert!(std::fs::read_to_string(page).is_ok_and(|text| text.contains("# Kane's puzzle")));
+    let other = kane(&["audit", "docs/derivations/bouncing-ball.md"]);
+    assert_eq!(pointer(&other.stdout), None);
 }
 
 #[test]
@@ -99,6 +114,39 @@ fn an_explanation_ends_in_what_the_kernel_accepted() {
     assert!(run.stdout.starts_with("claim (16): "), "{}", run.stdout);
     assert!(run.stdout.contains("the kernel accepted certificate"), "{}", run.stdout);
     assert!(run.stdout.contains("rests on"), "{}", run.stdout);
+}
+
+#[test]
+fn explanations_of_several_statements_follow_each_other() {
+    let run = kane(&["audit", "--explain", "16", "--explain", "(9)"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let [first, second] = ["claim (9): ", "claim (16): "].map(|head| run.stdout.find(head));
+    assert!(first.is_some() && second.is_some(), "{}", run.stdout);
+}
+
+#[test]
+fn a_document_comes_from_standard_input_too() {
+    let dir = scratch("stdin");
+    let path = document(&dir, "a.md", "var x\nclaim a: |x|² >= 0");
+    let out = dir.join("out");
+    let piped = |arguments: &[&str]| {
+        let file = std::fs::File::open(&path).expect("it was written just now");
+        finish(command().args(arguments).stdin(file).output().expect("the program starts"))
+    };
+    let run = piped(&["audit", "-", "--out", &out.to_string_lossy()]);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("1 claim"), "{}", run.stdout);
+    assert!(out.join("stdin.html").exists());
+    let twice = piped(&["audit", "-", "-"]);
+    assert_eq!((twice.code, twice.stdout.as_str()), (2, ""), "{}", twice.stderr);
+    assert!(twice.stderr.contains("can be read once"), "{}", twice.stderr);
+    // `-` is no file, so a wrong document names where it came from
+    let bad = document(&dir, "bad.md", "var x\nclaim a: x >");
+    let file = std::fs::File::open(bad).expect("it was written just now");
+    let run =
+        finish(command().args(["audit", "-"]).stdin(file).output().expect("the program starts"));
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("--> standard input:"), "{}", run.stderr);
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
 mod scene; // scenes: models, files, exit codes
+mod site; // the site
 mod stability; // stability and chart
 
 use std::path::{Path, PathBuf};

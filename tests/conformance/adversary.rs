@@ -42,12 +42,33 @@ fn no_wrong_verdict_of_old_comes_back() {
 }
 
 #[test]
+fn no_verdict_on_derivatives_of_functions_is_wrong() {
+    let claims = many(300).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
+    if let Some(output) = adversary("motion.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+        assert!(printed.contains("true proved") && printed.contains("false refuted"), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_a_random_claim_is_wrong() {
     let claims = many(CLAIMS).to_string();
     // where z3 is not installed the script says what it leaves out; the gate asks for it
     installed("z3");
     let arguments = ["--kane", env!("CARGO_BIN_EXE_kane"), "--claims", &claims];
     if let Some(output) = adversary("run.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains("wrong: 0"), "{printed}");
+    }
+}
+
+#[test]
+fn no_verdict_on_a_limit_with_roots_is_wrong() {
+    let arguments = ["--kane", env!("CARGO_BIN_EXE_kane"), "--claims", "100", "--certificates"];
+    let arguments = [&arguments[..], &["--budget", "1000000"]].concat();
+    if let Some(output) = adversary("radicals.py", &arguments) {
         let printed = succeeded(&output);
         assert!(printed.contains("wrong: 0"), "{printed}");
     }

@@ -163,6 +163,7 @@ fn link(document: &Document, label: &str, number: usize, verdict: Verdict) -> Li
         accepted: decided.then(|| Rc::new(accepted(goal, finding, Evidence::Limit(Vec::new())))),
         explanation: if decided { told.into() } else { kane::audit::Explanation::default() },
         behind: None,
+        attempt: None,
         open: (!decided).then_some(Open::Steps(10_000)),
         unreached: None,
     }

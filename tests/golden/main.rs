@@ -13,6 +13,8 @@ mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod rounding; // the scripts that bound rounding errors
 mod scene; // the shipped scenes, and where methods fail
+mod schema; // the JSON Schemas, and that reports are as they say
+mod site; // the site: its index, its links
 mod stability; // where the formulas of the paper fail
 
 /// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.

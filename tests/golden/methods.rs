@@ -1,15 +1,40 @@
 //! The committed table of errors and counted costs. Times are in no table that is compared.
 
+use kane::figures::timed;
 use kane::measure::chart::table;
 use kane::number::System;
 use kane::report::Page;
-use kane::report::chart::{ChartReport, committed, csv, json, sheet};
+use kane::report::chart::{ChartReport, committed, csv, json, sheet, speed_accuracy};
 
 use crate::assert_kept;
 
 #[test]
 fn the_committed_methods_are_the_program_s() {
     assert_kept("docs/data/methods.csv", &committed(&table()));
+}
+
+/// The times are kept, so that the figure is the same in every run, on whatever machine.
+#[test]
+fn the_figure_of_speed_and_accuracy_is_that_of_the_kept_times() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/data/times.csv");
+    let kept = timed(table(), &std::fs::read_to_string(path).expect("they are kept"));
+    let without = kept.methods.iter().filter(|one| one.time.is_none()).count();
+    assert_eq!(without, 0, "every method has a time; take them anew with --times");
+    let report = ChartReport {
+        all: &kept.methods,
+        machine: kept.machine.clone(),
+        command: "kane chart".to_owned(),
+    };
+    let drawn = speed_accuracy(&report);
+    assert_kept("docs/figures/speed-accuracy.svg", &drawn);
+    // a method that is slower is elsewhere
+    let mut slower = kept.methods.clone();
+    for one in &mut slower {
+        if let Some(time) = one.time.as_mut().filter(|_| one.method.name == "(16)") {
+            time.median *= 10;
+        }
+    }
+    assert_ne!(speed_accuracy(&ChartReport { all: &slower, ..report }), drawn);
 }
 
 /// What Gappa proves of all inputs holds of those that were measured, and each has the other beside it.

@@ -33,9 +33,14 @@ fn every_shipped_scene_is_answered_and_drawn() {
         "discs",
         "double-pendulum",
         "paper-sphere",
+        "putt",
         "rest",
         "rod-jam",
+        "squeezed",
         "superball",
+        "superball-groove",
+        "table-tennis",
+        "tennis-clay",
         "two-spheres",
     ];
     for name in names {

@@ -2,9 +2,9 @@
 
 use kane::measure::{Stability, examine};
 use kane::report::Page;
-use kane::report::stability::{StabilityReport, csv, json, picture, sheet};
+use kane::report::stability::{StabilityReport, csv, json, picture, sheet, strips_picture};
 
-use crate::settings;
+use crate::{assert_kept, settings};
 
 fn paper() -> Stability {
     let bytes = include_bytes!("../../docs/derivations/oblique-collision.md");
@@ -36,4 +36,5 @@ fn the_table_of_the_paper() {
         svg.contains("f32 above f64") && svg.contains("log2 alpha") && svg.contains("digits lost")
     );
     assert_eq!(svg, picture(&report), "the same in every run");
+    assert_kept("docs/figures/formula-failures.svg", &strips_picture(&report));
 }

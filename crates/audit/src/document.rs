@@ -7,6 +7,7 @@ use kane_kernel::{Context, Expr, Sentence};
 use sha2::{Digest as _, Sha256};
 
 use crate::Verdict;
+use crate::motion::Motion;
 
 /// A derivation document that was read without error.
 #[derive(Clone, Debug)]
@@ -21,6 +22,7 @@ pub struct Document {
     pub context: Context,
     /// `let`, `given` and `claim` in the order of the text
     pub statements: Vec<Statement>,
+    pub(crate) motion: Motion,
     pub(crate) digest: String,
 }
 
@@ -50,6 +52,8 @@ pub struct Parts {
     pub when: Option<Range<usize>>,
     /// `from …`
     pub from: Option<Range<usize>>,
+    /// `using …`
+    pub using: Option<Range<usize>>,
     /// `by …`
     pub by: Option<Range<usize>>,
     /// `expect …`
@@ -84,6 +88,9 @@ pub struct Claim {
     pub when: Vec<kane_kernel::Relation>,
     /// indices of the cited statements, as cited
     pub from: Vec<usize>,
+    /// expressions whose squares and products with premises are to be tried, and whose sign tells
+    /// cases; hints to the search, never trusted
+    pub using: Vec<Expr>,
     /// values or functions proposed as a witness: symbol and expression
     pub by: Vec<(usize, Expr)>,
     /// the verdict that the author expects; `Proved` where nothing is written

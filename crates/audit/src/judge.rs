@@ -8,10 +8,10 @@ use kane_kernel::{
     Sentence, Side, Target,
 };
 
-use crate::prove::{Budget, Decided, Prover, Verdicts};
+use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
     Accepted, Audit, Behind, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement,
-    Unreached, Verdict, explain,
+    Open, Unreached, Verdict, explain,
 };
 
 /// What to judge, and with how much effort.
@@ -205,6 +205,8 @@ fn judge(
             sentence.map(Conclusion::NotImplied).into_iter().collect()
         }
     };
+    let using: Vec<Expr> =
+        claim.using.iter().filter_map(|e| expanded(e, &document.context)).collect();
     let mut links = Vec::new();
     let (mut met, mut vacuous) = (None, false);
     for conclusion in conclusions {
@@ -225,13 +227,17 @@ fn judge(
         };
         let prover = Prover {
             budget: options.budget,
+            using: &using,
             by: &claim.by,
             earlier,
             cited: hypotheses.len(),
             resting: &resting,
         };
         // The hypotheses are the same for all links: whether they can hold is found once.
-        let found = prover.judge(&goal, links.is_empty() || vacuous);
+        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
+        let ids = [&cited[..], &further].concat();
+        let complete = found.behind_met || behind.is_empty();
+        only_motions(document, (&resting, &ids), complete, &mut found);
         let unreached = found.unreached.as_ref();
         let unreached =
             unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
@@ -251,6 +257,30 @@ fn judge(
         hypotheses: cited,
         met,
         expect: claim.expect,
+    }
+}
+
+/// Where derivatives of functions are spoken of, keeps a model only if functions pass through it for
+/// which the premises hold for all points.
+fn only_motions(
+    document: &Document,
+    (resting, ids): (&Goal, &[usize]),
+    complete: bool,
+    found: &mut Verdicts,
+) {
+    let motion = &document.motion;
+    if !motion.concerns(resting) {
+        return;
+    }
+    // what is behind and cannot be held against a point has no hypothesis
+    let all = resting.hypotheses.len() == ids.len();
+    let met = |evidence: &Evidence| all && motion.is_met(resting, ids, evidence);
+    found.model = found.model.take().filter(|model| met(&Evidence::Model(model.clone())));
+    let model = |decided: &&Decided| matches!(decided.certificate.evidence, Evidence::Model(_));
+    let unmet = |decided: &Decided| !(complete && met(&decided.certificate.evidence));
+    if found.decided.as_ref().filter(model).is_some_and(unmet) {
+        found.decided = None;
+        found.open = Some(Open::Motion);
     }
 }
 
@@ -313,10 +343,12 @@ fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts)
         explanation: Explanation::default(),
         behind: None,
         open: None,
+        attempt: None,
         unreached: None,
     };
     let Some(Decided { certificate, grounds }) = found.decided else {
-        return LinkJudgement { open: found.open, ..undecided };
+        let attempt = explain::attempt(goal, found.attempt);
+        return LinkJudgement { open: found.open, attempt, ..undecided };
     };
     let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
     let used = explain::used(whose, &grounds, cited.len());

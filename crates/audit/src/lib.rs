@@ -6,6 +6,7 @@ mod document;
 mod explain;
 mod goal;
 mod judge;
+mod motion;
 mod open;
 mod prove;
 mod reader;

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use kane_kernel::{Approach, Rejection};
+use kane_kernel::{Approach, Atom, Rejection};
+
+use crate::Variable;
 
 pub use crate::argument::Flaw;
 
@@ -22,6 +24,8 @@ pub enum Open {
     Unwritten(Flaw),
     /// a certificate was found and not accepted
     Rejected(Rejection),
+    /// a point was found, but not shown to be one of functions for which the premises hold for all t
+    Motion,
 }
 
 impl fmt::Display for Open {
@@ -35,11 +39,50 @@ impl fmt::Display for Open {
             Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
             Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
             Self::Rejected(why) => write!(f, "a certificate was found but not accepted: {why}"),
+            Self::Motion => f.write_str(
+                "it fails for some values of the functions and their derivatives, but whether functions \
+                 have them for which the premises hold for all points is not known; premises may be \
+                 differentiated, as in `from d(law, t)`",
+            ),
         }
     }
 }
 
 impl std::error::Error for Open {}
+
+/// A way to a proof or to a witness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Method {
+    /// the line of one variable, cut at all roots
+    SignTables,
+    /// squares and products of the expressions behind `using`, and the cases of their signs
+    Hints,
+    /// sums of multiples of the conditions
+    Combinations,
+    /// sums of products of conditions and simple squares
+    Products,
+    /// sums of squares times products of conditions
+    Squares,
+    /// the ideal of the equations
+    Ideals,
+    /// boxes on which the signs of coefficients tell
+    Boxes,
+    /// points: simple values, boundaries and where they meet
+    Points,
+}
+
+/// What was tried in vain for a link, and what it came to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Attempt {
+    /// what was tried
+    pub tried: Vec<Method>,
+    /// what the variables of the conditions left open stand for
+    pub variables: Vec<Variable>,
+    /// the smallest conditions for which neither a contradiction nor a point was found; none where
+    /// the search ended before it came to any
+    pub left: Vec<Atom>,
+}
 
 /// A given that was not shown to be able to hold near a limit.
 #[derive(Clone, Debug, PartialEq, Eq)]

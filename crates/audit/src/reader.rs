@@ -3,7 +3,7 @@
 //! Fenced blocks tagged `kane` hold statements. A statement begins at the margin of its block and
 //! goes on over the indented lines that follow; `#` starts a comment, which ends with its line; a line
 //! ends at LF, CR or CRLF; the clauses of a claim come
-//! in the order `as`, `when`, `from`, `by`, `expect`. Three decisions that the language page leaves
+//! in the order `as`, `when`, `from`, `using`, `by`, `expect`. Three decisions that the language page leaves
 //! open:
 //!
 //! - A label is what stands between parentheses on one line, or a word of letters, digits and
@@ -11,15 +11,18 @@
 //! - A definition may be cited, to no effect: definitions are known everywhere.
 //! - `contradiction` and `not implied` take a `when` too.
 
+mod angle;
 mod blocks;
 mod citation;
+mod differentiation;
 mod label;
 mod statement;
 mod symbol;
 mod tie;
+mod wanted;
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use kane_algebra::syntax::{
@@ -28,7 +31,9 @@ use kane_algebra::syntax::{
 
 use crate::Document;
 use crate::document::digest;
+use crate::motion::Motion;
 use citation::Draft;
+use wanted::Wanted;
 
 /// Bytes of a file.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
@@ -40,6 +45,8 @@ const MAX_SYMBOLS: usize = 100_000;
 const MAX_FAULTS: usize = 200;
 /// Names above which no nearest one is sought.
 const MAX_CANDIDATES: usize = 10_000;
+/// Times that a document is read again because an angle or a derivative was met.
+const MAX_READINGS: usize = 100;
 
 /// Reads the document `bytes`, which goes by the name `name` in messages.
 ///
@@ -57,29 +64,29 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         Err(error) => return Err(vec![not_utf8(name, bytes, error.valid_up_to())]),
     };
     let text = text.as_ref();
-    let mut reader = Reader::default();
-    let blocks = blocks::find(text, &mut reader.faults);
-    reader.refuse_hidden(&blocks.code);
-    let mut lines = Lines::new(text);
-    for (count, span) in blocks.statements.into_iter().enumerate() {
-        if count == MAX_STATEMENTS {
-            let message = format!("more than {MAX_STATEMENTS} statements");
-            reader.faults.push(Fault::new(span, message));
-            break;
-        }
-        if reader.faults.len() >= MAX_FAULTS {
-            break;
-        }
-        let line = lines.place(span.start).line;
-        reader.statement(&blocks.code, span, line);
-    }
+    let mut wanted = Wanted::default();
+    let (mut reader, blocks) = (0..MAX_READINGS)
+        .find_map(|reading| {
+            let (reader, blocks) = read_once(text, wanted.clone());
+            // where something new was met, the faults are those of not having known it
+            let is_last = reader.met == wanted || reading + 1 == MAX_READINGS;
+            wanted.clone_from(&reader.met);
+            is_last.then_some((reader, blocks))
+        })
+        .expect("the last reading ends the search");
     let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
         let message = "definitions use each other too often to be checked".to_owned();
         reader.faults.push(Fault::new(0..0, message));
     }
     if reader.faults.is_empty() {
+        let motion = Motion {
+            rates: reader.scope.rates().clone(),
+            angles: reader.scope.angles().collect(),
+            derived: reader.derived,
+        };
         return Ok(Document {
+            motion,
             name: visible(name).into_owned(),
             text: text.to_owned(),
             title: blocks.title.map(|title| visible(&title).into_owned()),
@@ -89,6 +96,28 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         });
     }
     Err(reader.diagnostics(name, text))
+}
+
+/// Reads the statements of a text, in which these angles and derivatives are known.
+fn read_once(text: &str, wanted: Wanted) -> (Reader, blocks::Blocks) {
+    let mut reader = Reader { met: wanted.clone(), wanted, ..Reader::default() };
+    let blocks = blocks::find(text, &mut reader.faults);
+    reader.refuse_hidden(&blocks.code);
+    let mut lines = Lines::new(text);
+    for (count, span) in blocks.statements.iter().cloned().enumerate() {
+        if count == MAX_STATEMENTS {
+            let message = format!("more than {MAX_STATEMENTS} statements");
+            reader.faults.push(Fault::new(span, message));
+            break;
+        }
+        if reader.faults.len() >= MAX_FAULTS {
+            break;
+        }
+        let line = lines.place(span.start).line;
+        reader.line = line;
+        reader.statement(&blocks.code, span, line);
+    }
+    (reader, blocks)
 }
 
 /// The text with a line feed in place of each carriage return that no line feed follows, so that all
@@ -147,6 +176,16 @@ struct Reader {
     var_sites: Vec<usize>,
     /// where each definition stands
     let_sites: Vec<usize>,
+    /// what is known of angles before the text is read
+    wanted: Wanted,
+    /// the same, with what was met in the text
+    met: Wanted,
+    /// by angle, the statement of what holds of it
+    circles: BTreeMap<usize, usize>,
+    /// by derived statement, what it is the derivative of
+    derived: BTreeMap<usize, usize>,
+    /// the line of the statement that is being read
+    line: usize,
     faults: Vec<Fault>,
 }
 

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
-use crate::{Assignment, Behind, Open, Proof, Reason, Unreached, explain};
+use crate::{Assignment, Attempt, Behind, Open, Proof, Reason, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -95,6 +95,8 @@ pub struct LinkJudgement {
     pub behind: Option<Behind>,
     /// why the search ended, when undecided
     pub open: Option<Open>,
+    /// what was tried in vain, when undecided
+    pub attempt: Option<Attempt>,
     /// a given that was not shown to hold near a limit, which left it undecided
     pub unreached: Option<Unreached>,
 }

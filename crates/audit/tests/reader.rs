@@ -70,7 +70,7 @@ let (2 by 2) f := x # from nowhere
 given (as taken from a table):
   x = y   # by hand
   when x > 0
-claim c: x = y when y > 0 from (2 by 2) expect proved
+claim c: x = y when y > 0 from (2 by 2) using x - y, f expect proved
 claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
 ```
 ";
@@ -80,8 +80,8 @@ claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
         .iter()
         .map(|s| {
             let parts = &s.parts;
-            let clauses =
-                [&parts.when, &parts.from, &parts.by, &parts.expect].into_iter().flatten();
+            let clauses = [&parts.when, &parts.from, &parts.using, &parts.by, &parts.expect];
+            let clauses = clauses.into_iter().flatten();
             let all = [&parts.label, &parts.content].into_iter().chain(clauses);
             all.map(|place| document.on_one_line(place.clone())).collect()
         })
@@ -91,7 +91,7 @@ claim free: not implied (as taken from a table) by x := 1, y := 2 expect refuted
         [
             vec!["(2 by 2)", "f := x"],
             vec!["(as taken from a table)", "x = y", "when x > 0"],
-            vec!["c", "x = y", "when y > 0", "from (2 by 2)", "expect proved"],
+            vec!["c", "x = y", "when y > 0", "from (2 by 2)", "using x - y, f", "expect proved"],
             vec![
                 "free",
                 "not implied (as taken from a table)",
@@ -135,7 +135,14 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): (x = 1", 1, 12, "unbalanced: `(` is never closed"),
         ("claim (2): x) = 1", 1, 13, "unbalanced: `)` closes nothing"),
         ("claim (2): 1.2.3 = x", 1, 12, "malformed number `1.2.3`"),
-        ("claim (2): x = 1e3", 1, 16, "malformed number `1e3`"),
+        ("claim (2): x = 1e", 1, 16, "malformed number `1e`"),
+        ("claim (2): x = 1e3e2", 1, 16, "malformed number `1e3e2`"),
+        ("claim (2): x = 1e-3.5", 1, 16, "malformed number `1e-3.5`"),
+        ("claim (2): x = 1e-99999", 1, 16, "number with more than 10000 digits"),
+        ("claim (2): |x = 1", 1, 12, "unbalanced: `|` is never closed"),
+        ("claim (2): x| = 1", 1, 13, "expected a relation, found `|`"),
+        ("claim (2): x²⁻ = 1", 1, 13, "the exponent is not an integer"),
+        ("claim (2): x²^3 = 1", 1, 14, "expected"),
         ("claim (2): = x", 1, 12, "relation without a left side"),
         ("claim (2): x = from (1)", 1, 14, "relation without a right side"),
         ("claim (2): x + 1", 1, 12, "an expression alone is not a relation"),
@@ -174,8 +181,13 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): f -> 2 as x -> oo", 1, 27, "the domain of `x` does not reach"),
         ("claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0", 1, 45, "the `when` of a limit"),
         // derivatives
-        ("claim (2): d(x*k, alpha) = 0", 1, 14, "`k` is a function of `alpha`"),
-        ("claim (2): d(x, k) = 0", 1, 17, "`k` is not a plain `var`"),
+        ("claim (2): d(alpha*k, alpha) = 0", 1, 14, "a derivative by `alpha` is not taken where"),
+        ("claim (2): d(x, f) = 0", 1, 17, "`f` is no symbol"),
+        ("claim (2): x = 1 from d(dom, alpha)", 1, 23, "`dom` is no equation"),
+        ("claim (2): x = 1 from d((1), x)", 1, 23, "`(1)` speaks of `x` itself"),
+        ("claim (2): x = 1 from d((1), k)", 1, 23, "`k` is not a plain `var`"),
+        ("claim (2): x = 1 from d(no, alpha)", 1, 23, "`no` is no `given`"),
+        ("claim (2): x = 1 from d(nope, alpha)", 1, 23, "undeclared label `d(nope, alpha)`"),
         ("claim (2): d(x*m, x) = m from (1)", 1, 31, "`(1)` ties `m` to `x`"),
         // citations
         ("claim (2): x = 1 from no", 1, 23, "`no` states nothing that could be used"),
@@ -186,6 +198,15 @@ fn each_bad_input_is_told_at_its_place() {
         // clauses
         ("claim (2): x = 1 from (1) when m > 1", 1, 27, "expected the clauses once each"),
         ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `not implied`"),
+        ("claim (2): x = 1 using m from (1)", 1, 26, "expected the clauses once each"),
+        ("claim (2): x = 1 using", 1, 23, "expected an expression"),
+        ("claim (2): x = 1 using m,", 1, 26, "expected an expression"),
+        ("claim (2): x = 1 using m > 1", 1, 26, "expected an operator or the end"),
+        ("claim (2): x = using m", 1, 14, "relation without a right side"),
+        ("claim (2): x = 1 using q", 1, 24, "unknown symbol `q`"),
+        ("claim (2): k -> 1 as alpha -> 0 using m", 1, 33, "expected the end (only a claim about"),
+        ("claim (2): not implied (1) using m", 1, 28, "expected the end (only a claim about"),
+        ("given (2): x = 1 using m", 1, 18, "expected the end (only a claim about"),
         ("given (2): x = 1 from (1)", 1, 18, "expected the end (only a claim"),
         ("claim (2): x = 1 expect right", 1, 25, "expected `proved`, `refuted`"),
         ("claim (2) x = 1", 1, 11, "expected `:` after the label"),
@@ -383,7 +404,7 @@ proptest! {
     fn statements_of_any_words_never_panic(
         words in prop::collection::vec(prop::sample::select(vec![
             "var", "let", "given", "claim", "\n", "\n  ", "(1)", "a-b", ":", ":=", "x", "k(x)", "k", "=", "->",
-            "oo", "as", "when", "from", "by", "expect", "proved", "not", "implied", "contradiction",
+            "oo", "as", "when", "from", "using", "by", "expect", "proved", "not", "implied", "contradiction",
             "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
         ]), 0..60)
     ) {

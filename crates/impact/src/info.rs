@@ -168,6 +168,8 @@ pub struct LawInfo {
     pub restitution: Restitution,
     /// What the law lacks where no regime applies, or `None` if the regimes cover every contact.
     pub gap: Option<&'static str>,
+    /// Why an answer that a regime has is not accepted, where that is another cause than the gap.
+    pub rejects: Option<&'static str>,
     /// What a reader of its numbers must not miss, in a sentence without its full stop.
     pub caveat: Option<&'static str>,
     /// For a law that scenes may be answered by.
@@ -193,10 +195,20 @@ impl LawInfo {
         parameters: &[],
         restitution: Restitution::Newton,
         gap: None,
+        rejects: None,
         caveat: None,
         model: None,
         engines: "",
     };
+
+    /// All that the law lacks: its gap, and what it rejects.
+    #[must_use]
+    pub fn lacks(&self) -> Option<String> {
+        match (self.gap, self.rejects) {
+            (Some(gap), Some(rejects)) => Some(format!("{gap}, or {rejects}")),
+            (gap, rejects) => gap.or(rejects).map(ToOwned::to_owned),
+        }
+    }
 
     /// Whose law it is, and since when: `Garwin 1969, with Coulomb's bound`.
     #[must_use]

@@ -263,7 +263,10 @@ pub(crate) fn accept<L: ImpactLaw, N: Real>(
     let Some(quantity) = law.acceptance(contact, impulse) else { return Ok(()) };
     match quantity.sign().is_at_least() {
         Some(true) => Ok(()),
-        Some(false) => Err(outside(law)),
+        Some(false) => Err(match L::INFO.rejects {
+            Some(reason) => NoImpulse::Outside { law: law.id(), reason },
+            None => outside(law),
+        }),
         None => Err(NoImpulse::Undecided { law: law.id(), regime }),
     }
 }

@@ -31,6 +31,8 @@ pub enum Kind {
 pub struct Property {
     /// the name that the command line takes
     pub id: &'static str,
+    /// what it is about, in a word that it shares with others
+    pub group: &'static str,
     /// the head of the column, four characters at most
     pub head: &'static str,
     /// what it is called
@@ -66,6 +68,7 @@ const NO_ENERGY_CREATED: &str = "E_t + E_n <= 0";
 pub const PROPERTIES: [Property; 19] = [
     Property {
         id: "momentum",
+        group: "conditions",
         head: "mom",
         name: "momentum identity (9)",
         domain: UNCOUPLED,
@@ -76,6 +79,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "C1",
+        group: "conditions",
         head: "C1",
         name: "connection condition (10)",
         domain: UNCOUPLED,
@@ -85,6 +89,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "C2",
+        group: "conditions",
         head: "C2",
         name: "connection condition (11)",
         domain: UNCOUPLED,
@@ -94,6 +99,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "C3",
+        group: "conditions",
         head: "C3",
         name: "connection condition (12)",
         domain: UNCOUPLED,
@@ -103,6 +109,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "C4",
+        group: "conditions",
         head: "C4",
         name: "connection condition (13)",
         domain: UNCOUPLED,
@@ -112,6 +119,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "cone-sphere",
+        group: "friction",
         head: "con",
         name: "friction cone, sphere",
         domain: UNCOUPLED,
@@ -121,6 +129,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "cone",
+        group: "friction",
         head: "con*",
         name: "friction cone, every contact",
         domain: EVERY,
@@ -130,6 +139,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "energy-tangential",
+        group: "energy",
         head: "E_t",
         name: "tangential energy, sphere",
         domain: UNCOUPLED,
@@ -140,6 +150,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "energy-sphere",
+        group: "energy",
         head: "E",
         name: "total energy, sphere",
         domain: UNCOUPLED,
@@ -149,6 +160,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "energy",
+        group: "energy",
         head: "E*",
         name: "total energy, every contact",
         domain: EVERY,
@@ -158,6 +170,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "sliding",
+        group: "friction",
         head: "slip",
         name: "Coulomb sliding while slip persists",
         domain: UNCOUPLED,
@@ -167,6 +180,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "reversal",
+        group: "shape",
         head: "|k|",
         name: "bounded reversal",
         domain: UNCOUPLED,
@@ -176,6 +190,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "odd",
+        group: "shape",
         head: "odd",
         name: "odd symmetry",
         domain: UNCOUPLED,
@@ -187,6 +202,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "continuity",
+        group: "shape",
         head: "cont",
         name: "continuity at zero slip",
         domain: UNCOUPLED,
@@ -196,6 +212,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "scale",
+        group: "shape",
         head: "unit",
         name: "scale invariance",
         domain: EVERY,
@@ -206,6 +223,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "subdivision",
+        group: "shape",
         head: "part",
         name: "invariance under subdividing the impulse",
         domain: UNCOUPLED,
@@ -217,6 +235,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "exists-sphere",
+        group: "outcome",
         head: "som",
         name: "existence, sphere",
         domain: UNCOUPLED,
@@ -227,6 +246,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "exists",
+        group: "outcome",
         head: "som*",
         name: "existence, every contact",
         domain: EVERY,
@@ -237,6 +257,7 @@ pub const PROPERTIES: [Property; 19] = [
     },
     Property {
         id: "unique",
+        group: "outcome",
         head: "one",
         name: "uniqueness, sphere",
         domain: UNCOUPLED,

@@ -131,7 +131,7 @@ fn section(out: &mut String, law: &Law, doc: &Docstring) {
     if let Some(caveat) = law.info.caveat {
         let _ = writeln!(out, "- caution: {caveat}");
     }
-    let gap = law.info.gap.unwrap_or("nothing, it is total");
+    let gap = law.info.lacks().unwrap_or_else(|| "nothing, it is total".into());
     let _ = writeln!(out, "- what it lacks: {gap}");
 }
 

@@ -3,9 +3,11 @@
 //! `cargo run --release -p kane-pages` writes all of it; the tests only compare. Everything is
 //! deterministic, and the numbers are those that the program computes for its users.
 
+mod glance;
 mod laws;
 mod model_error;
 mod puzzle;
+mod verdict;
 
 use std::fmt;
 use std::path::Path;
@@ -19,9 +21,11 @@ use kane::report::matrix::{self as shown, MatrixReport};
 use kane::report::scene::{stress_csv, stress_picture};
 use kane::scene::stress;
 
+pub use glance::{TIMES, speed, speed_of, strips, times_now};
 pub use laws::{Docstring, docstrings, laws};
 pub use model_error::model_error;
 pub use puzzle::energy_map;
+pub use verdict::verdict;
 
 /// A file of the documentation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,6 +64,8 @@ pub fn pages(root: &Path) -> Result<Vec<Page>, NotMade> {
     let (model_error, energy_map) = (model_error()?, energy_map()?);
     let tables = Tables { model_error: &model_error, energy_map: &energy_map };
     let mut all = figures(&tables)?;
+    all.push(page("docs/figures/speed-accuracy.svg", speed(root)?));
+    all.push(page("docs/figures/formula-failures.svg", strips(root)?));
     all.push(page("docs/data/model-error.csv", model_error));
     all.push(page("docs/data/kane-puzzle.csv", energy_map));
     all.push(page("docs/data/methods.csv", committed(&kane::measure::chart::table())));
@@ -68,11 +74,18 @@ pub fn pages(root: &Path) -> Result<Vec<Page>, NotMade> {
     for bound in kane::measure::rounding_bounds() {
         all.push(page(&format!("docs/rounding/{}.g", bound.name()), bound.gappa()));
     }
+    for (name, schema) in kane_report::schemas() {
+        let text = serde_json::to_string_pretty(&schema);
+        let text = text.map_err(|error| NotMade::because(name, error))? + "\n";
+        all.push(page(&format!("docs/schema/{name}.json"), text));
+    }
     let rows = stress::rows(all_laws());
     let picture = stress_picture(&rows);
     all.push(page("docs/data/scene-stress.csv", stress_csv(&rows)));
     all.push(page("docs/data/scene-stress.svg", picture));
-    all.extend(figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {})));
+    let matrix = figure_of(&matrix(all_laws(), &Selection::default(), &mut |_, _| {}));
+    all.push(page("docs/verdict.md", verdict(root, &matrix[1].text)?));
+    all.extend(matrix);
     Ok(all)
 }
 

@@ -3,7 +3,8 @@
 use crate::check::Check;
 use crate::friction::FrictionLaw;
 use crate::restitution::NormalLaw;
-use crate::study::{Checked, Study};
+use crate::study::Study;
+use crate::tally::Checked;
 
 /// How a check changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +46,14 @@ impl Comparison {
     pub fn is_worse(&self) -> bool {
         self.changes.iter().any(|change| change.worse)
             || self.friction_is_worse()
-            || self.normal_close[1] < self.normal_close[0] - SLACK
+            || self.normal_is_worse()
             || self.rejected[1] > self.rejected[0]
+    }
+
+    /// Whether e is as stated in fewer rows than before.
+    #[must_use]
+    pub fn normal_is_worse(&self) -> bool {
+        self.normal_close[1] < self.normal_close[0] - SLACK
     }
 
     /// Whether friction follows another law than before, or its own less.

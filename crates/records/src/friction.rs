@@ -25,6 +25,18 @@ pub enum FrictionLaw {
     Uncapped,
 }
 
+/// A pyramid in place of the cone of friction, with its edges by two axes of the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pyramid {
+    /// Each axis is bounded by μ·p_n alone: along the diagonal friction reaches √2·μ·p_n.
+    Outer,
+    /// |p_1| + |p_2| ≤ μ·p_n: along the diagonal friction ends at μ·p_n/√2.
+    Inner,
+}
+
+/// By how much a fitted share may miss that of a pyramid.
+const OF_PYRAMID: f64 = 1e-3;
+
 /// How well a law of friction does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrictionFit {
@@ -64,6 +76,20 @@ impl FrictionLaw {
             Self::Smith => "smith",
             Self::WangSuLi => "wang-su-li",
             Self::Uncapped => "uncapped",
+        }
+    }
+
+    /// The pyramid that has this bound along its diagonal. Along its axes a pyramid is the cone, and
+    /// between them friction leaves the plane of the slip, so that no row of a log is there.
+    #[must_use]
+    pub fn pyramid(self) -> Option<Pyramid> {
+        use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+        let Self::Share(share) = self else { return None };
+        let near = |of: f64| (share / of - 1.0).abs() <= OF_PYRAMID;
+        match () {
+            () if near(SQRT_2) => Some(Pyramid::Outer),
+            () if near(FRAC_1_SQRT_2) => Some(Pyramid::Inner),
+            () => None,
         }
     }
 

@@ -21,6 +21,7 @@
 //! # Ok::<(), kane_records::reader::ReadFault>(())
 //! ```
 
+pub mod case;
 pub mod check;
 pub mod comparison;
 pub mod event;
@@ -37,6 +38,7 @@ pub mod restitution;
 pub mod rigid;
 pub mod row;
 pub mod sample;
+pub mod scatter;
 pub mod schema;
 pub mod seen;
 mod spelling;
@@ -44,5 +46,7 @@ pub mod statistics;
 pub mod study;
 pub mod suspicion;
 pub mod sweep;
+pub mod tally;
 pub mod tolerance;
 pub mod untold;
+pub mod worst;

@@ -154,7 +154,10 @@ fn delimiter(start: &[u8]) -> u8 {
 }
 
 /// Takes a cell; an empty one is no value.
-fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Result<(), Reason> {
+///
+/// # Errors
+/// [`Reason`] for a cell that is none of its column.
+pub fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Result<(), Reason> {
     let text = std::str::from_utf8(cell).map_err(|_| Reason::NotText)?.trim();
     if text.is_empty() {
         return Ok(());
@@ -168,7 +171,12 @@ fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Result<(
     }
 }
 
-fn number(row: &mut Row, column: Column, value: f64) -> Result<(), Reason> {
+/// Takes a number.
+///
+/// # Errors
+/// [`Reason::NotFinite`].
+#[inline]
+pub fn number(row: &mut Row, column: Column, value: f64) -> Result<(), Reason> {
     if !value.is_finite() {
         return Err(Reason::NotFinite(column));
     }

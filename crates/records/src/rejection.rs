@@ -98,10 +98,19 @@ pub struct Rejected {
 /// How many of each kind are listed.
 pub const LISTED: usize = 3;
 
-/// All rejections: counts by kind, and the first few of each.
+/// A rejected row in a list.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Listed {
+    /// the line of the file, or 0 if it is not known
+    pub line: u64,
+    /// why it was rejected
+    pub why: String,
+}
+
+/// All rejections: counts by kind, and the first few of each, by line and then by reason.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rejections {
-    kinds: BTreeMap<String, (u64, Vec<Rejected>)>,
+    kinds: BTreeMap<String, (u64, Vec<Listed>)>,
 }
 
 impl Rejections {
@@ -109,9 +118,17 @@ impl Rejections {
     pub fn add(&mut self, rejected: Rejected) {
         let (count, listed) = self.kinds.entry(rejected.reason.kind()).or_default();
         *count += 1;
-        if listed.len() < LISTED {
-            listed.push(rejected);
+        let line = rejected.line;
+        if listed.len() < LISTED || listed.last().is_some_and(|last| line <= last.line) {
+            list(listed, Listed { line, why: rejected.reason.to_string() });
         }
+    }
+
+    /// Counts rows of a kind that were rejected elsewhere, with those that are listed of them.
+    pub fn merge(&mut self, kind: &str, rows: u64, listed: &[Listed]) {
+        let (count, own) = self.kinds.entry(kind.to_owned()).or_default();
+        *count += rows;
+        listed.iter().for_each(|one| list(own, one.clone()));
     }
 
     /// How many rows were rejected.
@@ -128,7 +145,16 @@ impl Rejections {
     }
 
     /// Kind, count and first rows, in the order of kinds.
-    pub fn kinds(&self) -> impl Iterator<Item = (&str, u64, &[Rejected])> {
+    pub fn kinds(&self) -> impl Iterator<Item = (&str, u64, &[Listed])> {
         self.kinds.iter().map(|(kind, (count, rows))| (kind.as_str(), *count, rows.as_slice()))
+    }
+}
+
+/// Keeps the first few.
+fn list(listed: &mut Vec<Listed>, one: Listed) {
+    let place = listed.partition_point(|other| *other <= one);
+    if place < LISTED {
+        listed.insert(place, one);
+        listed.truncate(LISTED);
     }
 }

@@ -48,6 +48,26 @@ impl Row {
         self.present |= 1 << column.index();
     }
 
+    /// Sets the number at a place of the schema, see [`Column::index`]; a place that there is not is
+    /// passed over.
+    pub fn set_place(&mut self, place: usize, value: f64) {
+        if let Some(cell) = self.values.get_mut(place) {
+            *cell = value;
+            self.present |= 1 << place;
+        }
+    }
+
+    /// The numbers that the row has, each with its place in the schema.
+    pub fn numbers(&self) -> impl Iterator<Item = (usize, f64)> {
+        let mut left = self.present;
+        std::iter::from_fn(move || {
+            let place = left.trailing_zeros() as usize;
+            let value = self.values.get(place)?;
+            left &= left - 1;
+            Some((place, *value))
+        })
+    }
+
     /// A number, if the row has it.
     #[inline]
     #[must_use]

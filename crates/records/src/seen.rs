@@ -2,7 +2,8 @@
 
 use kane_impact::{Contact, Delassus};
 
-use crate::check::Case;
+use crate::case::Case;
+use crate::check::Check;
 use crate::event::Given;
 
 /// What attribution keeps of a row.
@@ -39,6 +40,8 @@ pub struct Seen {
     pub turned: f64,
     /// the stretching of errors by the contact, W_tt·W_nn/det W
     pub stretch: f64,
+    /// ΔT by the energy before, and whether energy rises beyond its tolerance
+    pub gain: (f64, bool),
 }
 
 impl Seen {
@@ -83,6 +86,30 @@ impl Seen {
             arm_within: tolerance.arm,
             turned,
             stretch,
+            gain: gain(case),
+        }
+    }
+
+    /// An impact of a body of W = 1 with a slip of 1 and an approach of 1, where μ = 1 and nothing is
+    /// uncertain: what a law of friction is drawn on.
+    pub(crate) fn plain() -> Self {
+        Self {
+            line: 0,
+            pair: 0,
+            slip: 1.0,
+            approach: 1.0,
+            slip_after: 1.0,
+            separation: 1.0,
+            tangential: 0.0,
+            normal: 1.0,
+            mobility: [1.0, 0.0, 1.0],
+            given: Given { friction: Some(1.0), restitution: Some(1.0), ..Given::default() },
+            within: [0.0; 4],
+            arm: f64::NAN,
+            arm_within: 0.0,
+            turned: f64::NAN,
+            stretch: 1.0,
+            gain: (0.0, false),
         }
     }
 
@@ -126,4 +153,10 @@ impl Seen {
     pub fn slips_after(&self) -> bool {
         self.slip_after.abs() > self.within[0]
     }
+}
+
+fn gain(case: &Case<'_>) -> (f64, bool) {
+    let change: f64 = case.facts.energy.iter().sum();
+    let share = change / case.energy_before().max(f64::MIN_POSITIVE);
+    (share, case.finding(Check::Energy).is_some_and(|finding| !finding.holds))
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// The name and the version of a report's format.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Schema {
     pub(crate) name: &'static str,
     pub(crate) version: u32,
@@ -12,6 +13,7 @@ pub(crate) struct Schema {
 
 /// The program that wrote it.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Program {
     name: &'static str,
     version: &'static str,
@@ -19,6 +21,7 @@ pub(crate) struct Program {
 
 /// A report's data under what all reports have.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Envelope<'a, T> {
     schema: Schema,
     program: Program,
@@ -47,6 +50,21 @@ pub(crate) fn written(report: &impl Serialize) -> String {
     }
     out.push('\n');
     out
+}
+
+/// The schema of a report's data in the envelope of all reports.
+#[cfg(feature = "schema")]
+pub(crate) fn schema_enveloped<T: schemars::JsonSchema>(title: &str) -> serde_json::Value {
+    schema_of::<Envelope<'static, T>>(title)
+}
+
+/// The schema of a whole report, as it is written.
+#[cfg(feature = "schema")]
+pub(crate) fn schema_of<T: schemars::JsonSchema>(title: &str) -> serde_json::Value {
+    let settings = schemars::generate::SchemaSettings::draft2020_12().for_serialize();
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    schema.insert("title".to_owned(), title.into());
+    schema.to_value()
 }
 
 impl Program {

@@ -18,6 +18,12 @@ pub const SCHEMA_NAME: &str = "kane-audit";
 /// The version of the schema.
 pub const SCHEMA_VERSION: u32 = 1;
 
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_of::<File<'static>>("kane audit")
+}
+
 /// The reports as JSON, ended by a line feed.
 #[must_use]
 pub fn json(reports: &[Report<'_>]) -> String {
@@ -34,6 +40,7 @@ pub fn json(reports: &[Report<'_>]) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     schema: Schema,
     program: Program,
@@ -44,6 +51,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Document<'a> {
     name: &'a str,
     title: Option<&'a str>,
@@ -56,6 +64,7 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Counts {
     headline: String,
     equations: usize,
@@ -66,6 +75,7 @@ struct Counts {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Statement<'a> {
     label: &'a str,
     kind: &'static str,
@@ -82,12 +92,14 @@ struct Statement<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Value {
     name: String,
     value: String,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Link<'a> {
     text: String,
     latex: String,
@@ -100,6 +112,7 @@ struct Link<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Step {
     depth: usize,
     text: String,

@@ -115,6 +115,7 @@ pub(crate) fn markdown(audit: &Audit, judges: &[Judge]) -> String {
 
 /// The answers for programs.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Answers<'a> {
     document: &'a str,
     summary: BTreeMap<&'a str, String>,
@@ -122,6 +123,7 @@ pub(crate) struct Answers<'a> {
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Row<'a> {
     label: &'a str,
     link: usize,
@@ -130,6 +132,7 @@ struct Row<'a> {
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Told<'a> {
     answer: &'a str,
     reason: &'a str,

@@ -26,11 +26,15 @@ mod markdown;
 pub mod matrix;
 mod outline;
 mod picture;
+mod place;
 pub mod records;
 mod report;
 pub mod scene;
+#[cfg(feature = "schema")]
+mod schema;
 mod sheet;
 mod shorten;
+pub mod site;
 pub mod stability;
 mod summary;
 mod tex;
@@ -44,7 +48,10 @@ pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
 pub use markdown::markdown;
+pub use place::{Link, Place};
 pub use report::{Picture, Report};
+#[cfg(feature = "schema")]
+pub use schema::schemas;
 pub use sheet::{Page, Sheet};
 pub use summary::Summary;
 pub use text::text;

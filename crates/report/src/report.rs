@@ -5,6 +5,7 @@ use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statemen
 use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
 
+use crate::place::Place;
 use crate::words::{self, Form, Line, Subject};
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
@@ -20,6 +21,10 @@ pub struct Report<'a> {
     pub pictures: &'a [Picture],
     /// other judges that were asked, or should have been
     pub judges: &'a [Judge],
+    /// where to read on, in a sentence without its full stop
+    pub pointer: Option<&'a str>,
+    /// what is beside its page
+    pub place: Place,
 }
 
 /// A picture that belongs to a document.
@@ -41,7 +46,23 @@ impl<'a> Report<'a> {
             command: visible(&command.into()).into_owned(),
             pictures: &[],
             judges: &[],
+            pointer: None,
+            place: Place::default(),
         }
+    }
+
+    /// The same report with where to read on, for its text.
+    #[must_use]
+    pub const fn with_pointer(mut self, pointer: &'a str) -> Self {
+        self.pointer = Some(pointer);
+        self
+    }
+
+    /// The same report with links to what is beside its page.
+    #[must_use]
+    pub fn placed(mut self, place: Place) -> Self {
+        self.place = place;
+        self
     }
 
     /// The same report with pictures.
@@ -268,10 +289,10 @@ impl<'a> Entry<'a> {
             // only a claim can surprise
             _ if !self.is_claim() => None,
             Some(Verdict::Proved) | None if self.judgement.as_expected() => None,
+            // where nothing is written, the verdict alone says that it is not proved
+            None => None,
             Some(_) if self.judgement.as_expected() => Some("expected".to_owned()),
-            expect => {
-                Some(format!("NOT EXPECTED (should be {})", expect.unwrap_or(Verdict::Proved)))
-            }
+            Some(expect) => Some(format!("NOT EXPECTED (should be {expect})")),
         }
     }
 

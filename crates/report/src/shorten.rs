@@ -26,6 +26,33 @@ pub(crate) fn padded(text: &str, columns: usize) -> String {
     format!("{text}{:blanks$}", "")
 }
 
+/// A formula with the letters and signs of print.
+pub(crate) fn in_print(formula: &str) -> String {
+    let word = |word: &str| match word {
+        "alpha" => "α".to_owned(),
+        "mu" => "μ".to_owned(),
+        "omega" => "ω".to_owned(),
+        "eta" => "η".to_owned(),
+        word => word.to_owned(),
+    };
+    let mut out = String::new();
+    let mut name = String::new();
+    for c in formula.chars() {
+        if c.is_ascii_alphabetic() {
+            name.push(c);
+            continue;
+        }
+        out.push_str(&word(&std::mem::take(&mut name)));
+        out.push(match c {
+            '*' => '·',
+            '-' => '−',
+            c => c,
+        });
+    }
+    out.push_str(&word(&name));
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -46,5 +73,11 @@ mod tests {
     #[test]
     fn blanks_count_columns_not_bytes() {
         assert_eq!(padded("μ", 3), "μ  ");
+    }
+
+    #[test]
+    fn formulas_are_set_as_in_print() {
+        assert_eq!(in_print("2/(1 + alpha) - mu*k"), "2/(1 + α) − μ·k");
+        assert_eq!(in_print("alphabet*alpha"), "alphabet·α");
     }
 }

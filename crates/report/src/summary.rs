@@ -32,6 +32,10 @@ pub struct Summary {
     pub refuted_as_printed: Vec<String>,
     /// claims that do not end as their author expects
     pub surprises: Vec<String>,
+    /// those among them for which no verdict is written, and which are not proved
+    pub unproved: Vec<String>,
+    /// whether a verdict is written for any claim
+    pub expects: bool,
 }
 
 impl Summary {
@@ -63,6 +67,13 @@ impl Summary {
                 .filter(|entry| !entry.judgement.as_expected())
                 .map(label)
                 .collect(),
+            unproved: claims
+                .iter()
+                .filter(|entry| !entry.judgement.as_expected())
+                .filter(|entry| entry.judgement.expect.is_none())
+                .map(label)
+                .collect(),
+            expects: claims.iter().any(|entry| entry.judgement.expect.is_some()),
         }
     }
 
@@ -92,23 +103,39 @@ impl Summary {
         line
     }
 
-    /// One line: whether all verdicts are as expected, and which are not.
+    /// One line: whether all verdicts are as expected, and which are not. What no verdict is written for is to be proved.
     #[must_use]
     pub fn expectation(&self) -> String {
         match (self.claims, self.surprises.len()) {
             (0, _) => "nothing to check".to_owned(),
-            (_, 0) => "every verdict is as expected".to_owned(),
-            (_, n) => {
-                let named = self.surprises.iter().take(NAMED).map(String::as_str);
-                let more = n
-                    .checked_sub(NAMED)
-                    .filter(|more| *more > 0)
-                    .map(|more| format!("and {more} more"));
-                let list: Vec<_> = named.chain(more.as_deref()).collect();
-                format!("{n} NOT AS EXPECTED: {}", list.join(", "))
+            (_, 0) if self.expects => "every verdict is as expected".to_owned(),
+            (_, 0) => "every claim is proved".to_owned(),
+            _ => {
+                let told = self.groups().into_iter().map(|(what, labels)| {
+                    format!("{} {}: {}", labels.len(), what.to_uppercase(), named(&labels))
+                });
+                told.collect::<Vec<_>>().join("; ")
             }
         }
     }
+
+    /// What did not end as it should, with the words for it; no group is empty.
+    pub(crate) fn groups(&self) -> Vec<(&'static str, Vec<String>)> {
+        let against = self.surprises.iter().filter(|label| !self.unproved.contains(label));
+        [("Not proved", self.unproved.clone()), ("Not as expected", against.cloned().collect())]
+            .into_iter()
+            .filter(|(_, labels)| !labels.is_empty())
+            .collect()
+    }
+}
+
+/// `a, b, and 3 more`: the first few labels.
+fn named(labels: &[String]) -> String {
+    let more = labels.len().saturating_sub(NAMED);
+    let rest = (more > 0).then(|| format!("and {more} more"));
+    let list: Vec<&str> =
+        labels.iter().take(NAMED).map(String::as_str).chain(rest.as_deref()).collect();
+    list.join(", ")
 }
 
 /// `1 claim`, `2 claims`, `no claims`.

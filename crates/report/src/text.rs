@@ -38,7 +38,11 @@ pub fn text(report: &Report<'_>, page: Page) -> String {
     for entry in report.entries() {
         line(&mut out, &entry, &columns, ink(style(&entry)));
     }
-    let _ = writeln!(out, "\nkane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
+    out.push('\n');
+    if let Some(pointer) = report.pointer {
+        let _ = writeln!(out, "{pointer}");
+    }
+    let _ = writeln!(out, "kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
     out
 }
 

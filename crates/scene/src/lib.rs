@@ -35,21 +35,28 @@
 //! assert_eq!(answer.shown.to_string(), "normal-only/f32");
 //! ```
 
+mod air;
 mod choose;
 pub mod collide;
 mod coordinate;
+mod encounter;
 mod impulse_plane;
 mod picture;
+mod plane;
 mod quantity;
 pub mod read;
 mod resolver;
+mod round;
 mod scene;
+mod side;
 pub mod simulate;
 pub mod stress;
 mod strobe;
+mod terms;
 mod tip;
 mod world;
 
+pub use air::Air;
 pub use choose::{
     Answer, Bounced, Effort, Judged, Known, Line, Mechanics, Model, NoAnswer, Place, Shown, Spread,
     UnknownModel, Verdict, answer, model_names,
@@ -58,9 +65,13 @@ pub use coordinate::Coordinate;
 pub use impulse_plane::{ImpulsePlane, PlaneLine};
 pub use kane_impact::oracle::Event;
 pub use picture::Picture;
+pub use plane::Plane;
 pub use quantity::{Kind, Quantity};
 pub use resolver::{Elastic, Lasting, NormalOnly, Process, Resolver};
+pub use round::Round;
 pub use scene::{Asked, MOST_UNCERTAIN, Scene, Setup, Tangential};
+pub use side::{MOST_PLANES, Side};
 pub use strobe::{Frame, Strobe};
+pub use terms::{Restitution, Terms};
 pub use tip::{Tip, TipBody};
-pub use world::{Round, Side, Wall, World};
+pub use world::{Wall, World};

@@ -28,11 +28,11 @@ impl<N> Setup<N> {
         }
     }
 
-    /// μ
-    pub fn friction(&self) -> &N {
+    /// Every μ that is stated.
+    pub fn frictions(&self) -> Vec<&N> {
         match self {
-            Self::Bodies(world) => &world.friction,
-            Self::Tip(tip) => &tip.friction,
+            Self::Bodies(world) => world.frictions().collect(),
+            Self::Tip(tip) => vec![&tip.friction],
         }
     }
 }
@@ -98,6 +98,12 @@ impl Scene {
         let mut count = 0;
         self.setup.map(|stated| count += u32::from(!stated.is_certain()));
         count
+    }
+
+    /// Whether flights are in air, which has no closed form.
+    #[must_use]
+    pub const fn in_air(&self) -> bool {
+        matches!(&self.setup, Setup::Bodies(world) if world.air.is_some())
     }
 
     /// Every state that the author cannot exclude, enclosed.

@@ -13,10 +13,12 @@ use kane_number::{Lane, Rational};
 use crate::coordinate::Coordinate;
 use crate::read;
 use crate::resolver::NormalOnly;
+use crate::round::Round;
 use crate::scene::Setup;
+use crate::side::Side;
 use crate::simulate::{Budget, Chain, Until, collide_chain, run};
 use crate::tip::{Tip, TipBody};
-use crate::world::{Round, Side, Wall, World};
+use crate::world::{Wall, World};
 
 /// One measurement.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +85,10 @@ fn ball(
     World {
         gravity: integer(10),
         walls: vec![Wall { side: Side::Floor, at: integer(0) }],
+        air: None,
+        planes: vec![],
+        terms: vec![],
+        rolling: integer(0),
         bodies: vec![Round {
             inertia: mass.clone() * gyration,
             mass,

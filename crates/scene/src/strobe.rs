@@ -1,8 +1,10 @@
 //! The motion as a picture shows it.
 
 use crate::choose::{Mechanics, Model, run_for_picture};
+use crate::plane::Plane;
+use crate::round::Round;
 use crate::scene::{Scene, Setup};
-use crate::world::{Round, Side};
+use crate::side::Side;
 
 /// The bodies at one moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,8 @@ pub struct Strobe {
     pub radii: Vec<f64>,
     /// The walls and where they are; m.
     pub walls: Vec<(Side, f64)>,
+    /// Walls at an angle: a point at the end, and the direction in which they go on both ways; m.
+    pub planes: Vec<([f64; 2], [f64; 2])>,
 }
 
 /// The most pictures in a strobe and the fewest, and points of a path.
@@ -40,6 +44,14 @@ fn frames(paths: &[Vec<[f64; 2]>], radii: &[f64]) -> u32 {
     let far = paths.iter().zip(radii).map(|(path, radius)| length(path) / (1.25 * radius));
     let far = far.fold(0.0, f64::max);
     (FEWEST..FRAMES).find(|n| f64::from(*n) >= far).unwrap_or(FRAMES)
+}
+
+/// Where a wall is in the end, and which way it goes.
+fn at_end(plane: &Plane<f64>, time: f64) -> ([f64; 2], [f64; 2]) {
+    let [nx, ny] = plane.normal;
+    let [_, advancing] = plane.velocity;
+    let [x, y] = plane.through;
+    ([x + nx * advancing * time, y + ny * advancing * time], [ny, -nx])
 }
 
 impl Strobe {
@@ -73,7 +85,13 @@ impl Strobe {
             let states = &states[index];
             let last = states.partition_point(|(since, ..)| *since <= time).max(1) - 1;
             let (since, body, angle) = &states[last];
-            let flown = body.flown(&(time - since), &world.gravity);
+            let flown = match &world.air {
+                Some(air) => {
+                    let step = air.step(std::slice::from_ref(body), world.gravity);
+                    air.flown(body, world.gravity, time - since, 4.0 * step)
+                }
+                None => body.flown(&(time - since), &world.gravity),
+            };
             let mut position = flown.position;
             // what has come to rest does not fall through the floor
             for wall in &world.walls {
@@ -109,6 +127,7 @@ impl Strobe {
             paths,
             radii,
             walls: world.walls.iter().map(|wall| (wall.side, wall.at)).collect(),
+            planes: world.planes.iter().map(|plane| at_end(plane, time)).collect(),
         })
     }
 }

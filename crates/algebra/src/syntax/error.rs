@@ -100,19 +100,38 @@ pub enum SyntaxErrorKind {
     /// the limit value varies with the limit variable
     #[error("the limit must be free of `{0}`")]
     LimitNotFree(String),
-    /// differentiation with respect to something other than a plain symbol
-    #[error("`{0}` is not a plain `var`: nothing can be differentiated by it")]
+    /// differentiation with respect to something other than a symbol
+    #[error("`{0}` is no symbol: nothing can be differentiated by it")]
     NotADerivativeVariable(String),
-    /// an unknown function of the variable inside a derivative
-    #[error(
-        "`{function}` is a function of `{variable}` without a definition: d(f, {variable}) needs f explicit"
-    )]
-    NotExplicit {
-        /// the function
-        function: String,
-        /// the variable of differentiation
-        variable: String,
+    /// `sin` of something else than a sum of angles
+    #[error("`sin`, `cos` and `tan` take a sum of angles and multiples of `pi`")]
+    NotAnAngle,
+    /// an angle that is not known as one, or not in parts as fine
+    #[error("`{name}` is no angle of {parts} parts")]
+    NoAngle {
+        /// the symbol
+        name: String,
+        /// the parts that would do
+        parts: u32,
     },
+    /// an angle outside of `sin`, `cos` and `tan`
+    #[error("`{0}` is an angle, and no number")]
+    AngleAlone(String),
+    /// such as `cos(pi/7)`
+    #[error("multiples of `pi/12` have values that can be written out, and others have none here")]
+    NoSurd,
+    /// such as `sin(theta/13)`
+    #[error("the parts of an angle are twelfths at the finest")]
+    TooFine,
+    /// such as `sin(100*theta)`
+    #[error("multiples of an angle are written out up to 24 of its parts")]
+    TooOften,
+    /// a function whose derivative has no symbol yet
+    #[error("derivatives of functions go up to the sixth order: `{0}` has none here")]
+    NoRate(String),
+    /// the variable beside functions of it
+    #[error("a derivative by `{0}` is not taken where `{0}` itself stands beside functions of it")]
+    Explicit(String),
     /// `cases { }`
     #[error("`cases` without a branch")]
     NoBranch,
@@ -132,6 +151,13 @@ impl SyntaxErrorKind {
             }
             Self::ImplicitProduct(_) => {
                 "a product needs its `*`, and a function is used by its name alone: `k`, not `k(x)`"
+            }
+            Self::Explicit(_) => {
+                "declare a function that is equal to it: `var s(t)`, `given s = t, d(s, t) = 1`"
+            }
+            Self::AngleAlone(_) => {
+                "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \
+                 its direction"
             }
             Self::TooTall => "name parts of it with parentheses or split the sum",
             Self::NoRelation => {

@@ -9,7 +9,7 @@ use super::names::{is_name_part, is_name_start};
 /// A lexical unit. Text and place are kept beside it, as a byte range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Token {
-    /// `12` or `0.4`
+    /// `12`, `0.4` or `1e-3`
     Number,
     /// a run of characters that starts like a number and is none, such as `1.2.3` or `2a`
     BadNumber,
@@ -19,12 +19,16 @@ pub enum Token {
     Plus,
     /// `-` or `−`
     Minus,
-    /// `*`
+    /// `*`, `·`, `⋅` or `×`
     Star,
     /// `/`
     Slash,
     /// `^`
     Caret,
+    /// an exponent in raised digits, such as `²` or `⁻¹`
+    Superscript,
+    /// `|`
+    Bar,
     /// `(`
     OpenParen,
     /// `)`
@@ -73,9 +77,10 @@ pub(crate) fn next(text: &str, from: usize) -> (Token, Range<usize>) {
         ('!', Some('=')) => two(Token::Rel(Rel::Ne)),
         ('+', _) => one(Token::Plus),
         ('-' | '−', _) => one(Token::Minus),
-        ('*', _) => one(Token::Star),
+        ('*' | '·' | '⋅' | '×', _) => one(Token::Star),
         ('/', _) => one(Token::Slash),
         ('^', _) => one(Token::Caret),
+        ('|', _) => one(Token::Bar),
         ('(', _) => one(Token::OpenParen),
         (')', _) => one(Token::CloseParen),
         ('{', _) => one(Token::OpenBrace),
@@ -92,6 +97,7 @@ pub(crate) fn next(text: &str, from: usize) -> (Token, Range<usize>) {
         ('≥', _) => one(Token::Rel(Rel::Ge)),
         ('∞', _) => one(Token::Infinity),
         ('.' | '0'..='9', _) => number(rest, start),
+        _ if is_superscript(first) => superscript(rest, start),
         _ if is_name_start(first) => name(rest, start),
         _ => one(Token::Stray(first)),
     }
@@ -111,15 +117,52 @@ fn skip_blank(text: &str, from: usize) -> usize {
 }
 
 fn number(rest: &str, start: usize) -> (Token, Range<usize>) {
-    let run = rest.find(|c: char| !is_name_part(c) && c != '.').unwrap_or(rest.len());
-    let text = rest.get(..run).unwrap_or_default();
-    let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
-    let well_formed = match text.split_once('.') {
-        Some((whole, fraction)) => digits(whole) && digits(fraction),
-        None => digits(text),
+    let run = |text: &str| text.find(|c| !is_name_part(c) && c != '.').unwrap_or(text.len());
+    let mut end = run(rest);
+    let part = rest.get(..end).unwrap_or_default();
+    // the sign of an exponent: nothing else ends like a number and one `e`
+    let mantissa = part.strip_suffix(['e', 'E']).is_some_and(is_decimal);
+    let behind = rest.get(end..).unwrap_or_default();
+    if let Some(digits) = behind.strip_prefix(['+', '-']).filter(|_| mantissa)
+        && digits.starts_with(|c: char| c.is_ascii_digit())
+    {
+        end += 1 + run(digits);
+    }
+    let text = rest.get(..end).unwrap_or_default();
+    let well_formed = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => {
+            is_decimal(mantissa) && is_digits(exponent.strip_prefix(['+', '-']).unwrap_or(exponent))
+        }
+        None => is_decimal(text),
     };
     let token = if well_formed { Token::Number } else { Token::BadNumber };
-    (token, start..start + run)
+    (token, start..start + end)
+}
+
+fn is_decimal(text: &str) -> bool {
+    match text.split_once('.') {
+        Some((whole, fraction)) => is_digits(whole) && is_digits(fraction),
+        None => is_digits(text),
+    }
+}
+
+fn is_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+fn is_superscript(c: char) -> bool {
+    c == '⁻' || plain_digit(c).is_some()
+}
+
+/// The digit that a raised digit stands for.
+pub(super) fn plain_digit(raised: char) -> Option<char> {
+    let at = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|c| c == raised)?;
+    char::from_digit(u32::try_from(at).ok()?, 10)
+}
+
+fn superscript(rest: &str, start: usize) -> (Token, Range<usize>) {
+    let run = rest.find(|c| !is_superscript(c)).unwrap_or(rest.len());
+    (Token::Superscript, start..start + run)
 }
 
 fn name(rest: &str, start: usize) -> (Token, Range<usize>) {

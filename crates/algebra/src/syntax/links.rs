@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use kane_kernel::{Approach, Context, Expr, Limit, Link, Relation, Sentence, Target, Var};
 use num_rational::BigRational;
+use num_traits::Zero as _;
 
+use super::angle::Turn;
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
@@ -70,7 +72,7 @@ impl Parser<'_> {
             | Token::Semicolon
             | Token::Colon
             | Token::End => true,
-            Token::Name => ["when", "from", "expect", "by", "as"].contains(&self.lexeme()),
+            Token::Name => ["when", "from", "using", "expect", "by", "as"].contains(&self.lexeme()),
             _ => false,
         };
         if missing {
@@ -213,7 +215,7 @@ impl Parser<'_> {
         let Some(declared) = self.scope().context().vars.get(var) else {
             return Ok(None);
         };
-        if declared.of.is_some() {
+        if declared.of.is_some() || self.scope().angle(var).is_some() {
             self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
             return Ok(None);
         }
@@ -255,6 +257,33 @@ impl Parser<'_> {
             self.report(SyntaxErrorKind::NotConstant, span);
         }
         Ok(value)
+    }
+
+    /// Passes the bound of a symbol: a rational number, a rational multiple of `pi`, or an infinity.
+    /// `None` after a fault that was recorded.
+    ///
+    /// # Errors
+    /// As [`Parser::expr`].
+    pub fn bound_of_symbol(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
+        if let Some(positive) = self.infinity()? {
+            return Ok(Some(if positive { Endpoint::PlusInf } else { Endpoint::MinusInf }));
+        }
+        let outer = std::mem::replace(&mut self.in_angle, true);
+        let node = self.node();
+        self.in_angle = outer;
+        let Node { expr, span, .. } = node?;
+        if let Ok(value) = eval(&expr, &Context::default(), &[]) {
+            return Ok(Some(Endpoint::Finite(value)));
+        }
+        match Turn::of(&expr) {
+            Some(Turn { angles, half_turns, number }) if angles.is_empty() && number.is_zero() => {
+                Ok(Some(Endpoint::HalfTurns(half_turns)))
+            }
+            _ => {
+                self.report(SyntaxErrorKind::NotConstant, span);
+                Ok(None)
+            }
+        }
     }
 
     /// Passes a rational constant or an infinity. `None` after a fault that was recorded.
@@ -313,6 +342,8 @@ impl Parser<'_> {
 pub enum Endpoint {
     /// a number
     Finite(BigRational),
+    /// a multiple of π
+    HalfTurns(BigRational),
     /// +∞
     PlusInf,
     /// −∞

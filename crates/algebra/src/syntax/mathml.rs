@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::Signed as _;
 
 use super::latex::{is_function, is_loose, last_factor};
-use super::names::{canonical_name, greek_letter, greek_subscript, name_parts};
+use super::names::{applied, canonical_name, greek_letter, greek_subscript, name_parts, rate};
 use super::number::decimal;
 use super::parser::Level;
 use super::plain::{let_name, var_name};
@@ -22,6 +22,19 @@ pub fn mathml(expr: &Expr, context: &Context, beyond: &dyn Fn(usize) -> Option<S
 /// A name: a letter with its subscript and primes, or a word.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
+    if let Some((function, time)) = rate(name) {
+        let (function, time) = (mathml_name(function), mathml_name(time));
+        let part = |what: String| format!("<mrow><mi>d</mi>{what}</mrow>");
+        let fraction = format!("<mfrac>{}{}</mfrac>", part(function), part(time));
+        return in_parentheses(&fraction);
+    }
+    if let Some((function, argument)) = applied(name) {
+        let argument = match argument.split_once('/') {
+            Some((angle, parts)) => format!("{}<mo>/</mo><mn>{parts}</mn>", mathml_name(angle)),
+            None => mathml_name(argument),
+        };
+        return format!("<mrow><mi>{function}</mi><mo>(</mo>{argument}<mo>)</mo></mrow>");
+    }
     let canonical = canonical_name(name);
     let (base, sub) = name_parts(&canonical);
     let primes = "′".repeat(canonical.matches('\'').count());

@@ -9,6 +9,7 @@
 //! power   := atom [ "^" exponent ]
 //! exponent:= a literal integer: 2, -2, (2), (-2), or a tower of them, 2^3
 //! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
+//!          | "|" sum "|" | sin(angle) | cos(angle) | tan(angle)
 //!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
 //! ```
 //!
@@ -17,6 +18,7 @@
 //! a Latin or Greek letter followed by letters, digits, `_` and primes; a Greek letter equals its
 //! spelled-out name, a subscript digit the digit.
 
+mod angle;
 mod bounds;
 mod coq;
 mod diagnostic;
@@ -35,11 +37,13 @@ mod notation;
 mod number;
 mod parser;
 mod plain;
+mod rate;
 mod rebuild;
 mod scope;
 mod suggest;
 mod words;
 
+pub use angle::{Direction, Turn};
 pub use bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 pub use coq::{coq, coq_relation};
 pub use diagnostic::{Diagnostic, Lines, Place};
@@ -56,6 +60,7 @@ pub use notation::Notation;
 pub use number::literal;
 pub use parser::{Parser, parse_expr, parse_relations, parse_sentence};
 pub use plain::{comparison, moving};
+pub use rate::rate;
 pub use rebuild::rebuild;
-pub use scope::{DeclareError, Scope, Symbol};
+pub use scope::{Angle, DeclareError, Scope, Symbol};
 pub use suggest::nearest;

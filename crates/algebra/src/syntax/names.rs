@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// Words that can be neither names nor labels.
-pub const RESERVED: [&str; 16] = [
+pub const RESERVED: [&str; 17] = [
     "oo",
     "d",
     "abs",
@@ -16,6 +16,7 @@ pub const RESERVED: [&str; 16] = [
     "when",
     "as",
     "by",
+    "using",
     "expect",
     "not",
     "implied",
@@ -120,6 +121,17 @@ pub fn canonical_name(name: &str) -> Cow<'_, str> {
 /// is, unless it is a word of three or more small letters, which is set upright as a whole.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
+    if let Some((function, time)) = rate(name) {
+        let (function, time) = (latex_name(function), latex_name(time));
+        return format!("\\left(\\frac{{d {function}}}{{d {time}}}\\right)");
+    }
+    if let Some((function, argument)) = applied(name) {
+        let argument = match argument.split_once('/') {
+            Some((angle, parts)) => format!("{}/{parts}", latex_name(angle)),
+            None => latex_name(argument),
+        };
+        return format!("\\{function}({argument})");
+    }
     let canonical = canonical_name(name);
     let primes: String = canonical.chars().filter(|c| *c == '\'').collect();
     let (base, subscripts) = name_parts(&canonical);
@@ -146,6 +158,16 @@ pub fn latex_name(name: &str) -> String {
         out.push('}');
     }
     out + &primes
+}
+
+/// `d(x, t)` as `x` and `t`; nothing if it is no derivative.
+pub(crate) fn rate(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix("d(")?.strip_suffix(')')?.rsplit_once(", ")
+}
+
+/// `cos(theta/2)` as `cos` and `theta/2`; nothing if it is a plain name.
+pub(crate) fn applied(name: &str) -> Option<(&str, &str)> {
+    name.strip_suffix(')')?.split_once('(')
 }
 
 /// A canonical name taken apart: the letters or the word that carry it, and its subscripts.
@@ -255,6 +277,9 @@ mod tests {
             ("eta", "\\eta"),
             ("omicron", "o"),
             ("kWSL", "k_{WSL}"),
+            ("d(x_1, t)", "\\left(\\frac{d x_1}{d t}\\right)"),
+            ("cos(theta)", "\\cos(\\theta)"),
+            ("sin(θ_1/2)", "\\sin(\\theta_1/2)"),
         ] {
             assert_eq!(latex_name(name), latex, "name {name}");
         }

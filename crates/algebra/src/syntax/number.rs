@@ -1,5 +1,7 @@
 //! Literals: exact decimals, to and from text.
 
+use std::borrow::Cow;
+
 use kane_kernel::Expr;
 use num_bigint::{BigInt, BigUint, Sign};
 use num_rational::BigRational;
@@ -7,12 +9,39 @@ use num_traits::{One, Signed, Zero};
 
 use super::bounds::MAX_DIGITS;
 
+/// The digits that a literal has when its power of ten is written out, or more.
+pub(crate) fn written_out(text: &str) -> usize {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let shift = exponent
+        .parse::<i64>()
+        .map_or(usize::MAX, |e| usize::try_from(e.unsigned_abs()).unwrap_or(usize::MAX));
+    mantissa.len().saturating_sub(usize::from(mantissa.contains('.'))).saturating_add(shift)
+}
+
+/// A literal with its power of ten written out: `1.5e-3` as `0.0015`.
+fn without_exponent(text: &str) -> Cow<'_, str> {
+    let Some((mantissa, exponent)) = text.split_once(['e', 'E']) else {
+        return Cow::Borrowed(text);
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{whole}{fraction}");
+    let exponent = exponent.parse::<isize>().expect("the parser bounds the exponent");
+    let places = fraction.len().cast_signed() - exponent;
+    let Ok(places @ 1..) = usize::try_from(places) else {
+        return Cow::Owned(digits + &"0".repeat(places.unsigned_abs()));
+    };
+    let digits = format!("{digits:0>width$}", width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    Cow::Owned(format!("{whole}.{fraction}"))
+}
+
 /// The value of a well-formed literal; the lexer has made sure that it is one.
 ///
 /// The fraction is reduced here by twos and fives, the only factors of its denominator: a general
 /// gcd of 10⁴ digits takes a hundred times as long.
 pub(crate) fn parse_literal(text: &str) -> BigRational {
-    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    let text = without_exponent(text);
+    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
     let fraction = fraction.trim_end_matches('0');
     let digits = format!("{whole}{fraction}");
     let mut numer = digits.parse::<BigUint>().expect("the lexer lets only digits through");
@@ -118,6 +147,13 @@ mod tests {
             ("3.125", 25, 8),
             ("2.5", 5, 2),
             ("0.048", 6, 125),
+            ("1e-3", 1, 1000),
+            ("1E+3", 1000, 1),
+            ("2.5e1", 25, 1),
+            ("2.5e0", 5, 2),
+            ("12.5e-2", 1, 8),
+            ("0.25e1", 5, 2),
+            ("0e9", 0, 1),
         ] {
             assert_eq!(parse_literal(text), ratio(n, d), "literal {text}");
         }

@@ -10,7 +10,7 @@ use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::names::RESERVED;
-use super::number::parse_literal;
+use super::number::{parse_literal, written_out};
 use super::scope::Scope;
 
 /// Faults of one text that are kept.
@@ -49,6 +49,8 @@ pub struct Parser<'a> {
     span: Range<usize>,
     last_end: usize,
     nesting: usize,
+    /// what is read is the angle of a sine: `pi` has a meaning, and angles stand by themselves
+    pub(crate) in_angle: bool,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
     errors: Vec<SyntaxError>,
@@ -97,6 +99,7 @@ impl<'a> Parser<'a> {
             span,
             last_end: 0,
             nesting: 0,
+            in_angle: false,
             side_may_follow: false,
             errors: Vec::new(),
         }
@@ -346,7 +349,7 @@ impl<'a> Parser<'a> {
         let (token, span) = lexer::next(self.text, self.span.end);
         let word = self.text.get(span).unwrap_or_default();
         match token {
-            Token::Name => !["when", "from", "expect", "by", "as"].contains(&word),
+            Token::Name => !["when", "from", "using", "expect", "by", "as"].contains(&word),
             Token::End | Token::Comma => false,
             _ => true,
         }
@@ -400,10 +403,14 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Result<Node, SyntaxError> {
         let base = self.atom()?;
-        if !self.accept(Token::Caret) {
-            return Ok(base);
-        }
-        let exponent = self.exponent()?;
+        let exponent = match self.token {
+            Token::Caret => {
+                self.advance();
+                self.exponent()?
+            }
+            Token::Superscript => self.raised()?,
+            _ => return Ok(base),
+        };
         let span = base.span.start..exponent.span.end;
         let value = match exponent_value(&exponent.expr) {
             Ok(value) => value,
@@ -422,13 +429,33 @@ impl<'a> Parser<'a> {
         self.nested(|p| p.prefix(Level::Power))
     }
 
+    /// Passes an exponent in raised digits.
+    fn raised(&mut self) -> Result<Node, SyntaxError> {
+        let (text, span) = (self.lexeme(), self.span());
+        self.advance();
+        let (minus, digits) = match text.strip_prefix('⁻') {
+            Some(digits) => (true, digits),
+            None => (false, text),
+        };
+        let plain: Option<String> = digits.chars().map(lexer::plain_digit).collect();
+        let Some(plain) = plain.filter(|plain| !plain.is_empty()) else {
+            return Err(SyntaxError { kind: SyntaxErrorKind::ExponentNotInteger, span });
+        };
+        if plain.len() > MAX_DIGITS {
+            return Err(SyntaxError { kind: SyntaxErrorKind::LiteralTooLong, span });
+        }
+        let value = Expr::Num(parse_literal(&plain));
+        let value = if minus { Expr::Neg(Box::new(value)) } else { value };
+        self.build(value, span, 1)
+    }
+
     fn atom(&mut self) -> Result<Node, SyntaxError> {
         let span = self.span();
         match self.token {
             Token::Number => {
                 let text = self.lexeme();
                 self.advance();
-                if text.len() - usize::from(text.contains('.')) > MAX_DIGITS {
+                if written_out(text) > MAX_DIGITS {
                     self.report(SyntaxErrorKind::LiteralTooLong, span.clone());
                     return self.build(Expr::Num(BigInt::from(1).into()), span, 1);
                 }
@@ -439,6 +466,12 @@ impl<'a> Parser<'a> {
                 let inner = self.nested(Self::node)?;
                 let end = self.close(Token::CloseParen, '(', &span)?;
                 Ok(Node { span: span.start..end, ..inner })
+            }
+            Token::Bar => {
+                self.advance();
+                let inner = self.nested(Self::node)?;
+                let end = self.close(Token::Bar, '|', &span)?;
+                self.build(Expr::Abs(Box::new(inner.expr)), span.start..end, inner.height + 1)
             }
             Token::Name => self.word(),
             Token::Infinity => Err(self.unexpected("a number or a name (`oo` is no number)")),

@@ -1,12 +1,12 @@
 //! What names mean at a place in a document.
 
 use std::cell::Cell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
-use super::names::{RESERVED, canonical_name, latex_name};
+use super::names::{RESERVED, applied, canonical_name, latex_name, rate};
 
 /// Nodes that all visits of a scope may see together. Definitions that share others can make
 /// every visit as long as the document.
@@ -19,6 +19,17 @@ pub enum Symbol {
     Var(usize),
     /// index of [`Context::lets`]
     Let(usize),
+}
+
+/// What stands for an angle: cosine and sine of one of its equal parts, as symbols.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Angle {
+    /// the cosine of the part
+    pub cos: usize,
+    /// the sine of the part
+    pub sin: usize,
+    /// how many parts make the angle
+    pub parts: u32,
 }
 
 /// Why a name cannot be declared.
@@ -45,6 +56,12 @@ pub enum DeclareError {
     },
 }
 
+/// `cos(theta/2)` as programs spell it that have names of letters alone.
+fn spelled(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || c == '\'' { c } else { '_' };
+    canonical_name(name).chars().map(plain).collect()
+}
+
 /// The symbols and definitions known so far, by name.
 #[derive(Clone, Debug, Default)]
 pub struct Scope {
@@ -54,6 +71,10 @@ pub struct Scope {
     typeset: HashMap<String, String>,
     /// height of each definition, those that it uses expanded
     heights: Vec<usize>,
+    /// what stands for the symbols that are angles
+    angles: HashMap<usize, Angle>,
+    /// by function, the symbol for its derivative
+    rates: BTreeMap<usize, usize>,
     /// nodes visited so far
     effort: Cell<usize>,
 }
@@ -67,6 +88,9 @@ impl Scope {
             scope.enter(&var.name, Symbol::Var(scope.context.vars.len()));
             scope.context.vars.push(var.clone());
         }
+        for (index, var) in context.vars.iter().enumerate() {
+            scope.recognise(index, &var.name);
+        }
         for definition in &context.lets {
             scope.enter(&definition.name, Symbol::Let(scope.context.lets.len()));
             let height = scope.height(&definition.body);
@@ -79,6 +103,25 @@ impl Scope {
     fn enter(&mut self, name: &str, symbol: Symbol) {
         self.names.entry(canonical_name(name).into_owned()).or_insert(symbol);
         self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
+    }
+
+    /// Takes the cosine of an angle, or the derivative of a function, for what its name says.
+    fn recognise(&mut self, index: usize, name: &str) {
+        let symbol = |name: &str| match self.resolve(name) {
+            Some(Symbol::Var(symbol)) => Some(symbol),
+            _ => None,
+        };
+        if let Some((function, _)) = rate(name) {
+            if let Some(function) = symbol(function) {
+                self.rates.insert(function, index);
+            }
+        } else if let Some(("cos", part)) = applied(name) {
+            let (angle, parts) = part.split_once('/').unwrap_or((part, "1"));
+            if let (Some(angle), Ok(parts)) = (symbol(angle), parts.parse()) {
+                // the sine is declared behind the cosine
+                self.angles.insert(angle, Angle { cos: index, sin: index + 1, parts });
+            }
+        }
     }
 
     /// The symbols and definitions.
@@ -129,6 +172,77 @@ impl Scope {
         self.enter(&var.name, Symbol::Var(index));
         self.context.vars.push(var);
         Ok(index)
+    }
+
+    /// Declares a symbol as an angle, with cosine and sine of one of its equal parts.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_angle(&mut self, var: Var, parts: u32) -> Result<(usize, Angle), DeclareError> {
+        let part = if parts == 1 { var.name.clone() } else { format!("{}/{parts}", var.name) };
+        let point = ["cos", "sin"].map(|f| Var { name: format!("{f}({part})"), ..var.clone() });
+        for var in &point {
+            self.check_free(&spelled(&var.name))?;
+        }
+        let index = self.declare(var)?;
+        let [cos, sin] = point.map(|var| {
+            self.typeset.entry(latex_name(&spelled(&var.name))).or_insert_with(|| var.name.clone());
+            self.declare(var)
+        });
+        let angle = Angle { cos: cos?, sin: sin?, parts };
+        self.angles.insert(index, angle);
+        Ok((index, angle))
+    }
+
+    /// Declares symbols for the first derivatives of a function, up to an order; nothing for a plain
+    /// symbol.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_rates(&mut self, function: usize, order: u32) -> Result<(), DeclareError> {
+        let mut last = function;
+        for _ in 0..order {
+            let vars = &self.context.vars;
+            let Some((name, of)) = vars.get(last).and_then(|var| Some((&var.name, var.of?))) else {
+                return Ok(());
+            };
+            let name = format!("d({name}, {})", vars.get(of).map_or("?", |var| &var.name));
+            self.check_free(&spelled(&name))?;
+            self.typeset.entry(latex_name(&spelled(&name))).or_insert_with(|| name.clone());
+            let rate = self.declare(Var { name, of: Some(of), lower: None, upper: None })?;
+            self.rates.insert(last, rate);
+            last = rate;
+        }
+        Ok(())
+    }
+
+    /// The symbol for the derivative of a function, if one is declared.
+    #[must_use]
+    pub fn rate(&self, function: usize) -> Option<usize> {
+        self.rates.get(&function).copied()
+    }
+
+    /// All functions with the symbols for their derivatives.
+    #[must_use]
+    pub fn rates(&self) -> &BTreeMap<usize, usize> {
+        &self.rates
+    }
+
+    /// All angles with what stands for them, in no particular order.
+    pub fn angles(&self) -> impl Iterator<Item = (usize, Angle)> {
+        self.angles.iter().map(|(symbol, angle)| (*symbol, *angle))
+    }
+
+    /// What stands for a symbol, if it is an angle.
+    #[must_use]
+    pub fn angle(&self, symbol: usize) -> Option<&Angle> {
+        self.angles.get(&symbol)
+    }
+
+    /// The angle of which a symbol is the cosine or the sine, and its symbol.
+    #[must_use]
+    pub fn angle_at(&self, symbol: usize) -> Option<(usize, Angle)> {
+        self.angles().find(|(_, angle)| [angle.cos, angle.sin].contains(&symbol))
     }
 
     /// Adds a definition and returns its index.

@@ -3,11 +3,34 @@
 use kane_kernel::Expr;
 use num_bigint::BigInt;
 
+use super::angle::{Direction, PI, Turn, negative, product};
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::Token;
+use super::names::canonical_name;
 use super::parser::{Binary, Node, Parser, excerpt};
-use super::scope::Symbol;
+use super::rate::rate;
+use super::scope::{Angle, Scope, Symbol};
+
+/// d f / dθ = (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
+/// value f is one differentiable expression in c and s near the point, and the chain rule holds.
+fn by_angle(f: &Expr, angle: Angle, scope: &Scope) -> Expr {
+    let known = scope.symbols(f);
+    let part = |by: usize, times: usize| match known.contains(&by) {
+        true => product(Expr::Deriv(f.clone().into(), by), Expr::Var(times)),
+        false => Expr::int(0),
+    };
+    let (up, down) = (part(angle.sin, angle.cos), part(angle.cos, angle.sin));
+    let slope = match (up == Expr::int(0), down == Expr::int(0)) {
+        (_, true) => up,
+        (true, false) => negative(down),
+        (false, false) => Expr::Sub(up.into(), down.into()),
+    };
+    match angle.parts {
+        1 => slope,
+        n => Expr::Div(slope.into(), Expr::int(n.into()).into()),
+    }
+}
 
 impl Parser<'_> {
     /// Passes a name, or what its reserved word begins.
@@ -19,10 +42,19 @@ impl Parser<'_> {
             "max" => self.call(|p| p.binary_call(Expr::Max)),
             "d" => self.call(Self::derivative),
             "cases" => self.cases(),
+            word @ ("sin" | "cos" | "tan") if self.scope().resolve(word).is_none() => {
+                self.call(|p| p.direction(word))
+            }
             _ => {
                 let (name, span) = self.name()?;
                 let (expr, height) = match self.scope().resolve(name) {
-                    Some(Symbol::Var(index)) => (Expr::Var(index), 1),
+                    Some(Symbol::Var(index)) => {
+                        if self.scope().angle(index).is_some() && !self.in_angle {
+                            self.report(SyntaxErrorKind::AngleAlone(excerpt(name)), span.clone());
+                        }
+                        (Expr::Var(index), 1)
+                    }
+                    None if self.in_angle && canonical_name(name) == "pi" => (Expr::Var(PI), 1),
                     Some(Symbol::Let(index)) => {
                         (Expr::Let(index), self.scope().height_of_let(index) + 1)
                     }
@@ -63,14 +95,53 @@ impl Parser<'_> {
         Ok((make(Box::new(a.expr), Box::new(b.expr)), height))
     }
 
-    /// `f, x` of a derivative. f may contain x and constants, but no unknown function of x.
+    /// The angle in `sin(…)`: a sum of angles with rational factors, and a multiple of `pi`.
+    fn direction(&mut self, word: &str) -> Result<(Expr, usize), SyntaxError> {
+        let outer = std::mem::replace(&mut self.in_angle, true);
+        let node = self.node();
+        self.in_angle = outer;
+        let node = node?;
+        let turn = Turn::of(&node.expr).ok_or(SyntaxErrorKind::NotAnAngle);
+        match turn.and_then(|turn| turn.direction(self.scope())) {
+            Ok(Direction { cos, sin }) => {
+                let expr = match word {
+                    "sin" => sin,
+                    "cos" => cos,
+                    _ => Expr::Div(sin.into(), cos.into()),
+                };
+                let height = self.scope().height(&expr);
+                Ok((expr, height))
+            }
+            Err(kind) => {
+                self.report(kind, node.span);
+                Ok((Expr::int(1), 1))
+            }
+        }
+    }
+
+    /// `f, x` of a derivative.
     fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
-        let f = self.node()?;
+        // an angle may stand here by itself
+        let outer = std::mem::replace(&mut self.in_angle, true);
+        let f = self.node();
+        self.in_angle = outer;
+        let f = f?;
         self.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let at = self.span();
+        // what has no name of its own: `d(f, cos(theta))`, `d(f, d(x, t))`
+        if ["cos", "sin", "d"].contains(&self.lexeme()) {
+            let by = self.node()?;
+            return match by.expr {
+                Expr::Var(v) => self.partial(f, v),
+                _ => {
+                    self.report(SyntaxErrorKind::NotADerivativeVariable("this".to_owned()), at);
+                    Ok((f.expr, f.height))
+                }
+            };
+        }
         let (name, span) = self.name()?;
-        let vars = &self.scope().context().vars;
         let x = match self.scope().resolve(name) {
-            Some(Symbol::Var(x)) if vars.get(x).is_some_and(|v| v.of.is_none()) => x,
+            Some(Symbol::Var(x)) => x,
             found => {
                 let kind = match found {
                     None => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
@@ -80,19 +151,52 @@ impl Parser<'_> {
                 return Ok((f.expr, f.height));
             }
         };
-        let function = self
-            .scope()
-            .symbols(&f.expr)
-            .into_iter()
-            .find_map(|y| vars.get(y).filter(|v| v.of == Some(x)));
-        if let Some(function) = function {
-            let kind = SyntaxErrorKind::NotExplicit {
-                function: function.name.clone(),
-                variable: name.to_owned(),
+        let scope = self.scope();
+        let of = |v: usize| scope.context().vars.get(v).and_then(|var| var.of);
+        if scope.symbols(&f.expr).into_iter().any(|v| of(v) == Some(x)) {
+            return match rate(&f.expr, x, scope) {
+                Ok(slope) => {
+                    let height = scope.height(&slope);
+                    Ok((slope, height))
+                }
+                Err(kind) => {
+                    self.report(kind, f.span);
+                    Ok((Expr::int(1), 1))
+                }
             };
-            self.report(kind, f.span);
         }
+        if let Some(angle) = scope.angle(x) {
+            self.no_angle_alone(&f);
+            let slope = by_angle(&f.expr, *angle, scope);
+            let height = scope.height(&slope);
+            return Ok((slope, height));
+        }
+        self.partial(f, x)
+    }
+
+    /// ∂f/∂x, all other symbols held fixed.
+    fn partial(&mut self, f: Node, x: usize) -> Result<(Expr, usize), SyntaxError> {
+        self.no_angle_alone(&f);
         Ok((Expr::Deriv(Box::new(f.expr), x), f.height + 1))
+    }
+
+    /// Notes an angle that stands by itself in what is differentiated.
+    fn no_angle_alone(&mut self, f: &Node) {
+        let mut todo = vec![&f.expr];
+        let mut alone = None;
+        while let Some(e) = todo.pop() {
+            match e {
+                Expr::Var(PI) => alone = alone.or(Some("pi".to_owned())),
+                Expr::Var(v) if self.scope().angle(*v).is_some() => {
+                    alone = self.scope().context().vars.get(*v).map(|var| var.name.clone());
+                }
+                _ => {}
+            }
+            todo.extend(e.children());
+        }
+        if let Some(name) = alone {
+            self.report(SyntaxErrorKind::AngleAlone(name), f.span.clone());
+        }
     }
 
     fn cases(&mut self) -> Result<Node, SyntaxError> {

@@ -5,6 +5,7 @@ use kane_kernel::Var;
 use num_rational::BigRational;
 
 /// exact values and derivatives at points
+mod angles;
 mod evaluation;
 /// deep and long input within the limits and beyond them
 mod limits;

@@ -24,6 +24,16 @@ const FUEL: u64 = 400_000_000;
 /// Steps after which a proof is cut.
 pub const MAX_STEPS: usize = 600;
 
+/// What was tried in vain, its variables named; nothing where nothing was.
+pub(crate) fn attempt(goal: &Goal, found: crate::prove::Attempt) -> Option<crate::Attempt> {
+    if found.tried.is_empty() {
+        return None;
+    }
+    let scope = scope(goal, Fuel::new(FUEL)).ok()?;
+    let left = found.left.unwrap_or_default();
+    Some(crate::Attempt { tried: found.tried, variables: names::variables(goal, &scope), left })
+}
+
 /// The grounds of an accepted finding, step by step.
 pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
     if let Grounds::Model(model) = grounds {

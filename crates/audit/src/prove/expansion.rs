@@ -8,7 +8,7 @@ use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
-use super::search::Factors;
+use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
 /// Terms of a polynomial beyond which an expansion is given up.

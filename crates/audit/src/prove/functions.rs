@@ -12,8 +12,9 @@ use kane_kernel::{
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::elimination::Elimination;
 use super::limits;
-use super::search::{Elimination, Outcome, Search};
+use super::search::{Outcome, Search};
 use crate::argument::{expand, side_proof};
 
 type Q = BigRational;

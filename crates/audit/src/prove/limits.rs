@@ -9,8 +9,9 @@ use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 use super::bounds;
+use super::elimination::Elimination;
 use super::germs::Germs;
-use super::search::{Elimination, Outcome, Search};
+use super::search::{Outcome, Search};
 use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.

@@ -1,12 +1,17 @@
 //! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
 //! kernel, and what the kernel does not accept is not reported.
 
+mod attempt;
 mod bounds;
+mod elimination;
 mod enclosure;
 mod expansion;
 mod functions;
 mod germs;
+mod hints;
+mod leaf;
 mod limits;
+mod linear;
 mod ranges;
 mod sample;
 mod search;
@@ -28,8 +33,11 @@ use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
 
+pub(crate) use attempt::Attempt;
 use functions::Effort;
 use germs::Germs;
+use hints::Hint;
+pub(crate) use hints::expanded;
 use search::{Outcome, Search};
 
 pub use functions::expression;
@@ -67,6 +75,22 @@ impl Default for Budget {
     }
 }
 
+impl Budget {
+    /// As many times the work.
+    #[must_use]
+    pub fn times(self, factor: u64) -> Self {
+        let functions = usize::try_from(factor).unwrap_or(usize::MAX);
+        Self {
+            steps: self.steps.saturating_mul(factor),
+            fuel: self.fuel.saturating_mul(factor),
+            check: self.check.saturating_mul(factor),
+            functions: self.functions.saturating_mul(functions),
+            squares: self.squares.saturating_mul(factor),
+            ..self
+        }
+    }
+}
+
 /// A certificate that the kernel accepted, and what it was written out from.
 #[derive(Clone, Debug)]
 pub struct Decided {
@@ -86,6 +110,8 @@ pub(crate) struct Verdicts {
     pub(crate) open: Option<Open>,
     /// search steps spent
     pub(crate) cost: u64,
+    /// what was tried in vain
+    pub(crate) attempt: Attempt,
     /// whether a model that decides was found for the givens behind what is cited, too
     pub(crate) behind_met: bool,
     /// a side of a limit, and a given that was not shown to hold near it
@@ -95,6 +121,8 @@ pub(crate) struct Verdicts {
 /// A question to the search and the budget for it.
 pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
+    /// expressions whose squares and products are to be tried, without definitions
+    pub(crate) using: &'a [Expr],
     /// proposed values or functions
     pub(crate) by: &'a [(usize, Expr)],
     /// models of earlier claims, which often serve again
@@ -161,7 +189,9 @@ impl Prover<'_> {
             _ => self.judge_pointwise(goal, doubt, &mut out),
         }
         if out.decided.is_none() && out.open.is_none() {
-            out.open = Some(Open::Steps(self.budget.steps));
+            // Along limits steps are not all counted.
+            let limit = matches!(goal.conclusion, Conclusion::Link(Link::Limit(_)));
+            out.open = Some(Open::Steps(if limit { self.budget.steps } else { out.cost }));
         }
         out
     }
@@ -228,6 +258,7 @@ impl Prover<'_> {
         search.products = self.budget.products;
         search.squares = Fuel::new(self.budget.squares);
         search.keep = kept(goal);
+        search.hints = Hint::all(&scope, self.using);
         if guide {
             search.widest = 60;
         }
@@ -240,6 +271,10 @@ impl Prover<'_> {
             course = self.passed(&state, &germs, PASS_SPLITS);
         }
         out.cost += steps - search.left();
+        // What is left open is told of the search for a proof; another one's is another question.
+        let mut attempt = search.attempt.take();
+        attempt.left.take_if(|_| models || !matches!(finding, Finding::Proved));
+        out.attempt.join(attempt);
         if !guide && scope.fuel.spend(1).is_err() {
             out.open = Some(Open::Operations(fuel));
         }

@@ -6,7 +6,8 @@ use kane_kernel::{Atom, Point, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::search::{Elimination, Search};
+use super::elimination::Elimination;
+use super::search::Search;
 use super::tactics;
 
 type Q = BigRational;
@@ -103,7 +104,7 @@ impl Search<'_> {
 }
 
 /// Simple values for a variable, inside its visible bounds.
-fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
+pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
     const SIMPLE: [(i64, i64); 25] = [
         (1, 1),
         (2, 1),
@@ -202,7 +203,11 @@ fn fill<T: Clone>(
 }
 
 /// Gives every other variable a simple value in its range and the eliminated ones theirs.
-fn complete(state: &State<'_, '_>, mut partial: Partial, trail: &[Elimination]) -> Option<Point> {
+pub(super) fn complete(
+    state: &State<'_, '_>,
+    mut partial: Partial,
+    trail: &[Elimination],
+) -> Option<Point> {
     let symbols = state.goal.context.vars.len();
     let count = state.scope.germ() + 1 + kane_kernel::premised(state.goal).count();
     for v in state.scope.mentioned.iter().copied().chain(symbols..count) {

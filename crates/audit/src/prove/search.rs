@@ -1,17 +1,17 @@
 //! The search: assume what is given, solve equations, look at what is left.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use kane_algebra::ring::{common_sign, content_in, exact_quotient};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 
-use super::squares::{Reach, squares};
-use super::{expansion, tactics};
+use super::attempt::Attempt;
+use super::elimination::{Elimination, Factors};
+use super::hints::Hint;
+use super::tactics;
 use crate::argument::{Argument, Rules};
-
-type Q = BigRational;
+use crate::open::Method;
 
 /// How a search ends.
 #[derive(Clone, Debug)]
@@ -23,17 +23,6 @@ pub(crate) enum Outcome {
     /// neither was found
     Open,
 }
-
-/// v = −e/d, found on the way.
-#[derive(Clone, Debug)]
-pub(crate) struct Elimination {
-    pub(crate) var: usize,
-    pub(crate) d: Poly,
-    pub(crate) e: Poly,
-}
-
-/// Indices of atoms, with powers.
-pub(crate) type Factors = Vec<(usize, u32)>;
 
 /// How little an elimination is liked: kept variables, leads that vary, constants, size.
 type Score = (u32, usize, usize, usize);
@@ -80,16 +69,16 @@ pub(crate) struct Search<'a> {
     pub(crate) products: bool,
     /// for sums of squares
     pub(crate) squares: Fuel,
+    /// what the author says to use
+    pub(crate) hints: Vec<Hint>,
+    /// what was tried, and the smallest conditions on which all of it failed
+    pub(crate) attempt: RefCell<Attempt>,
 }
 
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
 const MAX_DEPTH: u32 = 160;
 /// Case distinctions on the sign of a polynomial along one branch.
-const MAX_SPLITS: u32 = 10;
-/// Case distinctions for which an inequality that is taken as an equation counts.
-const BOUNDARY: u32 = 5;
-/// What it costs, of the budget for squares, to tell the order of two variables.
-const ORDER: u64 = 1_000_000;
+pub(super) const MAX_SPLITS: u32 = 10;
 
 impl<'a> Search<'a> {
     pub(crate) fn new(
@@ -108,11 +97,23 @@ impl<'a> Search<'a> {
             ideals: false,
             products: true,
             squares: Fuel::new(0),
+            hints: Vec::new(),
+            attempt: RefCell::default(),
         }
     }
 
     pub(crate) fn left(&self) -> u64 {
         self.steps.get()
+    }
+
+    /// Notes that something is tried.
+    pub(super) fn note(&self, method: Method) {
+        self.attempt.borrow_mut().note(method);
+    }
+
+    /// Notes that nothing closes these conditions.
+    pub(super) fn leave(&self, atoms: &[Atom]) {
+        self.attempt.borrow_mut().leave(atoms);
     }
 
     pub(super) fn spend(&self) -> bool {
@@ -167,7 +168,7 @@ impl<'a> Search<'a> {
         Some((state, trail))
     }
 
-    fn run(
+    pub(super) fn run(
         &self,
         state: &State<'_, '_>,
         fresh: &[bool],
@@ -216,6 +217,9 @@ impl<'a> Search<'a> {
                 other => other,
             };
         }
+        if let Some(proof) = self.by_hints(state, trail) {
+            return Outcome::Closed(proof);
+        }
         if splits < MAX_SPLITS {
             let poly = self
                 .lead_to_split(state)
@@ -229,7 +233,7 @@ impl<'a> Search<'a> {
     }
 
     /// One branch a sign of a polynomial.
-    fn split(
+    pub(super) fn split(
         &self,
         state: &State<'_, '_>,
         poly: Poly,
@@ -402,150 +406,10 @@ impl<'a> Search<'a> {
             open.unwrap_or_else(|| d.primitive().1)
         })
     }
-
-    fn leaf(&self, state: &State<'_, '_>, trail: &[Elimination], splits: u32) -> Outcome {
-        let vars = open_vars(state);
-        for &v in &vars {
-            if let Some(proof) = tactics::sign_table(state, v) {
-                return Outcome::Closed(proof);
-            }
-        }
-        if self.proofs
-            && let Some(proof) =
-                tactics::division_by_premise(state).or_else(|| expansion::expansion(state))
-        {
-            return Outcome::Closed(proof);
-        }
-        if self.models {
-            if let Some(point) = self.sample(state, trail, &vars, (5, 200)) {
-                return Outcome::Model(point);
-            }
-            if let Some(point) = self.on_boundary(state, trail, splits) {
-                return Outcome::Model(point);
-            }
-        }
-        if vars.len() > 1 && self.proofs {
-            // A quick look for a point saves the long search for a proof that there is none.
-            if !self.models && self.sample(state, trail, &vars, (2, 12)).is_some() {
-                return Outcome::Open;
-            }
-            let ideal = || if self.ideals { tactics::ideal(state) } else { None };
-            if !self.products {
-                return match tactics::combination(state) {
-                    Some(proof) => Outcome::Closed(proof),
-                    None => Outcome::Open,
-                };
-            }
-            let squares = |reach| squares(state, reach, &self.squares);
-            let proof = tactics::combination(state)
-                .or_else(|| tactics::products(state, 1))
-                .or_else(|| squares(Reach::Atoms))
-                .or_else(|| squares(Reach::Pairs))
-                .or_else(|| tactics::products(state, 2))
-                .or_else(ideal)
-                .or_else(|| squares(Reach::Higher))
-                .or_else(|| self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits)))
-                .or_else(|| tactics::products(state, 3));
-            if let Some(proof) = proof {
-                return Outcome::Closed(proof);
-            }
-            if splits < MAX_SPLITS
-                && self.squares.spend(ORDER).is_ok()
-                && let Some(difference) = alike(state, &vars)
-            {
-                return self.split(state, difference, trail, splits + 1);
-            }
-        }
-        Outcome::Open
-    }
-
-    /// A point on the boundary of the state, or where its boundaries meet: one weak inequality after
-    /// the other taken as an equation.
-    fn on_boundary(
-        &self,
-        state: &State<'_, '_>,
-        trail: &[Elimination],
-        splits: u32,
-    ) -> Option<Point> {
-        if splits + BOUNDARY > MAX_SPLITS {
-            return None;
-        }
-        let weak = |i: &usize| {
-            let a = &state.atoms[*i];
-            a.sign == Sign::NonNegative && a.decided().is_none()
-        };
-        let fresh = state.atoms.len();
-        (0..fresh).filter(weak).find_map(|i| {
-            let equation = Atom::new(state.atoms[i].poly.clone(), Sign::Zero);
-            if state.atoms.contains(&equation) {
-                return None;
-            }
-            let next = state.with(equation);
-            match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
-                Outcome::Model(point) => Some(point),
-                _ => None,
-            }
-        })
-    }
-
-    /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
-    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Argument> {
-        if let Some(proof) = tactics::quick(state) {
-            return Some(proof);
-        }
-        if depth == 0 || vars.len() > 4 || !self.spend() || self.left() < 50 {
-            return None;
-        }
-        // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.
-        let at = |v: usize| {
-            let (lower, upper) = tactics::bounds(state, v);
-            let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
-            (value(lower), value(upper))
-        };
-        let width = |v: usize| match at(v) {
-            (Some(a), Some(b)) => b - a,
-            (None, None) => Q::from_integer(1000.into()),
-            _ => Q::from_integer(100.into()),
-        };
-        let v = vars.iter().copied().max_by(|a, b| width(*a).cmp(&width(*b)).then(b.cmp(a)))?;
-        let cut = match at(v) {
-            (Some(a), Some(b)) if a < b => (a + b) / Q::from_integer(2.into()),
-            (Some(a), None) => {
-                if a.is_positive() {
-                    a * Q::from_integer(2.into())
-                } else {
-                    a + Q::one()
-                }
-            }
-            (None, Some(b)) => b - Q::one(),
-            (None, None) => Q::zero(),
-            _ => return None,
-        };
-        let poly = Poly::var(v).scale(cut.denom()).sub(&Poly::constant(cut.numer().clone()));
-        let branch = |p: &Poly| {
-            let next = state.with(Atom::new(p.clone(), Sign::Positive));
-            self.boxes(&next, vars, depth - 1)
-        };
-        let positive = Box::new(branch(&poly)?);
-        let negative = Box::new(branch(&poly.neg())?);
-        let on = state.with(Atom::new(poly.clone(), Sign::Zero));
-        let equation = on.atoms.len() - 1;
-        let next = on.substitute(equation, v, &[]).ok()?;
-        let rest: Vec<usize> = open_vars(&next);
-        let inner = if rest.len() <= 1 {
-            tactics::quick(&next)
-                .or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
-        } else {
-            self.boxes(&next, &rest, depth - 1)?
-        };
-        let step = Step::Substitute { equation, var: v, lead: Vec::new() };
-        let zero = Box::new(step.wrap(inner));
-        Some(Argument::Split { poly, zero, positive, negative })
-    }
 }
 
 /// Marks the atoms from an index on.
-fn since(state: &State<'_, '_>, from: usize) -> Vec<bool> {
+pub(super) fn since(state: &State<'_, '_>, from: usize) -> Vec<bool> {
     (0..state.atoms.len()).map(|i| i >= from).collect()
 }
 
@@ -553,42 +417,6 @@ fn since(state: &State<'_, '_>, from: usize) -> Vec<bool> {
 fn changed(before: &State<'_, '_>, after: &State<'_, '_>) -> Vec<bool> {
     let same = |(i, a): (usize, &Atom)| before.atoms.get(i) == Some(a);
     after.atoms.iter().enumerate().map(|x| !same(x)).collect()
-}
-
-/// The difference of two variables that a state treats alike, if their order is not known.
-fn alike(state: &State<'_, '_>, vars: &[usize]) -> Option<Poly> {
-    let known = |d: &Poly| {
-        let same = |p: &Poly| *p == *d || *p == d.neg();
-        state.atoms.iter().any(|a| same(&a.poly.primitive().1))
-    };
-    let pairs = vars.iter().enumerate().flat_map(|(n, v)| vars[..n].iter().map(move |w| (*w, *v)));
-    pairs
-        .filter(|&(v, w)| {
-            let swapped = |a: &Atom| Atom::new(exchanged(&a.poly, v, w), a.sign);
-            // What is about one pair of variables orders them, and says nothing about the others.
-            let mut long = state.atoms.iter().filter(|a| a.poly.vars().len() > 2);
-            long.clone().next().is_some() && long.all(|a| state.atoms.contains(&swapped(a)))
-        })
-        .map(|(v, w)| Poly::var(v).sub(&Poly::var(w)))
-        .find(|d| !known(d))
-}
-
-/// A polynomial with two variables in each other's place.
-fn exchanged(p: &Poly, v: usize, w: usize) -> Poly {
-    Poly::sum(p.terms().map(|(m, c)| {
-        let name = |x: usize| {
-            if x == v {
-                w
-            } else if x == w {
-                v
-            } else {
-                x
-            }
-        };
-        let mut m: Vec<(usize, u32)> = m.iter().map(|&(x, n)| (name(x), n)).collect();
-        m.sort_unstable();
-        (m, c.clone())
-    }))
 }
 
 /// Closed if all are closed; the first model otherwise.
@@ -605,14 +433,6 @@ fn all(
         }
     }
     if open { Outcome::Open } else { Outcome::Closed(wrap(proofs)) }
-}
-
-/// Variables of the atoms that are not decided.
-pub(crate) fn open_vars(state: &State<'_, '_>) -> Vec<usize> {
-    let mut vars: Vec<usize> = state.atoms.iter().flat_map(|a| a.poly.vars()).collect();
-    vars.sort_unstable();
-    vars.dedup();
-    vars
 }
 
 /// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.

@@ -4,7 +4,7 @@ use kane_algebra::ring::common_sign;
 use kane_algebra::squares::{Identity, Question, identity, total_degree};
 use kane_kernel::{Fuel, Poly, Sign, State, Term};
 
-use super::search::Factors;
+use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
 /// Atoms with an order, beyond which their products are left out.

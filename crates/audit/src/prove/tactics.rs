@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::search::Factors;
+use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
@@ -412,60 +412,6 @@ pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
         .map(|(i, (c, powers))| (*i, c.clone(), powers.clone()))
         .collect();
     let proof = Argument::SignTable { var: v, bases: table.bases, roots: table.roots, atoms };
-    state.closes(&proof).is_ok().then_some(proof)
-}
-
-/// A linear combination of the atoms themselves (Farkas 1902), in any number of variables.
-pub(crate) fn combination(state: &State<'_, '_>) -> Option<Argument> {
-    let live = |i: &usize| state.atoms[*i].decided().is_none() && state.atoms[*i].poly.len() <= 200;
-    let known: Vec<usize> =
-        (0..state.atoms.len()).filter(live).filter(|&i| order(state.atoms[i].sign)).collect();
-    let equations: Vec<usize> = (0..state.atoms.len())
-        .filter(live)
-        .filter(|&i| state.atoms[i].sign == Sign::Zero)
-        .collect();
-    let mut rows: std::collections::BTreeMap<&[Power], usize> = std::collections::BTreeMap::new();
-    for i in known.iter().chain(&equations) {
-        for (m, _) in state.atoms[*i].poly.terms() {
-            let next = rows.len();
-            rows.entry(m).or_insert(next);
-        }
-    }
-    let height = rows.len();
-    if height > 200 || known.len() + equations.len() > 80 {
-        return None;
-    }
-    let column = |i: usize, sign: i64| -> Vec<(usize, Q)> {
-        let entries = state.atoms[i].poly.terms();
-        entries.map(|(m, c)| (rows[m], Q::from_integer(c * sign))).collect()
-    };
-    let mut matrix: Vec<Vec<(usize, Q)>> = Vec::new();
-    for &i in &known {
-        let mut entries = column(i, 1);
-        if state.atoms[i].sign == Sign::Positive {
-            entries.push((height, Q::one()));
-        }
-        matrix.push(entries);
-    }
-    for &i in &equations {
-        matrix.extend([column(i, 1), column(i, -1)]);
-    }
-    let mut b = vec![Q::zero(); height];
-    b.push(Q::one());
-    let weights = whole(&feasible(&matrix, &b, 200, &state.scope.fuel)?);
-    let terms = known
-        .iter()
-        .zip(&weights)
-        .filter(|(_, w)| w.is_positive())
-        .map(|(i, w)| Term { weight: w.clone(), square: Poly::one(), factors: vec![(*i, 1)] })
-        .collect();
-    let cofactors = equations
-        .iter()
-        .zip(weights[known.len()..].chunks(2))
-        .map(|(i, w)| (*i, Poly::constant(&w[0] - &w[1])))
-        .filter(|(_, p)| !p.is_empty())
-        .collect();
-    let proof = Argument::Positive { terms, cofactors };
     state.closes(&proof).is_ok().then_some(proof)
 }
 

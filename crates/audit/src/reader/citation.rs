@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use kane_kernel::{Expr, Link, Relation, Sentence};
 
-use super::tie::Ties;
+use super::tie::{self, Ties};
 use super::{Fault, MAX_FAULTS, Reader, label};
 use crate::{Body, Claim, Content, Parts, Statement, Verdict};
 
@@ -33,6 +33,7 @@ pub(super) struct DraftClaim {
     pub(super) content: DraftContent,
     pub(super) when: Vec<Relation>,
     pub(super) from: Vec<Cited>,
+    pub(super) using: Vec<Expr>,
     pub(super) by: Vec<(usize, Expr)>,
     pub(super) expect: Option<Verdict>,
 }
@@ -45,10 +46,12 @@ pub(super) enum DraftContent {
 }
 
 /// A label where it is cited.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Cited {
     pub(super) label: String,
     pub(super) span: Range<usize>,
+    /// of `d(LABEL, t)`: what is differentiated, and by which variable
+    pub(super) derivative: Option<(Box<Self>, String)>,
 }
 
 /// The citations of a statement as indices.
@@ -87,11 +90,14 @@ impl Reader {
                 break;
             }
             match self.cite(index, cited) {
-                Ok(premise) if seen.insert(premise) => {
-                    resolved.from.push(premise);
-                    cites.push((premise, cited));
+                Ok(premise) => {
+                    for said in self.with_sources(premise) {
+                        if seen.insert(said) {
+                            resolved.from.push(said);
+                            cites.push((said, cited));
+                        }
+                    }
                 }
-                Ok(_) => {}
                 Err(fault) => faults.push(fault),
             }
         }
@@ -106,7 +112,22 @@ impl Reader {
             }
         }
         faults.extend(ties.find(index, &cites, resolved.target));
+        let spoken =
+            [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
+        let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
+        let circles = self.circles_of(sides);
+        resolved.from.extend(circles.into_iter().filter(|circle| seen.insert(*circle)));
         resolved
+    }
+
+    /// A premise, and before it what it is the derivative of.
+    fn with_sources(&self, mut premise: usize) -> Vec<usize> {
+        let mut chain = vec![premise];
+        while let Some(base) = self.derived.get(&premise) {
+            chain.insert(0, *base);
+            premise = *base;
+        }
+        chain
     }
 
     fn is_definition(&self, index: usize) -> bool {
@@ -160,6 +181,7 @@ impl Draft {
                 },
                 when: claim.when,
                 from: resolved.from,
+                using: claim.using,
                 by: claim.by,
                 expect: claim.expect,
             }),

@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::{Parser, RESERVED, SyntaxError, SyntaxErrorKind, canonical_name};
+use kane_algebra::syntax::{Parser, SyntaxError, SyntaxErrorKind, canonical_name};
+
+/// Clauses in the order in which they must stand; no label is called so.
+pub(super) const CLAUSES: [&str; 6] = ["as", "when", "from", "using", "by", "expect"];
 
 /// Bytes of a label.
 const MAX_LABEL_BYTES: usize = 200;
@@ -39,7 +42,7 @@ pub(super) fn take<'a>(p: &mut Parser<'a>) -> Result<(&'a str, Range<usize>), Sy
         return Err(p.unexpected("a label, such as `(9)` or `k-range`"));
     };
     let word = rest.get(..length).unwrap_or_default();
-    if RESERVED.contains(&word) {
+    if CLAUSES.contains(&word) {
         return Err(p.fault(SyntaxErrorKind::ReservedWord(word.to_owned())));
     }
     Ok(p.take_until(start + length))

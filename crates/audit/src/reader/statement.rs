@@ -9,14 +9,12 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
+use super::label::CLAUSES;
 use super::{Fault, Reader, label, symbol};
 use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
 pub(super) const KEYWORDS: [&str; 4] = ["var", "let", "given", "claim"];
-
-/// Clauses in the order in which they must stand.
-const CLAUSES: [&str; 5] = ["as", "when", "from", "by", "expect"];
 
 impl Reader {
     /// Reads the statement at `span` of `code`, which begins on line `line`.
@@ -74,6 +72,11 @@ impl Reader {
                 (Parsed::Broken, span.end)
             }
         };
+        if let Parsed::Body(DraftBody::Claim(claim)) = &parsed {
+            for cited in &claim.from {
+                self.differentiate(cited);
+            }
+        }
         // a broken statement keeps its label and its name, lest every use of them be a fault too
         let body = match (parsed, head.name) {
             (Parsed::Let(body), Some((name, site))) => self.define(&name, site, body),
@@ -90,6 +93,7 @@ impl Reader {
         for SyntaxError { kind, span } in errors {
             let mut fault = Fault::new(span, kind.to_string());
             fault.note = kind.hint().map(str::to_owned);
+            self.met.learn(&kind);
             if let SyntaxErrorKind::UnknownSymbol(name) = kind {
                 if defined.is_some_and(|own| canonical_name(own) == canonical_name(&name)) {
                     fault.message = format!("cycle: `{name}` is defined in terms of itself");
@@ -101,7 +105,7 @@ impl Reader {
         }
     }
 
-    fn enter(&mut self, draft: Draft) {
+    pub(super) fn enter(&mut self, draft: Draft) {
         let index = self.drafts.len();
         let first = *self.labels.entry(label::key(&draft.label)).or_insert(index);
         if let Some(first) = self.drafts.get(first) {
@@ -173,6 +177,9 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     Ok(Head { label: label.to_owned(), label_span, name: Some((name.to_owned(), site)) })
 }
 
+/// Citations of derivatives in one statement that are looked into.
+const MAX_DERIVATIVES: usize = 100;
+
 type Outcome<T> = Result<(T, usize), Vec<SyntaxError>>;
 
 /// Ends the statement: its value and where it ends, or all its faults.
@@ -226,10 +233,10 @@ fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
 }
 
 /// `RELATION [as x -> a] | contradiction | not implied M`, then
-/// `[when RELATION] [from …] [by f := …, …] [expect VERDICT]`
+/// `[when RELATION] [from …] [using EXPR, …] [by f := …, …] [expect VERDICT]`
 fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let claim = (|| {
-        let (content, when, from, by, expect);
+        let (content, when, from, using, by, expect);
         (content, parts.content) = placed(&mut p, content_of_claim)?;
         let links = match &content {
             DraftContent::Links(links) => links.as_slice(),
@@ -244,6 +251,19 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             Ok(from)
         })?;
         let mut allowed = vec!["when", "from", "expect"];
+        let at_points = match &content {
+            DraftContent::Links(links) => {
+                links.iter().all(|(link, _)| matches!(link, Link::Relation(_)))
+            }
+            DraftContent::Contradiction => true,
+            DraftContent::NotImplied(_) => false,
+        };
+        (using, parts.using) = if at_points {
+            allowed.push("using");
+            clause(&mut p, "using", hints)?
+        } else {
+            (Vec::new(), None)
+        };
         (by, parts.by) = if matches!(content, DraftContent::NotImplied(_)) {
             allowed.push("by");
             clause(&mut p, "by", |p| witness(p, faults))?
@@ -252,7 +272,7 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
         };
         (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
-        Ok(DraftBody::Claim(DraftClaim { content, when, from, by, expect }))
+        Ok(DraftBody::Claim(DraftClaim { content, when, from, using, by, expect }))
     })();
     finish(p, claim)
 }
@@ -278,9 +298,11 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
         return Ok(());
     }
     Err(p.unexpected(if allowed.contains(&word) {
-        "the clauses once each and in the order `as`, `when`, `from`, `by`, `expect`"
+        "the clauses once each and in the order `as`, `when`, `from`, `using`, `by`, `expect`"
     } else if word == "by" {
         "the end (only `not implied` takes `by`)"
+    } else if word == "using" {
+        "the end (only a claim about points takes `using`, not a limit and not `not implied`)"
     } else if word == "as" {
         "the end (`as` follows the limit)"
     } else {
@@ -289,8 +311,23 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
 }
 
 fn cited(p: &mut Parser<'_>) -> Result<Cited, SyntaxError> {
+    let (rest, at) = p.rest();
+    if let Some(inside) = rest.strip_prefix("d(") {
+        let start = p.span().start;
+        if inside.matches("d(").count() > MAX_DERIVATIVES {
+            return Err(p.fault(SyntaxErrorKind::TooNested));
+        }
+        p.take_until(at + 2);
+        let inner = cited(p)?;
+        p.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let (variable, _) = p.name()?;
+        p.expect(Token::CloseParen, "`)` after the variable of differentiation")?;
+        let label = format!("d({}, {variable})", inner.label);
+        let derivative = Some((Box::new(inner), variable.to_owned()));
+        return Ok(Cited { label, span: start..p.last_end(), derivative });
+    }
     let (label, span) = label::take(p)?;
-    Ok(Cited { label: label.to_owned(), span })
+    Ok(Cited { label: label.to_owned(), span, derivative: None })
 }
 
 /// `RELATION` of a `when`. Beside a limit it must leave the limit variable free.
@@ -319,6 +356,15 @@ fn conditions(
     Ok(relations.into_iter().map(|(relation, _)| relation).collect())
 }
 
+/// `EXPR, …`
+fn hints(p: &mut Parser<'_>) -> Result<Vec<Expr>, SyntaxError> {
+    let mut using = vec![p.expr()?];
+    while p.next_item(using.len())? {
+        using.push(p.expr()?);
+    }
+    Ok(using)
+}
+
 /// `f := EXPR, …`
 fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Expr)>, SyntaxError> {
     let mut by: Vec<(usize, Expr)> = Vec::new();
@@ -327,6 +373,10 @@ fn witness(p: &mut Parser<'_>, faults: &mut Vec<Fault>) -> Result<Vec<(usize, Ex
         p.expect(Token::Define, "`:=` and a value or function")?;
         let value = p.expr()?;
         match p.scope().resolve(name) {
+            Some(Symbol::Var(index)) if p.scope().angle(index).is_some() => {
+                faults
+                    .push(Fault::new(span, format!("`{name}` is an angle, and has no value here")));
+            }
             Some(Symbol::Var(index)) if by.iter().any(|(seen, _)| *seen == index) => {
                 faults.push(Fault::new(span, format!("`{name}` is given twice")));
             }

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::{Endpoint, Parser, Symbol, SyntaxError, Token};
+use kane_algebra::syntax::{Endpoint, Parser, Symbol, SyntaxError, Token, canonical_name};
 use kane_kernel::{Bound, Rel, Var};
+use num_rational::BigRational;
 
 use super::{Fault, MAX_SYMBOLS, Reader};
 
@@ -16,22 +17,48 @@ impl Reader {
                 self.faults.push(Fault::new(item.span, message));
                 return;
             }
-            let of = item.of.and_then(|(name, span)| self.argument(&name, span));
+            let of = item.of.clone().and_then(|(name, span)| self.argument(&name, span));
+            if let Some(parts) = self.wanted.parts(&item.name) {
+                self.declare_angle(item, of, parts);
+                continue;
+            }
+            if item.turns.iter().any(Option::is_some) {
+                let message =
+                    format!("`{}` is bounded by multiples of `pi`, but is no angle", item.name);
+                let note = "an angle is what stands inside `sin`, `cos` or `tan`";
+                self.faults.push(Fault::new(item.whole.clone(), message).with_note(note));
+            }
             if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
                 let message = format!("the domain of `{}` is empty", item.name);
                 self.faults.push(Fault::new(item.whole.clone(), message));
             }
-            let var = Var { name: item.name, of, lower: item.lower, upper: item.upper };
+            let name = item.name.clone();
+            let var = Var { name, of, lower: item.lower, upper: item.upper };
             match self.scope.declare(var) {
-                Ok(_) => self.var_sites.push(item.span.start),
+                Ok(symbol) => {
+                    self.var_sites.push(item.span.start);
+                    self.declare_rates(symbol, &item.name, item.span);
+                }
                 Err(error) => self.refuse(&error, item.span),
             }
         }
     }
 
+    /// Enters the derivatives that are spoken of.
+    pub(super) fn declare_rates(&mut self, symbol: usize, name: &str, span: Range<usize>) {
+        if let Err(error) = self.scope.declare_rates(symbol, self.wanted.order(name)) {
+            self.refuse(&error, span.clone());
+        }
+        self.var_sites.resize(self.scope.context().vars.len(), span.start);
+    }
+
     /// The symbol of which a function is declared.
     fn argument(&mut self, name: &str, span: Range<usize>) -> Option<usize> {
         let fault = match self.scope.resolve(name) {
+            Some(Symbol::Var(x)) if self.scope.angle(x).is_some() => {
+                Fault::new(span, format!("`{name}` is an angle"))
+                    .with_note("a function varies with a plain `var`")
+            }
             Some(Symbol::Var(x)) => {
                 let is_plain = |var: &Var| var.of.is_none();
                 if self.scope.context().vars.get(x).is_some_and(is_plain) {
@@ -55,13 +82,15 @@ impl Reader {
 
 /// A symbol before it is entered.
 pub(super) struct Item {
-    name: String,
-    span: Range<usize>,
+    pub(super) name: String,
+    pub(super) span: Range<usize>,
     /// name and bounds
-    whole: Range<usize>,
+    pub(super) whole: Range<usize>,
     of: Option<(String, Range<usize>)>,
-    lower: Option<Bound>,
-    upper: Option<Bound>,
+    pub(super) lower: Option<Bound>,
+    pub(super) upper: Option<Bound>,
+    /// lower and upper bound as multiples of π, and whether they are strict
+    pub(super) turns: [Option<(BigRational, bool)>; 2],
 }
 
 /// `[bound <] NAME[(x)] [< bound], …`; after a fault it goes on behind the next comma.
@@ -101,10 +130,10 @@ fn item(
     faults: &mut Vec<Fault>,
 ) -> Result<(), SyntaxError> {
     let start = p.span().start;
-    let left = if p.token() == Token::Name {
+    let left = if p.token() == Token::Name && !begins_with_pi(p) {
         None
     } else {
-        let end = p.bound()?;
+        let end = p.bound_of_symbol()?;
         let rel = bound_relation(p)?;
         end.map(|end| (mirrored(rel), end))
     };
@@ -122,10 +151,11 @@ fn item(
         of,
         lower: None,
         upper: None,
+        turns: [None, None],
     });
     let right = if matches!(p.token(), Token::Rel(_)) {
         let rel = bound_relation(p)?;
-        p.bound()?.map(|end| (rel, end))
+        p.bound_of_symbol()?.map(|end| (rel, end))
     } else {
         None
     };
@@ -137,6 +167,15 @@ fn item(
         }
     }
     Ok(())
+}
+
+/// Whether the item begins with a bound such as `pi/2`, and not with a symbol that is called `pi`.
+fn begins_with_pi(p: &Parser<'_>) -> bool {
+    let (rest, _) = p.rest();
+    let item = rest.split(',').next().unwrap_or_default();
+    let words = item.split(|c: char| !c.is_alphanumeric() && !"_'′".contains(c));
+    let mut names = words.filter(|word| word.starts_with(char::is_alphabetic)).map(canonical_name);
+    names.next().is_some_and(|name| name == "pi") && names.any(|name| name != "pi")
 }
 
 /// `<`, `<=`, `>` or `>=`
@@ -168,6 +207,14 @@ impl Item {
         let is_lower = matches!(rel, Rel::Gt | Rel::Ge);
         let value = match end {
             Endpoint::Finite(value) => value,
+            Endpoint::HalfTurns(value) => {
+                let slot = &mut self.turns[usize::from(!is_lower)];
+                let strict = matches!(rel, Rel::Lt | Rel::Gt);
+                return match slot.replace((value, strict)) {
+                    None => Ok(()),
+                    Some(_) => Err(format!("`{}` is bounded twice on one side", self.name)),
+                };
+            }
             Endpoint::MinusInf if is_lower => return Ok(()),
             Endpoint::PlusInf if !is_lower => return Ok(()),
             Endpoint::PlusInf | Endpoint::MinusInf => {

@@ -19,8 +19,15 @@ use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
 /// Inequalities of a claim above which no two are compared: each then counts as an equation.
 const MAX_INEQUALITIES: usize = 100;
 
-/// What differentiates, and the symbols that it holds fixed.
-type Derivative = (usize, BTreeSet<usize>);
+/// What varies in a derivative.
+#[derive(Clone, Debug)]
+struct Derivative {
+    by: usize,
+    /// the symbols that it holds fixed
+    others: BTreeSet<usize>,
+    /// whether functions of the variable may vary with it: then equations with them tie nothing
+    total: bool,
+}
 
 /// An equation, or one side at most the other, as a difference.
 #[derive(Debug)]
@@ -82,9 +89,14 @@ impl<'a> Ties<'a> {
             relations.extend(self.differences(relation).into_iter().map(|d| (Rc::new(d), None)));
         }
         let equations = equations(&relations);
-        let (symbol, chain, (x, place)) = derivatives.iter().find_map(|((x, others), place)| {
-            let (y, chain) = chain(&equations, *x, others)?;
-            Some((y, chain, (*x, *place)))
+        let vars = &self.scope.context().vars;
+        let (symbol, chain, (x, place)) = derivatives.iter().find_map(|(derivative, place)| {
+            let Derivative { by, others, total } = derivative;
+            let varies = |v: &usize| vars.get(*v).is_some_and(|var| var.of == Some(*by));
+            let ties = |e: &&Equation| !total || !e.symbols.iter().any(varies);
+            let (y, chain) =
+                chain(&equations.iter().filter(ties).collect::<Vec<_>>(), *by, others)?;
+            Some((y, chain, (*by, *place)))
         })?;
         Some(self.fault(index, premises, (symbol, x), &chain, place))
     }
@@ -141,8 +153,21 @@ impl<'a> Ties<'a> {
             self.scope.visit(side, &mut |node| {
                 if let Expr::Deriv(f, x) = node {
                     let mut others = self.scope.symbols(f);
-                    others.remove(x);
-                    found.push((*x, others));
+                    let of = |v: usize| self.scope.context().vars.get(v).and_then(|var| var.of);
+                    // a function varies with its variable, and so do the other functions of it
+                    if let Some(t) = of(*x) {
+                        others.retain(|other| of(*other).is_none());
+                        found.push(Derivative { by: t, others, total: true });
+                        return;
+                    }
+                    // cosine and sine vary together
+                    let varied = match self.scope.angle_at(*x) {
+                        Some((_, angle)) => vec![angle.cos, angle.sin],
+                        None => vec![*x],
+                    };
+                    others.retain(|other| !varied.contains(other));
+                    let fixed = |by| Derivative { by, others: others.clone(), total: false };
+                    found.extend(varied.into_iter().map(fixed));
                 }
             });
         }
@@ -254,7 +279,7 @@ impl<'d> Sides<'d> {
 
 /// The first of the symbols that a chain of equations ties to x, and the chain from it to x.
 fn chain(
-    equations: &[Equation],
+    equations: &[&Equation],
     x: usize,
     others: &BTreeSet<usize>,
 ) -> Option<(usize, Vec<Option<usize>>)> {
@@ -296,7 +321,7 @@ fn chain(
 }
 
 /// The symbols that equations without x pin: an equation in which all but one are pinned pins that one.
-fn pinned(equations: &[Equation], x: usize) -> BTreeSet<usize> {
+fn pinned(equations: &[&Equation], x: usize) -> BTreeSet<usize> {
     let mut pinned = BTreeSet::new();
     loop {
         let before = pinned.len();
@@ -340,7 +365,7 @@ fn relations(body: &DraftBody) -> Vec<&Relation> {
 }
 
 /// All expressions of a statement.
-fn sides(body: &DraftBody) -> Vec<&Expr> {
+pub(super) fn sides(body: &DraftBody) -> Vec<&Expr> {
     let mut sides = Vec::new();
     for link in links(body) {
         match link {

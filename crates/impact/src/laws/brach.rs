@@ -54,9 +54,8 @@ impl ImpactLaw for Brach {
         source: "R. M. Brach, J. Appl. Mech. 51 (1984) 164-170 and 56 (1989) 133-138, from memory of their use in the literature, originals not consulted; the energy bound is derived here from dT = p*(v + v+)/2",
         known_by: Provenance::Others,
         statement: "i_x = share",
-        gap: Some(
-            "the impulse ratio mu_B would create energy, or has no normal impulse that pushes",
-        ),
+        gap: Some("the impulse ratio mu_B has no normal impulse that pushes"),
+        rejects: Some("its impulse would create energy"),
         parameters: &[SHARE],
         on_a_sphere: &[("", "1 - 2*share*alpha")],
         ..LawInfo::PLAIN

@@ -234,9 +234,8 @@ const TILTED: LawInfo = LawInfo {
     caveat: Some(
         "it is not the formula of the paper that it is named after, and its default tilt is invented",
     ),
-    gap: Some(
-        "the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1, or the surfaces would not separate",
-    ),
+    gap: Some("the cone about the tilted normal reaches below the surface, mu*tan(phi) > 1"),
+    rejects: Some("the surfaces would not separate"),
     ..TURNED
 };
 

@@ -35,6 +35,14 @@ pub use chain::{Theorem, Unchained};
 use reify::OWN;
 use theory::{Part, has_word, theory};
 
+/// A file's stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.
+#[must_use]
+pub fn library(stem: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let name: String = stem.chars().map(plain).collect();
+    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("_{name}") } else { name }
+}
+
 /// Why a certificate is not turned into a lemma.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]

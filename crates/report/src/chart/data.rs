@@ -46,6 +46,7 @@ pub fn csv(report: &ChartReport<'_>) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     machine: &'a str,
     warnings: Vec<String>,
@@ -53,6 +54,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Row<'a> {
     law: &'a str,
     quantity: &'a str,
@@ -76,10 +78,17 @@ struct Row<'a> {
 /// A proved bound: in ulps, exactly; where it ends; and the worst error measured up to there, in
 /// hundredths of log2 ulps.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Bound {
     ulps: String,
     to: String,
     log2_ulps_worst: Option<i64>,
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane chart")
 }
 
 /// The table for programs, ended by a line feed; times as first quartile, median, third quartile.
@@ -121,6 +130,27 @@ pub fn json(report: &ChartReport<'_>) -> String {
         methods: report.all.iter().enumerate().map(row).collect(),
     };
     enveloped(Schema { name: "kane-chart", version: 1 }, &report.command, file)
+}
+
+/// The times as CSV with the machine in a comment, for a figure that is the same in every run.
+#[must_use]
+pub fn times(report: &ChartReport<'_>) -> String {
+    let row = |measured: &Measured| {
+        let (method, time) = (&measured.method, measured.time.as_ref()?);
+        Some(vec![
+            method.law.to_owned(),
+            method.quantity.to_owned(),
+            method.name.to_owned(),
+            method.system.to_string(),
+            time.quartiles.0.to_string(),
+            time.median.to_string(),
+            time.quartiles.1.to_string(),
+            time.rounds.to_string(),
+        ])
+    };
+    let names = "law,quantity,name,system,ps_first_quartile,ps,ps_third_quartile,rounds";
+    let rows = report.all.iter().filter_map(row);
+    format!("# {}\n{}", report.machine, crate::sheet::csv(names, rows))
 }
 
 /// The table that is committed: the errors and the counted costs, and how they were made. No times.

@@ -1,6 +1,7 @@
 //! Speed against accuracy: a sheet, its data, and a picture.
 
 mod data;
+mod overview;
 mod picture;
 mod sheet;
 
@@ -8,7 +9,11 @@ use kane_measure::chart::{DOMAIN, Measured, Method, Proved, contradictions};
 use kane_number::Rational;
 use num_bigint::BigInt;
 
-pub use data::{committed, csv, json};
+#[cfg(feature = "schema")]
+pub(crate) use data::schema;
+pub use data::{committed, csv, json, times};
+pub use overview::speed_accuracy;
+pub(crate) use overview::{Reading, readings, timed};
 pub(crate) use picture::ink;
 pub use picture::picture;
 pub use sheet::sheet;

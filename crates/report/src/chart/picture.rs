@@ -16,7 +16,7 @@ const PANEL: Point = (480.0, 330.0);
 const COLUMNS: usize = 2;
 const LEGEND: f64 = 30.0;
 /// Where exact methods are drawn, in digits.
-const EXACT: f64 = 38.0;
+pub(super) const EXACT: f64 = 38.0;
 
 /// The ink of a system of numbers.
 pub(crate) const fn ink(system: System) -> Ink {
@@ -30,7 +30,7 @@ pub(crate) const fn ink(system: System) -> Ink {
 }
 
 /// The shape of its marks.
-const fn shape(system: System) -> Shape {
+pub(super) const fn shape(system: System) -> Shape {
     match system {
         System::F32 => Shape::Triangle,
         System::F64 => Shape::Disc,
@@ -96,7 +96,7 @@ pub fn picture(report: &ChartReport<'_>) -> String {
 const FRONT: Pen = Pen::new(Ink::GREY, 2.0);
 
 /// Picoseconds and digits of a method.
-fn place(measured: &Measured) -> Point {
+pub(super) fn place(measured: &Measured) -> Point {
     let float = |n: u64| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     let time = measured.time.as_ref().map_or(1, |time| time.median.max(1));
     let digits = match measured.accuracy.worst {
@@ -111,11 +111,8 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
         let nanoseconds = picoseconds / 1000.0;
         if nanoseconds < 1e4 { nanoseconds.to_string() } else { format!("{nanoseconds:e}") }
     });
-    let ticks = [(0.0, "0"), (7.2, "f32"), (16.0, "f64"), (31.9, "dd"), (EXACT, "exact")];
-    let ticks = ticks.map(|(at, name)| (at, name.to_owned())).to_vec();
-    let digits = Axis::told("decimal digits right", (-4.5, 41.0), ticks);
     let frame = Frame { at, size: PANEL, head: 28.0, beside: 14.0 };
-    let panel = Panel::new(canvas, frame, (time, digits), caption);
+    let panel = Panel::new(canvas, frame, (time, digits_axis()), caption);
     let mut steps: Vec<Point> = group.iter().filter(|d| d.on_front).map(|d| d.at).collect();
     steps.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(steps.last().map(|last| (range.1, last.1)));
@@ -146,6 +143,14 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
         taken.push((left, left + wide, at));
         canvas.words((left, at), &name, NUMBERS, Anchor::Start);
     }
+}
+
+/// Digits, with the precisions of the systems.
+pub(super) fn digits_axis() -> Axis {
+    let ticks =
+        [(0.0, "wrong"), (7.2, "7 f32"), (16.0, "16 f64"), (31.9, "32 dd"), (EXACT, "exact")];
+    let ticks = ticks.map(|(at, name)| (at, name.to_owned())).to_vec();
+    Axis::told("decimal digits right at the worst input", (-4.5, 41.0), ticks)
 }
 
 /// What a method on the front is called, with the bound that is proved of it.

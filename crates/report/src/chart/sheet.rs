@@ -2,7 +2,9 @@
 
 use kane_measure::chart::{Measured, front};
 
-use super::{ChartReport, daggered, digits, form_of, nanoseconds, picture, ulps};
+use super::{
+    ChartReport, daggered, digits, form_of, nanoseconds, picture, speed_accuracy, timed, ulps,
+};
 use crate::sheet::{Column, Row, Sheet, Table, Tone, Words, row};
 
 const READING: &str = "Of each quantity the cheapest comes first; * nothing else is both cheaper and better. \
@@ -18,6 +20,9 @@ pub fn sheet<'a>(report: &'a ChartReport<'a>) -> Sheet<'a> {
     sheet.machine = Some(report.machine.clone());
     sheet.columns = 110;
     sheet.prose(READING);
+    if !timed(report).is_empty() {
+        sheet.figure("speed-accuracy", "The paper's law at a glance", || speed_accuracy(report));
+    }
     sheet.figure("chart", "Digits by time", || picture(report));
     let front = front(report.all);
     for ((law, quantity), group) in report.groups() {

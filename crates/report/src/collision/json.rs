@@ -9,7 +9,13 @@ use kane_scene::collide::{self, Collision};
 /// The name of the schema.
 pub const COLLISION_SCHEMA_NAME: &str = "kane-collide";
 /// The version of the schema.
-pub const COLLISION_SCHEMA_VERSION: u32 = 2;
+pub const COLLISION_SCHEMA_VERSION: u32 = 3;
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane collide")
+}
 
 /// The collision as JSON, ended by a line feed. Floats are finite or null.
 #[must_use]
@@ -37,6 +43,7 @@ pub fn json(collision: &Collision) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     title: &'a str,
     headline: String,
@@ -48,6 +55,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Given<'a> {
     symbol: &'a str,
     value: &'a str,
@@ -56,6 +64,7 @@ struct Given<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Law<'a> {
     id: &'a str,
     statement: &'a str,
@@ -67,12 +76,14 @@ struct Law<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Parameter<'a> {
     name: &'a str,
     value: &'a str,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Outcome<'a> {
     regime: &'a str,
     energy: &'a str,
@@ -84,22 +95,26 @@ struct Outcome<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Check<'a> {
     claim: &'a str,
     holds: bool,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Reading<'a> {
     symbol: &'a str,
     unit: &'a str,
     exact: Option<&'a str>,
+    digits: Option<&'a str>,
     float: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     lanes: Option<Lanes>,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Lanes {
     plain: Option<f64>,
     error_of_inputs: Option<f64>,
@@ -123,7 +138,8 @@ impl<'a> Reading<'a> {
         Self {
             symbol: reading.symbol,
             unit: reading.unit,
-            exact: reading.exact.as_deref(),
+            exact: reading.fraction.as_deref(),
+            digits: reading.exact.as_deref(),
             float: reading.float.and_then(finite),
             lanes,
         }

@@ -3,6 +3,8 @@
 mod json;
 mod sheet;
 
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use json::{COLLISION_SCHEMA_NAME, COLLISION_SCHEMA_VERSION, json};
 pub use sheet::sheet;
 

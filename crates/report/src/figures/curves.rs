@@ -85,6 +85,9 @@ fn draw_series(canvas: &mut Canvas, panel: &Panel, series: &[Series]) {
             look.mark(canvas, *at);
         }
     }
+    for (one, look) in series.iter().zip(&looks).filter(|(_, look)| !look.is_line()) {
+        draw_bars(canvas, panel, one, look.bar());
+    }
     for (index, look) in
         looks.iter().enumerate().filter(|(_, look): &(usize, &Look)| !look.is_line())
     {
@@ -92,4 +95,14 @@ fn draw_series(canvas: &mut Canvas, panel: &Panel, series: &[Series]) {
             look.mark(canvas, at);
         }
     }
+}
+
+/// What each point may be off, as far as it is in the window.
+fn draw_bars(canvas: &mut Canvas, panel: &Panel, series: &Series, pen: Pen) {
+    let ends = series.points.iter().zip(&series.bars).filter_map(|((x, y), bar)| {
+        let y = (*y)?;
+        Some([panel.at((*x, y - bar))?, panel.at((*x, y + bar))?])
+    });
+    let parts: Vec<Vec<Point>> = ends.flat_map(|ends| panel.window.cut(&ends)).collect();
+    canvas.lines(parts.iter().map(Vec::as_slice), pen);
 }

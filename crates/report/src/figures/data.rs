@@ -43,6 +43,11 @@ pub fn csv(figure: &Figure) -> String {
                         line(&mut out, format_args!("{},{at},{value}", number + 1));
                     }
                 }
+                // how far a point may be off to either side
+                for ((at, _), bar) in one.points.iter().zip(&one.bars) {
+                    let (at, bar) = (abscissa(one, *at), decimals(*bar, one.decimals));
+                    line(&mut out, format_args!("{} bar,{at},{bar}", number + 1));
+                }
             }
             for (zone, letter) in zones {
                 for border in &zone.borders {

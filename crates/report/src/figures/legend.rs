@@ -56,6 +56,11 @@ impl Look {
         Pen::new(self.ink(), if self.place == 0 { 3.0 } else { 2.0 }).dashed(dashes)
     }
 
+    /// The pen of error bars.
+    pub(super) const fn bar(self) -> Pen {
+        Pen::new(Ink::Text, 1.0).faint(0.7)
+    }
+
     /// Draws the number of a line, or the shape of a point.
     pub(super) fn mark(self, canvas: &mut Canvas, at: Point) {
         let open = Pen::new(Ink::Text, 1.6);

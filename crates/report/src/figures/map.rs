@@ -2,7 +2,7 @@
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 use super::{Figure, Panel};
-use crate::picture::{self, Anchor, Canvas, Frame, Ink, NUMBERS, Point, WORDS, count};
+use crate::picture::{self, Anchor, Canvas, Frame, Ink, NUMBERS, Pen, Point, WORDS, count};
 
 /// Size of a panel; panels in a row.
 const PANEL: Point = (240.0, 250.0);
@@ -21,7 +21,8 @@ pub(super) fn draw(figure: &Figure, panels: &[Panel]) -> String {
 
 fn draw_panel(canvas: &mut Canvas, (left, top): Point, figure: &Figure, panel: &Panel) {
     let [body, law] = &panel.case;
-    canvas.words((left + 66.0, top + 12.0), law, WORDS, Anchor::Start);
+    let mark = if panel.is_marked { "†" } else { "" };
+    canvas.words((left + 66.0, top + 12.0), &format!("{law}{mark}"), WORDS, Anchor::Start);
     canvas.words((left + 66.0, top + 30.0), body, NUMBERS, Anchor::Start);
     let frame = Frame { at: (left, top), size: PANEL, head: 44.0, beside: 14.0 };
     let (x, y) = (&figure.x, &figure.y);
@@ -36,4 +37,7 @@ fn draw_panel(canvas: &mut Canvas, (left, top): Point, figure: &Figure, panel: &
     };
     let bars: Vec<_> = panel.stretches.iter().filter_map(bar).collect();
     canvas.boxes(&bars, Ink::VERMILION, 0.8);
+    for place in panel.marks.iter().filter_map(|mark| plot.at(*mark)) {
+        canvas.ring(place, 5.0, Pen::new(Ink::Text, 1.5));
+    }
 }

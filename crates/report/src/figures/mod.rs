@@ -78,6 +78,8 @@ pub struct Series {
     pub kind: Kind,
     /// x, and y where there is one; a line is broken where there is none.
     pub points: Vec<(f64, Option<f64>)>,
+    /// How far each point may be off to either side, where that is told; otherwise empty.
+    pub bars: Vec<f64>,
     /// To how many decimals y is written.
     pub decimals: usize,
 }
@@ -107,6 +109,10 @@ pub struct Panel {
     pub case: [String; 2],
     /// The stretches.
     pub stretches: Vec<Stretch>,
+    /// Places that are marked by a ring.
+    pub marks: Vec<(f64, f64)>,
+    /// Whether the law's name bears a mark, which the notes explain.
+    pub is_marked: bool,
 }
 
 /// A stretch of x at one y.

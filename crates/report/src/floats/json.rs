@@ -13,6 +13,7 @@ const SCHEMA_NAME: &str = "kane-floats";
 const SCHEMA_VERSION: u32 = 1;
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     file: &'a str,
     formulas: Vec<AccountJson<'a>>,
@@ -20,6 +21,7 @@ struct File<'a> {
 
 /// A formula.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct AccountJson<'a> {
     label: &'a str,
     text: String,
@@ -30,6 +32,7 @@ pub(crate) struct AccountJson<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct FormatJson<'a> {
     format: &'static str,
     /// where no bound is rigorous there is none
@@ -43,6 +46,7 @@ struct FormatJson<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct FoundJson<'a> {
     error: Option<f64>,
     at: &'a [String],
@@ -51,6 +55,7 @@ struct FoundJson<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct PoleJson {
     operation: String,
     what: String,
@@ -58,6 +63,7 @@ struct PoleJson {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct RepairJson<'a> {
     text: String,
     fpcore: String,
@@ -69,6 +75,7 @@ struct RepairJson<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct SourceJson {
     language: &'static str,
     code: String,

@@ -9,6 +9,7 @@ use crate::envelope::{Schema, enveloped};
 
 /// One point of a curve.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Point {
     part: &'static str,
     series: String,
@@ -106,6 +107,7 @@ pub fn csv(report: &GrowthReport<'_>) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     machine: &'a str,
     readings: Vec<Reading>,
@@ -114,10 +116,17 @@ struct File<'a> {
 
 /// What a curve comes to, in words.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Reading {
     series: String,
     reading: String,
     ended: Vec<String>,
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane chart --growth")
 }
 
 /// Every point for programs, ended by a line feed.

@@ -9,6 +9,8 @@ use kane_number::System;
 
 use crate::chart::nanoseconds;
 
+#[cfg(feature = "schema")]
+pub(crate) use data::schema;
 pub use data::{csv, json};
 pub use picture::picture;
 pub use sheet::sheet;

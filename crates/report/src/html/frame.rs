@@ -5,12 +5,16 @@
 use kane_algebra::syntax::printable;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::place::Place;
+
 /// A page around its content.
 pub(crate) struct Frame<'a> {
     /// what the page is about
     pub(crate) title: &'a str,
     /// what kind of page it is, above the title
     pub(crate) kind: &'a str,
+    /// what is beside it
+    pub(crate) place: &'a Place,
     /// what stands under the title
     pub(crate) news: Markup,
     /// places within the page: anchor and words
@@ -39,7 +43,7 @@ impl Frame<'_> {
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(concat!("kane ", env!("CARGO_PKG_VERSION")));
                     title { (self.kind) ": " (self.title) }
-                    style { (PreEscaped(include_str!("frame.css"))) (PreEscaped(self.style)) }
+                    style { (PreEscaped(include_str!("frame.css"))) (PreEscaped(self.place.style())) (PreEscaped(self.style)) }
                 }
                 body {
                     a.skip href="#content" { "Skip to the content" }
@@ -47,6 +51,7 @@ impl Frame<'_> {
                         p.kind { (self.kind) }
                         h1 { (self.title) }
                         (self.news)
+                        (self.place.html())
                     }
                     @if !self.contents.is_empty() {
                         nav.contents aria-label="Contents" {

@@ -46,6 +46,7 @@ pub fn html(report: &Report<'_>) -> String {
     Frame {
         title: document.title.as_deref().unwrap_or(&document.name),
         kind: "Audit",
+        place: &report.place,
         news: page.news(),
         contents,
         style: concat!(include_str!("verdicts.css"), include_str!("audit.css")),
@@ -59,6 +60,11 @@ pub fn html(report: &Report<'_>) -> String {
         ],
     }
     .page(&content)
+}
+
+/// Where the statement with this label is in the page of a report, if it is shown.
+pub(crate) fn anchor(report: &Report<'_>, label: &str) -> Option<String> {
+    Anchors::of(&report.audit.document.statements, &report.shown).find(label)
 }
 
 /// What all parts of the page look up.
@@ -112,7 +118,9 @@ impl<'a> Page<'a> {
             @if summary.surprises.is_empty() {
                 p { (crate::markdown::capitalised(&summary.expectation())) "." }
             } @else {
-                p.surprise { "Not as expected: " (labels(&summary.surprises)) }
+                @for (what, those) in summary.groups() {
+                    p.surprise { (what) ": " (labels(&those)) }
+                }
             }
         }
     }

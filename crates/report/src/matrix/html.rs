@@ -6,6 +6,7 @@ use maud::{Markup, PreEscaped, html};
 use super::explain::Telling;
 use super::{FINDINGS, MatrixReport, parameters, word};
 use crate::html::{Frame, Passage, lines, passages};
+use crate::place::{Link, Place};
 use crate::words::{Form, Line};
 
 /// The matrix as one HTML file, which loads nothing. `laws` is the page of the laws, `docs/laws.md`, which tells
@@ -14,6 +15,17 @@ use crate::words::{Form, Line};
 /// It can be read without scripts; with them, cells can be filtered by finding.
 #[must_use]
 pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
+    html_in_site(report, laws, &Place::default(), &[])
+}
+
+/// The same page with links to what is beside it, and from each law of this id to where it is derived.
+#[must_use]
+pub fn html_in_site(
+    report: &MatrixReport<'_>,
+    laws: &str,
+    place: &Place,
+    derived: &[(&str, Link)],
+) -> String {
     let matrix = report.matrix;
     let told = Told::of(laws);
     let telling = Telling::new(Form::Html);
@@ -32,11 +44,12 @@ pub fn html(report: &MatrixReport<'_>, laws: &str) -> String {
             code { "kane laws --explain LAW:PROPERTY" } " prints a cell in full."
         }
         p.words { (PreEscaped(telling.sentence(SYMBOLS_IN_WORDS))) }
-        @for row in &matrix.rows { (law(&telling, &matrix.properties, row, &told)) }
+        @for row in &matrix.rows { (law(&telling, &matrix.properties, row, &told, derived)) }
     };
     Frame {
         title: "Laws and properties",
         kind: "Matrix",
+        place,
         news: html! { p.counts { (report.headline()) } },
         contents: contents.into_iter().map(|(id, words)| (id.to_owned(), words)).collect(),
         style: concat!(include_str!("../html/verdicts.css"), include_str!("matrix.css")),
@@ -110,13 +123,27 @@ fn question(telling: &Telling, property: &Property) -> Markup {
     }
 }
 
-fn law(telling: &Telling, properties: &[&'static Property], row: &Row, told: &Told) -> Markup {
+fn law(
+    telling: &Telling,
+    properties: &[&'static Property],
+    row: &Row,
+    told: &Told,
+    derived: &[(&str, Link)],
+) -> Markup {
     let with = parameters(row);
+    let derived: Vec<&Link> =
+        derived.iter().filter(|(id, _)| *id == row.law.info.id).map(|(_, link)| link).collect();
     html! {
         section aria-labelledby=(row.law.info.id) {
             h3 id=(row.law.info.id) { (row.law.info.id) }
             p { (row.law.info.source) "." }
+            @if let Some(caveat) = row.law.info.caveat { p { "Caution: " (caveat) "." } }
             @if !with.is_empty() { p { "Here with " (with) "." } }
+            @if !derived.is_empty() {
+                p { "Derived: " @for (n, link) in derived.iter().enumerate() {
+                    @if n > 0 { ", " } a href=(link.to) { (link.words) }
+                } }
+            }
             @if let Some(words) = told.law(row.law.info.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }
             }

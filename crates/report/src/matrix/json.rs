@@ -13,6 +13,12 @@ pub const LAWS_SCHEMA_NAME: &str = "kane-laws";
 /// The version of the schema.
 pub const LAWS_SCHEMA_VERSION: u32 = 1;
 
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane laws")
+}
+
 /// The matrix as JSON, ended by a line feed.
 #[must_use]
 pub fn json(report: &MatrixReport<'_>) -> String {
@@ -27,6 +33,7 @@ pub fn json(report: &MatrixReport<'_>) -> String {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     headline: String,
     properties: Vec<Column>,
@@ -34,6 +41,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Column {
     id: &'static str,
     name: &'static str,
@@ -49,6 +57,7 @@ impl Column {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Law<'a> {
     id: &'static str,
     people: &'static str,
@@ -58,7 +67,8 @@ struct Law<'a> {
     known_by: &'static str,
     statement: &'static str,
     restitution: &'static str,
-    lacks: Option<&'static str>,
+    lacks: Option<String>,
+    caveat: Option<&'static str>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     parameters: BTreeMap<&'static str, String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -87,7 +97,8 @@ impl<'a> Law<'a> {
             known_by: info.known_by.name(),
             statement: info.statement,
             restitution: row.law.restitution(),
-            lacks: info.gap,
+            lacks: info.lacks(),
+            caveat: info.caveat,
             parameters: parameters.collect(),
             parameters_are: parameters_are.collect(),
             cells: cells.map(|(property, cell)| (property.id, Entry::of(cell))).collect(),
@@ -96,6 +107,7 @@ impl<'a> Law<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Parameter {
     name: &'static str,
     meaning: &'static str,
@@ -104,6 +116,7 @@ struct Parameter {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Entry<'a> {
     finding: &'static str,
     reason: String,
@@ -124,6 +137,7 @@ impl<'a> Entry<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Seen<'a> {
     contact: String,
     regime: Option<&'static str>,

@@ -2,6 +2,7 @@
 
 mod csv;
 mod explain;
+mod finding;
 mod html;
 mod json;
 mod picture;
@@ -11,7 +12,10 @@ use kane_matrix::{Finding, Matrix, Row};
 
 pub use csv::csv;
 pub use explain::explain;
-pub use html::html;
+pub(crate) use finding::{breaking, conflicts};
+pub use html::{html, html_in_site};
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use json::{LAWS_SCHEMA_NAME, LAWS_SCHEMA_VERSION, json};
 pub use picture::picture;
 pub use sheet::{properties, sheet};
@@ -70,6 +74,18 @@ pub(crate) fn mark(finding: Finding) -> &'static str {
         Finding::NotApplicable => "-",
         Finding::Undecided => "?",
     }
+}
+
+/// The law's id, with a mark where something must not be missed.
+pub(crate) fn marked(row: &Row) -> String {
+    let mark = if row.law.info.caveat.is_some() { "†" } else { "" };
+    format!("{}{mark}", row.law.info.id)
+}
+
+/// What must not be missed of the laws that bear the mark.
+pub(crate) fn caveats(matrix: &Matrix) -> Vec<String> {
+    let told = matrix.rows.iter().filter_map(|row| Some((row.law.info.id, row.law.info.caveat?)));
+    told.map(|(id, caveat)| format!("† {id}: {caveat}.")).collect()
 }
 
 /// The law's own parameters, `name = value, …`.

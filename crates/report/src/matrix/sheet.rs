@@ -2,7 +2,7 @@
 
 use kane_matrix::{Cell, Finding, PROPERTIES, Property, Row, unmarked};
 
-use super::{MatrixReport, mark, parameters, picture, word};
+use super::{MatrixReport, caveats, mark, marked, parameters, picture, word};
 use crate::sheet::{self, Column, Sheet, Table, Tone, Words, row};
 
 const KEY: &str = "yes: proved, no: refuted, -: not applicable, ?: undecided; * for every planar contact, else W_tn = 0";
@@ -23,10 +23,13 @@ pub fn sheet<'a>(report: &'a MatrixReport<'a>) -> Sheet<'a> {
             other => Words::from(mark(other)).toned(tone(other)),
         };
         let cells = row.cells.iter().map(found);
-        sheet::Row::new(std::iter::once(row.law.info.id.into()).chain(cells).collect())
+        sheet::Row::new(std::iter::once(marked(row).into()).chain(cells).collect())
     };
     sheet.table(Table::new(columns, matrix.rows.iter().map(findings).collect()));
     sheet.prose(KEY);
+    for caveat in caveats(matrix) {
+        sheet.prose(caveat);
+    }
     let asked = |p: &&Property| row![p.head, Words::code(p.id), p.name, Words::code(p.template)];
     let columns = vec![
         Column::left(""),

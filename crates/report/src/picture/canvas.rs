@@ -120,6 +120,11 @@ impl Canvas {
         self.set(at, words, size, anchor, "");
     }
 
+    /// The same in an ink of its own.
+    pub(crate) fn inked(&mut self, at: Point, words: &str, size: f64, anchor: Anchor, ink: Ink) {
+        self.set(at, words, size, anchor, &ink.class());
+    }
+
     /// The same in a heavier weight.
     pub(crate) fn bold(&mut self, at: Point, words: &str, size: f64) {
         self.set(at, words, size, Anchor::Start, " font-weight=\"bold\"");

@@ -6,6 +6,7 @@
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 mod axis;
+mod callout;
 mod canvas;
 mod clip;
 mod legend;
@@ -14,6 +15,7 @@ mod panel;
 mod strip;
 
 pub(crate) use axis::Axis;
+pub(crate) use callout::{Callout, callouts};
 pub(crate) use canvas::{Anchor, Canvas};
 pub(crate) use clip::{Window, dense, height};
 pub(crate) use legend::{Key, Shape, legend, mark};

@@ -17,6 +17,12 @@ pub const RECORDS_SCHEMA_NAME: &str = "kane-check";
 /// The version of the schema.
 pub const RECORDS_SCHEMA_VERSION: u32 = 1;
 
+/// What the report is, as a JSON Schema. It is written by hand, since the study is told value by value.
+#[cfg(feature = "schema")]
+pub(crate) fn report_schema() -> Value {
+    serde_json::from_str(include_str!("schema.json")).expect("the schema is JSON")
+}
+
 /// The study as JSON, ended by a line feed. A number that is not finite is null.
 #[must_use]
 pub fn json(report: &RecordsReport<'_>) -> String {
@@ -35,7 +41,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "excused_by": checked.excused,
                 "as_expected": checked.as_expected(),
                 "worst": checked.worst.map(|(line, finding)| json!({
-                    "line": line,
+                    "line": known(line),
                     "residual": finding.residual,
                     "tolerance": finding.tolerance,
                     "size": finding.size(),
@@ -56,7 +62,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "rough": fit.rough,
                 "median": fit.median,
                 "worst": fit.worst,
-                "worst_line": fit.worst_line,
+                "worst_line": known(fit.worst_line),
             })
         })
         .collect();
@@ -78,7 +84,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "gives_all": fit.gives_all(),
                 "median": fit.median,
                 "worst": fit.worst,
-                "worst_line": fit.worst_line,
+                "worst_line": known(fit.worst_line),
             })
         })
         .collect();
@@ -102,10 +108,8 @@ pub fn json(report: &RecordsReport<'_>) -> String {
         .rejections
         .kinds()
         .map(|(kind, count, rows)| {
-            let first: Vec<Value> = rows
-                .iter()
-                .map(|row| json!({ "line": row.line, "why": row.reason.to_string() }))
-                .collect();
+            let first: Vec<Value> =
+                rows.iter().map(|row| json!({ "line": known(row.line), "why": row.why })).collect();
             json!({ "kind": kind, "rows": count, "first": first })
         })
         .collect();
@@ -118,7 +122,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 Replay::Flags(_) => None,
             };
             json!({
-                "line": worst.line,
+                "line": known(worst.line),
                 "id": worst.id,
                 "check": worst.check.id(),
                 "residual": worst.finding.residual,
@@ -179,6 +183,11 @@ pub fn json(report: &RecordsReport<'_>) -> String {
         "untold": study.untold.iter().map(untold).collect::<Vec<_>>(),
         "worst": worst,
     }))
+}
+
+/// A line that is known.
+fn known(line: u64) -> Option<u64> {
+    (line > 0).then_some(line)
 }
 
 fn interval(fitted: &Fitted) -> Value {

@@ -2,12 +2,17 @@
 
 mod compared;
 mod json;
+mod junit;
+mod pictures;
 mod sentence;
 mod sheet;
 mod wording;
 
 pub use compared::{compared_json, compared_text};
+#[cfg(feature = "schema")]
+pub(crate) use json::report_schema;
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
+pub use junit::{compared_junit, junit};
 pub use sentence::headline;
 pub use sheet::sheet;
 pub use wording::schema;

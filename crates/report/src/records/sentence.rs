@@ -7,7 +7,7 @@ use kane_records::restitution::{NormalLaw, Restitution, Threshold};
 use kane_records::statistics::percent;
 use kane_records::study::Study;
 
-use super::wording::{brief, factor, friction};
+use super::wording::{at_line, brief, factor, friction};
 
 /// What the log follows, in a sentence.
 #[must_use]
@@ -153,10 +153,11 @@ fn energy(study: &Study) -> Option<String> {
     let (line, finding) = checked.worst?;
     (checked.failed > 0).then(|| {
         format!(
-            "energy is created in {} of {} impacts, {} of it at most (line {line})",
+            "energy is created in {} of {} impacts, {} of it at most{}",
             checked.failed,
             checked.rows,
-            in_percent(finding.size())
+            in_percent(finding.size()),
+            at_line(line)
         )
     })
 }

@@ -1,10 +1,13 @@
 //! What was found in a log, as a sheet: the sentence, the checks, the laws, the coefficients, the worst rows.
 
+use kane_records::study::Study;
+
 use super::RecordsReport;
+use super::pictures;
 use super::sentence::headline;
 use super::wording::{
-    alias, asks, asks_briefly, friction_name, interval, law, log_facts, pair, rejected, replayed,
-    residual, suspicion, untold, verdict,
+    alias, asks, asks_briefly, at_line, friction_name, interval, law, log_facts, name, pair,
+    rejected, replayed, residual, suspicion, untold, verdict,
 };
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
@@ -46,17 +49,33 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
         sheet.heading("untold", which);
         sheet.labelled(study.untold.iter().map(|open| Entry::new("", untold(open))).collect());
     }
+    drawn(&mut sheet, report);
     if !study.worst.is_empty() {
         sheet.heading("worst", "The worst rows");
-        let line = |worst: &kane_records::study::Worst| {
-            let id = if worst.id.is_empty() { String::new() } else { format!(" ({})", worst.id) };
+        let line = |worst: &kane_records::worst::Worst| {
             let left = residual(worst.check, &worst.finding);
-            let what = format!("line {}{id}: {} - left {left}", worst.line, asks(worst.check));
+            let what = format!("{}: {} - left {left}", name(worst), asks(worst.check));
             [Entry::new("", what), Entry::new("", Words::code(replayed(worst, report.log)))]
         };
         sheet.labelled(study.worst.iter().flat_map(line).collect());
     }
     sheet
+}
+
+/// The pictures of which there is something to see.
+fn drawn<'a>(sheet: &mut Sheet<'a>, report: &RecordsReport<'a>) {
+    type Draw = fn(&Study) -> Option<String>;
+    let study = report.study;
+    let all: [(&'static str, &'static str, Draw); 3] = [
+        ("k-over-alpha", "k over alpha, on the curves of laws", pictures::ratio),
+        ("e-over-phase", "Restitution over the phase within the step", pictures::phase),
+        ("energy", "Where energy is created", pictures::energy),
+    ];
+    for (name, heading, draw) in all {
+        if draw(study).is_some() {
+            sheet.figure(name, heading, move || draw(study).unwrap_or_default());
+        }
+    }
 }
 
 fn said(label: &'static str, words: String, tone: Tone) -> Entry {
@@ -72,9 +91,9 @@ fn checks(report: &RecordsReport<'_>) -> Table {
         Column::long("worst", 20),
     ];
     let asked = report.study.checks.iter().filter(|checked| checked.rows > 0);
-    let row = |checked: &kane_records::study::Checked| {
+    let row = |checked: &kane_records::tally::Checked| {
         let worst = checked.worst.map_or_else(String::new, |(line, finding)| {
-            format!("{} (line {line})", residual(checked.check, &finding))
+            residual(checked.check, &finding) + &at_line(line)
         });
         let verdict = verdict(checked);
         let tone = if verdict.contains("FAILS") { Tone::Bad } else { Tone::Plain };
@@ -104,7 +123,7 @@ fn friction(report: &RecordsReport<'_>) -> Table {
             format!("{} of {}", fit.consistent, fit.rows),
             fit.close.to_string(),
             format!("{:.1e}", fit.median),
-            format!("{:.1e} (line {})", fit.worst, fit.worst_line)
+            format!("{:.1e}", fit.worst) + &at_line(fit.worst_line)
         ]
     };
     Table::new(columns, report.study.friction.iter().map(row).collect())
@@ -130,7 +149,7 @@ fn laws(sheet: &mut Sheet<'_>, report: &RecordsReport<'_>) {
             law(fit),
             format!("{} of {}", fit.consistent, fit.rows),
             format!("{:.1e}", fit.median),
-            format!("{:.1e} (line {})", fit.worst, fit.worst_line)
+            format!("{:.1e}", fit.worst) + &at_line(fit.worst_line)
         ]
     };
     sheet.table(Table::new(columns, shown.iter().map(row).collect()));

@@ -4,14 +4,16 @@ use std::fmt::Write as _;
 
 use kane_records::check::{Check, Finding};
 use kane_records::fit::{Fitted, PairFit};
-use kane_records::friction::FrictionLaw;
+use kane_records::friction::{FrictionLaw, Pyramid};
 use kane_records::replay::Replay;
 use kane_records::restitution::Factor;
 use kane_records::rigid::{LawFit, parameters};
 use kane_records::schema::{Column, SCHEMA_VERSION, Word};
-use kane_records::study::{Checked, Study, Worst};
+use kane_records::study::Study;
 use kane_records::suspicion::Suspicion;
+use kane_records::tally::Checked;
 use kane_records::untold::Untold;
+use kane_records::worst::Worst;
 
 use super::RecordsReport;
 
@@ -116,7 +118,18 @@ pub(super) fn friction(law: FrictionLaw) -> String {
         FrictionLaw::Compression => {
             "saturates at mu*p_n/(1 + e), as if friction were solved before restitution".to_owned()
         }
-        FrictionLaw::Share(share) => format!("saturates at {}*mu*p_n", brief(share)),
+        FrictionLaw::Share(share) => {
+            let as_if = match law.pyramid() {
+                None => "",
+                Some(Pyramid::Outer) => {
+                    ", as along the diagonal of a pyramid that bounds each axis of the surface by mu*p_n"
+                }
+                Some(Pyramid::Inner) => {
+                    ", as along the diagonal of a pyramid that bounds the sum of both axes by mu*p_n"
+                }
+            };
+            format!("saturates at {}*mu*p_n{as_if}", brief(share))
+        }
         FrictionLaw::Walton(beta) => {
             format!("is Walton's, which turns the slip back by beta0 = {}", brief(beta))
         }
@@ -225,11 +238,30 @@ pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
 pub(super) fn replayed(worst: &Worst, log: &str) -> String {
     match &worst.replay {
         Replay::Flags(flags) => format!("kane collide {flags}"),
+        Replay::File(_) if worst.line == 0 => {
+            "kane collide FILE, with the collision that is in the JSON".to_owned()
+        }
         Replay::File(_) => {
             let line = worst.line;
             format!("kane check {log} --row {line} > row-{line}.toml; kane collide row-{line}.toml")
         }
     }
+}
+
+/// The line after a number, if it is known.
+pub(super) fn at_line(line: u64) -> String {
+    if line == 0 { String::new() } else { format!(" (line {line})") }
+}
+
+/// The line before a reason, if it is known.
+fn before(line: u64) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
+/// What one of the worst rows is called: its line and its own name, as far as it has them.
+pub(super) fn name(worst: &Worst) -> String {
+    let line = if worst.line == 0 { "a row".to_owned() } else { format!("line {}", worst.line) };
+    if worst.id.is_empty() { line } else { format!("{line} ({})", worst.id) }
 }
 
 /// The rows that were rejected, kind by kind.
@@ -239,7 +271,7 @@ pub(super) fn rejected(study: &Study) -> Vec<String> {
         .kinds()
         .map(|(kind, count, rows)| {
             let first: Vec<String> =
-                rows.iter().map(|row| format!("line {}: {}", row.line, row.reason)).collect();
+                rows.iter().map(|row| format!("{}{}", before(row.line), row.why)).collect();
             format!("{count} rejected, {kind} ({})", first.join("; "))
         })
         .collect()

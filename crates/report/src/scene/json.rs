@@ -1,7 +1,7 @@
 //! The report for programs. The schema is documented in `docs/scene-format.md`.
 
 use kane_number::System;
-use kane_scene::{Answer, Known, Round, Setup, Shown, TipBody};
+use kane_scene::{Answer, Known, Plane, Restitution, Round, Setup, Shown, Side, Terms, TipBody};
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
@@ -9,6 +9,7 @@ use super::{SceneReport, body_id, ids, verdict};
 use crate::envelope::{Schema, enveloped};
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     title: &'a str,
     headline: String,
@@ -24,6 +25,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Asked<'a> {
     quantity: String,
     unit: &'static str,
@@ -37,6 +39,7 @@ struct Asked<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Tried {
     model: String,
     cost: u64,
@@ -49,6 +52,7 @@ struct Tried {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Impact<'a> {
     who: Vec<String>,
     regime: &'a str,
@@ -58,6 +62,7 @@ struct Impact<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct State<'a> {
     id: String,
     #[serde(flatten)]
@@ -65,6 +70,7 @@ struct State<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct End<'a> {
     impacts: u64,
     #[serde(flatten)]
@@ -74,15 +80,55 @@ struct End<'a> {
 
 /// What the scene states, at its nominal values.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Stated<'a> {
     sha256: &'a str,
     #[serde(flatten)]
     coefficients: Numbers<'a>,
     walls: Vec<Wall<'a>>,
+    /// only where something is stated of single contacts
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    contacts: Vec<Contact<'a>>,
     bodies: Vec<State<'a>>,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Contact<'a> {
+    between: Option<Vec<String>>,
+    #[serde(flatten)]
+    numbers: Numbers<'a>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    by_speed: Vec<Numbers<'a>>,
+}
+
+impl<'a> Contact<'a> {
+    fn of(terms: &'a Terms<Shown>) -> Self {
+        let mut pairs: Vec<_> = terms.friction.iter().map(|mu| ("friction", mu)).collect();
+        let mut by_speed = Vec::new();
+        match &terms.restitution {
+            None => {}
+            Some(Restitution::Constant(e)) => pairs.push(("restitution", e)),
+            Some(Restitution::QuarterPower { speed, value }) => {
+                pairs.extend([("restitution", value), ("restitution_at_m_s", speed)]);
+            }
+            Some(Restitution::Table(points)) => {
+                by_speed = points
+                    .iter()
+                    .map(|[speed, e]| Numbers {
+                        pairs: vec![("speed_m_s", speed), ("restitution", e)],
+                        exact: true,
+                    })
+                    .collect();
+            }
+        }
+        let numbers = Numbers { pairs, exact: true };
+        Self { between: terms.between.map(ids), numbers, by_speed }
+    }
+}
+
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Wall<'a> {
     id: &'static str,
     #[serde(flatten)]
@@ -93,6 +139,27 @@ struct Wall<'a> {
 struct Numbers<'a> {
     pairs: Vec<(&'static str, &'a Shown)>,
     exact: bool,
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Numbers<'_> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Numbers".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": "object",
+            "properties": {
+                "exact": { "type": "object", "additionalProperties": { "type": "string" } }
+            },
+            "additionalProperties": { "type": ["number", "null"] }
+        })
+    }
 }
 
 impl Serialize for Numbers<'_> {
@@ -143,6 +210,7 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
         sha256: &answer.sha256,
         coefficients: of(vec![]),
         walls: Vec::new(),
+        contacts: Vec::new(),
         bodies: Vec::new(),
     };
     let body = |index: usize, pairs| State { id: body_id(index), numbers: of(pairs) };
@@ -153,10 +221,33 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
                 ("restitution", &world.restitution),
                 ("gravity_m_s2", &world.gravity),
             ]);
+            if world.rolling.value != 0.0 {
+                stated.coefficients.pairs.push(("rolling_resistance", &world.rolling));
+            }
+            if let Some(air) = &world.air {
+                stated.coefficients.pairs.extend([
+                    ("density_kg_m3", &air.density),
+                    ("drag_coefficient", &air.drag),
+                    ("lift_coefficient", &air.lift),
+                ]);
+            }
             let walls = world.walls.iter();
             stated.walls = walls
                 .map(|wall| Wall { id: wall.side.id(), numbers: of(vec![("at_m", &wall.at)]) })
                 .collect();
+            for (plane, number) in world.planes.iter().zip(0..) {
+                let Plane { normal: [nx, ny], through: [x, y], velocity: [along, out] } = plane;
+                let numbers = of(vec![
+                    ("normal_x", nx),
+                    ("normal_y", ny),
+                    ("through_x_m", x),
+                    ("through_y_m", y),
+                    ("sliding_m_s", along),
+                    ("advancing_m_s", out),
+                ]);
+                stated.walls.push(Wall { id: Side::Plane(number).id(), numbers });
+            }
+            stated.contacts = world.terms.iter().map(Contact::of).collect();
             let bodies = world.bodies.iter().enumerate();
             stated.bodies = bodies
                 .map(|(index, round)| {
@@ -190,6 +281,12 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
         }
     }
     stated
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane scene")
 }
 
 /// The report as JSON, ended by a line feed. Numbers are numbers; where the model's are exact, fractions

@@ -13,6 +13,8 @@ mod stress_picture;
 pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};
 pub use json::json;
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use ledger_picture::ledger_picture;
 pub use sheet::sheet;
 pub use stress_picture::stress_picture;

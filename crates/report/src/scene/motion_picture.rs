@@ -38,6 +38,7 @@ impl Scale {
                 Side::Ceiling => high[1] = high[1].max(*at),
                 Side::Left => low[0] = low[0].min(*at),
                 Side::Right => high[0] = high[0].max(*at),
+                Side::Plane(_) => {}
             }
         }
         let extent = [high[0] - low[0], high[1] - low[1]];
@@ -66,6 +67,26 @@ impl Scale {
     }
 }
 
+/// The part of a straight line that is within a rectangle.
+fn within(through: Point, along: [f64; 2], inside: [(f64, f64); 2]) -> Option<[Point; 2]> {
+    let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+    for ((start, step), (low, high)) in
+        [(through.0, along[0]), (through.1, along[1])].into_iter().zip(inside)
+    {
+        let ends = [(low - start) / step, (high - start) / step];
+        if step == 0.0 {
+            if start < low || high < start {
+                return None;
+            }
+            continue;
+        }
+        from = from.max(ends[0].min(ends[1]));
+        to = to.min(ends[0].max(ends[1]));
+    }
+    let at = |t: f64| (through.0 + t * along[0], through.1 + t * along[1]);
+    (from < to).then(|| [at(from), at(to)])
+}
+
 /// Many bodies are drawn at the start and at the end alone.
 const FEW: usize = 4;
 
@@ -85,8 +106,17 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
                 let x = scale.at([*at, 0.0]).0;
                 [(x, HEAD + edge), (x, height - edge)]
             }
+            Side::Plane(_) => continue,
         };
         canvas.line(&line, Pen::new(Ink::Quiet, 3.0));
+    }
+    let inside = [(edge, width - edge), (HEAD + edge, height - edge)];
+    for (point, along) in &strobe.planes {
+        let through = scale.at(*point);
+        // the picture's y is downwards
+        if let Some(line) = within(through, [along[0], -along[1]], inside) {
+            canvas.line(&line, Pen::new(Ink::Quiet, 3.0));
+        }
     }
     for (index, path) in strobe.paths.iter().enumerate() {
         let mut points: Vec<Point> = path.iter().map(|point| scale.at(*point)).collect();

@@ -31,6 +31,7 @@ impl Sheet<'_> {
         let page = Frame {
             title: &self.title,
             kind: self.kind,
+            place: &self.place,
             news: html! { @if !self.headline.is_empty() { p { (self.headline) "." } } },
             contents,
             style: include_str!("sheet.css"),

@@ -12,6 +12,7 @@ mod table;
 mod text;
 mod words;
 
+use crate::place::Place;
 pub(crate) use columns::wrapped;
 pub(crate) use csv::csv;
 pub(crate) use table::{Column, Row, Table, row};
@@ -31,6 +32,8 @@ pub struct Sheet<'a> {
     pub(crate) command: String,
     /// machine and compiler, where they matter
     pub(crate) machine: Option<String>,
+    /// what is beside its page
+    pub(crate) place: Place,
     /// columns of text where the page has no width of its own
     pub(crate) columns: usize,
 }
@@ -61,7 +64,7 @@ pub(crate) struct Entry {
 pub(crate) struct Figure<'a> {
     /// its place on a page, and the end of its file's name
     pub(crate) name: &'static str,
-    pub(crate) heading: &'static str,
+    pub(crate) heading: String,
     /// draws it as SVG
     pub(crate) draw: Box<dyn Fn() -> String + 'a>,
 }
@@ -84,8 +87,21 @@ impl<'a> Sheet<'a> {
             blocks: Vec::new(),
             command: command.to_owned(),
             machine: None,
+            place: Place::default(),
             columns: COLUMNS,
         }
+    }
+
+    /// The same sheet with links to what is beside its page.
+    #[must_use]
+    pub fn placed(self, place: Place) -> Self {
+        Self { place, ..self }
+    }
+
+    /// The news in a sentence, without its full stop; it may be empty.
+    #[must_use]
+    pub fn headline(&self) -> &str {
+        &self.headline
     }
 
     pub(crate) fn heading(&mut self, id: impl Into<String>, words: impl Into<Words>) {
@@ -118,10 +134,14 @@ impl<'a> Sheet<'a> {
     pub(crate) fn figure(
         &mut self,
         name: &'static str,
-        heading: &'static str,
+        heading: impl Into<String>,
         draw: impl Fn() -> String + 'a,
     ) {
-        self.blocks.push(Block::Figure(Figure { name, heading, draw: Box::new(draw) }));
+        self.blocks.push(Block::Figure(Figure {
+            name,
+            heading: heading.into(),
+            draw: Box::new(draw),
+        }));
     }
 
     /// The drawings, SVG, each with the end of its file's name.

@@ -19,6 +19,11 @@ enum Span {
     /// a name or a formula as it is typed
     Code(String),
     Strong(String),
+    /// words that lead to another file, by its relative address
+    Link {
+        words: String,
+        to: String,
+    },
 }
 
 /// How something is to be taken. No form shows it by colour alone: the words say it, too.
@@ -59,6 +64,12 @@ impl Words {
         Self { spans: vec![Span::Strong(text.into())], tone: Tone::Plain }
     }
 
+    /// Words that lead to another file; text and LaTeX have the words alone.
+    pub(crate) fn link(words: impl Into<String>, to: impl Into<String>) -> Self {
+        let span = Span::Link { words: words.into(), to: to.into() };
+        Self { spans: vec![span], tone: Tone::Plain }
+    }
+
     pub(crate) fn toned(mut self, tone: Tone) -> Self {
         self.tone = tone;
         self
@@ -79,6 +90,8 @@ impl Words {
             // a bar ends a cell even within code
             Span::Code(text) => markdown::code(text).replace('|', "\\|"),
             Span::Strong(text) => format!("**{}**", markdown::escape(text)),
+            // an address within angle brackets may hold anything but these and line ends
+            Span::Link { words, to } => format!("[{}](<{to}>)", markdown::escape(words)),
         };
         self.spans.iter().map(span).collect()
     }
@@ -90,6 +103,7 @@ impl Words {
                     Span::Plain(text) => (text),
                     Span::Code(text) => code { (text) },
                     Span::Strong(text) => strong { (text) },
+                    Span::Link { words, to } => a href=(to) { (words) },
                 }
             }
         }
@@ -100,6 +114,7 @@ impl Words {
             Span::Plain(text) => tex::escape(text),
             Span::Code(text) => format!("\\texttt{{{}}}", tex::escape(text)),
             Span::Strong(text) => format!("\\textbf{{{}}}", tex::escape(text)),
+            Span::Link { words, .. } => tex::escape(words),
         };
         self.spans.iter().map(span).collect()
     }
@@ -109,6 +124,7 @@ impl Span {
     fn text(&self) -> &str {
         match self {
             Self::Plain(text) | Self::Code(text) | Self::Strong(text) => text,
+            Self::Link { words, .. } => words,
         }
     }
 }
@@ -126,5 +142,14 @@ mod tests {
         assert_eq!(words.html().into_string(), html);
         let latex = r"a$|$b $<$i$>$ \$\texttt{$|$x$|$ \{y\}}\textbf{\_no\_}";
         assert_eq!(words.latex(), latex);
+    }
+
+    #[test]
+    fn a_link_leads_somewhere_where_a_form_has_links() {
+        let words = Words::link("the <laws>", "laws.html#cone");
+        assert_eq!(words.plain(), "the <laws>");
+        assert_eq!(words.html().into_string(), "<a href=\"laws.html#cone\">the &lt;laws&gt;</a>");
+        assert_eq!(words.markdown(), "[the &lt;laws&gt;](<laws.html#cone>)");
+        assert_eq!(words.latex(), "the $<$laws$>$");
     }
 }

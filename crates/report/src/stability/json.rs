@@ -12,6 +12,7 @@ const SCHEMA_NAME: &str = "kane-stability";
 const SCHEMA_VERSION: u32 = 3;
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct File<'a> {
     document: &'a str,
     title: Option<&'a str>,
@@ -21,6 +22,7 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Formula<'a> {
     label: &'a str,
     also: &'a [String],
@@ -36,12 +38,14 @@ struct Formula<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct LeftOut<'a> {
     label: &'a str,
     why: &'a str,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Search<'a> {
     format: &'a str,
     precision: u32,
@@ -52,6 +56,7 @@ struct Search<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Points<'a> {
     fault: &'static str,
     points: usize,
@@ -59,6 +64,7 @@ struct Points<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Line<'a> {
     format: &'a str,
     precision: u32,
@@ -73,6 +79,7 @@ struct Line<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Range<'a> {
     fault: &'static str,
     from: &'a str,
@@ -88,6 +95,7 @@ struct Range<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Better<'a> {
     label: &'a str,
     text: &'a str,
@@ -96,6 +104,7 @@ struct Better<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Plane<'a> {
     format: &'a str,
     precision: u32,
@@ -106,10 +115,17 @@ struct Plane<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Cells<'a> {
     fault: &'static str,
     cells: usize,
     example: [&'a str; 2],
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane stability")
 }
 
 /// The report as JSON, ended by a line feed. Inputs are the shortest decimals that name them.

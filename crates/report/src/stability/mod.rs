@@ -4,13 +4,18 @@ mod csv;
 mod json;
 mod picture;
 mod sheet;
+mod strips_picture;
 
 use kane_measure::{Better, Examined, Fault, Formula, Plane, Point, Range, Searched, Stability};
 
 pub use csv::csv;
 pub use json::json;
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub use picture::picture;
 pub use sheet::sheet;
+pub(crate) use strips_picture::Strips;
+pub use strips_picture::strips_picture;
 
 /// What came out for a document, and the command that shows it again.
 #[derive(Clone, Debug)]

@@ -66,10 +66,10 @@ pub fn picture(report: &StabilityReport<'_>) -> String {
 }
 
 /// What can be wrong, the worst first.
-const FAULTS: [Fault; 5] =
+pub(super) const FAULTS: [Fault; 5] =
     [Fault::Nan, Fault::Infinite, Fault::WrongSign, Fault::Vanishes, Fault::Lost];
 
-const fn ink(fault: Option<Fault>) -> Ink {
+pub(super) const fn ink(fault: Option<Fault>) -> Ink {
     match fault {
         None => Ink::Grid,
         Some(Fault::Lost) => Ink::ORANGE,
@@ -81,7 +81,7 @@ const fn ink(fault: Option<Fault>) -> Ink {
 }
 
 /// How far along the axis a power of ten is: the middle is 1, and the logarithm of the power counts.
-fn along(power: f64) -> f64 {
+pub(super) fn along(power: f64) -> f64 {
     0.5 + 0.5 * power.signum() * power.abs().ln_1p() / 324.0_f64.ln_1p()
 }
 
@@ -107,7 +107,7 @@ fn rows(entry: &Entry<'_>) -> Vec<Strip> {
     rows
 }
 
-fn bar(line: &Examined) -> Bar {
+pub(super) fn bar(line: &Examined) -> Bar {
     let place = |point: &kane_measure::Point| match point.value {
         0.0 => 0.0,
         value => along(value.abs().log10()),

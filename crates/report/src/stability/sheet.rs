@@ -2,7 +2,7 @@
 
 use kane_measure::{Fault, Point};
 
-use super::{Entry, StabilityReport, bits, interval, named, picture, short};
+use super::{Entry, StabilityReport, bits, interval, named, picture, short, strips_picture};
 use crate::sheet::{Column, Entry as Line, Row, Sheet, Table, Tone, Words, row};
 
 const READING: &str = "A range runs from the first to the last failing input; bits are lost at its worst input. \
@@ -23,6 +23,9 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
     sheet.prose(READING);
     let entries = report.entries();
     if entries.iter().any(Entry::fails) {
+        if entries.iter().any(|e| e.lines.iter().any(|line| !line.ranges.is_empty())) {
+            sheet.figure("strips", "At a glance", || strips_picture(report));
+        }
         let draw = || picture(report);
         sheet.figure("stability", "Bits lost by the input", draw);
     }

@@ -3,6 +3,7 @@
 //! What is said stands in the steps as data. Here it becomes sentences, in which formulas are set from
 //! their expressions: as text, as MathML, or in math mode of LaTeX.
 
+mod attempt;
 mod formula;
 mod prose;
 mod reason;
@@ -100,7 +101,11 @@ pub(crate) fn reason(
     }
     match (&link.unreached, &link.open) {
         (Some(unreached), _) => reason::unreached(unreached, context, label, form),
-        (None, Some(open)) => words(&open.to_string(), form),
+        (None, Some(open)) => {
+            let tried = link.attempt.as_ref();
+            let tried = tried.map(|attempt| attempt::remark(attempt, context, form));
+            words(&open.to_string(), form) + &tried.unwrap_or_default()
+        }
         (None, None) => String::new(),
     }
 }

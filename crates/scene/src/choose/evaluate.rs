@@ -5,13 +5,17 @@ use kane_impact::{Contact, Law, NumberSystem, Outcome};
 use kane_number::{Interval, Lane as _, Number as _, Rational, System, decode};
 
 use super::model::Mechanics;
+use crate::air::Air;
 use crate::coordinate::Coordinate;
 use crate::quantity::{Kind, Quantity};
 use crate::resolver::{COMPLIANT, Elastic, NormalOnly, Process, Resolver};
+use crate::round::Round;
 use crate::scene::{Scene, Setup, Tangential};
-use crate::simulate::{Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run};
+use crate::simulate::{
+    Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run, run_in_air,
+};
 use crate::tip::Tip;
-use crate::world::{Round, World};
+use crate::world::World;
 
 /// Why a model has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -79,6 +83,11 @@ pub(super) fn evaluate_with<N: Coordinate + NumberSystem>(
 ) -> Result<Found<N>, Failed> {
     if mechanics == Mechanics::Chain {
         return chain(scene, setup);
+    }
+    if let Setup::Bodies(world) = setup
+        && let Some(air) = &world.air
+    {
+        return in_air(scene, world, air, mechanics, kept);
     }
     let resolver = resolver(scene, mechanics)?;
     match setup {
@@ -194,6 +203,78 @@ fn bodies<N: Coordinate>(
         bounces,
         end: Some(end),
         start_energy,
+    })
+}
+
+/// Bodies in air: two runs in floats, of which the finer counts; the error of each number is estimated
+/// by how far the coarser is from it, of which at fourth order a fifteenth would do.
+fn in_air<N: Coordinate>(
+    scene: &Scene,
+    world: &World<N>,
+    air: &Air<N>,
+    mechanics: Mechanics,
+    kept: usize,
+) -> Result<Found<N>, Failed> {
+    if N::of_enclosure(Interval::zero()).is_none() {
+        return Err(Failed::Invalid("a flight in air has no exact answer".to_owned()));
+    }
+    let mut certain = true;
+    let mut middle = |x: &N| {
+        let enclosed = x.enclosed();
+        certain &= enclosed.width() <= 1e-12 * enclosed.midpoint().abs();
+        enclosed.midpoint()
+    };
+    let (floats, air) = (world.map(&mut middle), air.map(&mut middle));
+    if !certain {
+        return Err(Failed::Invalid("a flight in air is followed at a point alone".to_owned()));
+    }
+    let resolver = resolver::<f64>(scene, mechanics)?;
+    let until = scene.until.map(|time| time.to_f64());
+    let budget = Budget { shown: 0, impacts: most_impacts(System::Rational, &until) };
+    let follow = |finer| {
+        let mut bounces = Vec::new();
+        let mut observe = |bounce: &Bounce<f64>| bounces.push(bounce.clone());
+        let end = run_in_air(&floats, &air, &*resolver, &until, (budget, finer), &mut observe)?;
+        Ok::<_, Failed>((end, bounces))
+    };
+    let ((coarse_end, coarse), (end, fine)) = (follow(1)?, follow(2)?);
+    let same = coarse.iter().map(|b| b.encounter).eq(fine.iter().map(|b| b.encounter));
+    if !same {
+        let (impact, time) = (end.impacts, end.time);
+        return Err(Stopped::Undecided { impact, time }.into());
+    }
+    let lifted = |fine: f64, coarse: Option<f64>| {
+        let error = coarse.map_or(f64::INFINITY, |coarse| (fine - coarse).abs());
+        let error = error + 1e-14 * fine.abs();
+        N::of_enclosure(Interval::between(fine - error, fine + error)).unwrap_or_else(N::zero)
+    };
+    let bounce = |(coarse, fine): (&Bounce<f64>, &Bounce<f64>)| {
+        let mut numbers = Vec::new();
+        coarse.map(|x| numbers.push(*x));
+        let mut numbers = numbers.into_iter();
+        fine.map(|x| lifted(*x, numbers.next()))
+    };
+    let mut numbers = Vec::new();
+    coarse_end.map(|x| numbers.push(*x));
+    let mut numbers = numbers.into_iter();
+    let end = end.map(|x| lifted(*x, numbers.next()));
+    let no_slip = fine.iter().all(|bounce| bounce.slip[0] == 0.0);
+    let slides = |bounce: &Bounce<f64>| bounce.slip[0] == 0.0 || bounce.regime.starts_with("slide");
+    let slides = fine.iter().all(slides);
+    let bounces: Vec<Bounce<N>> = coarse.iter().zip(&fine).take(kept.max(1)).map(bounce).collect();
+    let values = scene.asked.iter().map(|asked| {
+        let value = asked.quantity.of(world, bounces.first(), &end);
+        value.ok_or(Failed::NoValue(asked.quantity))
+    });
+    Ok(Found {
+        values: values.collect::<Result<_, _>>()?,
+        slides,
+        estimated: true,
+        no_slip,
+        alpha: bounces.first().and_then(|bounce| world.alpha(bounce)),
+        bounces,
+        end: Some(end),
+        start_energy: world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy()),
     })
 }
 

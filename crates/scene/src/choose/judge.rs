@@ -204,14 +204,14 @@ fn near(nominal: &Setup<Rational>) -> Vec<Setup<Rational>> {
             };
             match &mut setup {
                 Setup::Bodies(world) => {
-                    scaled(&mut world.friction, 0);
-                    scaled(&mut world.restitution, 1);
+                    world.frictions_mut().for_each(|mu| scaled(mu, 0));
+                    world.restitutions_mut().for_each(|e| scaled(e, 1));
                     for body in &mut world.bodies {
                         scaled(&mut body.motion.vx, 2);
                         scaled(&mut body.motion.vy, 3);
                         scaled(&mut body.motion.omega, 4);
                     }
-                    world.restitution = world.restitution.clone().min(one.clone());
+                    world.restitutions_mut().for_each(|e| *e = e.clone().min(one.clone()));
                 }
                 Setup::Tip(tip) => {
                     scaled(&mut tip.friction, 0);

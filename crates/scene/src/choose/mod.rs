@@ -148,7 +148,7 @@ pub fn answer(
 ) -> Result<Answer, NoAnswer> {
     let scene = &refine::refined(scene, reference::mechanics(scene));
     let reference = Reference::of(scene);
-    let candidates = model::candidates(reference.mechanics, laws);
+    let candidates = model::candidates(reference.mechanics, laws, scene.in_air());
     let mut judged = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         progress(index, candidates.len());

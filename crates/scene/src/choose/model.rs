@@ -177,8 +177,12 @@ pub fn model_names(laws: &'static [Law]) -> Vec<&'static str> {
 }
 
 /// What may stand in for a reference, the reference among them, from the cheapest; among equals the
-/// shorter floats first.
-pub(super) fn candidates(reference: Mechanics, laws: &'static [Law]) -> Vec<Model> {
+/// shorter floats first. What is followed in steps is so in `f64` alone.
+pub(super) fn candidates(
+    reference: Mechanics,
+    laws: &'static [Law],
+    only_floats: bool,
+) -> Vec<Model> {
     use Mechanics::{Annuli, Chain, Compliant, NormalOnly};
     let mut mechanics = vec![NormalOnly];
     if !matches!(reference, NormalOnly | Chain) {
@@ -192,6 +196,7 @@ pub(super) fn candidates(reference: Mechanics, laws: &'static [Law]) -> Vec<Mode
         mechanics.push(Annuli);
     }
     let systems = |mechanics: Mechanics| match mechanics {
+        _ if only_floats => vec![System::F64],
         Chain | Compliant | Annuli => vec![System::F64],
         _ => vec![System::F32, System::F64, System::DoubleDouble, System::Rational],
     };

@@ -7,7 +7,7 @@ use super::reference::{Known, Reference};
 use crate::resolver::COMPLIANT;
 use crate::scene::{Scene, Setup};
 use kane_impact::compliant::{Compliance, Loss};
-use kane_number::{Lane as _, Number as _};
+use kane_number::{Interval, Lane as _, Number as _};
 
 /// A short number for prose.
 pub(super) fn short(value: f64) -> String {
@@ -39,6 +39,8 @@ pub(super) fn reasons(
             (Ok(_), Known::Enclosed) => ", enclosed by intervals",
             (Ok(_), Known::Documented) =>
                 ", which slides all the time here as is documented of it; that is enclosed by intervals",
+            (Ok(_), Known::Estimated) if scene.in_air() =>
+                ", with flights through air, which have no closed form: they are followed in steps in f64, and how far that is off is an estimate from steps twice as long and no bound",
             (Ok(_), Known::Estimated)
                 if matches!(reference.mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) =>
                 ", followed in floats of two lengths, because intervals lose it; the difference of the two is an estimate and no bound",
@@ -135,7 +137,9 @@ fn of_the_loss(scene: &Scene, reference: &Reference) -> Option<String> {
     let Setup::Bodies(world) = &scene.setup else { return None };
     let found = reference.at.as_ref().ok().filter(|found| found.estimated)?;
     let elastic = contact(scene, reference.mechanics).ok()?;
-    let e = world.restitution.value.to_f64();
+    let first = found.bounces.first()?;
+    let e = world.map(|stated| Interval::from_rational(&stated.value));
+    let e = e.restitution_of(first.encounter, &first.approach).ok()?.midpoint();
     if scene.loss.is_some() || e >= 1.0 {
         return None;
     }

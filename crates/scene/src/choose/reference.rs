@@ -6,6 +6,7 @@ use super::evaluate::{Failed, Found, evaluate};
 use super::model::{COULOMB, ENERGETIC, GRIP, Mechanics};
 use super::spread::{Spread, affordable, spread};
 use crate::coordinate::Coordinate;
+use crate::read::Stated;
 use crate::scene::{Scene, Setup, Tangential};
 
 /// How the reference's values are known, and with them every error against it.
@@ -120,7 +121,8 @@ impl Reference {
 /// for: if both agree to the tolerance, the longer ones are taken to be right to a millionth of
 /// their difference, since both lose digits alike and they have more than as many again.
 fn compared(scene: &Scene, mechanics: Mechanics) -> Option<Vec<(Rational, Rational)>> {
-    if !matches!(mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) {
+    // steps are in f64, whatever holds their numbers
+    if !matches!(mechanics, Mechanics::NormalOnly | Mechanics::Law(_)) || scene.in_air() {
         return None;
     }
     let nominal = scene.nominal();
@@ -142,8 +144,8 @@ fn compared(scene: &Scene, mechanics: Mechanics) -> Option<Vec<(Rational, Ration
 
 /// What the scene states of its contacts.
 pub(super) fn mechanics(scene: &Scene) -> Mechanics {
-    let frictionless =
-        scene.setup.friction().value == Rational::default() && scene.setup.friction().is_certain();
+    let none = |mu: &Stated| mu.value == Rational::default() && mu.is_certain();
+    let frictionless = scene.setup.frictions().into_iter().all(none);
     match (&scene.tangential, &scene.setup) {
         _ if scene.stiffness.is_some() => Mechanics::Chain,
         _ if frictionless => Mechanics::NormalOnly,

@@ -100,6 +100,8 @@ pub struct Reading {
     pub column: bool,
     /// The exact value as text, cut after 20 digits if it is long.
     pub exact: Option<String>,
+    /// The same as a fraction in full, if it is rational.
+    pub fraction: Option<String>,
     /// The float: the exact value rounded, or the result by way of double-double.
     pub float: Option<f64>,
     /// The result of plain `f64` arithmetic.

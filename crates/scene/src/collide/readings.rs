@@ -34,9 +34,15 @@ fn reading(quantity: Quantity) -> Reading {
     }
 }
 
+/// A rational number in full.
+fn fraction(exact: &Algebraic) -> Option<String> {
+    exact.as_rational().map(Rational::to_string)
+}
+
 fn of_exact(quantity: Quantity, exact: Option<&Algebraic>) -> Reading {
     Reading {
         exact: exact.map(written),
+        fraction: exact.and_then(fraction),
         float: exact.map(Algebraic::to_f64).filter(|float| float.is_finite()),
         ..reading(quantity)
     }
@@ -205,6 +211,7 @@ fn in_depth(law: &Law, system: &System<Rational>) -> Result<Answer, String> {
         }
         readings.push(Reading {
             exact: value.as_ref().map(written),
+            fraction: value.as_ref().and_then(fraction),
             float: wide,
             plain: plain.filter(|float| float.is_finite()),
             errors: Some(Errors { inputs: by_inputs, plain: error(plain), wide: error(wide) }),

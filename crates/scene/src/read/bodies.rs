@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::number::Domain;
 use super::source::{Fault, Number, Source};
 use super::stated::Stated;
-use crate::world::Round;
+use crate::round::Round;
 
 /// A scene has tens of bodies, not thousands.
 pub(super) const MOST_BODIES: usize = 100;

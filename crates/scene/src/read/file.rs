@@ -9,16 +9,20 @@ use serde::Deserialize;
 use sha2::{Digest as _, Sha256};
 use toml::Spanned;
 
+use super::air::{AirTable, air};
 use super::ask::{UntilTable, asked, until};
 use super::bodies::{Body, Discs, MOST_BODIES, Pendulum, Rod, discs};
+use super::contacts::{ContactTable, PlaneTable, planes, terms};
 use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::{Stated, stated};
+use crate::round::Round;
 use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
+use crate::side::Side;
 use crate::simulate::Until;
 use crate::tip::Tip;
-use crate::world::{Round, Side, Wall, World};
+use crate::world::{Wall, World};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -26,6 +30,8 @@ struct File {
     title: Option<String>,
     friction: Number,
     restitution: Number,
+    #[serde(rename = "rolling_resistance")]
+    rolling: Option<Number>,
     #[serde(rename = "tangential_restitution")]
     grip: Option<Number>,
     #[serde(rename = "poisson_ratio")]
@@ -45,6 +51,11 @@ struct File {
     left: Option<Number>,
     #[serde(rename = "right_m")]
     right: Option<Number>,
+    air: Option<Spanned<AirTable>>,
+    #[serde(default)]
+    wall: Vec<Spanned<PlaneTable>>,
+    #[serde(default)]
+    contact: Vec<Spanned<ContactTable>>,
     body: Option<Vec<Body>>,
     discs: Option<Spanned<Discs>>,
     rod_tip: Option<Rod>,
@@ -120,6 +131,9 @@ fn in_a_row(
     let first = &world.bodies[0];
     let row = world.bodies.len() > 1
         && world.walls.is_empty()
+        && world.planes.is_empty()
+        && world.air.is_none()
+        && world.terms.is_empty()
         && world
             .bodies
             .windows(2)
@@ -198,6 +212,19 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     let friction = stated(source, &file.friction, "friction", Domain::NotNegative)?;
     let restitution = stated(source, &file.restitution, "restitution", Domain::Fraction)?;
     let mut reader = Reader::of_uncertain(source);
+    let flies = file.body.is_some() || file.discs.is_some();
+    let stray = [
+        file.rolling.as_ref().map(Spanned::span),
+        file.air.as_ref().map(Spanned::span),
+        file.wall.first().map(Spanned::span),
+        file.contact.first().map(Spanned::span),
+    ];
+    if let (false, Some(place)) = (flies, stray.into_iter().flatten().next()) {
+        return Err(source.fault(
+            place,
+            "rolling_resistance, [air], [[wall]] and [[contact]] are for round bodies",
+        ));
+    }
     if let Some(rod) = &file.rod_tip {
         return Ok(Setup::Tip(Tip { body: reader.rod_tip(rod)?, friction, restitution }));
     }
@@ -226,7 +253,16 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
         (None, Some(table)) => discs(source, table.get_ref())?,
         (None, None) => Vec::new(),
     };
-    let world = World { gravity: gravity.into(), walls, bodies, friction, restitution };
+    let planes = planes(source, &mut reader, &file.wall)?;
+    let terms = terms(source, &file.contact, &walls, planes.len(), bodies.len())?;
+    let gravity = gravity.into();
+    let air = file.air.as_ref().map(|table| air(source, table)).transpose()?;
+    let rolling = match &file.rolling {
+        Some(number) => stated(source, number, "rolling_resistance", Domain::NotNegative)?,
+        None => Stated::default(),
+    };
+    let world =
+        World { gravity, air, walls, planes, bodies, friction, restitution, terms, rolling };
     apart(source, &world, file)?;
     Ok(Setup::Bodies(world))
 }
@@ -265,9 +301,18 @@ fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), F
                 Side::Ceiling => at - y - r,
                 Side::Left => x - at - r,
                 Side::Right => at - x - r,
+                Side::Plane(_) => continue,
             };
             if gap < Rational::default() {
                 let message = format!("body {} is inside the {}", i + 1, wall.side.name());
+                return Err(source.fault(span(i), message));
+            }
+        }
+        for (number, plane) in world.planes.iter().enumerate() {
+            let exact = |stated: &Stated| stated.value.clone();
+            let gap = plane.map(exact).gap(&body.map(exact), &Rational::default());
+            if gap < Rational::default() {
+                let message = format!("body {} is inside wall {}", i + 1, number + 1);
                 return Err(source.fault(span(i), message));
             }
         }

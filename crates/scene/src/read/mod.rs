@@ -1,9 +1,11 @@
 //! Exact numbers out of TOML files, with faults that point at their place.
 
+mod air;
 mod angle;
 mod ask;
 mod bodies;
 mod collision;
+mod contacts;
 mod file;
 mod flags;
 mod number;

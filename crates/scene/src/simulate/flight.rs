@@ -1,7 +1,10 @@
 //! When bodies in flight meet.
 
 use crate::coordinate::Coordinate;
-use crate::world::{Round, Side, Wall};
+use crate::plane::Plane;
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::Wall;
 
 /// The number system cannot tell whether or when two things meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +60,22 @@ pub(super) fn to_wall<N: Coordinate>(
             let root = square.sqrt().ok_or(Unknown)?;
             Ok(Some(gap.double() / (root + up)))
         }
+        // these are no sides of a room
+        Side::Plane(_) => Ok(None),
     }
+}
+
+/// The time until a body reaches a plane, if it does, both given at the time `now`.
+pub(super) fn to_plane<N: Coordinate>(
+    body: &Round<N>,
+    plane: &Plane<N>,
+    gravity: &N,
+    now: &N,
+    touching: bool,
+) -> Result<Option<N>, Unknown> {
+    let gap = if touching { N::zero() } else { not_before(plane.gap(body, now)) };
+    let parting = plane.parting(body, gravity);
+    Plane::closes(&gap, &parting, touching).map_err(|()| Unknown)
 }
 
 /// Without acceleration: a gap that closes with −`speed`.

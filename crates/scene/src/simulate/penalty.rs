@@ -1,6 +1,8 @@
 //! For contrast: springs where bodies overlap, stepped as common engines do.
 
-use crate::world::{Round, Side, World};
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::World;
 
 /// A penalty method with a step of fixed length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +59,7 @@ fn overlaps(world: &World<f64>) -> Vec<Overlap> {
                 Side::Ceiling => ([0.0, 1.0], wall.at - y),
                 Side::Left => ([-1.0, 0.0], x - wall.at),
                 Side::Right => ([1.0, 0.0], wall.at - x),
+                Side::Plane(_) => continue,
             };
             if distance < a.radius {
                 let depth = a.radius - distance;

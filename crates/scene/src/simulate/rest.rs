@@ -4,7 +4,7 @@ use kane_impact::{Contact, Delassus};
 
 use crate::coordinate::Coordinate;
 use crate::resolver::{Lasting, Resolver};
-use crate::world::Round;
+use crate::round::Round;
 
 /// How the slip goes on through the impacts that are left.
 #[derive(Clone, Debug)]

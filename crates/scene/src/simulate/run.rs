@@ -2,12 +2,13 @@
 
 use kane_impact::NoImpulse;
 
-use super::encounter::Bounce;
+use super::bounce::Bounce;
 use super::flight::Unknown;
 use super::state::State;
 use crate::coordinate::Coordinate;
 use crate::resolver::Resolver;
-use crate::world::{Round, World};
+use crate::round::Round;
+use crate::world::World;
 
 /// When to stop.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,6 +134,16 @@ pub enum Stopped {
         "`rest` needs one ball, a floor, no other wall, and gravity; give `impacts` or `duration_s`"
     )]
     NotABall,
+    /// A flight in air has no closed form.
+    #[error(
+        "a flight in air is followed in floats, from impact to impact; give `impacts` or `duration_s`"
+    )]
+    InAir,
+    /// The bouncing has no sum.
+    #[error(
+        "`rest` needs a restitution that does not depend on the speed; give `impacts` or `duration_s`"
+    )]
+    BySpeed,
     /// The ball has come to rest and still slips.
     #[error(
         "the ball lies on the floor and slips, and the model does not say how that goes on; give `rest` or `impacts`"
@@ -158,6 +169,9 @@ pub fn run<N: Coordinate>(
     budget: Budget,
     observer: &mut dyn FnMut(&Bounce<N>),
 ) -> Result<End<N>, Stopped> {
+    if world.air.is_some() {
+        return Err(Stopped::InAir);
+    }
     let mut state = State::new(world);
     if matches!(until, Until::Rest) {
         state.can_rest()?;

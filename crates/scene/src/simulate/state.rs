@@ -1,12 +1,16 @@
 //! Where all bodies are between two events, and what they meet next.
 
-use super::encounter::{Bounce, Encounter, normal_of, strike};
-use super::flight::{Unknown, to_body, to_wall};
-use super::rest::{Tail, rest, slow, tail};
+use super::bounce::{Bounce, normal_of, strike};
+use super::flight::{Unknown, to_body, to_plane, to_wall};
+use super::rest::{Tail, rest, tail};
+use super::rolling::crept;
 use super::run::{Budget, End, Ending, Stopped, Until};
 use crate::coordinate::Coordinate;
+use crate::encounter::Encounter;
 use crate::resolver::Resolver;
-use crate::world::{Round, Side, Wall, World};
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::{Wall, World};
 
 /// Every body at the time of its last impact, and what it meets next.
 pub(super) struct State<'a, N> {
@@ -67,6 +71,17 @@ impl<'a, N: Coordinate> State<'a, N> {
                 }
             }
         }
+        for (plane, number) in self.world.planes.iter().zip(0..) {
+            let encounter = Encounter::Wall(index, Side::Plane(number));
+            let touching = self.last[index] == Some(encounter);
+            let found = to_plane(&body, plane, &self.world.gravity, &self.now, touching)?;
+            if let Some(time) = found {
+                let time = self.now.clone() + time;
+                if earlier((&time, encounter), best.as_ref())? {
+                    best = Some((time, encounter));
+                }
+            }
+        }
         for other in 0..self.bodies.len() {
             if other == index {
                 continue;
@@ -110,7 +125,6 @@ impl<'a, N: Coordinate> State<'a, N> {
     ) -> Result<Bounce<N>, Stopped> {
         self.now = time;
         let world = self.world;
-        let coefficients = (&world.friction, &world.restitution);
         let fault =
             |source| Stopped::NoImpulse { impact: self.impacts, time: self.now.to_f64(), source };
         let fallen = |index: usize, body: &Round<N>| {
@@ -123,13 +137,18 @@ impl<'a, N: Coordinate> State<'a, N> {
                 if let Some(wall) = world.walls.iter().find(|wall| wall.side == side) {
                     at_wall(&mut body, wall);
                 }
+                if let Side::Plane(number) = side
+                    && let Some(plane) = world.planes.get(usize::from(number))
+                {
+                    plane.touch(&mut body, &self.now);
+                }
                 let again = self.last[index] == Some(encounter);
                 if again && side == Side::Floor {
                     // what goes up comes down as fast; v − g·(2v/g) would round, and widen
                     body.motion.vy = -self.bodies[index].motion.vy.clone();
                 }
                 let held = if again { self.held[index].as_ref() } else { None };
-                (body, None, normal_of(side), held)
+                (body, None, normal_of(world, side), held)
             }
             Encounter::Pair(i, j) => {
                 let (first, second) = (self.here(i), self.here(j));
@@ -139,7 +158,7 @@ impl<'a, N: Coordinate> State<'a, N> {
                 (first, Some(second), normal, None)
             }
         };
-        let struck = strike(resolver, coefficients, &normal, &first, second.as_ref(), held)
+        let struck = strike(resolver, (world, encounter), &normal, &first, second.as_ref(), held)
             .map_err(fault)?;
         let gravity = match (encounter, &second) {
             (Encounter::Pair(i, j), Some(second)) => fallen(i, &first) + fallen(j, second),
@@ -224,14 +243,18 @@ impl<'a, N: Coordinate> State<'a, N> {
     /// Whether this is one ball above a floor.
     fn is_ball(&self) -> bool {
         let floor = matches!(&self.world.walls[..], [Wall { side: Side::Floor, .. }]);
-        floor && self.bodies.len() == 1 && self.world.gravity.sign().is_greater() == Some(true)
+        floor
+            && self.world.planes.is_empty()
+            && self.bodies.len() == 1
+            && self.world.gravity.sign().is_greater() == Some(true)
     }
 
     pub(super) fn can_rest(&self) -> Result<(), Stopped> {
         if !self.is_ball() {
             return Err(Stopped::NotABall);
         }
-        let loses = self.world.restitution.compare(&N::one()).is_less();
+        let restitution = self.world.constant_restitution(ON_THE_FLOOR);
+        let loses = restitution.ok_or(Stopped::BySpeed)?.compare(&N::one()).is_less();
         if loses == Some(false) { Err(Stopped::NeverRests) } else { Ok(()) }
     }
 
@@ -246,7 +269,7 @@ impl<'a, N: Coordinate> State<'a, N> {
         budget: Budget,
         bounce: &Bounce<N>,
     ) -> Result<Option<End<N>>, Stopped> {
-        let World { gravity, friction, restitution, .. } = self.world;
+        let (gravity, friction) = (&self.world.gravity, self.world.friction_of(ON_THE_FLOOR));
         let body = &bounce.after.0;
         let lies = body.motion.vy.sign().is_equal() == Some(true);
         let asked = match until {
@@ -256,6 +279,9 @@ impl<'a, N: Coordinate> State<'a, N> {
         if !asked || !(lies || self.impacts >= budget.shown) || self.can_rest().is_err() {
             return Ok(None);
         }
+        let Some(restitution) = self.world.constant_restitution(ON_THE_FLOOR) else {
+            return Ok(None);
+        };
         if restitution.compare(&N::one()).is_less() != Some(true) {
             return Ok(None);
         }
@@ -280,7 +306,8 @@ impl<'a, N: Coordinate> State<'a, N> {
                     return Err(Stopped::LiesUntold);
                 }
                 let left = end_time.clone() - time;
-                let body = crept(&rest.body, &tail, &left, gravity, friction);
+                let rolling = &self.world.rolling;
+                let body = crept(&rest.body, &tail, &left, gravity, [friction, rolling]);
                 body.map(|body| end(end_time.clone(), body, Ending::Duration))
             }
             _ => Some(end(time, rest.body, Ending::Rest)),
@@ -288,31 +315,8 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 }
 
-/// A body that rests on the floor slides on under friction, until it rolls.
-fn crept<N: Coordinate>(
-    body: &Round<N>,
-    tail: &Tail<N>,
-    time: &N,
-    gravity: &N,
-    friction: &N,
-) -> Option<Round<N>> {
-    let mut after = body.clone();
-    let mut left = time.clone();
-    if let Tail::Sliding(sign) = tail {
-        let slip = body.motion.omega.mul_add(&body.radius, &body.motion.vx);
-        let slowing = friction.clone() * gravity * sign;
-        let ratio = N::one() + body.mass.clone() * body.rotational_mobility();
-        let stop = slip / (slowing.clone() * ratio);
-        let slides = if left.compare(&stop).is_less()? { left.clone() } else { stop };
-        let change = slowing * &slides;
-        let mean = body.motion.vx.clone() - crate::coordinate::half(change.clone());
-        after.position[0] = mean.mul_add(&slides, &body.position[0]);
-        slow(&mut after, change);
-        left = left - slides;
-    }
-    after.position[0] = after.motion.vx.mul_add(&left, &after.position[0]);
-    Some(after)
-}
+/// Where the only ball of a world may come to rest.
+const ON_THE_FLOOR: Encounter = Encounter::Wall(0, Side::Floor);
 
 /// A body that touches a wall is where the wall is, whatever rounding says.
 fn at_wall<N: Coordinate>(body: &mut Round<N>, wall: &Wall<N>) {
@@ -322,6 +326,7 @@ fn at_wall<N: Coordinate>(body: &mut Round<N>, wall: &Wall<N>) {
         Side::Right => body.position[0] = wall.at.clone() - r,
         Side::Floor => body.position[1] = wall.at.clone() + r,
         Side::Ceiling => body.position[1] = wall.at.clone() - r,
+        Side::Plane(_) => {}
     }
 }
 

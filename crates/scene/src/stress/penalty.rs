@@ -8,8 +8,9 @@ use kane_impact::laws::RouthNewton;
 use num_traits::Signed as _;
 
 use super::{Row, ball, box_of_discs, integer, ratio};
+use crate::round::Round;
 use crate::simulate::{Budget, Penalty, Until, energy_by_penalty, run};
-use crate::world::{Round, World};
+use crate::world::World;
 use kane_number::Lane;
 
 /// A motion, and what its energy is to be.
@@ -98,7 +99,17 @@ fn spheres() -> Contrast {
     let (gravity, friction, restitution) = (0.0, 0.0, 1.0);
     Contrast {
         name: "three spheres",
-        world: World { gravity, walls: Vec::new(), bodies, friction, restitution },
+        world: World {
+            gravity,
+            air: None,
+            walls: Vec::new(),
+            planes: Vec::new(),
+            bodies,
+            friction,
+            restitution,
+            terms: Vec::new(),
+            rolling: 0.0,
+        },
         stiffness: 1e5,
         mass: 0.05,
         duration: 0.1,

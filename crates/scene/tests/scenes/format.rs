@@ -26,7 +26,7 @@ fn the_good_file_is_read_exactly() {
     let scene = scene("good.toml", GOOD).expect("it is good");
     assert_eq!(scene.uncertain(), 1);
     assert_eq!(scene.corners().len(), 2);
-    assert_eq!(scene.nominal().friction().to_string(), "1/5");
+    assert_eq!(scene.nominal().frictions()[0].to_string(), "1/5");
 }
 
 #[test]
@@ -140,4 +140,36 @@ fn what_needs_a_table_says_so() {
     );
     let fault = scene("bad.toml", &two).expect_err("two things are described");
     assert!(fault.message.contains("exactly one of"), "{}", fault.message);
+}
+
+#[test]
+fn what_walls_and_contacts_may_be_is_said_at_its_place() {
+    let with = |table: &str| GOOD.replacen("[[body]]", &format!("{table}\n\n[[body]]"), 1);
+    let wall = "[[wall]]\nthrough_m = [0, 0]";
+    for (table, message) in [
+        (format!("{wall}\nangle_deg = 180"), "body 1 is inside wall 1"),
+        (wall.to_owned(), "the direction is missing"),
+        ("[[contact]]".to_owned(), "states neither friction nor restitution"),
+        ("[[contact]]\nfriction = -1".to_owned(), "must be at least 0"),
+        ("[[contact]]\nrestitution = 2".to_owned(), "must be from 0 to 1"),
+        ("[[contact]]\nrestitution_at_m_s = 2".to_owned(), "a restitution is"),
+        (
+            "[[contact]]\nspeeds_m_s = [2, 1]\nrestitutions = [0.5, 0.4]".to_owned(),
+            "speeds_m_s must grow",
+        ),
+        ("[[contact]]\nspeeds_m_s = [2]\nrestitutions = []".to_owned(), "the same number"),
+        (
+            "[[contact]]\nbetween = [\"body-1\", \"roof\"]\nfriction = 1".to_owned(),
+            "between names two that can meet",
+        ),
+        (
+            "[[contact]]\nbetween = [\"body-1\", \"body-1\"]\nfriction = 1".to_owned(),
+            "between names two that can meet",
+        ),
+    ] {
+        let text = with(&table);
+        let fault = scene("bad.toml", &text).expect_err(&table);
+        assert!(fault.message.contains(message), "{table}: {}", fault.message);
+    }
+    assert!(scene("good.toml", &with("[[contact]]\nfriction = 0.1")).is_ok());
 }

@@ -1,12 +1,15 @@
 //! Scenes: the motion, the choice of a model, the format, and where methods fail.
 
+mod air; // drag and Magnus' force, against closed forms and another integrator
 mod choice; // every shipped scene: the chosen model meets the tolerance, the next cheaper misses
 mod counting; // what models cost, counted
 mod format; // what bad files get
 mod motion; // flights and impacts, each by two ways
 mod picture; // what pictures show
 mod rest; // every model to the end of infinitely many impacts, its own way
+mod rolling; // what lies on the floor skids, rolls, stops
 mod stress; // drift, reversal, Zeno, grazing, penalty steps
+mod walls; // walls at an angle or in motion, terms of single contacts
 
 use kane_impact::bodies::Motion;
 use kane_number::{Rational, parse};
@@ -41,6 +44,10 @@ fn above_floor(
     World {
         gravity: n(gravity),
         walls: vec![Wall { side: Side::Floor, at: n("0") }],
+        air: None,
+        planes: vec![],
+        terms: vec![],
+        rolling: n("0"),
         bodies,
         friction: n(friction),
         restitution: n(restitution),

@@ -39,6 +39,10 @@ fn two_bodies_part_as_the_laws_say_and_keep_their_momentum() {
     let world = World {
         gravity: n("0"),
         walls: vec![],
+        air: None,
+        planes: vec![],
+        terms: vec![],
+        rolling: n("0"),
         bodies: vec![first.clone(), second.clone()],
         friction: n("1/7"),
         restitution: n("2/3"),
@@ -92,11 +96,15 @@ fn every_side_of_a_room_is_the_floor_turned() {
         body.motion.vy = integer(yt) * &vt + integer(yn) * &vn;
         let away = match side {
             Side::Floor | Side::Left => n("-1"),
-            Side::Ceiling | Side::Right => n("1"),
+            Side::Ceiling | Side::Right | Side::Plane(_) => n("1"),
         };
         let world = World {
             gravity: n("0"),
             walls: vec![Wall { side, at: away }],
+            air: None,
+            planes: vec![],
+            terms: vec![],
+            rolling: n("0"),
             bodies: vec![body],
             friction: n("1/5"),
             restitution: n("3/4"),

@@ -4,17 +4,11 @@ use kane_impact::bodies::{Ledger, Motion};
 use kane_impact::{Contact, Delassus, Impulse, NoImpulse};
 
 use crate::coordinate::{Coordinate, half};
+use crate::encounter::Encounter;
 use crate::resolver::Resolver;
-use crate::world::{Round, Side};
-
-/// Which bodies touch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Encounter {
-    /// A body and a wall.
-    Wall(usize, Side),
-    /// Two bodies, by their index; the first is the one whose impulse is counted.
-    Pair(usize, usize),
-}
+use crate::round::Round;
+use crate::side::Side;
+use crate::world::World;
 
 /// An impact, with all that is to be told of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,15 +69,30 @@ impl<N> Bounce<N> {
     }
 }
 
+impl<N: Coordinate> World<N> {
+    /// α of an impact, `W_tt`·μ·(1 + e)·a/(2·`W_nn`·`v_t`), with the sign of the slip; `None` without slip.
+    pub(crate) fn alpha(&self, bounce: &Bounce<N>) -> Option<N> {
+        let ratio = self.mobility_ratio(bounce.encounter);
+        let e = self.restitution_of(bounce.encounter, &bounce.approach).ok()?;
+        let friction = self.friction_of(bounce.encounter);
+        let change = ratio * friction * (N::one() + e) * &bounce.approach;
+        change.checked_div(&bounce.slip[0].double())
+    }
+}
+
 /// The outward normal of a wall, and with it the tangent, such that tangent and normal turn like x
 /// and y.
-pub(super) fn normal_of<N: Coordinate>(side: Side) -> [N; 2] {
+pub(super) fn normal_of<N: Coordinate>(world: &World<N>, side: Side) -> [N; 2] {
     let (zero, one) = (N::zero(), N::one());
     match side {
         Side::Floor => [zero, one],
         Side::Ceiling => [zero, -one],
         Side::Left => [one, zero],
         Side::Right => [-one, zero],
+        Side::Plane(index) => match world.planes.get(usize::from(index)) {
+            Some(plane) => plane.normal.clone(),
+            None => [zero, one],
+        },
     }
 }
 
@@ -111,12 +120,13 @@ pub(super) struct Struck<N> {
     pub(super) second: Option<Round<N>>,
 }
 
-/// Resolves the impact of a body, as it arrives, with a wall or with another body. `held` is the
-/// slip that the contact is known to have, where forming it anew would cancel.
+/// Resolves the impact of a body, as it arrives, with a wall or with another body, on what the world
+/// states of their contact. `held` is the slip that the contact is known to have, where forming it anew
+/// would cancel.
 #[inline]
 pub(super) fn strike<N: Coordinate>(
     resolver: &dyn Resolver<N>,
-    (friction, restitution): (&N, &N),
+    (world, encounter): (&World<N>, Encounter),
     normal: &[N; 2],
     first: &Round<N>,
     second: Option<&Round<N>>,
@@ -139,14 +149,19 @@ pub(super) fn strike<N: Coordinate>(
         tt = tt + &free + body.rotational_mobility();
         nn = nn + free;
     }
+    let wall = match encounter {
+        Encounter::Wall(_, Side::Plane(index)) => world.planes.get(usize::from(index)),
+        _ => None,
+    };
+    if let Some([along, out]) = wall.map(|plane| &plane.velocity) {
+        slip = slip - along;
+        separation = separation - out;
+    }
     let delassus = Delassus::unchecked(tt, N::zero(), nn);
-    let contact = Contact::unchecked(
-        slip.clone(),
-        -separation,
-        delassus,
-        friction.clone(),
-        restitution.clone(),
-    );
+    let approach = -separation;
+    let restitution = world.restitution_of(encounter, &approach)?;
+    let friction = world.friction_of(encounter).clone();
+    let contact = Contact::unchecked(slip.clone(), approach, delassus, friction, restitution);
     let outcome = resolver.resolve(&contact)?;
     let Impulse { tangential, normal: push } = &outcome.impulse;
 
@@ -166,7 +181,10 @@ pub(super) fn strike<N: Coordinate>(
     };
     // the contact point of the first is at −r·n, that of the second at +r·n
     let moment = first.radius.clone() * tangential;
-    let exact = other.is_none().then(|| outcome.separation.clone());
+    let exact = other.is_none().then(|| match wall {
+        Some(plane) => outcome.separation.clone() + &plane.velocity[1],
+        None => outcome.separation.clone(),
+    });
     let struck = apply(first, &[vt, vn], [tangential, push], &moment, exact);
     let second = other.map(|(body, velocity)| {
         let opposite = [&-tangential.clone(), &-push.clone()];

@@ -1,0 +1,259 @@
+//! Derivatives of functions in a model: whether a point can be one of functions for which the premises
+//! hold for all t.
+//!
+//! A point gives values to functions and to their derivatives, and nothing in it ties the one to the
+//! other. The premises hold for all t, so a point refutes only if functions pass through it for which
+//! they do, on an interval around it. Here they do if the equations can be solved, one after the other,
+//! each for the highest derivative of a function of its own: then the theorem of Picard and Lindelöf gives
+//! the functions. What cannot be seen so is left open.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use kane_algebra::rational_function::RationalFunction;
+use kane_algebra::syntax::Angle;
+use kane_kernel::{
+    Bound, Context, Evidence, Expr, Fuel, Goal, Link, Model, Point, Poly, Rel, Relation,
+    expressions,
+};
+use num_rational::BigRational;
+use num_traits::Zero as _;
+
+/// Steps that one differentiation of a polynomial may take.
+const FUEL: u64 = 1_000_000;
+
+/// What a document says of derivatives of functions.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Motion {
+    /// by function, the symbol for its derivative
+    pub(crate) rates: BTreeMap<usize, usize>,
+    /// angles, and what stands for them
+    pub(crate) angles: Vec<(usize, Angle)>,
+    /// by statement, of which statement it is the derivative
+    pub(crate) derived: BTreeMap<usize, usize>,
+}
+
+/// A function, differentiated so often.
+type Jet = (usize, usize);
+
+/// An equation and its derivatives, as polynomials that vanish.
+type Unit = Vec<Poly>;
+
+impl Motion {
+    /// Whether the goal speaks of derivatives of functions.
+    pub(crate) fn concerns(&self, goal: &Goal) -> bool {
+        !self.rates.is_empty()
+            && self.mentioned(goal).iter().any(|v| self.rates.values().any(|rate| rate == v))
+    }
+
+    /// Whether functions pass through the model for which all premises hold nearby: `ids` are the
+    /// statements that the hypotheses of the goal are. Everything that a hypothesis rests on has to be
+    /// among them.
+    pub(crate) fn is_met(&self, goal: &Goal, ids: &[usize], evidence: &Evidence) -> bool {
+        let Evidence::Model(Model::Point(point)) = evidence else { return false };
+        self.passes(goal, ids, point).unwrap_or(false)
+    }
+
+    fn mentioned(&self, goal: &Goal) -> BTreeSet<usize> {
+        let links =
+            goal.hypotheses.iter().flat_map(|h| expressions(&h.sentence.when, &h.sentence.links));
+        let own = expressions(&goal.when, goal.conclusion.links());
+        let mut seen = BTreeSet::new();
+        let mut lets = BTreeSet::new();
+        let mut todo: Vec<&Expr> =
+            links.chain(own).chain(expressions(goal.conclusion.when(), &[])).collect();
+        while let Some(e) = todo.pop() {
+            match e {
+                Expr::Var(v) | Expr::Deriv(_, v) => _ = seen.insert(*v),
+                Expr::Let(i) if lets.insert(*i) => {
+                    todo.extend(goal.context.lets.get(*i).map(|d| &d.body));
+                }
+                _ => {}
+            }
+            todo.extend(e.children());
+        }
+        seen
+    }
+
+    /// The function that a symbol is a derivative of, and of which order; cosine and sine are the angle.
+    fn jet(&self, v: usize, context: &Context) -> Option<Jet> {
+        context.vars.get(v)?.of?;
+        let point = self.angles.iter().find(|(_, a)| [a.cos, a.sin].contains(&v));
+        let (mut base, mut order) = (point.map_or(v, |(theta, _)| *theta), 0);
+        while let Some((lower, _)) = self.rates.iter().find(|(_, rate)| **rate == base) {
+            (base, order) = (*lower, order + 1);
+        }
+        Some((base, order))
+    }
+
+    fn passes(&self, goal: &Goal, ids: &[usize], point: &Point) -> Option<bool> {
+        let context = &goal.context;
+        let mentioned = self.mentioned(goal);
+        let jets: BTreeSet<Jet> = mentioned.iter().filter_map(|v| self.jet(*v, context)).collect();
+        for v in mentioned.iter().filter(|v| self.jet(**v, context).is_some()) {
+            let var = context.vars.get(*v)?;
+            let apart =
+                |bound: &Bound| bound.strict || value(*v, point).is_some_and(|x| x != bound.value);
+            if ![&var.lower, &var.upper].into_iter().flatten().all(apart) {
+                return Some(false);
+            }
+        }
+        let mut units: BTreeMap<usize, Vec<(usize, Poly)>> = BTreeMap::new();
+        for (hypothesis, id) in goal.hypotheses.iter().zip(ids) {
+            // what is cited and proved holds where the premises do that it rests on
+            if !hypothesis.given {
+                continue;
+            }
+            let sentence = &hypothesis.sentence;
+            for link in &sentence.links {
+                let Link::Relation(relation) = link else { return Some(false) };
+                let varies = |e: &Expr| self.varies(e, context);
+                if self.is_circle(relation) {
+                    continue;
+                }
+                let functions = varies(&relation.lhs) || varies(&relation.rhs);
+                if !functions && !self.runs(relation, context) {
+                    continue;
+                }
+                if !sentence.when.is_empty() || self.variables(relation, context).len() > 1 {
+                    return Some(false);
+                }
+                let gap = Expr::Sub(relation.lhs.clone().into(), relation.rhs.clone().into());
+                let gap = RationalFunction::from_expr(&gap, context).ok()?;
+                match relation.rel {
+                    Rel::Lt | Rel::Gt | Rel::Ne => {}
+                    Rel::Le | Rel::Ge
+                        if at(&gap.fraction().0, point).is_some_and(|v| !v.is_zero()) => {}
+                    Rel::Eq if functions => {
+                        let (base, order) = self.source(*id);
+                        units.entry(base).or_default().push((order, gap.fraction().0));
+                    }
+                    _ => return Some(false),
+                }
+            }
+        }
+        let units: Option<Vec<Vec<Unit>>> = units.into_values().map(in_order).collect();
+        self.solve(units?.concat(), &jets, context, point)
+    }
+
+    /// Whether units can be taken away one after the other, each solved for what no other one has.
+    fn solve(
+        &self,
+        mut units: Vec<Unit>,
+        jets: &BTreeSet<Jet>,
+        context: &Context,
+        point: &Point,
+    ) -> Option<bool> {
+        let top = |base: usize| jets.iter().filter(|jet| jet.0 == base).map(|jet| jet.1).max();
+        while !units.is_empty() {
+            let solved = units.iter().position(|unit| {
+                let Some(first) = unit.first() else { return true };
+                first.vars().into_iter().any(|u| {
+                    let Some((base, order)) = self.jet(u, context) else { return false };
+                    // an angle is solved for in no sine
+                    let plain = !self.angles.iter().any(|(_, a)| [a.cos, a.sin].contains(&u));
+                    let highest = top(base) == Some(order + unit.len() - 1);
+                    let slope = first.derivative(u, &Fuel::new(FUEL)).ok();
+                    let moves = slope.is_some_and(|s| at(&s, point).is_some_and(|v| !v.is_zero()));
+                    let own = units.iter().filter(|other| *other != unit).flatten().all(|p| {
+                        let jets = p.vars().into_iter().filter_map(|v| self.jet(v, context));
+                        jets.into_iter().all(|jet| jet.0 != base || jet.1 < order)
+                    });
+                    plain && highest && moves && own
+                })
+            });
+            match solved {
+                Some(i) => _ = units.swap_remove(i),
+                None => return Some(false),
+            }
+        }
+        Some(true)
+    }
+
+    /// The statement that a derived one comes from, and how often it is differentiated.
+    fn source(&self, mut id: usize) -> (usize, usize) {
+        let mut order = 0;
+        while let Some(base) = self.derived.get(&id) {
+            (id, order) = (*base, order + 1);
+        }
+        (id, order)
+    }
+
+    fn varies(&self, e: &Expr, context: &Context) -> bool {
+        symbols(e, context).into_iter().any(|v| self.jet(v, context).is_some())
+    }
+
+    /// Whether it speaks of a variable of which something is a function.
+    fn runs(&self, relation: &Relation, context: &Context) -> bool {
+        let variable = |v: usize| context.vars.iter().any(|var| var.of == Some(v));
+        let sides = [&relation.lhs, &relation.rhs];
+        sides.into_iter().flat_map(|side| symbols(side, context)).any(variable)
+    }
+
+    /// The variables of which it speaks, by functions of them or by themselves. What holds for all values
+    /// of two says more than an equation of motion.
+    fn variables(&self, relation: &Relation, context: &Context) -> BTreeSet<usize> {
+        let sides = [&relation.lhs, &relation.rhs];
+        let all = sides.into_iter().flat_map(|side| symbols(side, context));
+        let variable = |v: usize| context.vars.iter().any(|var| var.of == Some(v));
+        let of = |v: usize| context.vars.get(v).and_then(|var| var.of);
+        all.filter_map(|v| of(v).or(variable(v).then_some(v))).collect()
+    }
+
+    /// Whether it is cos² + sin² = 1 of an angle, which its functions satisfy by what they are.
+    fn is_circle(&self, relation: &Relation) -> bool {
+        let square = |v: usize| Expr::Pow(Expr::Var(v).into(), 2);
+        relation.rel == Rel::Eq
+            && relation.rhs == Expr::int(1)
+            && self
+                .angles
+                .iter()
+                .any(|(_, a)| relation.lhs == Expr::Add(square(a.cos).into(), square(a.sin).into()))
+    }
+}
+
+/// The equations of one premise, each with its derivatives; nothing if one between is missing.
+fn in_order(mut found: Vec<(usize, Poly)>) -> Option<Vec<Unit>> {
+    found.sort_by_key(|(order, _)| *order);
+    let count = found.iter().filter(|(order, _)| *order == 0).count();
+    let orders = found.len().checked_div(count)?;
+    let whole = found.iter().enumerate().all(|(i, (order, _))| *order == i / count);
+    let unit = |i: usize| (0..orders).map(|k| found[k * count + i].1.clone()).collect();
+    (whole && orders * count == found.len()).then(|| (0..count).map(unit).collect())
+}
+
+fn symbols(e: &Expr, context: &Context) -> BTreeSet<usize> {
+    let (mut found, mut lets) = (BTreeSet::new(), BTreeSet::new());
+    let mut todo = vec![e];
+    while let Some(e) = todo.pop() {
+        match e {
+            Expr::Var(v) | Expr::Deriv(_, v) => _ = found.insert(*v),
+            Expr::Let(i) if lets.insert(*i) => todo.extend(context.lets.get(*i).map(|d| &d.body)),
+            _ => {}
+        }
+        todo.extend(e.children());
+    }
+    found
+}
+
+/// The value of a symbol at a point with rational coordinates.
+fn value(v: usize, point: &Point) -> Option<BigRational> {
+    let (_, coefficients) = point.values.iter().find(|(known, _)| *known == v)?;
+    match (&point.generator, coefficients.as_slice()) {
+        (_, []) => Some(BigRational::zero()),
+        (_, [rational]) => Some(rational.clone()),
+        _ => None,
+    }
+}
+
+/// The value of a polynomial there; nothing where a coordinate in it is not rational.
+fn at(p: &Poly, point: &Point) -> Option<BigRational> {
+    let mut total = BigRational::zero();
+    for (powers, coefficient) in p.terms() {
+        let mut term = BigRational::from_integer(coefficient.clone());
+        for &(v, n) in powers {
+            term *= num_traits::pow(value(v, point)?, usize::try_from(n).ok()?);
+        }
+        total += term;
+    }
+    Some(total)
+}

@@ -1,0 +1,263 @@
+//! The leaf of a search: no equation can be solved any more, and each method has its turn, the cheap
+//! ones first.
+
+use kane_kernel::{Atom, Point, Poly, Sign, State};
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::elimination::{Elimination, open_vars};
+use super::hints::{Hint, Wealth, hinted, untold};
+use super::linear::{combination, is_linear_in_all, solution};
+use super::search::{MAX_SPLITS, Outcome, Search, Step, since};
+use super::squares::{Reach, squares};
+use super::{expansion, tactics};
+use crate::argument::{Argument, Rules as _};
+use crate::open::Method;
+
+type Q = BigRational;
+
+/// Case distinctions for which an inequality that is taken as an equation counts.
+const BOUNDARY: u32 = 5;
+/// What it costs, of the budget for squares, to tell the order of two variables.
+const ORDER: u64 = 1_000_000;
+
+impl Search<'_> {
+    pub(super) fn leaf(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let vars = open_vars(state);
+        self.note(Method::SignTables);
+        for &v in &vars {
+            if let Some(proof) = tactics::sign_table(state, v) {
+                return Outcome::Closed(proof);
+            }
+        }
+        if self.proofs && !self.hints.is_empty() {
+            self.note(Method::Hints);
+            let hints = self.hints_after(state, trail);
+            if let Some(proof) = hinted(state, &hints, Wealth::Many) {
+                return Outcome::Closed(proof);
+            }
+            if splits < MAX_SPLITS
+                && let Some(poly) = untold(state, &hints)
+            {
+                return self.split(state, poly, trail, splits + 1);
+            }
+        }
+        if self.proofs
+            && let Some(proof) =
+                tactics::division_by_premise(state).or_else(|| expansion::expansion(state))
+        {
+            return Outcome::Closed(proof);
+        }
+        if self.models {
+            self.note(Method::Points);
+            // Where all is linear a simple point is nicer, and the simplex method is sure.
+            let linear = is_linear_in_all(state);
+            let tries = if linear { (2, 12) } else { (5, 200) };
+            if let Some(point) = self.sample(state, trail, &vars, tries) {
+                return Outcome::Model(point);
+            }
+            if let Some(point) = self.linear_point(state, trail, &vars) {
+                return Outcome::Model(point);
+            }
+            if !linear && let Some(point) = self.on_boundary(state, trail, splits) {
+                return Outcome::Model(point);
+            }
+        }
+        if vars.len() > 1 && self.proofs {
+            // A quick look for a point saves the long search for a proof that there is none.
+            if !self.models && self.sample(state, trail, &vars, (2, 12)).is_some() {
+                return Outcome::Open;
+            }
+            let squares = |reach| {
+                self.note(Method::Squares);
+                squares(state, reach, &self.squares)
+            };
+            let products = |degree| {
+                self.note(Method::Products);
+                tactics::products(state, degree)
+            };
+            let ideal = || {
+                let tried = self.ideals.then(|| self.note(Method::Ideals));
+                tried.and_then(|()| tactics::ideal(state))
+            };
+            let boxes = || {
+                self.note(Method::Boxes);
+                self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits))
+            };
+            self.note(Method::Combinations);
+            let combined = combination(state);
+            // Of linear conditions the simplex method has said all.
+            if combined.is_none() && solution(&state.atoms, &vars, &state.scope.fuel).is_some() {
+                self.leave(&state.atoms);
+                return Outcome::Open;
+            }
+            if !self.products {
+                return combined.map_or(Outcome::Open, Outcome::Closed);
+            }
+            let proof = combined
+                .or_else(|| products(1))
+                .or_else(|| squares(Reach::Atoms))
+                .or_else(|| squares(Reach::Pairs))
+                .or_else(|| products(2))
+                .or_else(ideal)
+                .or_else(|| squares(Reach::Higher))
+                .or_else(boxes)
+                .or_else(|| products(3));
+            if let Some(proof) = proof {
+                return Outcome::Closed(proof);
+            }
+            if splits < MAX_SPLITS
+                && self.squares.spend(ORDER).is_ok()
+                && let Some(difference) = alike(state, &vars)
+            {
+                return self.split(state, difference, trail, splits + 1);
+            }
+        }
+        if self.proofs {
+            self.leave(&state.atoms);
+        }
+        Outcome::Open
+    }
+
+    /// A proof by the hints as they stand, before cases are told.
+    pub(super) fn by_hints(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+    ) -> Option<Argument> {
+        if self.hints.is_empty() || !self.proofs {
+            return None;
+        }
+        self.note(Method::Hints);
+        hinted(state, &self.hints_after(state, trail), Wealth::Few)
+    }
+
+    fn hints_after(&self, state: &State<'_, '_>, trail: &[Elimination]) -> Vec<Hint> {
+        self.hints.iter().filter_map(|hint| hint.after(trail, &state.scope.fuel)).collect()
+    }
+
+    /// A point on the boundary of the state, or where its boundaries meet: one weak inequality after
+    /// the other taken as an equation.
+    fn on_boundary(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Option<Point> {
+        if splits + BOUNDARY > MAX_SPLITS {
+            return None;
+        }
+        let weak = |i: &usize| {
+            let a = &state.atoms[*i];
+            a.sign == Sign::NonNegative && a.decided().is_none()
+        };
+        let fresh = state.atoms.len();
+        (0..fresh).filter(weak).find_map(|i| {
+            let equation = Atom::new(state.atoms[i].poly.clone(), Sign::Zero);
+            if state.atoms.contains(&equation) {
+                return None;
+            }
+            let next = state.with(equation);
+            match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
+                Outcome::Model(point) => Some(point),
+                _ => None,
+            }
+        })
+    }
+
+    /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
+    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Argument> {
+        if let Some(proof) = tactics::quick(state) {
+            return Some(proof);
+        }
+        if depth == 0 || vars.len() > 4 || !self.spend() || self.left() < 50 {
+            return None;
+        }
+        // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.
+        let at = |v: usize| {
+            let (lower, upper) = tactics::bounds(state, v);
+            let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+            (value(lower), value(upper))
+        };
+        let width = |v: usize| match at(v) {
+            (Some(a), Some(b)) => b - a,
+            (None, None) => Q::from_integer(1000.into()),
+            _ => Q::from_integer(100.into()),
+        };
+        let v = vars.iter().copied().max_by(|a, b| width(*a).cmp(&width(*b)).then(b.cmp(a)))?;
+        let cut = match at(v) {
+            (Some(a), Some(b)) if a < b => (a + b) / Q::from_integer(2.into()),
+            (Some(a), None) => {
+                if a.is_positive() {
+                    a * Q::from_integer(2.into())
+                } else {
+                    a + Q::one()
+                }
+            }
+            (None, Some(b)) => b - Q::one(),
+            (None, None) => Q::zero(),
+            _ => return None,
+        };
+        let poly = Poly::var(v).scale(cut.denom()).sub(&Poly::constant(cut.numer().clone()));
+        let branch = |p: &Poly| {
+            let next = state.with(Atom::new(p.clone(), Sign::Positive));
+            self.boxes(&next, vars, depth - 1)
+        };
+        let positive = Box::new(branch(&poly)?);
+        let negative = Box::new(branch(&poly.neg())?);
+        let on = state.with(Atom::new(poly.clone(), Sign::Zero));
+        let equation = on.atoms.len() - 1;
+        let next = on.substitute(equation, v, &[]).ok()?;
+        let rest: Vec<usize> = open_vars(&next);
+        let inner = if rest.len() <= 1 {
+            tactics::quick(&next)
+                .or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
+        } else {
+            self.boxes(&next, &rest, depth - 1)?
+        };
+        let step = Step::Substitute { equation, var: v, lead: Vec::new() };
+        let zero = Box::new(step.wrap(inner));
+        Some(Argument::Split { poly, zero, positive, negative })
+    }
+}
+
+/// The difference of two variables that a state treats alike, if their order is not known.
+fn alike(state: &State<'_, '_>, vars: &[usize]) -> Option<Poly> {
+    let known = |d: &Poly| {
+        let same = |p: &Poly| *p == *d || *p == d.neg();
+        state.atoms.iter().any(|a| same(&a.poly.primitive().1))
+    };
+    let pairs = vars.iter().enumerate().flat_map(|(n, v)| vars[..n].iter().map(move |w| (*w, *v)));
+    pairs
+        .filter(|&(v, w)| {
+            let swapped = |a: &Atom| Atom::new(exchanged(&a.poly, v, w), a.sign);
+            // What is about one pair of variables orders them, and says nothing about the others.
+            let mut long = state.atoms.iter().filter(|a| a.poly.vars().len() > 2);
+            long.clone().next().is_some() && long.all(|a| state.atoms.contains(&swapped(a)))
+        })
+        .map(|(v, w)| Poly::var(v).sub(&Poly::var(w)))
+        .find(|d| !known(d))
+}
+
+/// A polynomial with two variables in each other's place.
+fn exchanged(p: &Poly, v: usize, w: usize) -> Poly {
+    Poly::sum(p.terms().map(|(m, c)| {
+        let name = |x: usize| {
+            if x == v {
+                w
+            } else if x == w {
+                v
+            } else {
+                x
+            }
+        };
+        let mut m: Vec<(usize, u32)> = m.iter().map(|&(x, n)| (name(x), n)).collect();
+        m.sort_unstable();
+        (m, c.clone())
+    }))
+}

@@ -1,0 +1,133 @@
+//! Symbols that are angles: what stands for them, and what holds of it.
+//!
+//! An angle brings a `given` along: the point
+//! (cos, sin) of its part lies on the unit circle, and in the range that is declared. Whoever speaks of
+//! the point rests on that `given`.
+
+use std::collections::BTreeSet;
+
+use kane_algebra::syntax::Turn;
+use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Var};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use super::citation::{Draft, DraftBody};
+use super::symbol::Item;
+use super::{Fault, Reader};
+use crate::Parts;
+
+impl Reader {
+    /// Enters an angle, and what holds of it.
+    pub(super) fn declare_angle(&mut self, item: Item, of: Option<usize>, parts: u32) {
+        let var = Var { name: item.name.clone(), of, lower: None, upper: None };
+        let angle = match self.scope.declare_angle(var, parts) {
+            Ok((angle, _)) => angle,
+            Err(error) => return self.refuse(&error, item.span),
+        };
+        self.declare_rates(angle, &item.name, item.span.clone());
+        let links = match self.circle(angle, &item) {
+            Ok(relations) => relations.into_iter().map(Link::Relation).collect(),
+            Err(message) => {
+                let mut fault = Fault::new(item.whole, message);
+                if fault.message.contains("half a turn") {
+                    let note = "a half turn at most, or a whole one; a `given` can say the rest";
+                    fault.note = Some(note.to_owned());
+                }
+                self.faults.push(fault);
+                return;
+            }
+        };
+        let body = DraftBody::Given(Sentence { when: Vec::new(), links });
+        let parts =
+            Parts { label: item.span.clone(), content: item.whole.clone(), ..Parts::default() };
+        let label = format!("(angle {})", item.name);
+        let line = self.line;
+        self.circles.insert(angle, self.drafts.len());
+        self.enter(Draft { label, parts, body, span: item.whole, line });
+    }
+
+    /// cos² + sin² = 1, and that the point lies on the arc that is declared.
+    fn circle(&self, symbol: usize, item: &Item) -> Result<Vec<Relation>, String> {
+        let angle = self.scope.angle(symbol).ok_or("no angle")?;
+        let square = |v| Expr::Pow(Expr::Var(v).into(), 2);
+        let lhs = Expr::Add(square(angle.cos).into(), square(angle.sin).into());
+        let mut relations = vec![Relation { lhs, rel: Rel::Eq, rhs: Expr::int(1) }];
+        let mut ends = item.turns.clone();
+        for (end, bound) in ends.iter_mut().zip([&item.lower, &item.upper]) {
+            match bound {
+                Some(bound) if !bound.value.is_zero() => {
+                    return Err(format!(
+                        "the bounds of the angle `{}` are multiples of `pi`",
+                        item.name
+                    ));
+                }
+                Some(_) if end.is_some() => {
+                    return Err(format!("`{}` is bounded twice on one side", item.name));
+                }
+                Some(bound) => *end = Some((BigRational::zero(), bound.strict)),
+                None => {}
+            }
+        }
+        let [Some((a, after)), Some((b, before))] = ends else { return Ok(relations) };
+        let (one, two) = (BigRational::one(), BigRational::from_integer(2.into()));
+        if a > b || (a == b && (after || before)) {
+            return Err(format!("the domain of `{}` is empty", item.name));
+        }
+        let part = BigRational::new(1.into(), angle.parts.into());
+        let width = (&b - &a) * &part;
+        // the part beside one end, in the sense of the range
+        let beside = |end: &BigRational, sense: i64| {
+            let sense = BigRational::from_integer(sense.into());
+            let angles = [(symbol, &part * &sense)].into();
+            let half_turns = -end * &part * &sense;
+            let turn = Turn { angles, half_turns, number: BigRational::zero() };
+            turn.direction(&self.scope).map_err(|kind| kind.to_string())
+        };
+        let (start, end) = (beside(&a, 1)?, beside(&b, -1)?);
+        if width.is_zero() {
+            relations.push(Relation { lhs: start.cos, rel: Rel::Eq, rhs: Expr::int(1) });
+            return Ok(relations);
+        }
+        let apart = |cos: Expr| Relation { lhs: cos, rel: Rel::Ne, rhs: Expr::int(1) };
+        if width >= two {
+            // all directions, but for the one where both ends meet if neither belongs to it
+            if width == two && after && before {
+                relations.push(apart(start.cos));
+            }
+            return Ok(relations);
+        }
+        if width > one {
+            return Err(format!(
+                "`{}` ranges over more than half a turn and less than a whole one",
+                item.name
+            ));
+        }
+        // Only at the ends of half a turn does the sine vanish at both at once.
+        let both = width < one || (after && before);
+        let side = |sin, strict| {
+            let rel = if strict && both { Rel::Gt } else { Rel::Ge };
+            Relation { lhs: sin, rel, rhs: Expr::int(0) }
+        };
+        for (at, strict) in [(start, after), (end, before)] {
+            relations.push(side(at.sin, strict));
+            if strict && !both {
+                relations.push(apart(at.cos));
+            }
+        }
+        Ok(relations)
+    }
+
+    /// The `given`s of the angles of which these expressions speak, in the order of the text.
+    pub(super) fn circles_of<'a>(&self, sides: impl Iterator<Item = &'a Expr>) -> BTreeSet<usize> {
+        if self.circles.is_empty() {
+            return BTreeSet::new();
+        }
+        let symbols: BTreeSet<usize> = sides.flat_map(|side| self.scope.symbols(side)).collect();
+        let spoken = |(symbol, given): (&usize, &usize)| {
+            let angle = self.scope.angle(*symbol)?;
+            let is_spoken = symbols.contains(&angle.cos) || symbols.contains(&angle.sin);
+            is_spoken.then_some(*given)
+        };
+        self.circles.iter().filter_map(spoken).collect()
+    }
+}

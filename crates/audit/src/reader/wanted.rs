@@ -1,0 +1,50 @@
+//! What a document has that is seen only where it is used: angles, and derivatives of functions.
+
+use std::collections::BTreeMap;
+
+use kane_algebra::syntax::{SyntaxErrorKind, canonical_name};
+
+/// The highest derivative of a function.
+const MAX_ORDER: u32 = 6;
+
+/// The angles and the derivatives of a document, by the names of their symbols.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Wanted {
+    /// into how many parts an angle is cut
+    parts: BTreeMap<String, u32>,
+    /// how often a function is differentiated
+    orders: BTreeMap<String, u32>,
+}
+
+impl Wanted {
+    /// Of how many parts the symbol is an angle, if it is one.
+    pub(super) fn parts(&self, name: &str) -> Option<u32> {
+        self.parts.get(canonical_name(name).as_ref()).copied()
+    }
+
+    /// How often the symbol is differentiated.
+    pub(super) fn order(&self, name: &str) -> u32 {
+        self.orders.get(canonical_name(name).as_ref()).copied().unwrap_or(0)
+    }
+
+    /// Takes in what a fault asks for.
+    pub(super) fn learn(&mut self, kind: &SyntaxErrorKind) {
+        match kind {
+            SyntaxErrorKind::NoAngle { name, parts } => {
+                let known = self.parts.entry(canonical_name(name).into_owned()).or_insert(1);
+                *known = num_integer::lcm(*known, *parts);
+            }
+            // d(d(x, t), t) asks for the third derivative of x
+            SyntaxErrorKind::NoRate(name) => {
+                let base = name.trim_start_matches("d(");
+                let taken = u32::try_from((name.len() - base.len()) / 2).unwrap_or(MAX_ORDER);
+                let base = base.split(',').next().unwrap_or_default();
+                if taken < MAX_ORDER {
+                    let known = self.orders.entry(canonical_name(base).into_owned()).or_insert(0);
+                    *known = (*known).max(taken + 1);
+                }
+            }
+            _ => {}
+        }
+    }
+}

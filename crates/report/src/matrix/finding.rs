@@ -1,0 +1,115 @@
+//! What the matrix comes to: how many properties laws break, and which properties no law has together.
+
+use kane_matrix::{Finding, Matrix, Property, Row};
+
+/// How many cells of a law are refuted.
+pub(crate) fn refuted(row: &Row) -> usize {
+    row.cells.iter().filter(|cell| cell.finding == Finding::Refuted).count()
+}
+
+/// Laws by the number of properties that they break, fewest first.
+pub(crate) fn sorted(matrix: &Matrix) -> Vec<&Row> {
+    let mut rows: Vec<&Row> = matrix.rows.iter().collect();
+    rows.sort_by_key(|row| refuted(row));
+    rows
+}
+
+/// By how many laws a property is refuted, and of how many it is proved.
+pub(crate) fn counts(matrix: &Matrix, column: usize) -> [usize; 2] {
+    [Finding::Refuted, Finding::Proved].map(|finding| {
+        let found = |row: &&Row| row.cells.get(column).is_some_and(|cell| cell.finding == finding);
+        matrix.rows.iter().filter(found).count()
+    })
+}
+
+/// Pairs of properties, each of which some laws are proved to have, and which no law is proved to have together.
+pub(crate) fn exclusive(matrix: &Matrix) -> Vec<[&'static Property; 2]> {
+    let has = |row: &Row, column: usize| {
+        row.cells.get(column).is_some_and(|cell| cell.finding == Finding::Proved)
+    };
+    let is_had = |column: usize| matrix.rows.iter().any(|row| has(row, column));
+    let mut pairs = Vec::new();
+    for (i, a) in matrix.properties.iter().enumerate().filter(|(i, _)| is_had(*i)) {
+        for (j, b) in matrix.properties.iter().enumerate().skip(i + 1).filter(|(j, _)| is_had(*j)) {
+            if !matrix.rows.iter().any(|row| has(row, i) && has(row, j)) {
+                pairs.push([*a, *b]);
+            }
+        }
+    }
+    pairs
+}
+
+/// How many properties the laws break, in a sentence without its full stop.
+pub(crate) fn breaking(matrix: &Matrix) -> String {
+    let all = matrix.rows.len();
+    let by_count = |n: usize| matrix.rows.iter().filter(move |row| refuted(row) == n).count();
+    let (none, one) = (by_count(0), by_count(1));
+    let first = match none {
+        0 => format!("Every one of {all} laws breaks something"),
+        1 => format!("One of {all} laws breaks nothing"),
+        n => format!("{n} of {all} laws break nothing"),
+    };
+    match one {
+        0 => first,
+        1 => format!("{first}; one breaks one property alone"),
+        n => format!("{first}; {n} break one property alone"),
+    }
+}
+
+/// Which properties no law has together, a sentence a pair without its full stop.
+pub(crate) fn conflicts(matrix: &Matrix) -> Vec<String> {
+    let pair = |[a, b]: &[&Property; 2]| {
+        format!("No law has both {} ({}) and {} ({})", a.id, a.name, b.id, b.name)
+    };
+    exclusive(matrix).iter().map(pair).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_impact::laws;
+    use kane_matrix::{Cell, PROPERTIES};
+
+    use super::*;
+
+    /// Rows of cells by letters: `y` proved, `n` refuted, `-` not applicable.
+    fn matrix(rows: &[&str]) -> Matrix {
+        let cell = |letter: char| Cell {
+            finding: match letter {
+                'y' => Finding::Proved,
+                'n' => Finding::Refuted,
+                _ => Finding::NotApplicable,
+            },
+            reason: String::new(),
+            parts: Vec::new(),
+            witness: Vec::new(),
+        };
+        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
+            law: law.clone(),
+            cells: letters.chars().map(cell).collect(),
+        };
+        let columns = rows.first().map_or(0, |row| row.len());
+        Matrix {
+            properties: PROPERTIES.iter().take(columns).collect(),
+            rows: laws().iter().zip(rows).map(row).collect(),
+        }
+    }
+
+    #[test]
+    fn a_pair_that_no_law_has_is_found_and_a_property_that_none_has_is_no_pair() {
+        let matrix = matrix(&["yn-n", "nynn", "ny-n"]);
+        let pairs: Vec<[&str; 2]> =
+            exclusive(&matrix).iter().map(|pair| pair.map(|p| p.id)).collect();
+        assert_eq!(pairs, [["momentum", "C1"]]);
+        assert_eq!(conflicts(&matrix).len(), 1);
+    }
+
+    #[test]
+    fn laws_that_break_little_come_first_and_are_counted() {
+        let matrix = matrix(&["nn", "yy", "yn"]);
+        let order: Vec<usize> = sorted(&matrix).into_iter().map(refuted).collect();
+        assert_eq!(order, [0, 1, 2]);
+        let told = "One of 3 laws breaks nothing; one breaks one property alone";
+        assert_eq!(breaking(&matrix), told);
+        assert_eq!((counts(&matrix, 0), counts(&matrix, 1)), ([1, 2], [2, 1]));
+    }
+}

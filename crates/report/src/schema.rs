@@ -1,0 +1,22 @@
+//! JSON Schemas of the reports, made from the types that are written.
+
+use serde_json::Value;
+
+use crate::{chart, collision, growth, json, matrix, records, scene, site, stability};
+
+/// The schemas by the verb of their report, JSON Schema 2020-12. A reader should let pass what a schema does not name,
+/// since a report may tell more without a new version.
+#[must_use]
+pub fn schemas() -> Vec<(&'static str, Value)> {
+    vec![
+        ("audit", json::schema()),
+        ("laws", matrix::schema()),
+        ("collide", collision::schema()),
+        ("scene", scene::schema()),
+        ("stability", stability::schema()),
+        ("chart", chart::schema()),
+        ("growth", growth::schema()),
+        ("check", records::report_schema()),
+        ("site", site::schema()),
+    ]
+}

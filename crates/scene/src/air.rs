@@ -1,0 +1,95 @@
+//! What air does to a round body in flight.
+
+use std::f64::consts::PI;
+
+use crate::round::Round;
+
+/// Air at rest, and the coefficients of the bodies in it.
+///
+/// ```text
+/// F = ρ·π·r²/2·(−C_d·|v|·v + C_m·r·ω·(−v_y, v_x))
+/// ```
+///
+/// Drag with the square of the speed, and Magnus' force with speed and spin alike: the coefficient of
+/// lift is `C_m`·r·ω/|v|, as is usual for balls of moderate spin (J. M. Davies, J. Appl. Phys. 20 (1949)
+/// 821-828, from memory, original not consulted). Spin does not decay, the air has no wind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Air<N> {
+    /// ρ ≥ 0; kg/m³.
+    pub density: N,
+    /// `C_d` ≥ 0 of every body.
+    pub drag: N,
+    /// `C_m` of every body; above 0 a ball with backspin is lifted.
+    pub lift: N,
+}
+
+impl<N> Air<N> {
+    /// The same in another number system.
+    pub fn map<M>(&self, mut to: impl FnMut(&N) -> M) -> Air<M> {
+        Air { density: to(&self.density), drag: to(&self.drag), lift: to(&self.lift) }
+    }
+}
+
+impl Air<f64> {
+    /// The acceleration of a body by air and gravity; m/s².
+    fn acceleration(&self, body: &Round<f64>, [vx, vy]: [f64; 2], gravity: f64) -> [f64; 2] {
+        let r = body.radius;
+        let by_mass = self.density * PI * r * r / (2.0 * body.mass);
+        let drag = -by_mass * self.drag * vx.hypot(vy);
+        let lift = by_mass * self.lift * r * body.motion.omega;
+        [drag.mul_add(vx, -lift * vy), drag.mul_add(vy, lift * vx) - gravity]
+    }
+
+    /// The body after one step of the classical method of Runge and Kutta, of fourth order: heuristic.
+    pub(crate) fn stepped(&self, body: &Round<f64>, gravity: f64, step: f64) -> Round<f64> {
+        let start = [body.motion.vx, body.motion.vy];
+        let at =
+            |slope: [f64; 2], part: f64| [0, 1].map(|k| slope[k].mul_add(part * step, start[k]));
+        let slope = |velocity: [f64; 2]| self.acceleration(body, velocity, gravity);
+        let one = slope(start);
+        let (two_v, two) = (at(one, 0.5), slope(at(one, 0.5)));
+        let (three_v, three) = (at(two, 0.5), slope(at(two, 0.5)));
+        let (four_v, four) = (at(three, 1.0), slope(at(three, 1.0)));
+        let mean = |a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]| {
+            [0, 1].map(|k| step * (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
+        };
+        let (way, gain) = (mean(start, two_v, three_v, four_v), mean(one, two, three, four));
+        let mut after = body.clone();
+        after.position = [0, 1].map(|k| body.position[k] + way[k]);
+        after.motion.vx += gain[0];
+        after.motion.vy += gain[1];
+        after
+    }
+
+    /// The same after any time, in steps no longer than the given one.
+    pub(crate) fn flown(
+        &self,
+        body: &Round<f64>,
+        gravity: f64,
+        time: f64,
+        step: f64,
+    ) -> Round<f64> {
+        let (mut body, mut left) = (body.clone(), time);
+        while left > 0.0 {
+            let step = left.min(step);
+            body = self.stepped(&body, gravity, step);
+            left -= step;
+        }
+        body
+    }
+
+    /// A step in which neither a velocity changes by more than a part of it, nor a body flies farther than
+    /// half of its radius; s.
+    pub(crate) fn step(&self, bodies: &[Round<f64>], gravity: f64) -> f64 {
+        let of = |body: &Round<f64>| {
+            let velocity = [body.motion.vx, body.motion.vy];
+            let [ax, ay] = self.acceleration(body, velocity, gravity);
+            let (speed, pull) = (velocity[0].hypot(velocity[1]), ax.hypot(ay));
+            // from rest it takes a while to fly so far
+            let fallen = (body.radius / pull).sqrt();
+            let flown = body.radius / (2.0 * speed);
+            fallen.min(flown).min((speed / pull).max(fallen) / 64.0)
+        };
+        bodies.iter().map(of).fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,192 @@
+//! A site: its index as text, and that every link leads to something and nothing is loaded.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use kane::audit::{Audit, Options, audit, read};
+use kane::figures::{experiment, figures, timed};
+use kane::impact::laws;
+use kane::matrix::{Selection, matrix};
+use kane::measure::chart::{Effort, table};
+use kane::measure::examine;
+use kane::measure::growth::counted;
+use kane::report::chart::ChartReport;
+use kane::report::growth::GrowthReport;
+use kane::report::matrix::MatrixReport;
+use kane::report::scene::SceneReport;
+use kane::report::site::{File, Site, index};
+use kane::report::stability::StabilityReport;
+use kane::report::{Page, Report};
+
+use crate::schema::assert_valid;
+use crate::settings;
+
+/// A document that is shipped, judged.
+fn judged(stem: &str) -> Audit {
+    let path = format!("{}/docs/derivations/{stem}.md", env!("CARGO_MANIFEST_DIR"));
+    let bytes = std::fs::read(path).expect("it is shipped");
+    let document = read(&format!("{stem}.md"), &bytes).expect("it is well formed");
+    audit(document, &Options::default(), &mut |_, _| {})
+}
+
+/// Of some laws, some properties, the documents that take less than seconds, one scene, one collision; and with times
+/// that were taken once.
+#[test]
+fn a_site_in_small() {
+    let some = |ids: &[&str]| Some(ids.iter().map(|id| (*id).to_owned()).collect());
+    let selection = Selection {
+        laws: some(&["wang-su-li", "smith-1991", "kane-levinson"]),
+        properties: some(&["C1", "energy", "subdivision"]),
+    };
+    let matrix = matrix(laws(), &selection, &mut |_, _| {});
+    let stems = ["oblique-collision", "bouncing-ball"];
+    let audits: Vec<(&str, Audit)> = stems.iter().map(|stem| (*stem, judged(stem))).collect();
+    let root = env!("CARGO_MANIFEST_DIR");
+    let times = std::fs::read_to_string(format!("{root}/docs/data/times.csv")).expect("kept");
+    let times = timed(table(), &times);
+    let stability = examine(&audits[0].1.document, true, &mut |_, _| {});
+    let growth = counted(Effort::Quick);
+    let figures = figures(&mut |_, _| {}).expect("the half-space settles");
+    let fits = experiment::fits(laws());
+    let toml =
+        |name: &str| std::fs::read_to_string(format!("{root}/docs/{name}")).expect("shipped");
+    let (ball, pendulum) = (toml("scenes/backspin.toml"), toml("collisions/double-pendulum.toml"));
+    let scene = kane::scene::read::scene("backspin.toml", &ball).expect("well formed");
+    let effort = kane::scene::Effort::Chosen;
+    let answer = kane::scene::answer(&scene, laws(), None, effort, &mut |_, _| {});
+    let answer = answer.expect("it has an answer");
+    let question = kane::scene::read::collision("double-pendulum.toml", &pendulum);
+    let collision = kane::collide::answer(&question.expect("well formed"), laws());
+    let collision = collision.expect("the bodies meet");
+    let machine = String::new;
+    let site = Site {
+        audits: audits
+            .iter()
+            .map(|(stem, audit)| ((*stem).to_owned(), Report::new(audit, "kane audit")))
+            .collect(),
+        matrix: MatrixReport { matrix: &matrix, command: "kane laws".to_owned() },
+        laws: include_str!("../../docs/laws.md"),
+        chart: ChartReport {
+            all: &times.methods,
+            machine: times.machine.clone(),
+            command: "kane chart".to_owned(),
+        },
+        stability: StabilityReport { stability: &stability, command: "kane stability".to_owned() },
+        growth: GrowthReport { growth: &growth, machine: machine(), command: String::new() },
+        figures: &figures,
+        fits: &fits,
+        collisions: vec![("double-pendulum".to_owned(), &collision)],
+        scenes: vec![(
+            "backspin".to_owned(),
+            SceneReport {
+                answer: &answer,
+                title: scene.title.clone(),
+                command: "kane scene docs/scenes/backspin.toml".to_owned(),
+                is_compared: false,
+            },
+        )],
+        command: "kane site --out DIR".to_owned(),
+    };
+    let shown = index(&site).text(Page::default());
+    settings().bind(|| insta::assert_snapshot!("index", shown));
+    let files = site.files();
+    assert_eq!(files, site.files(), "the same in every run");
+    every_link_leads_to_something(&files);
+    nothing_is_loaded(&files);
+    for (start, verb) in [
+        ("derivations/", "audit"),
+        ("collisions/", "collide"),
+        ("scenes/", "scene"),
+        ("laws.json", "laws"),
+        ("chart.json", "chart"),
+        ("stability.json", "stability"),
+        ("growth.json", "growth"),
+        ("index.json", "site"),
+    ] {
+        let of_verb = |file: &&File| {
+            file.path.starts_with(start)
+                && file.path.ends_with(".json")
+                && !file.path.ends_with(".cert.json")
+        };
+        assert!(files.iter().filter(of_verb).count() > 0, "{verb}");
+        for file in files.iter().filter(of_verb) {
+            assert_valid(verb, &file.text);
+        }
+    }
+    every_page_is_found_from_the_index_and_has_its_data(&files);
+}
+
+fn pages(files: &[File]) -> impl Iterator<Item = &File> {
+    files.iter().filter(|file| file.path.ends_with(".html"))
+}
+
+fn addresses<'a>(page: &'a str, attribute: &str) -> Vec<&'a str> {
+    let parts = page.split(attribute).skip(1);
+    parts.filter_map(|rest| rest.split('"').next()).collect()
+}
+
+/// Where an address leads, seen from a page: a file of the site and a place in it; `None` for the web.
+fn target(page: &str, address: &str) -> Option<(String, String)> {
+    if address.contains("://") || address.starts_with("mailto:") {
+        return None;
+    }
+    let (file, place) = address.split_once('#').unwrap_or((address, ""));
+    if file.is_empty() {
+        return Some((page.to_owned(), place.to_owned()));
+    }
+    let mut parts: Vec<&str> = page.split('/').collect();
+    parts.pop();
+    for part in file.split('/') {
+        match part {
+            ".." => _ = parts.pop().expect("no link leaves the site"),
+            part => parts.push(part),
+        }
+    }
+    Some((parts.join("/"), place.to_owned()))
+}
+
+fn every_link_leads_to_something(files: &[File]) {
+    let ids: BTreeMap<&str, BTreeSet<&str>> = files
+        .iter()
+        .map(|file| (file.path.as_str(), addresses(&file.text, " id=\"").into_iter().collect()))
+        .collect();
+    let mut between = 0;
+    for page in pages(files) {
+        for address in addresses(&page.text, "href=\"") {
+            let Some((file, place)) = target(&page.path, address) else { continue };
+            let ids = ids.get(file.as_str());
+            assert!(ids.is_some(), "{}: {address} leads nowhere", page.path);
+            let is_there = ids.is_some_and(|ids| ids.contains(place.as_str()));
+            assert!(place.is_empty() || is_there, "{}: {address} has no such place", page.path);
+            between += usize::from(file != page.path);
+        }
+    }
+    assert!(between > 100, "{between} links between files");
+    assert_eq!(target("a/b.html", "../c.html#d"), Some(("c.html".to_owned(), "d".to_owned())));
+}
+
+fn nothing_is_loaded(files: &[File]) {
+    for page in pages(files) {
+        let head = page.text.split("</head>").next().expect("a head");
+        assert!(head.contains("default-src 'none'"), "{}", page.path);
+        for loaded in [" src=", "<link", "<img", "<iframe", "url(", "@import"] {
+            assert!(!page.text.contains(loaded), "{}: {loaded}", page.path);
+        }
+    }
+}
+
+fn every_page_is_found_from_the_index_and_has_its_data(files: &[File]) {
+    let index = files.iter().find(|file| file.path == "index.html").expect("an index");
+    let led: BTreeSet<String> = addresses(&index.text, "href=\"")
+        .into_iter()
+        .filter_map(|address| target("index.html", address))
+        .map(|(file, _)| file)
+        .collect();
+    for page in pages(files) {
+        assert!(page.path == "index.html" || led.contains(&page.path), "{} is lost", page.path);
+        let all = addresses(&page.text, "href=\"");
+        assert!(all.iter().any(|to| to.ends_with("index.html#pages") || page.path == "index.html"));
+        let has_data = all.iter().any(|to| to.ends_with(".json") || to.ends_with(".csv"));
+        assert!(has_data, "{} leads to no data", page.path);
+    }
+    assert_eq!(index.text.matches("<svg").count(), 4, "four pictures");
+}
