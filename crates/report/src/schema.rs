@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{chart, collision, growth, json, matrix, records, scene, site, stability};
+use crate::{chart, collision, floats, growth, json, matrix, records, scene, site, stability};
 
 /// The schemas by the verb of their report, JSON Schema 2020-12. A reader should let pass what a schema does not name,
 /// since a report may tell more without a new version.
@@ -14,6 +14,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         ("collide", collision::schema()),
         ("scene", scene::schema()),
         ("stability", stability::schema()),
+        ("floats", floats::schema()),
         ("chart", chart::schema()),
         ("growth", growth::schema()),
         ("check", records::report_schema()),

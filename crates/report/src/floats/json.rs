@@ -81,6 +81,12 @@ struct SourceJson {
     code: String,
 }
 
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::envelope::schema_enveloped::<File<'static>>("kane stability FILE.fpcore")
+}
+
 /// The report as JSON, ended by a line feed.
 #[must_use]
 pub fn json(report: &FloatsReport<'_>) -> String {

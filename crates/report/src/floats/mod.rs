@@ -14,6 +14,8 @@ use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 use figures::{at_least, at_most, bits_at_least, bits_at_most, ratio};
 
 pub use json::json;
+#[cfg(feature = "schema")]
+pub(crate) use json::schema;
 pub(crate) use json::{AccountJson, accounts_json};
 pub use source::sources;
 

@@ -9,7 +9,7 @@ use super::{Entry, StabilityReport, bits};
 /// The name of the schema.
 const SCHEMA_NAME: &str = "kane-stability";
 /// The version of the schema.
-const SCHEMA_VERSION: u32 = 3;
+const SCHEMA_VERSION: u32 = 2;
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
