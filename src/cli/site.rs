@@ -85,7 +85,11 @@ fn made(out: &Path) -> Result<(), Outcome> {
             machine: machine::machine(),
             command: "kane chart --quick".to_owned(),
         },
-        stability: StabilityReport { stability: &stability, command: "kane stability".to_owned() },
+        stability: StabilityReport {
+            stability: &stability,
+            accounts: &[],
+            command: "kane stability".to_owned(),
+        },
         growth: GrowthReport {
             growth: &growth,
             machine: machine::machine(),

@@ -70,7 +70,11 @@ fn a_site_in_small() {
             machine: times.machine.clone(),
             command: "kane chart".to_owned(),
         },
-        stability: StabilityReport { stability: &stability, command: "kane stability".to_owned() },
+        stability: StabilityReport {
+            stability: &stability,
+            accounts: &[],
+            command: "kane stability".to_owned(),
+        },
         growth: GrowthReport { growth: &growth, machine: machine(), command: String::new() },
         figures: &figures,
         fits: &fits,

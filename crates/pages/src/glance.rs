@@ -42,7 +42,7 @@ pub fn strips(root: &Path) -> Result<String, NotMade> {
         .map_err(|_| NotMade::because(name, "it is not well formed"))?;
     let stability = examine(&document, true, &mut |_, _| {});
     let command = "kane stability".to_owned();
-    Ok(strips_picture(&StabilityReport { stability: &stability, command }))
+    Ok(strips_picture(&StabilityReport { stability: &stability, accounts: &[], command }))
 }
 
 /// The methods, timed now on a machine that is named so: what is to be kept.
