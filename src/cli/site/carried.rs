@@ -28,9 +28,10 @@ pub(super) const COLLISIONS: [Document; 4] = carried!("collisions", ".toml":
 );
 
 /// Scenes that are answered by the least model.
-pub(super) const SCENES: [Document; 11] = carried!("scenes", ".toml":
+pub(super) const SCENES: [Document; 16] = carried!("scenes", ".toml":
     "paper-sphere", "alumina", "backspin", "rest", "superball", "two-spheres", "double-pendulum",
-    "rod-jam", "cradle-touching", "cradle-apart", "discs",
+    "rod-jam", "cradle-touching", "cradle-apart", "discs", "tennis-clay", "table-tennis",
+    "superball-groove", "putt", "squeezed",
 );
 
 #[cfg(test)]
