@@ -2,17 +2,14 @@
 //! premises are summands of a contradiction, and their signs tell cases. They are never believed:
 //! what is made of them is a proof like any other.
 
-use kane_algebra::linear_program::{feasible, whole};
 use kane_algebra::syntax::rebuild;
-use kane_kernel::{Context, Expr, Fuel, Poly, Power, Scope, Sign, State, Term};
+use kane_kernel::{Context, Expr, Fuel, Poly, Scope, Sign, State, Term};
 use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::One;
 
+use super::combination::{Multiple, Size, Summand, combined};
 use super::elimination::{Elimination, Factors, open_vars};
-use crate::argument::{Argument, Rules};
-
-type Q = BigRational;
+use crate::argument::Argument;
 
 /// Columns of the linear program.
 const COLUMNS: usize = 900;
@@ -184,7 +181,7 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
             known.extend(ordered[n + 1..].iter().map(|&j| vec![(i, 1), (j, 1)]));
         }
     }
-    let mut columns: Vec<(Term, Poly, bool)> = Vec::new();
+    let mut columns: Vec<Summand> = Vec::new();
     for (square, own) in &named {
         for factors in &known {
             // A hint as it is stands alone, an atom too.
@@ -211,7 +208,7 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
             columns.push((term, poly, strict));
         }
     }
-    let mut multiples: Vec<(usize, Poly, Poly)> = Vec::new();
+    let mut multiples: Vec<Multiple> = Vec::new();
     let vars = open_vars(state);
     let simple = std::iter::once(Poly::one()).chain(vars.into_iter().map(Poly::var));
     let mut cofactors: Vec<Poly> = simple.collect();
@@ -223,36 +220,7 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
             multiples.push((i, by.neg(), multiple.neg()));
         }
     }
-    let mut rows: std::collections::BTreeMap<&[Power], usize> = std::collections::BTreeMap::new();
-    for p in columns.iter().map(|c| &c.1).chain(multiples.iter().map(|m| &m.2)) {
-        for (m, _) in p.terms() {
-            let next = rows.len();
-            rows.entry(m).or_insert(next);
-        }
-    }
-    let height = rows.len();
-    if height > ROWS || columns.len() + multiples.len() > COLUMNS {
-        return None;
-    }
-    let entries = |p: &Poly| -> Vec<(usize, Q)> {
-        p.terms().map(|(m, c)| (rows[m], Q::from_integer(c.clone()))).collect()
-    };
-    let column = |(_, p, strict): &(Term, Poly, bool)| {
-        let last = strict.then(|| (height, Q::one()));
-        entries(p).into_iter().chain(last).collect()
-    };
-    let mut matrix: Vec<Vec<(usize, Q)>> = columns.iter().map(column).collect();
-    matrix.extend(multiples.iter().map(|m| entries(&m.2)));
-    let mut b = vec![Q::zero(); height];
-    b.push(Q::one());
-    let weights = whole(&feasible(&matrix, &b, PIVOTS, fuel)?);
-    let (squares, multipliers) = weights.split_at(columns.len());
-    let terms = columns.iter().zip(squares).filter(|(_, w)| w.is_positive());
-    let terms = terms.map(|((t, ..), w)| Term { weight: w.clone(), ..t.clone() }).collect();
-    let used = multiples.iter().zip(multipliers).filter(|(_, w)| w.is_positive());
-    let cofactors = used.map(|((i, by, _), w)| (*i, by.scale(w))).collect();
-    let proof = Argument::Positive { terms, cofactors };
-    state.closes(&proof).is_ok().then_some(proof)
+    combined(state, columns, multiples, &Size { rows: ROWS, columns: COLUMNS, pivots: PIVOTS })
 }
 
 /// The first polynomial of a hint whose sign no atom tells.

@@ -2,15 +2,15 @@
 //!
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
-use kane_algebra::linear_program::{feasible, whole};
 use kane_algebra::point::specialised;
 use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::combination::{Multiple, Size, Summand, combined};
 use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
@@ -504,7 +504,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
         }
         squares.push(a);
     }
-    let mut columns: Vec<(Term, Poly, bool)> = Vec::new();
+    let mut columns: Vec<Summand> = Vec::new();
     let mut add = |square: Poly, g: &(Vec<(usize, u32)>, Poly, bool)| -> Option<()> {
         let p = square.pow(2, fuel).ok()?.mul(&g.1, fuel).ok()?;
         if total(&p) <= limit && columns.len() < 1500 {
@@ -524,7 +524,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
             }
         }
     }
-    let mut multiples: Vec<(usize, Poly, Poly)> = Vec::new();
+    let mut multiples: Vec<Multiple> = Vec::new();
     for &i in &equations {
         for m in &monomials {
             let m = Poly::term(m.clone(), BigInt::one());
@@ -535,48 +535,7 @@ pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
             }
         }
     }
-    let mut rows: std::collections::BTreeMap<&[Power], usize> = std::collections::BTreeMap::new();
-    for p in columns.iter().map(|c| &c.1).chain(multiples.iter().map(|m| &m.2)) {
-        for (m, _) in p.terms() {
-            let next = rows.len();
-            rows.entry(m).or_insert(next);
-        }
-    }
-    let height = rows.len();
-    if height > 130 || columns.len() + multiples.len() > 1500 {
-        return None;
-    }
-    let entries = |p: &Poly| -> Vec<(usize, Q)> {
-        p.terms().map(|(m, c)| (rows[m], Q::from_integer(c.clone()))).collect()
-    };
-    let mut matrix: Vec<Vec<(usize, Q)>> = Vec::new();
-    for (_, p, strict) in &columns {
-        let mut column = entries(p);
-        if *strict {
-            column.push((height, Q::one()));
-        }
-        matrix.push(column);
-    }
-    matrix.extend(multiples.iter().map(|m| entries(&m.2)));
-    let mut b = vec![Q::zero(); height];
-    b.push(Q::one());
-    let solution = feasible(&matrix, &b, 400, fuel)?;
-    let weights = whole(&solution);
-    let terms = columns
-        .into_iter()
-        .zip(&weights)
-        .filter(|(_, w)| w.is_positive())
-        .map(|((t, ..), w)| Term { weight: w.clone(), ..t })
-        .collect::<Vec<_>>();
-    let count = weights.len() - multiples.len();
-    let cofactors = multiples
-        .into_iter()
-        .zip(&weights[count..])
-        .filter(|(_, w)| w.is_positive())
-        .map(|((i, m, _), w)| (i, m.scale(w)))
-        .collect();
-    let proof = Argument::Positive { terms, cofactors };
-    state.closes(&proof).is_ok().then_some(proof)
+    combined(state, columns, multiples, &Size { rows: 130, columns: 1500, pivots: 400 })
 }
 
 /// 1, or a product of atoms that do not vanish, in the ideal of the equations.

@@ -1,0 +1,68 @@
+//! Weights by which summands that are not negative, and multiples of equations, cancel (Farkas 1902).
+
+use std::collections::BTreeMap;
+
+use kane_algebra::linear_program::{feasible, whole};
+use kane_kernel::{Poly, Power, State, Term};
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use crate::argument::{Argument, Rules};
+
+type Q = BigRational;
+
+/// A term that is not negative, as a polynomial, and whether it is positive.
+pub(super) type Summand = (Term, Poly, bool);
+
+/// An equation, what it is multiplied by, and the product. Each stands with its opposite.
+pub(super) type Multiple = (usize, Poly, Poly);
+
+/// How large a linear program may be, and how long it may take.
+pub(super) struct Size {
+    /// monomials
+    pub(super) rows: usize,
+    /// summands and multiples
+    pub(super) columns: usize,
+    /// steps of the simplex method
+    pub(super) pivots: usize,
+}
+
+/// A sum of the summands and the multiples, with weights that are not negative, that is 0 identically
+/// although a summand in it is positive; `None` if there is none, or the program is too large.
+pub(super) fn combined(
+    state: &State<'_, '_>,
+    summands: Vec<Summand>,
+    multiples: Vec<Multiple>,
+    size: &Size,
+) -> Option<Argument> {
+    let mut rows: BTreeMap<&[Power], usize> = BTreeMap::new();
+    for p in summands.iter().map(|s| &s.1).chain(multiples.iter().map(|m| &m.2)) {
+        for (m, _) in p.terms() {
+            let next = rows.len();
+            rows.entry(m).or_insert(next);
+        }
+    }
+    let height = rows.len();
+    if height > size.rows || summands.len() + multiples.len() > size.columns {
+        return None;
+    }
+    let entries = |p: &Poly| -> Vec<(usize, Q)> {
+        p.terms().map(|(m, c)| (rows[m], Q::from_integer(c.clone()))).collect()
+    };
+    let column = |(_, p, strict): &Summand| {
+        let last = strict.then(|| (height, Q::one()));
+        entries(p).into_iter().chain(last).collect()
+    };
+    let mut matrix: Vec<Vec<(usize, Q)>> = summands.iter().map(column).collect();
+    matrix.extend(multiples.iter().map(|m| entries(&m.2)));
+    let mut b = vec![Q::zero(); height];
+    b.push(Q::one());
+    let weights = whole(&feasible(&matrix, &b, size.pivots, &state.scope.fuel)?);
+    let (of_summands, of_multiples) = weights.split_at(summands.len());
+    let used = summands.into_iter().zip(of_summands).filter(|(_, w)| w.is_positive());
+    let terms = used.map(|((term, ..), w)| Term { weight: w.clone(), ..term }).collect();
+    let used = multiples.into_iter().zip(of_multiples).filter(|(_, w)| w.is_positive());
+    let cofactors = used.map(|((i, by, _), w)| (i, by.scale(w))).collect();
+    let proof = Argument::Positive { terms, cofactors };
+    state.closes(&proof).is_ok().then_some(proof)
+}
