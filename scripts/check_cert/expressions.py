@@ -236,6 +236,8 @@ class Reader:
         else:
             name = self.name()
         self.expect(")")
+        if has_pi(f):
+            self.fail("`pi` stands in sines alone")
         symbol = self.document.symbols.get(name)
         if not symbol or symbol.body:
             self.fail(f"nothing can be differentiated by `{name}`")
@@ -303,6 +305,11 @@ def parts(expression):
         for part in expression[1:]:
             if isinstance(part, tuple):
                 yield part
+
+
+def has_pi(expression):
+    """Does `pi` stand in it by itself?"""
+    return expression[0] == "pi" or any(map(has_pi, parts(expression)))
 
 
 def symbols_in(expression, found):

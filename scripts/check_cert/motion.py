@@ -28,7 +28,7 @@ def rate_name(document, function):
 
 def rate(f, t, document, fail):
     """d f / d t by the chain rule."""
-    if f[0] == "sym" and f[1] != t:
+    if f[0] == "sym" and f[1] != t and f[1] not in document.points:
         if document.symbols[f[1]].argument != t:
             return angles.ZERO
         return ("sym", rate_name(document, f[1]))

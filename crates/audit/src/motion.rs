@@ -41,8 +41,8 @@ type Unit = Vec<Poly>;
 impl Motion {
     /// Whether the goal speaks of derivatives of functions.
     pub(crate) fn concerns(&self, goal: &Goal) -> bool {
-        !self.rates.is_empty()
-            && self.mentioned(goal).iter().any(|v| self.rates.values().any(|rate| rate == v))
+        let rates = &self.rates;
+        !rates.is_empty() && mentioned(goal).iter().any(|v| rates.values().any(|rate| rate == v))
     }
 
     /// Whether functions pass through the model for which all premises hold nearby: `ids` are the
@@ -51,27 +51,6 @@ impl Motion {
     pub(crate) fn is_met(&self, goal: &Goal, ids: &[usize], evidence: &Evidence) -> bool {
         let Evidence::Model(Model::Point(point)) = evidence else { return false };
         self.passes(goal, ids, point).unwrap_or(false)
-    }
-
-    fn mentioned(&self, goal: &Goal) -> BTreeSet<usize> {
-        let links =
-            goal.hypotheses.iter().flat_map(|h| expressions(&h.sentence.when, &h.sentence.links));
-        let own = expressions(&goal.when, goal.conclusion.links());
-        let mut seen = BTreeSet::new();
-        let mut lets = BTreeSet::new();
-        let mut todo: Vec<&Expr> =
-            links.chain(own).chain(expressions(goal.conclusion.when(), &[])).collect();
-        while let Some(e) = todo.pop() {
-            match e {
-                Expr::Var(v) | Expr::Deriv(_, v) => _ = seen.insert(*v),
-                Expr::Let(i) if lets.insert(*i) => {
-                    todo.extend(goal.context.lets.get(*i).map(|d| &d.body));
-                }
-                _ => {}
-            }
-            todo.extend(e.children());
-        }
-        seen
     }
 
     /// The function that a symbol is a derivative of, and of which order; cosine and sine are the angle.
@@ -87,7 +66,7 @@ impl Motion {
 
     fn passes(&self, goal: &Goal, ids: &[usize], point: &Point) -> Option<bool> {
         let context = &goal.context;
-        let mentioned = self.mentioned(goal);
+        let mentioned = mentioned(goal);
         let jets: BTreeSet<Jet> = mentioned.iter().filter_map(|v| self.jet(*v, context)).collect();
         for v in mentioned.iter().filter(|v| self.jet(**v, context).is_some()) {
             let var = context.vars.get(*v)?;
@@ -106,17 +85,16 @@ impl Motion {
             let sentence = &hypothesis.sentence;
             for link in &sentence.links {
                 let Link::Relation(relation) = link else { return Some(false) };
-                let varies = |e: &Expr| self.varies(e, context);
-                if self.is_circle(relation) {
+                let symbols = symbols([&relation.lhs, &relation.rhs], context);
+                let variables = variables(&symbols, context);
+                if self.is_circle(relation) || variables.is_empty() {
                     continue;
                 }
-                let functions = varies(&relation.lhs) || varies(&relation.rhs);
-                if !functions && !self.runs(relation, context) {
-                    continue;
-                }
-                if !sentence.when.is_empty() || self.variables(relation, context).len() > 1 {
+                // what holds for all values of two variables says more than an equation of motion
+                if !sentence.when.is_empty() || variables.len() > 1 {
                     return Some(false);
                 }
+                let functions = symbols.iter().any(|v| self.jet(*v, context).is_some());
                 let gap = Expr::Sub(relation.lhs.clone().into(), relation.rhs.clone().into());
                 let gap = RationalFunction::from_expr(&gap, context).ok()?;
                 match relation.rel {
@@ -178,27 +156,6 @@ impl Motion {
         (id, order)
     }
 
-    fn varies(&self, e: &Expr, context: &Context) -> bool {
-        symbols(e, context).into_iter().any(|v| self.jet(v, context).is_some())
-    }
-
-    /// Whether it speaks of a variable of which something is a function.
-    fn runs(&self, relation: &Relation, context: &Context) -> bool {
-        let variable = |v: usize| context.vars.iter().any(|var| var.of == Some(v));
-        let sides = [&relation.lhs, &relation.rhs];
-        sides.into_iter().flat_map(|side| symbols(side, context)).any(variable)
-    }
-
-    /// The variables of which it speaks, by functions of them or by themselves. What holds for all values
-    /// of two says more than an equation of motion.
-    fn variables(&self, relation: &Relation, context: &Context) -> BTreeSet<usize> {
-        let sides = [&relation.lhs, &relation.rhs];
-        let all = sides.into_iter().flat_map(|side| symbols(side, context));
-        let variable = |v: usize| context.vars.iter().any(|var| var.of == Some(v));
-        let of = |v: usize| context.vars.get(v).and_then(|var| var.of);
-        all.filter_map(|v| of(v).or(variable(v).then_some(v))).collect()
-    }
-
     /// Whether it is cos² + sin² = 1 of an angle, which its functions satisfy by what they are.
     fn is_circle(&self, relation: &Relation) -> bool {
         let square = |v: usize| Expr::Pow(Expr::Var(v).into(), 2);
@@ -221,9 +178,22 @@ fn in_order(mut found: Vec<(usize, Poly)>) -> Option<Vec<Unit>> {
     (whole && orders * count == found.len()).then(|| (0..count).map(unit).collect())
 }
 
-fn symbols(e: &Expr, context: &Context) -> BTreeSet<usize> {
+/// The symbols of which a goal speaks, definitions written out.
+fn mentioned(goal: &Goal) -> BTreeSet<usize> {
+    let premises = goal.hypotheses.iter().map(|h| &h.sentence);
+    let premises = premises.flat_map(|s| expressions(&s.when, &s.links));
+    let own = expressions(&goal.when, goal.conclusion.links());
+    let denied = expressions(goal.conclusion.when(), &[]);
+    symbols(premises.chain(own).chain(denied), &goal.context)
+}
+
+/// The symbols in expressions, definitions written out.
+fn symbols<'a>(
+    expressions: impl IntoIterator<Item = &'a Expr>,
+    context: &'a Context,
+) -> BTreeSet<usize> {
     let (mut found, mut lets) = (BTreeSet::new(), BTreeSet::new());
-    let mut todo = vec![e];
+    let mut todo: Vec<&Expr> = expressions.into_iter().collect();
     while let Some(e) = todo.pop() {
         match e {
             Expr::Var(v) | Expr::Deriv(_, v) => _ = found.insert(*v),
@@ -233,6 +203,13 @@ fn symbols(e: &Expr, context: &Context) -> BTreeSet<usize> {
         todo.extend(e.children());
     }
     found
+}
+
+/// The variables of which symbols speak, being functions of them or such variables themselves.
+fn variables(symbols: &BTreeSet<usize>, context: &Context) -> BTreeSet<usize> {
+    let of = |v: usize| context.vars.get(v).and_then(|var| var.of);
+    let is_argument = |v: usize| context.vars.iter().any(|var| var.of == Some(v));
+    symbols.iter().filter_map(|&v| of(v).or(is_argument(v).then_some(v))).collect()
 }
 
 /// The value of a symbol at a point with rational coordinates.

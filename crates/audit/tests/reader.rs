@@ -182,6 +182,8 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): k -> 1 as alpha -> 0 when m > 1, 2*k > 0", 1, 45, "the `when` of a limit"),
         // derivatives
         ("claim (2): d(alpha*k, alpha) = 0", 1, 14, "a derivative by `alpha` is not taken where"),
+        ("claim (2): d(pi*k, alpha) = 0", 1, 14, "`pi` is an angle, and no number"),
+        ("claim (2): d(pi*x, x) = 0", 1, 14, "`pi` is an angle, and no number"),
         ("claim (2): d(x, f) = 0", 1, 17, "`f` is no symbol"),
         ("claim (2): x = 1 from d(dom, alpha)", 1, 23, "`dom` is no equation"),
         ("claim (2): x = 1 from d((1), x)", 1, 23, "`(1)` speaks of `x` itself"),

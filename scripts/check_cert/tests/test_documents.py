@@ -45,6 +45,7 @@ class Documents(unittest.TestCase):
             ["var x", "claim a: x = 1", "claim (a): x = 2"], ["var x", "claim a: 2x = x"],
             ["var x", "claim a: x -> x as x -> 0"], ["var x", "claim a: x -> 1"],
             ["var x", "claim a: x = 1 as x -> 0"], ["var x", "claim a: d(x, 2*x) = 1"],
+            ["var t, x(t)", "claim a: d(pi*x, t) = 0"], ["var x", "claim a: d(pi*x, x) = 0"],
             ["var x", "claim a: x -> 0 as x -> 0 when x > 0"], ["var k(y)"], ["var x != 0"],
             ["var x", "claim a: x^x = 1"], ["var x", "claim a: x = 1 from a"], [" var x"],
             ["var x", "claim a: contradiction", "claim b: x = 1 from a"],

@@ -250,7 +250,7 @@ impl Parser<'_> {
     ///
     /// # Errors
     /// As [`Parser::expr`].
-    pub fn constant(&mut self) -> Result<Option<BigRational>, SyntaxError> {
+    fn constant(&mut self) -> Result<Option<BigRational>, SyntaxError> {
         let Node { expr, span, .. } = self.node()?;
         let value = eval(&expr, &Context::default(), &[]).ok();
         if value.is_none() {
@@ -264,14 +264,11 @@ impl Parser<'_> {
     ///
     /// # Errors
     /// As [`Parser::expr`].
-    pub fn bound_of_symbol(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
+    pub fn bound(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
         if let Some(positive) = self.infinity()? {
             return Ok(Some(if positive { Endpoint::PlusInf } else { Endpoint::MinusInf }));
         }
-        let outer = std::mem::replace(&mut self.in_angle, true);
-        let node = self.node();
-        self.in_angle = outer;
-        let Node { expr, span, .. } = node?;
+        let Node { expr, span, .. } = self.with_angles()?;
         if let Ok(value) = eval(&expr, &Context::default(), &[]) {
             return Ok(Some(Endpoint::Finite(value)));
         }
@@ -284,18 +281,6 @@ impl Parser<'_> {
                 Ok(None)
             }
         }
-    }
-
-    /// Passes a rational constant or an infinity. `None` after a fault that was recorded.
-    ///
-    /// # Errors
-    /// As [`Parser::expr`].
-    pub fn bound(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
-        Ok(match self.infinity()? {
-            Some(positive) if positive => Some(Endpoint::PlusInf),
-            Some(_) => Some(Endpoint::MinusInf),
-            None => self.constant()?.map(Endpoint::Finite),
-        })
     }
 
     fn close_links(

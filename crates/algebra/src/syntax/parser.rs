@@ -49,7 +49,7 @@ pub struct Parser<'a> {
     span: Range<usize>,
     last_end: usize,
     nesting: usize,
-    /// what is read is the angle of a sine: `pi` has a meaning, and angles stand by themselves
+    /// `pi` has a meaning, and angles stand by themselves, as in the argument of a sine
     pub(crate) in_angle: bool,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
@@ -310,6 +310,14 @@ impl<'a> Parser<'a> {
 
     pub(crate) fn node(&mut self) -> Result<Node, SyntaxError> {
         self.binary(Level::Sum)
+    }
+
+    /// Passes one expression in which angles and `pi` may stand by themselves.
+    pub(crate) fn with_angles(&mut self) -> Result<Node, SyntaxError> {
+        let outer = std::mem::replace(&mut self.in_angle, true);
+        let node = self.node();
+        self.in_angle = outer;
+        node
     }
 
     /// Passes one expression and returns it with its place.

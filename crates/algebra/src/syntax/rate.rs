@@ -17,8 +17,10 @@ use super::scope::{Angle, Scope};
 pub fn rate(f: &Expr, t: usize, scope: &Scope) -> Result<Expr, SyntaxErrorKind> {
     let name = |v: usize| scope.context().vars.get(v).map_or("?", |var| &var.name).to_owned();
     let known = |u: usize| scope.rate(u).ok_or_else(|| SyntaxErrorKind::NoRate(name(u)));
+    // a symbol that is differentiated itself, an angle too; cosine and sine go by the chain rule
     if let Expr::Var(u) = f
         && *u != t
+        && scope.angle_at(*u).is_none()
     {
         return Ok(if scope.varies_with(f, t) { Expr::Var(known(*u)?) } else { Expr::int(0) });
     }

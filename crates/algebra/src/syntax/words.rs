@@ -97,10 +97,7 @@ impl Parser<'_> {
 
     /// The angle in `sin(…)`: a sum of angles with rational factors, and a multiple of `pi`.
     fn direction(&mut self, word: &str) -> Result<(Expr, usize), SyntaxError> {
-        let outer = std::mem::replace(&mut self.in_angle, true);
-        let node = self.node();
-        self.in_angle = outer;
-        let node = node?;
+        let node = self.with_angles()?;
         let turn = Turn::of(&node.expr).ok_or(SyntaxErrorKind::NotAnAngle);
         match turn.and_then(|turn| turn.direction(self.scope())) {
             Ok(Direction { cos, sin }) => {
@@ -122,17 +119,17 @@ impl Parser<'_> {
     /// `f, x` of a derivative.
     fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
         // an angle may stand here by itself
-        let outer = std::mem::replace(&mut self.in_angle, true);
-        let f = self.node();
-        self.in_angle = outer;
-        let f = f?;
+        let f = self.with_angles()?;
         self.expect(Token::Comma, "`,` and the variable of differentiation")?;
         let at = self.span();
         // what has no name of its own: `d(f, cos(theta))`, `d(f, d(x, t))`
         if ["cos", "sin", "d"].contains(&self.lexeme()) {
             let by = self.node()?;
             return match by.expr {
-                Expr::Var(v) => self.partial(f, v),
+                Expr::Var(v) => {
+                    self.has_angle_alone(&f);
+                    Ok((Expr::Deriv(Box::new(f.expr), v), f.height + 1))
+                }
                 _ => {
                     self.report(SyntaxErrorKind::NotADerivativeVariable("this".to_owned()), at);
                     Ok((f.expr, f.height))
@@ -153,50 +150,39 @@ impl Parser<'_> {
         };
         let scope = self.scope();
         let of = |v: usize| scope.context().vars.get(v).and_then(|var| var.of);
-        if scope.symbols(&f.expr).into_iter().any(|v| of(v) == Some(x)) {
-            return match rate(&f.expr, x, scope) {
-                Ok(slope) => {
-                    let height = scope.height(&slope);
-                    Ok((slope, height))
-                }
+        let varies = scope.symbols(&f.expr).into_iter().any(|v| of(v) == Some(x));
+        // the derivative of an angle is a symbol
+        let is_angle = varies && matches!(f.expr, Expr::Var(_));
+        if !is_angle && self.has_angle_alone(&f) {
+            return Ok((Expr::int(1), 1));
+        }
+        let slope = if varies {
+            match rate(&f.expr, x, scope) {
+                Ok(slope) => slope,
                 Err(kind) => {
                     self.report(kind, f.span);
-                    Ok((Expr::int(1), 1))
+                    return Ok((Expr::int(1), 1));
                 }
-            };
-        }
-        if let Some(angle) = scope.angle(x) {
-            self.no_angle_alone(&f);
-            let slope = by_angle(&f.expr, *angle, scope);
-            let height = scope.height(&slope);
-            return Ok((slope, height));
-        }
-        self.partial(f, x)
-    }
-
-    /// ∂f/∂x, all other symbols held fixed.
-    fn partial(&mut self, f: Node, x: usize) -> Result<(Expr, usize), SyntaxError> {
-        self.no_angle_alone(&f);
-        Ok((Expr::Deriv(Box::new(f.expr), x), f.height + 1))
-    }
-
-    /// Notes an angle that stands by itself in what is differentiated.
-    fn no_angle_alone(&mut self, f: &Node) {
-        let mut todo = vec![&f.expr];
-        let mut alone = None;
-        while let Some(e) = todo.pop() {
-            match e {
-                Expr::Var(PI) => alone = alone.or(Some("pi".to_owned())),
-                Expr::Var(v) if self.scope().angle(*v).is_some() => {
-                    alone = self.scope().context().vars.get(*v).map(|var| var.name.clone());
-                }
-                _ => {}
             }
-            todo.extend(e.children());
+        } else if let Some(angle) = scope.angle(x) {
+            by_angle(&f.expr, *angle, scope)
+        } else {
+            Expr::Deriv(Box::new(f.expr), x)
+        };
+        let height = scope.height(&slope);
+        Ok((slope, height))
+    }
+
+    /// Whether what is differentiated has an angle, or `pi`, by itself, which is noted.
+    fn has_angle_alone(&mut self, f: &Node) -> bool {
+        let scope = self.scope();
+        let alone = |v: &usize| *v == PI || scope.angle(*v).is_some();
+        let found = scope.symbols(&f.expr).into_iter().find(alone);
+        if let Some(v) = found {
+            let name = scope.context().vars.get(v).map_or("pi", |var| &var.name);
+            self.report(SyntaxErrorKind::AngleAlone(name.to_owned()), f.span.clone());
         }
-        if let Some(name) = alone {
-            self.report(SyntaxErrorKind::AngleAlone(name), f.span.clone());
-        }
+        found.is_some()
     }
 
     fn cases(&mut self) -> Result<Node, SyntaxError> {

@@ -133,7 +133,7 @@ fn item(
     let left = if p.token() == Token::Name && !begins_with_pi(p) {
         None
     } else {
-        let end = p.bound_of_symbol()?;
+        let end = p.bound()?;
         let rel = bound_relation(p)?;
         end.map(|end| (mirrored(rel), end))
     };
@@ -155,7 +155,7 @@ fn item(
     });
     let right = if matches!(p.token(), Token::Rel(_)) {
         let rel = bound_relation(p)?;
-        p.bound_of_symbol()?.map(|end| (rel, end))
+        p.bound()?.map(|end| (rel, end))
     } else {
         None
     };
