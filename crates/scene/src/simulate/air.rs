@@ -201,18 +201,7 @@ fn meet(
         body.mass * world.gravity * (flight.heights[index] - body.position[1])
     };
     let gravity = fallen(first) + second.map_or(0.0, fallen);
-    let bounce = Bounce {
-        time,
-        encounter,
-        regime: struck.regime,
-        slip: struck.slip,
-        approach: struck.approach,
-        separation: struck.separation,
-        impulse: struck.impulse,
-        ledger: struck.ledger,
-        gravity,
-        after: (struck.first, struck.second),
-    };
+    let bounce = struck.at(time, encounter, gravity);
     let after = std::iter::once(Some(&bounce.after.0)).chain([bounce.after.1.as_ref()]);
     for (index, body) in bounce.bodies().zip(after.flatten()) {
         flight.heights[index] = body.position[1];

@@ -120,6 +120,26 @@ pub(super) struct Struck<N> {
     pub(super) second: Option<Round<N>>,
 }
 
+impl<N> Struck<N> {
+    /// The impact of these at a time, with the work of gravity since those before.
+    pub(super) fn at(self, time: N, encounter: Encounter, gravity: N) -> Bounce<N> {
+        let Self { regime, slip, approach, separation, impulse, ledger, first, second } = self;
+        let after = (first, second);
+        Bounce {
+            time,
+            encounter,
+            regime,
+            slip,
+            approach,
+            separation,
+            impulse,
+            ledger,
+            gravity,
+            after,
+        }
+    }
+}
+
 /// Resolves the impact of a body, as it arrives, with a wall or with another body, on what the world
 /// states of their contact. `held` is the slip that the contact is known to have, where forming it anew
 /// would cancel.

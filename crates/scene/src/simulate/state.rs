@@ -164,18 +164,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             (Encounter::Pair(i, j), Some(second)) => fallen(i, &first) + fallen(j, second),
             (Encounter::Wall(i, _) | Encounter::Pair(i, _), _) => fallen(i, &first),
         };
-        let bounce = Bounce {
-            time: self.now.clone(),
-            encounter,
-            regime: struck.regime,
-            slip: struck.slip,
-            approach: struck.approach,
-            separation: struck.separation,
-            impulse: struck.impulse,
-            ledger: struck.ledger,
-            gravity,
-            after: (struck.first, struck.second),
-        };
+        let bounce = struck.at(self.now.clone(), encounter, gravity);
         match encounter {
             Encounter::Wall(i, side) => {
                 let level = matches!(side, Side::Floor | Side::Ceiling);

@@ -2,7 +2,7 @@
 
 use kane_records::study::Study;
 
-use super::{HEIGHT, WIDTH, frame, number, range};
+use super::{HEIGHT, WIDTH, alpha_axis, frame, number, range};
 use crate::picture::{Axis, Canvas, Ink, Key, Panel, Pen, Shape, legend, mark};
 
 /// A gain beyond which a spot is drawn at the border.
@@ -31,12 +31,9 @@ pub(in crate::records) fn energy(study: &Study) -> Option<String> {
         (Key::Mark(Shape::Ring, Ink::BLUE), "it is not"),
     ];
     let top = legend(&mut canvas, (60.0, 4.0), WIDTH - 60.0, &keys) + 10.0;
-    let alphas = spots.iter().map(|((alpha, _), _)| *alpha);
-    let (low, high) =
-        alphas.fold((0.1_f64, 10.0_f64), |(low, high), alpha| (low.min(alpha), high.max(alpha)));
-    let (low, high) = (low.max(1e-3), high.min(1e3));
+    let (alpha, (low, high)) = alpha_axis(spots.iter().map(|((alpha, _), _)| *alpha));
     let axes = (
-        Axis::logarithmic("alpha", (low, high), number),
+        alpha,
         Axis::linear("gain", range(spots.iter().map(|((_, gain), _)| *gain), (-1.0, 0.2)), number),
     );
     let panel = Panel::new(&mut canvas, frame(top, 14.0), axes, "");

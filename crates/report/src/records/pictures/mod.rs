@@ -9,7 +9,7 @@ pub(super) use energy::energy;
 pub(super) use phase::phase;
 pub(super) use ratio::ratio;
 
-use crate::picture::{Frame, Point};
+use crate::picture::{Axis, Frame, Point};
 
 /// Pixels of a picture.
 const WIDTH: f64 = 860.0;
@@ -18,6 +18,14 @@ const HEIGHT: f64 = 400.0;
 /// The one plot of a picture, below its legend.
 const fn frame(top: f64, beside: f64) -> Frame {
     Frame { at: (0.0, top), size: (WIDTH, HEIGHT - top), head: 10.0, beside }
+}
+
+/// The axis of α, from a tenth to ten or as far as the values go, within six decades; and its ends.
+fn alpha_axis(values: impl Iterator<Item = f64>) -> (Axis, Point) {
+    let ends =
+        values.fold((0.1_f64, 10.0_f64), |(low, high), alpha| (low.min(alpha), high.max(alpha)));
+    let (low, high) = (ends.0.max(1e-3), ends.1.min(1e3));
+    (Axis::logarithmic("alpha", (low, high), number), (low, high))
 }
 
 /// The range of values, with room about it and with zero or one value told apart.

@@ -5,7 +5,7 @@ use kane_records::scatter::{Spot, curve, stated};
 use kane_records::study::Study;
 
 use super::super::wording::{brief, friction_name};
-use super::{HEIGHT, WIDTH, frame, number, range};
+use super::{HEIGHT, WIDTH, alpha_axis, frame, number, range};
 use crate::picture::{Axis, Canvas, Ink, Key, Panel, Pen, Point, Shape, legend, mark};
 
 /// Points of a curve.
@@ -54,14 +54,9 @@ pub(in crate::records) fn ratio(study: &Study) -> Option<String> {
         names.iter().zip(kinds).map(|(name, (shape, ink))| (Key::Mark(shape, ink), name.as_str()));
     let keys: Vec<(Key, &str)> = keys.collect();
     let top = legend(&mut canvas, (60.0, 4.0), WIDTH - 60.0, &keys) + 10.0;
-    let alphas = spots.iter().map(|((alpha, _), _)| *alpha);
-    let (low, high) =
-        alphas.fold((0.1_f64, 10.0_f64), |(low, high), alpha| (low.min(alpha), high.max(alpha)));
-    let (low, high) = (low.max(1e-3), high.min(1e3));
-    let axes = (
-        Axis::logarithmic("alpha", (low, high), number),
-        Axis::linear("k", range(spots.iter().map(|((_, k), _)| *k), (-0.2, 1.0)), number),
-    );
+    let (alpha, (low, high)) = alpha_axis(spots.iter().map(|((alpha, _), _)| *alpha));
+    let axes =
+        (alpha, Axis::linear("k", range(spots.iter().map(|((_, k), _)| *k), (-0.2, 1.0)), number));
     let panel = Panel::new(&mut canvas, frame(top, 210.0), axes, "");
     let mut lines = Vec::new();
     for (place, law) in laws.into_iter().enumerate() {
