@@ -173,14 +173,12 @@ def substitute(p, jets):
 
 def main():
     arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
-    kane, count, seed = arguments[0], int((arguments + ["1000"])[1]), (arguments + ["", "", "motion"])[2] or "motion"
-    if len(arguments) > 2:
-        seed = arguments[2]
+    kane, count, seed = arguments + ["1000", "motion"][len(arguments) - 1:]
     rng = random.Random(seed)
     tally, wrong, rejected = {}, [], 0
     judged = 0
     with tempfile.TemporaryDirectory() as folder:
-        while judged < count:
+        while judged < int(count):
             source, truths = document(rng)
             path = Path(folder) / "m.md"
             path.write_text(source)

@@ -11,6 +11,7 @@
 use kane_floats::rigor::{Budget, Goal, Inputs, bounded};
 use kane_floats::{Machine, fpcore};
 use kane_number::{Integer, Rational, decode};
+use num_traits::Float;
 
 /// The generator `splitmix64`.
 struct Random(u64);
@@ -82,15 +83,17 @@ impl Tree {
         }
     }
 
-    fn f64(&self, at: &[f64]) -> f64 {
+    /// The value in a format, in which numbers are read by `read`.
+    fn value<F: Float>(&self, at: &[F], read: fn(&str) -> F) -> F {
+        let of = |tree: &Self| tree.value(at, read);
         match self {
-            Self::Number(text) => literal(text),
+            Self::Number(text) => read(text),
             Self::Input(index) => at[*index],
-            Self::Neg(a) => -a.f64(at),
-            Self::Abs(a) => a.f64(at).abs(),
-            Self::Sqrt(a) => a.f64(at).sqrt(),
+            Self::Neg(a) => -of(a),
+            Self::Abs(a) => of(a).abs(),
+            Self::Sqrt(a) => of(a).sqrt(),
             Self::Two(name, a, b) => {
-                let (a, b) = (a.f64(at), b.f64(at));
+                let (a, b) = (of(a), of(b));
                 match *name {
                     "+" => a + b,
                     "-" => a - b,
@@ -99,40 +102,12 @@ impl Tree {
                     _ => a.min(b),
                 }
             }
-            Self::Fma(a, b, c) => a.f64(at).mul_add(b.f64(at), c.f64(at)),
+            Self::Fma(a, b, c) => of(a).mul_add(of(b), of(c)),
             Self::If(a, b, c, d) => {
-                if a.f64(at) < b.f64(at) {
-                    c.f64(at)
+                if of(a) < of(b) {
+                    of(c)
                 } else {
-                    d.f64(at)
-                }
-            }
-        }
-    }
-
-    fn f32(&self, at: &[f32]) -> f32 {
-        match self {
-            Self::Number(text) => single(text),
-            Self::Input(index) => at[*index],
-            Self::Neg(a) => -a.f32(at),
-            Self::Abs(a) => a.f32(at).abs(),
-            Self::Sqrt(a) => a.f32(at).sqrt(),
-            Self::Two(name, a, b) => {
-                let (a, b) = (a.f32(at), b.f32(at));
-                match *name {
-                    "+" => a + b,
-                    "-" => a - b,
-                    "*" => a * b,
-                    "/" => a / b,
-                    _ => a.min(b),
-                }
-            }
-            Self::Fma(a, b, c) => a.f32(at).mul_add(b.f32(at), c.f32(at)),
-            Self::If(a, b, c, d) => {
-                if a.f32(at) < b.f32(at) {
-                    c.f32(at)
-                } else {
-                    d.f32(at)
+                    of(d)
                 }
             }
         }
@@ -319,8 +294,11 @@ fn run(seed: u64, formulas: usize, inputs_each: usize, cells: usize) -> Tally {
                 }
                 let exact: Vec<Rational> =
                     point.iter().map(|x| decode(*x).expect("it is finite")).collect();
-                let computed =
-                    if narrow { f64::from(tree.f32(&singles)) } else { tree.f64(&point) };
+                let computed = if narrow {
+                    f64::from(tree.value(&singles, single))
+                } else {
+                    tree.value(&point, literal)
+                };
                 let Some((lower, upper)) = tree.exact(&exact) else { continue };
                 assert!(computed.is_finite(), "{text} gives {computed} at {point:?}");
                 tally.compared += 1;
