@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
-from . import angles, motion
+from . import angles, arrays, logic, motion, templates
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
 from .ties import Ties
@@ -44,6 +44,7 @@ class Statement:
     cited: list = field(default_factory=list)
     expect: str = None
     derived_from: "Statement" = None  # of which premise it is the derivative
+    exists: bool = False  # a witness is put in, and only a proof decides
 
     @cached_property
     def relations(self):
@@ -71,6 +72,7 @@ class Document:
             self.symbols, self.statements, self.claims = {}, {}, []
             self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
             self.points, self.rate_of, self.orders = {}, {}, orders
+            self.arrays, self.templates = {}, {}
             try:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
                 for statement in statements(text):
@@ -145,12 +147,16 @@ class Document:
         return self.varies(self.mentioned(expression), variable)
 
     def declare(self, symbol):
-        if symbol.name in self.symbols:
-            raise Unreadable(f"`{symbol.name}` is already declared")
-        alike = self.printed.setdefault(printed(symbol.name), symbol.name)
-        if alike != symbol.name:
-            raise Unreadable(f"`{symbol.name}` and `{alike}` look the same in print")
+        self.take_name(symbol.name)
         self.symbols[symbol.name] = symbol
+
+    def take_name(self, name):
+        """A name is declared once, and looks like no other."""
+        if name in self.symbols or name in self.arrays or name in self.templates:
+            raise Unreadable(f"`{name}` is already declared")
+        alike = self.printed.setdefault(printed(name), name)
+        if alike != name:
+            raise Unreadable(f"`{name}` and `{alike}` look the same in print")
 
     def add(self, statement):
         if statement.label in self.statements:
@@ -221,6 +227,20 @@ class Document:
             if getattr(symbol, key):
                 reader.fail("a bound is given twice")
             setattr(symbol, key, (bound, len(sign) == 1))
+        if reader.take("in"):
+            matrix, size = arrays.space(reader)
+            if signs:
+                reader.fail("a vector or a matrix has no bounds")
+            parts = arrays.names(symbol.name, matrix, size)
+            for part in parts:
+                self.enter_symbol(Symbol(part, symbol.argument), reader)
+            self.take_name(symbol.name)
+            self.arrays[symbol.name] = arrays.of_names([("sym", part) for part in parts], matrix, size)
+            return
+        self.enter_symbol(symbol, reader)
+
+    def enter_symbol(self, symbol, reader):
+        """Declares a symbol that has its bounds."""
         if symbol.name in self.wanted:
             self.declare_angle(symbol, reader)
             return
@@ -314,14 +334,46 @@ class Document:
     def read_definition(self, reader):
         start = reader.at, reader.start, reader.kind, reader.word
         label = reader.label()
-        if reader.kind == "sign" and reader.word == ":=":
+        if reader.kind == "sign" and reader.word in (":=", "("):
             reader.at, reader.start, reader.kind, reader.word = start
             label = None
         name = reader.name()
+        parameters = ()
+        if reader.take("("):
+            parameters = self.bound_names(reader)
+            reader.expect(")")
         reader.expect(":=")
         self.add(Statement("let", label or name))
-        body = reader.sum()
-        self.declare(Symbol(name, body=body))
+        reader.bound = parameters
+        body = reader.value()
+        if parameters:
+            self.all_used(parameters, templates.components(body), reader)
+            self.take_name(name)
+            self.templates[name] = templates.Template(name, len(parameters), body)
+        elif isinstance(body, arrays.Array):
+            names = arrays.names(name, *body.kind)
+            for part, expression in zip(names, body.parts()):
+                self.declare(Symbol(part, body=expression))
+            self.take_name(name)
+            self.arrays[name] = arrays.of_names([("def", part) for part in names], *body.kind)
+        else:
+            self.declare(Symbol(name, body=body))
+
+    def bound_names(self, reader):
+        """Reads names of arguments, which nothing has so far."""
+        names = [reader.name()]
+        while reader.take(","):
+            names.append(reader.name())
+        if len(set(names)) < len(names) or len(names) > templates.MAX_PARAMETERS:
+            reader.fail("a name stands twice, or there are too many")
+        if not all(map(reader.is_free, names)):
+            reader.fail("an argument has a name of its own")
+        return tuple(names)
+
+    def all_used(self, names, expressions, reader):
+        found = set().union(*map(templates.found_in, expressions))
+        if len(found) < len(names):
+            reader.fail("an argument is not used")
 
     def read_statement(self, kind, reader):
         label = reader.label()
@@ -332,8 +384,15 @@ class Document:
         elif kind == "claim" and reader.take("not"):
             reader.expect("implied")
             statement.form, statement.other = "not implied", self.cite(reader)
-            if statement.other.kind == "let" or statement.other.form != "relations":
+            other = statement.other
+            if other.kind == "let" or other.form != "relations" or other.exists:
                 reader.fail("this states nothing")
+        elif kind == "claim" and reader.take("exists"):
+            statement.exists = True
+            reader.bound = bound = self.bound_names(reader)
+            reader.expect(":")
+            statement.items = list(reader.relations())
+            reader.bound = ()
         else:
             self.read_items(statement, reader)
         if statement.limits:
@@ -342,6 +401,10 @@ class Document:
             statement.when = reader.relations()
         if kind == "claim":
             self.read_support(statement, reader)
+        if statement.exists:
+            self.put_witnesses(statement, bound, reader)
+            if reader.take("expect"):
+                self.read_expectation(statement, reader)
         self.check(statement, reader)
         if kind == "claim" and self.circles:
             statement.cited += [s for s in self.spoken(statement) if s not in statement.cited]
@@ -349,13 +412,35 @@ class Document:
         if kind == "claim":
             self.claims.append(statement)
 
+    def put_witnesses(self, statement, names, reader):
+        """Reads `by y := …` and puts the witnesses in."""
+        found = {}
+        reader.expect("by")
+        while True:
+            name = reader.name()
+            if name not in names or name in found:
+                reader.fail("no such name is bound, or it has its witness")
+            reader.expect(":=")
+            found[name] = reader.sum()
+            if not reader.take(","):
+                break
+        if len(found) < len(names):
+            reader.fail("a witness is missing")
+        self.all_used(names, [side for item in statement.items for side in item[1:]], reader)
+        witnesses = [found[name] for name in names]
+        statement.items = [
+            (sign, *(templates.replaced(side, witnesses) for side in sides))
+            for sign, *sides in statement.items
+        ]
+
     def read_items(self, statement, reader):
         while True:
-            left = reader.sum()
-            if reader.take("->"):
-                statement.items.append(("->", left, self.infinite(reader) or reader.sum()))
+            left = None if logic.encloses_relations(reader) else reader.value()
+            if left is not None and reader.take("->"):
+                limit = self.infinite(reader) or reader.sum()
+                statement.items.append(("->", reader.number(left), limit))
             else:
-                statement.items += reader.chain(left)
+                statement.items += logic.formula(reader, left)
             if not reader.take(","):
                 return
 
@@ -406,9 +491,12 @@ class Document:
                 if not reader.take(","):
                     break
         if reader.take("expect"):
-            statement.expect = reader.label()
-            if statement.expect not in VERDICTS:
-                reader.fail("there is no such verdict")
+            self.read_expectation(statement, reader)
+
+    def read_expectation(self, statement, reader):
+        statement.expect = reader.label()
+        if statement.expect not in VERDICTS:
+            reader.fail("there is no such verdict")
 
     def check(self, statement, reader):
         """What has no meaning is an error."""

@@ -9,11 +9,13 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
-from . import angles, motion
+from . import angles, arrays, logic, motion, templates
+from .arrays import Array
 from .errors import Unreadable
 
 RESERVED = set(
-    "oo d abs min max sqrt cases else from when as using by expect not implied contradiction".split()
+    "oo d abs min max sqrt cases else from when as using by expect not implied contradiction"
+    " and or implies iff exists".split()
 )
 GREEK = dict(zip(
     "αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϵϕϑϱ",
@@ -29,7 +31,7 @@ SPACE = re.compile(r"(?:[ \t\n]|#[^\n]*)*")
 LETTER = "A-Za-z" + "".join(GREEK)
 WORD = re.compile(
     rf"(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
-    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:])"
+    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:\[\]])"
 )
 LABEL = re.compile(r"\(([^()\n]*)\)|([\w.'-]+)")
 SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*", "⋅": "*", "×": "*"}
@@ -50,6 +52,7 @@ class Reader:
         self.text, self.document = text, document
         self.at = 0
         self.in_angle = False
+        self.bound = ()  # names that stand for arguments
         self.advance()
 
     def advance(self):
@@ -116,22 +119,36 @@ class Reader:
             self.fail("an operator or the end of the statement is missing")
 
     def sum(self):
+        """Reads an expression that is a number."""
+        return self.number(self.value())
+
+    def number(self, value):
+        if isinstance(value, Array):
+            self.fail("a number is expected")
+        return value
+
+    def value(self):
         """Reads an expression. A minus in front of a product is one of the whole product."""
-        left = ("neg", self.product()) if self.take("-") else self.product()
+        left = self.negative(self.product()) if self.take("-") else self.product()
         while sign := self.take("+", "-"):
-            left = ("add" if sign == "+" else "sub", left, self.product())
+            left = arrays.combined("add" if sign == "+" else "sub", left, self.product(), self.fail)
         return left
+
+    def negative(self, value):
+        return value.each(lambda part: ("neg", part)) if isinstance(value, Array) else ("neg", value)
 
     def product(self):
         left = self.signed()
         while sign := self.take("*", "/"):
-            left = ("mul" if sign == "*" else "div", left, self.signed())
+            left = arrays.combined("mul" if sign == "*" else "div", left, self.signed(), self.fail)
         return left
 
     def signed(self):
         if self.take("-"):
-            return ("neg", self.signed())
+            return self.negative(self.signed())
         base = self.atom()
+        if self.kind == "raised" or (self.kind == "sign" and self.word == "^"):
+            self.number(base)
         if self.kind == "raised":
             power = int(self.word.translate(RAISED))
             if abs(power) > MAX_POWER:
@@ -174,13 +191,19 @@ class Reader:
             self.advance()
             return ("num", value.numerator, value.denominator)
         if self.take("("):
-            inner = self.sum()
+            inner = self.value()
             self.expect(")")
             return inner
         if self.take("|"):
-            inner = self.sum()
+            inner = self.value()
             self.expect("|")
-            return ("abs", inner)
+            return arrays.applied("norm", [inner], self.fail) if isinstance(inner, Array) else ("abs", inner)
+        if self.take("["):
+            items = [self.value()]
+            while self.take(","):
+                items.append(self.value())
+            self.expect("]")
+            return arrays.literal(items, self.fail)
         if function := self.take("abs", "sqrt", "min", "max", "d"):
             return self.call(function)
         if self.take("cases"):
@@ -190,16 +213,51 @@ class Reader:
         if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
             self.advance()
             return ("pi", 1)
-        return self.document.use(self.name(), self)
+        if self.kind == "name" and self.word in arrays.FUNCTIONS and self.is_free(self.word):
+            return self.function(self.take(*arrays.FUNCTIONS))
+        name = self.name()
+        if name in self.bound:
+            return ("par", self.bound.index(name))
+        if name in self.document.templates:
+            return self.application(self.document.templates[name])
+        if name in self.document.arrays:
+            return self.document.arrays[name]
+        return self.document.use(name, self)
 
     def is_free(self, name):
-        return name not in self.document.symbols
+        known = self.document
+        return name not in known.symbols and name not in known.arrays and name not in known.templates
+
+    def function(self, function):
+        """Reads the arguments of `dot` and the like."""
+        self.expect("(")
+        arguments = [self.value()]
+        if arrays.FUNCTIONS[function] == 2:
+            self.expect(",")
+            arguments.append(self.value())
+        self.expect(")")
+        return arrays.applied(function, arguments, self.fail)
+
+    def application(self, template):
+        """Reads the arguments of a definition."""
+        arguments = []
+        if self.take("("):
+            arguments.append(self.sum())
+            while self.take(","):
+                arguments.append(self.sum())
+            self.expect(")")
+        return template.of(arguments, self.fail)
+
+    def no_parameters(self, expression):
+        if templates.found_in(expression):
+            self.fail("an argument cannot stand here")
 
     def angle(self):
         """Reads a sum in which angles and pi may stand."""
         outer, self.in_angle = self.in_angle, True
         expression = self.sum()
         self.in_angle = outer
+        self.no_parameters(expression)
         return angles.summed(expression)
 
     def direction(self, function):
@@ -214,7 +272,7 @@ class Reader:
     def call(self, function):
         self.expect("(")
         outer, self.in_angle = self.in_angle, self.in_angle or function == "d"
-        first = self.sum()
+        first = self.value() if function == "d" else self.sum()
         self.in_angle = outer
         if function in ("abs", "sqrt"):
             self.expect(")")
@@ -236,8 +294,13 @@ class Reader:
         else:
             name = self.name()
         self.expect(")")
+        return f.each(lambda part: self.slope(part, name)) if isinstance(f, Array) else self.slope(f, name)
+
+    def slope(self, f, name):
+        """The derivative of a number."""
         if has_pi(f):
             self.fail("`pi` stands in sines alone")
+        self.no_parameters(f)
         symbol = self.document.symbols.get(name)
         if not symbol or symbol.body:
             self.fail(f"nothing can be differentiated by `{name}`")
@@ -273,21 +336,21 @@ class Reader:
 
     def chain(self, left=None):
         """Reads `a < b <= c` as a list of relations."""
-        left = left or self.sum()
-        found = []
+        left = left or self.value()
+        found = ()
         while relation := self.take(*RELATIONS):
-            right = self.sum()
-            found.append((relation, left, right))
+            right = self.value()
+            found += arrays.compared(relation, left, right, self.fail)
             left = right
         if not found:
             self.fail("expected a relation")
-        return tuple(found)
+        return found
 
     def relations(self):
         """Reads relations and chains with commas between them."""
-        found = self.chain()
+        found = logic.formula(self)
         while self.take(","):
-            found += self.chain()
+            found += logic.formula(self)
         return found
 
 

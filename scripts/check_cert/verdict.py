@@ -35,6 +35,8 @@ def check_link(document, claim, item, link):
         form = "limit" if item[0] == "->" else "relation"
     shown_by = PROVED_BY[form].get(text(finding))
     demand(shown_by, "there is no such finding for this kind of claim")
+    decides = not claim.exists or finding in ("proved", "vacuous", "consistent")
+    demand(decides, "that a witness fails does not refute an existence")
     demand(premises in ("cited", "all"), "the premises are the cited ones, or all")
     demand(premises == "cited" or shown_by == "witness", "a proof has no more premises")
     goal = Goal(document, claim, item, finding, premises, [text(r) for r in listed(roots)])

@@ -53,6 +53,19 @@ fn no_verdict_on_derivatives_of_functions_is_wrong() {
 }
 
 #[test]
+fn no_verdict_on_what_is_lowered_is_wrong() {
+    let claims = many(300).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
+    if let Some(output) = adversary("lowered.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+        let kinds = ["\nproved: ", "\nrefuted: ", "\nill-defined: ", "exists proved: "];
+        let all = format!("\n{printed}");
+        assert!(kinds.iter().all(|kind| all.contains(kind)), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_a_random_claim_is_wrong() {
     let claims = many(CLAIMS).to_string();
     // where z3 is not installed the script says what it leaves out; the gate asks for it

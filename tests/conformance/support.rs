@@ -140,7 +140,7 @@ fn sentence(claim: &Claim) -> Option<Sentence> {
 
 fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
     match &document.statements[i].body {
-        Body::Let(_) => None,
+        Body::Let(_) | Body::Defined(_) => None,
         Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
         Body::Claim(claim) => Some(Hypothesis { sentence: sentence(claim)?, given: false }),
     }
@@ -153,7 +153,7 @@ fn behind(document: &Document, claim: &Claim) -> Vec<Sentence> {
         match &document.statements[i].body {
             Body::Given(_) => _ = rests.insert(i),
             Body::Claim(cited) => todo.extend(&cited.from),
-            Body::Let(_) => {}
+            Body::Let(_) | Body::Defined(_) => {}
         }
     }
     rests.retain(|i| !claim.from.contains(i));

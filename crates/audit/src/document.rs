@@ -73,6 +73,9 @@ impl Parts {
 pub enum Body {
     /// definition at this index of [`Context::lets`]
     Let(usize),
+    /// the definitions that are the components of a vector or a matrix; none for a definition with
+    /// arguments, which is written out where it is used
+    Defined(Vec<usize>),
     /// what the author assumes
     Given(Sentence),
     /// what the author claims
@@ -84,6 +87,9 @@ pub enum Body {
 pub struct Claim {
     /// the claimed thing
     pub content: Content,
+    /// whether it says that something exists: the content has the witness in its place, so only a
+    /// proof of it decides
+    pub exists: bool,
     /// the claim's own conditions
     pub when: Vec<kane_kernel::Relation>,
     /// indices of the cited statements, as cited

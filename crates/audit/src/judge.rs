@@ -36,7 +36,7 @@ pub fn audit(
     for (i, wanted) in wanted.into_iter().enumerate() {
         progress(i, count);
         let judgement = match &document.statements[i].body {
-            Body::Let(_) => plain_verdict(Verdict::Defined, Vec::new()),
+            Body::Let(_) | Body::Defined(_) => plain_verdict(Verdict::Defined, Vec::new()),
             Body::Given(_) => plain_verdict(Verdict::Assumed, vec![i]),
             Body::Claim(claim) if wanted => judge(&document, claim, &judgements, &earlier, options),
             Body::Claim(_) => plain_verdict(Verdict::Undecided, Vec::new()),
@@ -84,7 +84,7 @@ fn plain_verdict(verdict: Verdict, rests_on: Vec<usize>) -> Judgement {
 /// A statement as a premise.
 fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
     match &document.statements[i].body {
-        Body::Let(_) => None,
+        Body::Let(_) | Body::Defined(_) => None,
         Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
         Body::Claim(claim) => Some(Hypothesis { sentence: sentence(claim)?, given: false }),
     }
@@ -238,6 +238,9 @@ fn judge(
         let ids = [&cited[..], &further].concat();
         let complete = found.behind_met || behind.is_empty();
         only_motions(document, (&resting, &ids), complete, &mut found);
+        if claim.exists {
+            only_proofs(&mut found);
+        }
         let unreached = found.unreached.as_ref();
         let unreached =
             unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
@@ -281,6 +284,15 @@ fn only_motions(
     if found.decided.as_ref().filter(model).is_some_and(unmet) {
         found.decided = None;
         found.open = Some(Open::Motion);
+    }
+}
+
+/// Keeps nothing that speaks against a witness: something else may exist.
+fn only_proofs(found: &mut Verdicts) {
+    let finding = found.decided.as_ref().map(|decided| decided.certificate.finding);
+    if matches!(finding, Some(Finding::Refuted | Finding::IllDefined)) {
+        found.decided = None;
+        found.open = Some(Open::Witness);
     }
 }
 

@@ -26,6 +26,8 @@ pub enum Open {
     Rejected(Rejection),
     /// a point was found, but not shown to be one of functions for which the premises hold for all t
     Motion,
+    /// the witness of an `exists` does not do
+    Witness,
 }
 
 impl fmt::Display for Open {
@@ -39,6 +41,10 @@ impl fmt::Display for Open {
             Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
             Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
             Self::Rejected(why) => write!(f, "a certificate was found but not accepted: {why}"),
+            Self::Witness => f.write_str(
+                "what is named behind `by` does not do everywhere; that nothing else does is not shown \
+                 by that",
+            ),
             Self::Motion => f.write_str(
                 "it fails for some values of the functions and their derivatives, but whether functions \
                  have them for which the premises hold for all points is not known; premises may be \

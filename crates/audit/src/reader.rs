@@ -15,6 +15,7 @@ mod angle;
 mod blocks;
 mod citation;
 mod differentiation;
+mod existence;
 mod label;
 mod statement;
 mod symbol;
@@ -232,6 +233,13 @@ impl Reader {
         if let Some(site) = site {
             let line = Lines::new(text).place(*site).line;
             return Some(format!("it is declared below its use, on line {line}"));
+        }
+        if let Some(array) = self.scope.array(unknown) {
+            let parts = array.shape.names(unknown).join("`, `");
+            return Some(format!("it is {}; its components are `{parts}`", array.shape));
+        }
+        if self.scope.is_function(unknown) {
+            return Some("it is a definition with arguments".to_owned());
         }
         if self.var_sites.len() + self.let_sites.len() > MAX_CANDIDATES {
             return None;

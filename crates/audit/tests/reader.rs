@@ -199,7 +199,7 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): not implied (1) by m := 1, m := 2", 1, 39, "`m` is given twice"),
         // clauses
         ("claim (2): x = 1 from (1) when m > 1", 1, 27, "expected the clauses once each"),
-        ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `not implied`"),
+        ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `exists` and `not implied`"),
         ("claim (2): x = 1 using m from (1)", 1, 26, "expected the clauses once each"),
         ("claim (2): x = 1 using", 1, 23, "expected an expression"),
         ("claim (2): x = 1 using m,", 1, 26, "expected an expression"),
@@ -335,13 +335,31 @@ fn a_flood_of_faults_is_cut_off() {
 }
 
 /// Documents near the good one: pieces of it dropped, doubled, moved, and bytes changed.
+/// Logic, definitions with arguments, vectors and matrices.
+const LOWERED: &str = r"
+```kane
+var x, y > 0, t, v in R^3, r(t) in R^2, A in R^2x2
+let f(u) := u^2 + 1
+let g(u, w) := cases { w > 0: u; else: w }
+let L := cross(v, [1, 2, x])
+given a: x > 1 or (x < -1 and y > 2)
+given n: d(d(r, t), t) = A*r
+claim b: x > 2 implies f(x) > 5, x*y = 0 iff x = 0 when x != 3 from a
+claim c: exists s, q: s + q = x, s - q = y by s := (x + y)/2, q := (x - y)/2
+claim d: inverse(A)*A*r = r when det(A) != 0
+claim e: |v|^2 = dot(v, v), L_x = v_y*x - 2*v_z, L != v or norm(v) >= 0
+claim h: g(1/x, f(y)) = 1/x from a
+claim i: transpose(A) = [[A_xx, A_yx], [A_xy, A_yy]]
+```
+";
+
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
     let edits = prop::collection::vec(
         (any::<prop::sample::Index>(), 0_usize..40, 0_u8..6, any::<u8>()),
         1..8,
     );
-    edits.prop_map(|edits| {
-        let mut bytes = GOOD.as_bytes().to_vec();
+    (prop::sample::select(vec![GOOD, LOWERED]), edits).prop_map(|(good, edits)| {
+        let mut bytes = good.as_bytes().to_vec();
         for (at, length, kind, byte) in edits {
             let start = at.index(bytes.len().max(1)).min(bytes.len());
             let end = (start + length).min(bytes.len());
@@ -353,7 +371,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
                 }
                 2 => bytes[start..end].reverse(),
                 3 => bytes.insert(start, byte),
-                4 => bytes.insert(start, b"()`{}\n#=<>-^/*:,;~"[usize::from(byte) % 18]),
+                4 => bytes.insert(start, b"()`{}[]|\n#=<>-^/*:,;~"[usize::from(byte) % 21]),
                 _ => bytes.truncate(end),
             }
         }
@@ -407,6 +425,8 @@ proptest! {
         words in prop::collection::vec(prop::sample::select(vec![
             "var", "let", "given", "claim", "\n", "\n  ", "(1)", "a-b", ":", ":=", "x", "k(x)", "k", "=", "->",
             "oo", "as", "when", "from", "using", "by", "expect", "proved", "not", "implied", "contradiction",
+            "and", "or", "implies", "iff", "exists", "in R^2", "in R^3x3", "v", "A", "[", "]", "dot(", "cross(",
+            "inverse(", "f(", "f(u, v) :=", "[kg]",
             "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
         ]), 0..60)
     ) {
@@ -426,6 +446,23 @@ fn long_document(bytes: usize) -> String {
     }
     text.push_str("```\n");
     text
+}
+
+#[test]
+fn a_document_with_vectors_and_logic_is_read() {
+    let document = read("lowered.md", LOWERED.as_bytes()).expect("well-formed");
+    let links = |label: &str| {
+        let statement = document.statements.iter().find(|s| s.label == label).expect("it is there");
+        match &statement.body {
+            Body::Claim(claim) => match &claim.content {
+                Content::Links(links) => links.len(),
+                _ => 0,
+            },
+            Body::Defined(parts) => parts.len(),
+            _ => 0,
+        }
+    };
+    assert_eq!(["L", "f", "b", "c", "d", "e", "i"].map(links), [3, 0, 2, 2, 2, 3, 4]);
 }
 
 #[test]
@@ -465,6 +502,23 @@ fn hostile_documents_end_quickly() {
         "`".repeat(9_000_000),
         "```kane\n".repeat(1_000_000),
         "> ".repeat(4_000_000),
+        block(format!("1, {}x = 1", "(".repeat(9_000_000))),
+        block(format!("1, {} = 1", "x or ".repeat(2_000_000))),
+        format!(
+            "```kane\nvar v in R^3\ngiven a: v = {}v{}\n```\n",
+            "inverse(".repeat(200),
+            ")".repeat(200)
+        ),
+        format!(
+            "```kane\nvar A in R^3x3\ngiven a: A = {}A{}\n```\n",
+            "inverse(".repeat(200),
+            ")".repeat(200)
+        ),
+        format!(
+            "```kane\nvar x\nlet f(u) := u*u*u*u\ngiven a: x = {}x{}\n```\n",
+            "f(".repeat(200),
+            ")".repeat(200)
+        ),
         entangled,
     ];
     for text in hostile {
@@ -499,7 +553,7 @@ fn shipped_documents_print_back_as_they_were_read() {
                     let when = claim.when.clone();
                     Sentence { when, links }
                 }
-                Body::Let(_) => continue,
+                Body::Let(_) | Body::Defined(_) => continue,
             };
             sentences += 1;
             let text = sentence.plain(&document.context);

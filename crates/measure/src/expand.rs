@@ -111,7 +111,7 @@ fn closures(document: &Document) -> Vec<BTreeSet<usize>> {
 pub(crate) fn relations(body: &Body) -> Vec<&Relation> {
     let links = |links: &'_ [Link]| -> Vec<usize> { (0..links.len()).collect() };
     match body {
-        Body::Let(_) => vec![],
+        Body::Let(_) | Body::Defined(_) => vec![],
         Body::Given(Sentence { links: all, .. }) => links(all)
             .into_iter()
             .filter_map(|i| match all.get(i) {
@@ -133,7 +133,7 @@ pub(crate) fn relations(body: &Body) -> Vec<&Relation> {
 /// The conditions under which it asserts them.
 pub(crate) fn conditions(body: &Body) -> &[Relation] {
     match body {
-        Body::Let(_) => &[],
+        Body::Let(_) | Body::Defined(_) => &[],
         Body::Given(sentence) => &sentence.when,
         Body::Claim(claim) => &claim.when,
     }

@@ -118,6 +118,11 @@ pub fn formulas(document: &Document) -> Formulas {
                     add(&definition.name, &definition.body);
                 }
             }
+            Body::Defined(parts) => {
+                for definition in parts.iter().filter_map(|i| document.context.lets.get(*i)) {
+                    add(&definition.name, &definition.body);
+                }
+            }
             body => {
                 let relations = relations(body);
                 let mut quantity: Option<String> = None;

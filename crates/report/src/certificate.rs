@@ -34,7 +34,7 @@ pub fn certificates(report: &Report<'_>) -> String {
                 let verdict = judgement.verdict.to_string();
                 Some(json!({ "label": label, "verdict": verdict, "links": links }))
             }
-            Body::Let(_) | Body::Given(_) => None,
+            Body::Let(_) | Body::Defined(_) | Body::Given(_) => None,
         })
         .collect();
     let program = json!(format!("kane {}", env!("CARGO_PKG_VERSION")));
@@ -59,7 +59,7 @@ fn link(report: &Report<'_>, claim: &Claim, rests_on: &[usize], judged: &LinkJud
     };
     let statements = &report.audit.document.statements;
     let is_cited = |i: &&usize| match &statements[**i].body {
-        Body::Let(_) => false,
+        Body::Let(_) | Body::Defined(_) => false,
         Body::Given(_) => true,
         Body::Claim(claim) => matches!(claim.content, Content::Links(_)),
     };

@@ -119,7 +119,7 @@ impl<'a> Entry<'a> {
     /// `let`, `given` or `claim`.
     pub(crate) fn kind(&self) -> &'static str {
         match self.statement.body {
-            Body::Let(_) => "let",
+            Body::Let(_) | Body::Defined(_) => "let",
             Body::Given(_) => "given",
             Body::Claim(_) => "claim",
         }
@@ -154,7 +154,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn claim(&self) -> Option<&'a Claim> {
         match &self.statement.body {
             Body::Claim(claim) => Some(claim),
-            Body::Let(_) | Body::Given(_) => None,
+            Body::Let(_) | Body::Defined(_) | Body::Given(_) => None,
         }
     }
 
@@ -180,10 +180,11 @@ impl<'a> Entry<'a> {
     pub(crate) fn said(&self) -> Option<(String, Option<String>)> {
         let context = self.context();
         let (links, when) = match &self.statement.body {
-            Body::Let(index) => {
-                let definition = context.lets.get(*index)?;
-                let (name, body) = (latex_name(&definition.name), definition.body.latex(context));
-                return Some((format!("{name} := {body}"), None));
+            Body::Let(index) => return Some((self.definition(*index)?, None)),
+            Body::Defined(parts) if parts.is_empty() => return None,
+            Body::Defined(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(|i| self.definition(*i)).collect();
+                return Some((parts?.join(",\\; "), None));
             }
             Body::Given(sentence) => (sentence.links.clone(), &sentence.when),
             Body::Claim(claim) => match &claim.content {
@@ -196,6 +197,14 @@ impl<'a> Entry<'a> {
         let when = (!when.is_empty()).then(|| when.latex(context));
         let said = Sentence { when: Vec::new(), links };
         (!said.links.is_empty()).then(|| (said.latex(context), when))
+    }
+
+    /// A definition in LaTeX.
+    fn definition(&self, index: usize) -> Option<String> {
+        let context = self.context();
+        let definition = context.lets.get(index)?;
+        let (name, body) = (latex_name(&definition.name), definition.body.latex(context));
+        Some(format!("{name} := {body}"))
     }
 
     /// The whole statement in LaTeX; `None` for what is said in words.

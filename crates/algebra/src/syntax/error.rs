@@ -5,6 +5,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
+use super::template::MAX_PARAMETERS;
 
 /// A fault in the text and the bytes that it concerns.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -132,6 +133,57 @@ pub enum SyntaxErrorKind {
     /// the variable beside functions of it
     #[error("a derivative by `{0}` is not taken where `{0}` itself stands beside functions of it")]
     Explicit(String),
+    /// such as `a implies b implies c`
+    #[error("`{0}` beside `{0}`: parentheses have to say which is meant first")]
+    Ambiguous(&'static str),
+    /// a vector or a matrix where a number is due
+    #[error("{0} stands where a number is due")]
+    NotANumber(String),
+    /// such as the sum of a number and a vector
+    #[error("{what} does not go with {of}")]
+    NoOperation {
+        /// an operator or a function
+        what: &'static str,
+        /// what it was to be applied to, in words
+        of: String,
+    },
+    /// such as `[1]` or `[[1, 2], [3]]`
+    #[error("neither a vector nor the rows of a matrix")]
+    NoArray,
+    /// too long when written out
+    #[error("vectors, matrices and definitions with arguments come to too much when written out")]
+    TooMuchWritten,
+    /// the wrong number of arguments
+    #[error("`{name}` takes {takes} and is given {given}")]
+    WrongArity {
+        /// the definition
+        name: String,
+        /// arguments that it takes
+        takes: usize,
+        /// arguments that it is given
+        given: usize,
+    },
+    /// a parameter that means something already
+    #[error("`{0}` is declared already and cannot be a name for an argument")]
+    Shadowed(String),
+    /// a parameter that stands twice
+    #[error("`{0}` is named twice")]
+    NamedTwice(String),
+    /// a parameter that the definition does without
+    #[error("`{0}` does not occur in what follows")]
+    Unused(String),
+    /// too many parameters
+    #[error("more than {MAX_PARAMETERS} names")]
+    TooManyNames,
+    /// a parameter behind `d(…)` or in a sine
+    #[error("`{0}` stands for an argument, and cannot stand in a derivative or in a sine")]
+    BoundInside(String),
+    /// `exists` beside a limit
+    #[error("`exists` goes with relations, not with limits")]
+    LimitExists,
+    /// `exists` without a value
+    #[error("`exists` needs a value for `{0}`")]
+    NoWitness(String),
     /// `cases { }`
     #[error("`cases` without a branch")]
     NoBranch,
@@ -159,6 +211,22 @@ impl SyntaxErrorKind {
                 "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \
                  its direction"
             }
+            Self::Ambiguous(_) => "write `(a implies b) implies c`, or `a implies (b implies c)`",
+            Self::NotANumber(_) => {
+                "the length of a vector is `norm(v)`, a component of it `v_x`; a component of \
+                 something else gets a name by `let`"
+            }
+            Self::NoOperation { .. } => {
+                "products of vectors are `dot(a, b)` and `cross(a, b)`; a matrix stands before the \
+                 vector; a quotient is one by a number; vectors are compared by `=` and `!=`"
+            }
+            Self::NoArray => "`[a, b]` in the plane, `[a, b, c]` in space, `[[a, b], [c, d]]`",
+            Self::WrongArity { .. } => "each parameter gets one argument, as in `f(x, 2*y)`",
+            Self::Shadowed(_) => "give it a name that nothing else in the document has so far",
+            Self::Unused(_) => "leave it out, or use it",
+            Self::BoundInside(_) => "take the derivative where it is used: `d(f(x), x)`",
+            Self::LimitExists => "name the value with `let`, and claim the limit of it",
+            Self::NoWitness(_) => "say which: `by y := …`, an expression in declared symbols",
             Self::TooTall => "name parts of it with parentheses or split the sum",
             Self::NoRelation => {
                 "compare it with something: `=`, `!=`, `<`, `<=`, `>`, `>=` or `->`"

@@ -4,6 +4,7 @@ use kane_kernel::{Approach, Context, Expr, Limit, Rel, Relation, Target};
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::logic::Logic;
 use super::names::latex_name;
 use super::number::{decimal, literal};
 use super::parser::Level;
@@ -25,13 +26,25 @@ pub fn latex_with(
 
 /// Relations with commas between; those that share a side become a chain.
 pub(crate) fn relations(relations: &[Relation], context: &Context) -> String {
+    joined(relations, context, ",\\; ", false)
+}
+
+/// Relations with `between` them, in which `or` and its like may have to stand in parentheses.
+fn joined(relations: &[Relation], context: &Context, between: &str, within: bool) -> String {
     let mut out = String::new();
     let mut last: Option<&Expr> = None;
     for relation in relations {
+        let logic = Logic::of(relation);
+        if !out.is_empty() && (logic.is_some() || last != Some(&relation.lhs)) {
+            out.push_str(between);
+            last = None;
+        }
+        if let Some(logic) = logic {
+            let formula = formula(&logic, context);
+            out.push_str(&if within { format!("\\left({formula}\\right)") } else { formula });
+            continue;
+        }
         if last != Some(&relation.lhs) {
-            if last.is_some() {
-                out.push_str(",\\; ");
-            }
             out.push_str(&whole_expr(&relation.lhs, context));
         }
         out.push(' ');
@@ -41,6 +54,19 @@ pub(crate) fn relations(relations: &[Relation], context: &Context) -> String {
         last = Some(&relation.rhs);
     }
     out
+}
+
+/// A ∨ B, A ⇒ B, A ⇔ B
+fn formula(logic: &Logic<'_>, context: &Context) -> String {
+    let part = |relations: &[Relation]| joined(relations, context, " \\land ", true);
+    match logic {
+        Logic::Or(parts) => {
+            let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
+            parts.join(" \\lor ")
+        }
+        Logic::Implies(a, b) => format!("{} \\Rightarrow {}", part(a), part(b)),
+        Logic::Iff(a, b) => format!("{} \\Leftrightarrow {}", part(a), part(b)),
+    }
 }
 
 /// `f \to L \text{ as } x \to a^{+}`

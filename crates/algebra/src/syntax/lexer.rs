@@ -37,6 +37,10 @@ pub enum Token {
     OpenBrace,
     /// `}`
     CloseBrace,
+    /// `[`
+    OpenBracket,
+    /// `]`
+    CloseBracket,
     /// `,`
     Comma,
     /// `;`
@@ -85,6 +89,8 @@ pub(crate) fn next(text: &str, from: usize) -> (Token, Range<usize>) {
         (')', _) => one(Token::CloseParen),
         ('{', _) => one(Token::OpenBrace),
         ('}', _) => one(Token::CloseBrace),
+        ('[', _) => one(Token::OpenBracket),
+        (']', _) => one(Token::CloseBracket),
         (',', _) => one(Token::Comma),
         (';', _) => one(Token::Semicolon),
         (':', _) => one(Token::Colon),

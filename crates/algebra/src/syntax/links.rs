@@ -7,9 +7,9 @@ use num_rational::BigRational;
 use num_traits::Zero as _;
 
 use super::angle::Turn;
-use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
+use super::formula::CONNECTIVES;
 use super::lexer::Token;
 use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
@@ -49,15 +49,14 @@ impl Parser<'_> {
     pub(crate) fn guard_links(&mut self) -> Result<Vec<RelationNode>, SyntaxError> {
         let mut links = Vec::new();
         loop {
-            let first = self.left_side()?;
-            self.chain(first, &mut links)?;
+            links.extend(self.formula(None)?);
             if !self.next_item(links.len())? {
                 return Ok(links);
             }
         }
     }
 
-    fn left_side(&mut self) -> Result<Node, SyntaxError> {
+    pub(crate) fn left_side(&mut self) -> Result<Node, SyntaxError> {
         match self.token() {
             Token::Rel(_) | Token::Arrow => Err(self.fault(SyntaxErrorKind::NoLeftSide)),
             _ => self.node(),
@@ -72,7 +71,11 @@ impl Parser<'_> {
             | Token::Semicolon
             | Token::Colon
             | Token::End => true,
-            Token::Name => ["when", "from", "using", "expect", "by", "as"].contains(&self.lexeme()),
+            Token::Name => {
+                let word = self.lexeme();
+                ["when", "from", "using", "expect", "by", "as"].contains(&word)
+                    || CONNECTIVES.contains(&word)
+            }
             _ => false,
         };
         if missing {
@@ -82,28 +85,22 @@ impl Parser<'_> {
     }
 
     /// Passes `⋈ b ⋈ c …` after the side `left`.
-    fn chain(&mut self, left: Node, links: &mut Vec<RelationNode>) -> Result<(), SyntaxError> {
+    pub(crate) fn chain(
+        &mut self,
+        left: Node,
+        links: &mut Vec<RelationNode>,
+    ) -> Result<(), SyntaxError> {
         let alone = left.span.clone();
         let mut left = left;
         let mut linked = false;
         while let Token::Rel(rel) = self.token() {
-            if links.len() >= MAX_ITEMS {
-                return Err(self.fault(SyntaxErrorKind::TooManyItems));
-            }
+            self.within_list(links.len())?;
             linked = true;
             let operator = self.span();
             self.advance();
             let right = self.right_side(&operator)?;
-            let next = matches!(self.token(), Token::Rel(_)).then(|| Node {
-                expr: right.expr.clone(),
-                span: right.span.clone(),
-                height: right.height,
-            });
-            links.push(RelationNode {
-                span: left.span.start..right.span.end,
-                height: left.height.max(right.height),
-                relation: Relation { lhs: left.expr, rel, rhs: right.expr },
-            });
+            let next = matches!(self.token(), Token::Rel(_)).then(|| right.clone());
+            links.extend(self.compared(left, rel, right)?);
             match next {
                 Some(node) => left = node,
                 None => break,
@@ -120,6 +117,9 @@ impl Parser<'_> {
             Token::End | Token::Comma | Token::Colon | Token::Semicolon => {
                 Err(SyntaxError { kind: SyntaxErrorKind::NoRelation, span: alone })
             }
+            Token::Name if CONNECTIVES.contains(&self.lexeme()) => {
+                Err(SyntaxError { kind: SyntaxErrorKind::NoRelation, span: alone })
+            }
             _ => Err(self.missing_operator().unwrap_or_else(|| self.unexpected("a relation"))),
         }
     }
@@ -131,13 +131,13 @@ impl Parser<'_> {
     pub fn links(&mut self) -> Result<Vec<(Link, Range<usize>)>, SyntaxError> {
         let mut open = Vec::new();
         loop {
-            let first = self.left_side()?;
-            if self.token() == Token::Arrow {
-                open.push(self.limit(first)?);
-            } else {
-                let mut links = Vec::new();
-                self.chain(first, &mut links)?;
-                open.extend(links.into_iter().map(|l| (Open::Relation(l.relation), l.span)));
+            let first = if self.at_formula() { None } else { Some(self.left_side()?) };
+            match first {
+                Some(first) if self.token() == Token::Arrow => open.push(self.limit(first)?),
+                first => {
+                    let links = self.formula(first)?;
+                    open.extend(links.into_iter().map(|l| (Open::Relation(l.relation), l.span)));
+                }
             }
             if !self.next_item(open.len())? {
                 break;
@@ -162,13 +162,16 @@ impl Parser<'_> {
         let to = match self.infinity()? {
             Some(positive) if positive => Target::PlusInf,
             Some(_) => Target::MinusInf,
-            None => Target::Finite(self.right_side(&operator)?.expr),
+            None => {
+                let value = self.right_side(&operator)?;
+                Target::Finite(self.number_of(value))
+            }
         };
         if matches!(self.token(), Token::Rel(_) | Token::Arrow) {
             return Err(self.fault(SyntaxErrorKind::MisplacedLimit));
         }
-        let end = self.last_end();
-        Ok((Open::Limit(expr.expr, to, start..end), expr.span.start..end))
+        let (from, end) = (expr.span.start, self.last_end());
+        Ok((Open::Limit(self.number_of(expr), to, start..end), from..end))
     }
 
     /// Passes `oo`, `+oo` or `-oo` and tells whether it was positive; passes nothing else.
@@ -251,7 +254,7 @@ impl Parser<'_> {
     /// # Errors
     /// As [`Parser::expr`].
     fn constant(&mut self) -> Result<Option<BigRational>, SyntaxError> {
-        let Node { expr, span, .. } = self.node()?;
+        let (expr, span) = self.spanned_expr()?;
         let value = eval(&expr, &Context::default(), &[]).ok();
         if value.is_none() {
             self.report(SyntaxErrorKind::NotConstant, span);
@@ -268,7 +271,8 @@ impl Parser<'_> {
         if let Some(positive) = self.infinity()? {
             return Ok(Some(if positive { Endpoint::PlusInf } else { Endpoint::MinusInf }));
         }
-        let Node { expr, span, .. } = self.with_angles()?;
+        let node = self.with_angles()?;
+        let (span, expr) = (node.span.clone(), self.number_of(node));
         if let Ok(value) = eval(&expr, &Context::default(), &[]) {
             return Ok(Some(Endpoint::Finite(value)));
         }

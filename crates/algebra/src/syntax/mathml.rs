@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::Signed as _;
 
 use super::latex::{is_function, is_loose, last_factor};
+use super::logic::Logic;
 use super::names::{applied, canonical_name, greek_letter, greek_subscript, name_parts, rate};
 use super::number::decimal;
 use super::parser::Level;
@@ -183,16 +184,35 @@ impl Writer<'_> {
         format!("{left}{}{right}", if dot { "<mo>·</mo>" } else { "" })
     }
 
-    fn cases(&self, branches: &[(Vec<Relation>, Expr)], otherwise: Option<&Expr>) -> String {
-        let relation = |r: &Relation| {
-            format!("{}{}{}", self.free(&r.lhs), comparison(r.rel), self.free(&r.rhs))
+    fn relation(&self, r: &Relation) -> String {
+        let part = |relations: &[Relation]| {
+            let parts: Vec<String> = relations
+                .iter()
+                .map(|r| match Logic::of(r) {
+                    Some(_) => in_parentheses(&self.relation(r)),
+                    None => self.relation(r),
+                })
+                .collect();
+            parts.join("<mo>∧</mo>")
         };
+        match Logic::of(r) {
+            Some(Logic::Or(parts)) => {
+                let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
+                parts.join("<mo>∨</mo>")
+            }
+            Some(Logic::Implies(a, b)) => format!("{}<mo>⇒</mo>{}", part(a), part(b)),
+            Some(Logic::Iff(a, b)) => format!("{}<mo>⇔</mo>{}", part(a), part(b)),
+            None => format!("{}{}{}", self.free(&r.lhs), comparison(r.rel), self.free(&r.rhs)),
+        }
+    }
+
+    fn cases(&self, branches: &[(Vec<Relation>, Expr)], otherwise: Option<&Expr>) -> String {
         let line = |value: &Expr, when: String| {
             format!("<mtr><mtd>{}</mtd><mtd>{when}</mtd></mtr>", self.free(value))
         };
         let mut rows = String::new();
         for (guards, value) in branches {
-            let guards: Vec<String> = guards.iter().map(relation).collect();
+            let guards: Vec<String> = guards.iter().map(|r| self.relation(r)).collect();
             let when = format!("<mtext>if </mtext>{}", guards.join("<mo>,</mo>"));
             rows.push_str(&line(value, when));
         }

@@ -10,6 +10,8 @@
 //! exponent:= a literal integer: 2, -2, (2), (-2), or a tower of them, 2^3
 //! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
 //!          | "|" sum "|" | sin(angle) | cos(angle) | tan(angle)
+//!          | "[" sum { "," sum } "]" | dot(a, b) | cross(a, b) | norm(a)
+//!          | det(a) | transpose(a) | inverse(a) | name "(" sum { "," sum } ")"
 //!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
 //! ```
 //!
@@ -19,16 +21,19 @@
 //! spelled-out name, a subscript digit the digit.
 
 mod angle;
+mod arrays;
 mod bounds;
 mod coq;
 mod diagnostic;
 mod error;
 mod eval;
+mod formula;
 mod hidden;
 mod jet;
 mod latex;
 mod lexer;
 mod links;
+mod logic;
 mod mathml;
 mod names;
 mod neighbourhood;
@@ -41,6 +46,8 @@ mod rate;
 mod rebuild;
 mod scope;
 mod suggest;
+mod template;
+mod value;
 mod words;
 
 pub use angle::{Direction, Turn};
@@ -53,6 +60,7 @@ pub use hidden::{is_control, is_hidden, printable, visible};
 pub use latex::latex_with;
 pub use lexer::Token;
 pub use links::Endpoint;
+pub use logic::Logic;
 pub use mathml::{mathml, mathml_name};
 pub use names::{RESERVED, canonical_name, greek_letter, latex_name};
 pub use no_value::NoValue;
@@ -64,3 +72,5 @@ pub use rate::rate;
 pub use rebuild::rebuild;
 pub use scope::{Angle, DeclareError, Scope, Symbol};
 pub use suggest::nearest;
+pub use template::{MAX_PARAMETERS, placeholder};
+pub use value::{Array, Shape, Value};

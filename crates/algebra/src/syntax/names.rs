@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// Words that can be neither names nor labels.
-pub const RESERVED: [&str; 17] = [
+pub const RESERVED: [&str; 22] = [
     "oo",
     "d",
     "abs",
@@ -21,6 +21,11 @@ pub const RESERVED: [&str; 17] = [
     "not",
     "implied",
     "contradiction",
+    "and",
+    "or",
+    "implies",
+    "iff",
+    "exists",
 ];
 
 /// Greek letters with their names; the first character listed for a name is its usual form.

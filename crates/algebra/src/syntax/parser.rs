@@ -6,12 +6,14 @@ use kane_kernel::{Expr, Relation, Sentence};
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
+use super::arrays::Operator;
 use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::names::RESERVED;
 use super::number::{parse_literal, written_out};
 use super::scope::Scope;
+use super::value::Value;
 
 /// Faults of one text that are kept.
 const MAX_ERRORS: usize = 1000;
@@ -25,12 +27,11 @@ pub(crate) enum Level {
     Atom,
 }
 
-/// Makes an expression of two.
-pub(crate) type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
-
 /// An expression with its place and its height.
+#[derive(Clone)]
 pub(crate) struct Node {
-    pub(crate) expr: Expr,
+    /// in a box, so that a text with groups in groups takes less of the stack
+    pub(crate) value: Box<Value>,
     pub(crate) span: Range<usize>,
     pub(crate) height: usize,
 }
@@ -51,6 +52,8 @@ pub struct Parser<'a> {
     nesting: usize,
     /// `pi` has a meaning, and angles stand by themselves, as in the argument of a sine
     pub(crate) in_angle: bool,
+    /// names that stand for placeholders, in order: parameters, or what `exists` binds
+    pub(crate) bound: Vec<String>,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
     errors: Vec<SyntaxError>,
@@ -100,6 +103,7 @@ impl<'a> Parser<'a> {
             last_end: 0,
             nesting: 0,
             in_angle: false,
+            bound: Vec::new(),
             side_may_follow: false,
             errors: Vec::new(),
         }
@@ -229,6 +233,30 @@ impl<'a> Parser<'a> {
         (self.text.get(start..).unwrap_or_default(), start)
     }
 
+    /// The parser's own text, and the byte of it at which the token ahead begins.
+    pub(crate) fn ahead(&self) -> (&'a str, usize) {
+        (self.text, self.span.start)
+    }
+
+    /// Whether a fault was recorded.
+    #[must_use]
+    pub fn has_faults(&self) -> bool {
+        !self.errors.is_empty()
+    }
+
+    /// Has these names stand for placeholders, in order, from here on.
+    pub fn bind(&mut self, names: Vec<String>) {
+        self.bound = names;
+    }
+
+    /// Makes sure that a list may have another item.
+    pub(crate) fn within_list(&self, items: usize) -> Result<(), SyntaxError> {
+        match items >= MAX_ITEMS {
+            true => Err(self.fault(SyntaxErrorKind::TooManyItems)),
+            false => Ok(()),
+        }
+    }
+
     /// Records a fault that does not end the parse; after a thousand it records no more.
     pub fn report(&mut self, kind: SyntaxErrorKind, span: Range<usize>) {
         if self.errors.len() < MAX_ERRORS {
@@ -264,6 +292,7 @@ impl<'a> Parser<'a> {
             Token::Stray(c) => SyntaxErrorKind::StrayCharacter(c),
             Token::CloseParen if self.nesting == 0 => SyntaxErrorKind::Unopened(')'),
             Token::CloseBrace if self.nesting == 0 => SyntaxErrorKind::Unopened('}'),
+            Token::CloseBracket if self.nesting == 0 => SyntaxErrorKind::Unopened(']'),
             Token::BadNumber => SyntaxErrorKind::MalformedNumber(excerpt(self.lexeme())),
             _ => SyntaxErrorKind::Expected { expected: expected.to_owned(), found: self.found() },
         };
@@ -293,7 +322,7 @@ impl<'a> Parser<'a> {
     /// The fault that two operands stand side by side, if an operand is ahead.
     pub(crate) fn missing_operator(&self) -> Option<SyntaxError> {
         let operand = match self.token {
-            Token::Number | Token::OpenParen => true,
+            Token::Number | Token::OpenParen | Token::OpenBracket => true,
             Token::Name => !RESERVED.contains(&self.lexeme()),
             _ => false,
         };
@@ -305,7 +334,16 @@ impl<'a> Parser<'a> {
     /// # Errors
     /// On any fault after which the structure is unclear.
     pub fn expr(&mut self) -> Result<Expr, SyntaxError> {
-        Ok(self.node()?.expr)
+        let node = self.node()?;
+        Ok(self.number_of(node))
+    }
+
+    /// Passes one expression, which may be a vector or a matrix.
+    ///
+    /// # Errors
+    /// On any fault after which the structure is unclear.
+    pub fn value(&mut self) -> Result<Value, SyntaxError> {
+        Ok(*self.node()?.value)
     }
 
     pub(crate) fn node(&mut self) -> Result<Node, SyntaxError> {
@@ -326,30 +364,40 @@ impl<'a> Parser<'a> {
     /// As [`Parser::expr`].
     pub fn spanned_expr(&mut self) -> Result<(Expr, Range<usize>), SyntaxError> {
         let node = self.node()?;
-        Ok((node.expr, node.span))
+        let span = node.span.clone();
+        Ok((self.number_of(node), span))
     }
 
     fn binary(&mut self, level: Level) -> Result<Node, SyntaxError> {
         let mut left = self.prefix(level)?;
         loop {
-            let (make, above): (Binary, Level) = match self.token {
-                Token::Plus if level == Level::Sum => (Expr::Add, Level::Product),
-                Token::Minus if level == Level::Sum => (Expr::Sub, Level::Product),
-                Token::Star if level <= Level::Product => (Expr::Mul, Level::Power),
-                Token::Slash if level <= Level::Product => (Expr::Div, Level::Power),
+            let (operator, above) = match self.token {
+                Token::Plus if level == Level::Sum => (Operator::Plus, Level::Product),
+                Token::Minus if level == Level::Sum => (Operator::Minus, Level::Product),
+                Token::Star if level <= Level::Product => (Operator::Times, Level::Power),
+                Token::Slash if level <= Level::Product => (Operator::Over, Level::Power),
                 _ => return Ok(left),
             };
             if self.side_may_follow && above == Level::Product && !self.operand_follows() {
                 return Ok(left);
             }
-            let divides = self.token == Token::Slash;
             self.advance();
-            let right = self.binary(above)?;
-            if divides && is_literal_zero(&right.expr) {
-                self.report(SyntaxErrorKind::DivisionByLiteralZero, right.span.clone());
-            }
-            left = self.join(make, left, right)?;
+            left = self.operation(operator, left, above)?;
         }
+    }
+
+    /// Passes the right operand.
+    fn operation(
+        &mut self,
+        operator: Operator,
+        left: Node,
+        above: Level,
+    ) -> Result<Node, SyntaxError> {
+        let right = self.binary(above)?;
+        if operator == Operator::Over && is_literal_zero(&right.value) {
+            self.report(SyntaxErrorKind::DivisionByLiteralZero, right.span.clone());
+        }
+        self.join(operator, left, right)
     }
 
     /// Whether the token after the one ahead can begin an operand.
@@ -363,10 +411,16 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn join(&self, make: Binary, left: Node, right: Node) -> Result<Node, SyntaxError> {
+    fn join(&mut self, operator: Operator, left: Node, right: Node) -> Result<Node, SyntaxError> {
         let span = left.span.start..right.span.end;
         let height = left.height.max(right.height) + 1;
-        self.build(make(Box::new(left.expr), Box::new(right.expr)), span, height)
+        match (*left.value, *right.value) {
+            (Value::Number(a), Value::Number(b)) => self.build(operator.join(a, b), span, height),
+            (a, b) => {
+                let left = Node { value: a.into(), ..left };
+                self.operate(operator, &left, &Node { value: b.into(), ..right })
+            }
+        }
     }
 
     pub(crate) fn build(
@@ -375,10 +429,28 @@ impl<'a> Parser<'a> {
         span: Range<usize>,
         height: usize,
     ) -> Result<Node, SyntaxError> {
-        if height > MAX_HEIGHT {
-            return Err(SyntaxError { kind: SyntaxErrorKind::TooTall, span });
+        self.build_value(Value::Number(expr), span, height)
+    }
+
+    pub(crate) fn build_value(
+        &self,
+        value: Value,
+        span: Range<usize>,
+        height: usize,
+    ) -> Result<Node, SyntaxError> {
+        self.within_height(height, &span)?;
+        Ok(Node { value: value.into(), span, height })
+    }
+
+    pub(crate) fn within_height(
+        &self,
+        height: usize,
+        span: &Range<usize>,
+    ) -> Result<(), SyntaxError> {
+        match height > MAX_HEIGHT {
+            true => Err(SyntaxError { kind: SyntaxErrorKind::TooTall, span: span.clone() }),
+            false => Ok(()),
         }
-        Ok(Node { expr, span, height })
     }
 
     /// Runs `parse` one level of nesting further in.
@@ -399,38 +471,52 @@ impl<'a> Parser<'a> {
     }
 
     fn prefix(&mut self, level: Level) -> Result<Node, SyntaxError> {
-        if self.token != Token::Minus {
-            return self.power();
+        match self.token {
+            Token::Minus => self.negative(level),
+            _ => self.power(),
         }
+    }
+
+    fn negative(&mut self, level: Level) -> Result<Node, SyntaxError> {
         let start = self.span().start;
         self.advance();
         // a leading sign spans the product: -a*b is −(a·b); after * or / it does not
         let inner = self.nested(|p| p.binary(level.max(Level::Product)))?;
-        self.build(Expr::Neg(Box::new(inner.expr)), start..inner.span.end, inner.height + 1)
+        let negative = inner.value.map(|part| Expr::Neg(part.clone().into()));
+        self.build_value(negative, start..inner.span.end, inner.height + 1)
     }
 
     fn power(&mut self) -> Result<Node, SyntaxError> {
         let base = self.atom()?;
-        let exponent = match self.token {
-            Token::Caret => {
-                self.advance();
-                self.exponent()?
-            }
-            Token::Superscript => self.raised()?,
-            _ => return Ok(base),
+        match self.token {
+            Token::Caret | Token::Superscript => self.raised_to(base),
+            _ => Ok(base),
+        }
+    }
+
+    // Groups in groups pass through `prefix`, `power` and `atom`: what these need not hold themselves
+    // stands in functions of its own, lest the stack end before the nesting does.
+
+    fn raised_to(&mut self, base: Node) -> Result<Node, SyntaxError> {
+        let exponent = match self.accept(Token::Caret) {
+            true => self.exponent()?,
+            false => self.raised()?,
         };
         let span = base.span.start..exponent.span.end;
-        let value = match exponent_value(&exponent.expr) {
+        let (at, exponent) = (exponent.span.clone(), self.number_of(exponent));
+        let value = match exponent_value(&exponent) {
             Ok(value) => value,
             Err(kind) => {
-                self.report(kind, exponent.span);
+                self.report(kind, at);
                 1
             }
         };
-        if value < 0 && is_literal_zero(&base.expr) {
+        if value < 0 && is_literal_zero(&base.value) {
             self.report(SyntaxErrorKind::DivisionByLiteralZero, span.clone());
         }
-        self.build(Expr::Pow(Box::new(base.expr), value), span, base.height + 1)
+        let height = base.height + 1;
+        let base = self.number_of(base);
+        self.build(Expr::Pow(Box::new(base), value), span, height)
     }
 
     fn exponent(&mut self) -> Result<Node, SyntaxError> {
@@ -458,33 +544,41 @@ impl<'a> Parser<'a> {
     }
 
     fn atom(&mut self) -> Result<Node, SyntaxError> {
-        let span = self.span();
         match self.token {
-            Token::Number => {
-                let text = self.lexeme();
-                self.advance();
-                if written_out(text) > MAX_DIGITS {
-                    self.report(SyntaxErrorKind::LiteralTooLong, span.clone());
-                    return self.build(Expr::Num(BigInt::from(1).into()), span, 1);
-                }
-                self.build(Expr::Num(parse_literal(text)), span, 1)
-            }
-            Token::OpenParen => {
-                self.advance();
-                let inner = self.nested(Self::node)?;
-                let end = self.close(Token::CloseParen, '(', &span)?;
-                Ok(Node { span: span.start..end, ..inner })
-            }
-            Token::Bar => {
-                self.advance();
-                let inner = self.nested(Self::node)?;
-                let end = self.close(Token::Bar, '|', &span)?;
-                self.build(Expr::Abs(Box::new(inner.expr)), span.start..end, inner.height + 1)
-            }
+            Token::Number => self.number(),
+            Token::OpenParen => self.group(),
+            Token::Bar => self.bars(),
+            Token::OpenBracket => self.components(),
             Token::Name => self.word(),
             Token::Infinity => Err(self.unexpected("a number or a name (`oo` is no number)")),
             _ => Err(self.unexpected("an expression")),
         }
+    }
+
+    fn number(&mut self) -> Result<Node, SyntaxError> {
+        let (text, span) = (self.lexeme(), self.span());
+        self.advance();
+        if written_out(text) > MAX_DIGITS {
+            self.report(SyntaxErrorKind::LiteralTooLong, span.clone());
+            return self.build(Expr::Num(BigInt::from(1).into()), span, 1);
+        }
+        self.build(Expr::Num(parse_literal(text)), span, 1)
+    }
+
+    fn group(&mut self) -> Result<Node, SyntaxError> {
+        let open = self.span();
+        self.advance();
+        let mut inner = self.nested(Self::node)?;
+        inner.span = open.start..self.close(Token::CloseParen, '(', &open)?;
+        Ok(inner)
+    }
+
+    fn bars(&mut self) -> Result<Node, SyntaxError> {
+        let open = self.span();
+        self.advance();
+        let inner = self.nested(Self::node)?;
+        let end = self.close(Token::Bar, '|', &open)?;
+        self.between_bars(inner, open.start..end)
     }
 
     /// Passes the closing token of a group that was opened at `open`, and returns where it ends.
@@ -516,12 +610,15 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
-fn is_literal_zero(expr: &Expr) -> bool {
-    match expr {
-        Expr::Num(value) => value.is_zero(),
-        Expr::Neg(inner) => is_literal_zero(inner),
-        _ => false,
+fn is_literal_zero(value: &Value) -> bool {
+    fn is_zero(expr: &Expr) -> bool {
+        match expr {
+            Expr::Num(value) => value.is_zero(),
+            Expr::Neg(inner) => is_zero(inner),
+            _ => false,
+        }
     }
+    matches!(value, Value::Number(e) if is_zero(e))
 }
 
 /// The value of a literal integer or a tower of them.

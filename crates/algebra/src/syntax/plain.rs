@@ -6,6 +6,7 @@ use kane_kernel::{Approach, Context, Expr, Limit, Rel, Relation, Target};
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::logic::Logic;
 use super::number::decimal;
 use super::parser::Level;
 
@@ -18,13 +19,25 @@ pub(super) fn whole_expr(e: &Expr, context: &Context) -> String {
 
 /// Relations with commas between; those that share a side become a chain.
 pub(super) fn chain(relations: &[Relation], context: &Context) -> String {
+    joined(relations, context, ", ", false)
+}
+
+/// Relations with `between` them, in which `or` and its like may have to stand in parentheses.
+fn joined(relations: &[Relation], context: &Context, between: &str, within: bool) -> String {
     let mut out = String::new();
     let mut last: Option<&Expr> = None;
     for relation in relations {
+        let logic = Logic::of(relation);
+        if !out.is_empty() && (logic.is_some() || last != Some(&relation.lhs)) {
+            out.push_str(between);
+            last = None;
+        }
+        if let Some(logic) = logic {
+            let formula = formula(&logic, context);
+            out.push_str(&if within { format!("({formula})") } else { formula });
+            continue;
+        }
         if last != Some(&relation.lhs) {
-            if last.is_some() {
-                out.push_str(", ");
-            }
             expr(&mut out, &relation.lhs, context, Level::Sum);
         }
         out.push(' ');
@@ -34,6 +47,19 @@ pub(super) fn chain(relations: &[Relation], context: &Context) -> String {
         last = Some(&relation.rhs);
     }
     out
+}
+
+/// `A or B`, `A implies B`, `A iff B`
+fn formula(logic: &Logic<'_>, context: &Context) -> String {
+    let part = |relations: &[Relation]| joined(relations, context, " and ", true);
+    match logic {
+        Logic::Or(parts) => {
+            let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
+            parts.join(" or ")
+        }
+        Logic::Implies(a, b) => format!("{} implies {}", part(a), part(b)),
+        Logic::Iff(a, b) => format!("{} iff {}", part(a), part(b)),
+    }
 }
 
 /// A comparison as it is typed.

@@ -7,10 +7,15 @@ use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
 use super::names::{RESERVED, applied, canonical_name, latex_name, rate};
+use super::template::Template;
+use super::value::{Array, Shape, Value};
 
 /// Nodes that all visits of a scope may see together. Definitions that share others can make
 /// every visit as long as the document.
 const MAX_EFFORT: usize = 50_000_000;
+
+/// Parts of expressions that vectors, matrices and definitions with arguments may be written out to.
+const MAX_WRITTEN: usize = 5_000_000;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,6 +51,9 @@ pub enum DeclareError {
         /// what it stands for already
         first: Symbol,
     },
+    /// the name is one of a vector, a matrix, or a definition with arguments
+    #[error("`{0}` is already declared")]
+    Taken(String),
     /// another name looks the same in print, as `v_x0` and `vx0` do
     #[error("`{name}` and `{other}` look the same in print")]
     Alike {
@@ -75,8 +83,14 @@ pub struct Scope {
     angles: HashMap<usize, Angle>,
     /// by function, the symbol for its derivative
     rates: BTreeMap<usize, usize>,
+    /// vectors and matrices: how their components are arranged, and what stands for each
+    arrays: HashMap<String, (Shape, Vec<Symbol>)>,
+    /// definitions with arguments
+    functions: HashMap<String, Template>,
     /// nodes visited so far
     effort: Cell<usize>,
+    /// parts written out so far
+    written: Cell<usize>,
 }
 
 impl Scope {
@@ -144,7 +158,8 @@ impl Scope {
 
     /// All names, in canonical spelling and no particular order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.names.keys().map(String::as_str)
+        let names = self.names.keys().chain(self.arrays.keys()).chain(self.functions.keys());
+        names.map(String::as_str)
     }
 
     fn check_free(&self, name: &str) -> Result<(), DeclareError> {
@@ -153,6 +168,7 @@ impl Scope {
         }
         match self.resolve(name) {
             Some(first) => Err(DeclareError::Redeclared { name: name.to_owned(), first }),
+            None if !self.is_unused(name) => Err(DeclareError::Taken(name.to_owned())),
             None => match self.typeset.get(&latex_name(name)) {
                 Some(other) => {
                     Err(DeclareError::Alike { name: name.to_owned(), other: other.clone() })
@@ -160,6 +176,78 @@ impl Scope {
                 None => Ok(()),
             },
         }
+    }
+
+    /// Whether nothing at all has the name.
+    #[must_use]
+    pub fn is_unused(&self, name: &str) -> bool {
+        let name = canonical_name(name);
+        self.resolve(&name).is_none()
+            && !self.arrays.contains_key(name.as_ref())
+            && !self.functions.contains_key(name.as_ref())
+    }
+
+    /// Gives a name to symbols or definitions as the components of a vector or a matrix.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_array(
+        &mut self,
+        name: &str,
+        shape: Shape,
+        parts: Vec<Symbol>,
+    ) -> Result<(), DeclareError> {
+        self.check_free(name)?;
+        self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
+        self.arrays.insert(canonical_name(name).into_owned(), (shape, parts));
+        Ok(())
+    }
+
+    /// The vector or the matrix of this name.
+    #[must_use]
+    pub fn array(&self, name: &str) -> Option<Array> {
+        let (shape, parts) = self.arrays.get(canonical_name(name).as_ref())?;
+        let part = |symbol: &Symbol| match symbol {
+            Symbol::Var(index) => Expr::Var(*index),
+            Symbol::Let(index) => Expr::Let(*index),
+        };
+        Some(Array { shape: *shape, parts: parts.iter().map(part).collect() })
+    }
+
+    /// Adds a definition that takes so many arguments; a [placeholder](super::placeholder) stands for
+    /// each in its body.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn define_function(
+        &mut self,
+        name: &str,
+        takes: usize,
+        body: Value,
+    ) -> Result<(), DeclareError> {
+        self.check_free(name)?;
+        self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
+        let height = body.parts().iter().map(|part| self.height(part)).max().unwrap_or(0);
+        let template = Template::new(takes, body, height);
+        self.functions.insert(canonical_name(name).into_owned(), template);
+        Ok(())
+    }
+
+    /// Whether the name is one of a definition with arguments.
+    #[must_use]
+    pub fn is_function(&self, name: &str) -> bool {
+        self.functions.contains_key(canonical_name(name).as_ref())
+    }
+
+    pub(crate) fn function(&self, name: &str) -> Option<&Template> {
+        self.functions.get(canonical_name(name).as_ref())
+    }
+
+    /// Notes that so many parts are to be written out, and tells whether they may be.
+    pub(crate) fn charge(&self, parts: usize) -> bool {
+        let written = self.written.get().saturating_add(parts);
+        self.written.set(written);
+        written <= MAX_WRITTEN
     }
 
     /// Declares a symbol and returns its index.

@@ -1,16 +1,24 @@
 //! What begins with a word: names, functions, derivatives and cases.
 
+use std::ops::Range;
+
 use kane_kernel::Expr;
 use num_bigint::BigInt;
 
 use super::angle::{Direction, PI, Turn, negative, product};
+use super::arrays::FUNCTIONS;
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::Token;
 use super::names::canonical_name;
-use super::parser::{Binary, Node, Parser, excerpt};
+use super::parser::{Node, Parser, excerpt};
 use super::rate::rate;
 use super::scope::{Angle, Scope, Symbol};
+use super::template::{parameter, placeholder, substituted, written};
+use super::value::Value;
+
+/// Makes an expression of two.
+type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
 
 /// d f / dθ = (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
 /// value f is one differentiable expression in c and s near the point, and the chain rule holds.
@@ -40,33 +48,47 @@ impl Parser<'_> {
             "sqrt" => self.call(|p| p.unary_call(Expr::Sqrt)),
             "min" => self.call(|p| p.binary_call(Expr::Min)),
             "max" => self.call(|p| p.binary_call(Expr::Max)),
-            "d" => self.call(Self::derivative),
+            "d" => self.derivative_call(),
             "cases" => self.cases(),
-            word @ ("sin" | "cos" | "tan") if self.scope().resolve(word).is_none() => {
+            word @ ("sin" | "cos" | "tan") if self.scope().is_unused(word) => {
                 self.call(|p| p.direction(word))
             }
-            _ => {
-                let (name, span) = self.name()?;
-                let (expr, height) = match self.scope().resolve(name) {
-                    Some(Symbol::Var(index)) => {
-                        if self.scope().angle(index).is_some() && !self.in_angle {
-                            self.report(SyntaxErrorKind::AngleAlone(excerpt(name)), span.clone());
-                        }
-                        (Expr::Var(index), 1)
-                    }
-                    None if self.in_angle && canonical_name(name) == "pi" => (Expr::Var(PI), 1),
-                    Some(Symbol::Let(index)) => {
-                        (Expr::Let(index), self.scope().height_of_let(index) + 1)
-                    }
-                    None => {
-                        let kind = SyntaxErrorKind::UnknownSymbol(excerpt(name));
-                        self.report(kind, span.clone());
-                        (Expr::Num(BigInt::from(1).into()), 1)
-                    }
-                };
-                self.build(expr, span, height)
-            }
+            word => match FUNCTIONS.into_iter().find(|function| *function == word) {
+                Some(function) if self.scope().is_unused(word) => self.function_of_arrays(function),
+                _ => self.named(),
+            },
         }
+    }
+
+    /// Passes the name of a symbol, of a definition, or of what stands for an argument.
+    fn named(&mut self) -> Result<Node, SyntaxError> {
+        let (name, span) = self.name()?;
+        if let Some(bound) = self.bound.iter().position(|b| *b == canonical_name(name)) {
+            return self.build(placeholder(bound), span, 1);
+        }
+        if self.scope().is_function(name) {
+            return self.application(name, span);
+        }
+        if let Some(array) = self.scope().array(name) {
+            let height = array.parts.iter().map(|e| self.scope().height(e)).max();
+            return self.build_value(Value::Array(array), span, height.unwrap_or(1));
+        }
+        let (expr, height) = match self.scope().resolve(name) {
+            Some(Symbol::Var(index)) => {
+                if self.scope().angle(index).is_some() && !self.in_angle {
+                    self.report(SyntaxErrorKind::AngleAlone(excerpt(name)), span.clone());
+                }
+                (Expr::Var(index), 1)
+            }
+            None if self.in_angle && canonical_name(name) == "pi" => (Expr::Var(PI), 1),
+            Some(Symbol::Let(index)) => (Expr::Let(index), self.scope().height_of_let(index) + 1),
+            None => {
+                let kind = SyntaxErrorKind::UnknownSymbol(excerpt(name));
+                self.report(kind, span.clone());
+                (Expr::Num(BigInt::from(1).into()), 1)
+            }
+        };
+        self.build(expr, span, height)
     }
 
     fn call(
@@ -84,7 +106,8 @@ impl Parser<'_> {
 
     fn unary_call(&mut self, make: fn(Box<Expr>) -> Expr) -> Result<(Expr, usize), SyntaxError> {
         let a = self.node()?;
-        Ok((make(Box::new(a.expr)), a.height + 1))
+        let height = a.height + 1;
+        Ok((make(Box::new(self.number_of(a))), height))
     }
 
     fn binary_call(&mut self, make: Binary) -> Result<(Expr, usize), SyntaxError> {
@@ -92,13 +115,18 @@ impl Parser<'_> {
         self.expect(Token::Comma, "`,` and a second argument")?;
         let b = self.node()?;
         let height = a.height.max(b.height) + 1;
-        Ok((make(Box::new(a.expr), Box::new(b.expr)), height))
+        let (a, b) = (self.number_of(a), self.number_of(b));
+        Ok((make(Box::new(a), Box::new(b)), height))
     }
 
     /// The angle in `sin(…)`: a sum of angles with rational factors, and a multiple of `pi`.
     fn direction(&mut self, word: &str) -> Result<(Expr, usize), SyntaxError> {
         let node = self.with_angles()?;
-        let turn = Turn::of(&node.expr).ok_or(SyntaxErrorKind::NotAnAngle);
+        let (span, e) = (node.span.clone(), self.number_of(node));
+        if self.has_placeholder(&e, &span) {
+            return Ok((Expr::int(1), 1));
+        }
+        let turn = Turn::of(&e).ok_or(SyntaxErrorKind::NotAnAngle);
         match turn.and_then(|turn| turn.direction(self.scope())) {
             Ok(Direction { cos, sin }) => {
                 let expr = match word {
@@ -110,79 +138,175 @@ impl Parser<'_> {
                 Ok((expr, height))
             }
             Err(kind) => {
-                self.report(kind, node.span);
+                self.report(kind, span);
                 Ok((Expr::int(1), 1))
             }
         }
     }
 
+    /// Whether a parameter stands in an expression in which none can, which is noted.
+    fn has_placeholder(&mut self, e: &Expr, span: &Range<usize>) -> bool {
+        let found = self.scope().symbols(e).into_iter().find_map(parameter);
+        if let Some(found) = found {
+            let name = self.bound.get(found).cloned().unwrap_or_default();
+            self.report(SyntaxErrorKind::BoundInside(name), span.clone());
+        }
+        found.is_some()
+    }
+
+    /// Passes `(a, b)` behind the name of a definition with arguments.
+    fn application(&mut self, name: &str, span: Range<usize>) -> Result<Node, SyntaxError> {
+        let mut arguments = Vec::new();
+        let (open, mut height, mut end) = (self.span(), 0, span.end);
+        if self.accept(Token::OpenParen) {
+            self.nested(|p| {
+                loop {
+                    let argument = p.node()?;
+                    height = height.max(argument.height);
+                    arguments.push(p.number_of(argument));
+                    if !p.next_item(arguments.len())? {
+                        return Ok(());
+                    }
+                }
+            })?;
+            end = self.close(Token::CloseParen, '(', &open)?;
+        }
+        let (scope, whole) = (self.scope(), span.start..end);
+        let Some(template) = scope.function(name) else {
+            return self.build(Expr::int(1), whole, 1);
+        };
+        if template.takes != arguments.len() {
+            let (takes, given) = (template.takes, arguments.len());
+            let kind = SyntaxErrorKind::WrongArity { name: excerpt(name), takes, given };
+            self.report(kind, whole.clone());
+            return self.build(Expr::int(1), whole, 1);
+        }
+        self.charge(template.written(&arguments), &whole)?;
+        // one level for a guard around the body
+        let height = template.height + height + 1;
+        self.build_value(template.applied(&arguments), whole, height)
+    }
+
+    /// Passes `d(f, x)`; a vector or a matrix is differentiated component by component.
+    fn derivative_call(&mut self) -> Result<Node, SyntaxError> {
+        let start = self.span().start;
+        self.advance();
+        let open = self.span();
+        self.expect(Token::OpenParen, "`(` after a function's name")?;
+        let (value, height) = self.nested(Self::derivative)?;
+        let end = self.close(Token::CloseParen, '(', &open)?;
+        self.build_value(value, start..end, height)
+    }
+
     /// `f, x` of a derivative.
-    fn derivative(&mut self) -> Result<(Expr, usize), SyntaxError> {
+    fn derivative(&mut self) -> Result<(Value, usize), SyntaxError> {
         // an angle may stand here by itself
         let f = self.with_angles()?;
         self.expect(Token::Comma, "`,` and the variable of differentiation")?;
+        let by = self.derivative_by()?;
+        let Node { value, span, height } = f;
+        let bound = value.parts().iter().any(|part| self.has_placeholder(part, &span));
+        let Some((x, partial)) = by.filter(|_| !bound) else {
+            return Ok((*value, height));
+        };
+        let mut parts = Vec::new();
+        let mut tallest = 1;
+        for part in value.parts() {
+            let f = (part.clone(), span.clone(), height);
+            let (slope, height) = if partial { self.by_symbol(f, x) } else { self.slope(f, x) };
+            tallest = tallest.max(height);
+            parts.push(slope);
+        }
+        Ok((value.with_parts(parts), tallest))
+    }
+
+    /// The symbol of a derivative, and whether it is one without a name of its own; `None` after a
+    /// fault that was recorded.
+    fn derivative_by(&mut self) -> Result<Option<(usize, bool)>, SyntaxError> {
         let at = self.span();
         // what has no name of its own: `d(f, cos(theta))`, `d(f, d(x, t))`
         if ["cos", "sin", "d"].contains(&self.lexeme()) {
             let by = self.node()?;
-            return match by.expr {
-                Expr::Var(v) => {
-                    self.has_angle_alone(&f);
-                    Ok((Expr::Deriv(Box::new(f.expr), v), f.height + 1))
-                }
-                _ => {
-                    self.report(SyntaxErrorKind::NotADerivativeVariable("this".to_owned()), at);
-                    Ok((f.expr, f.height))
-                }
-            };
+            if let Value::Number(Expr::Var(v)) = *by.value {
+                return Ok(Some((v, true)));
+            }
+            self.report(SyntaxErrorKind::NotADerivativeVariable("this".to_owned()), at);
+            return Ok(None);
         }
         let (name, span) = self.name()?;
-        let x = match self.scope().resolve(name) {
-            Some(Symbol::Var(x)) => x,
-            found => {
-                let kind = match found {
-                    None => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
-                    Some(_) => SyntaxErrorKind::NotADerivativeVariable(excerpt(name)),
-                };
-                self.report(kind, span);
-                return Ok((f.expr, f.height));
-            }
+        if let Some(Symbol::Var(x)) = self.scope().resolve(name) {
+            return Ok(Some((x, false)));
+        }
+        let kind = match self.scope().is_unused(name) && !self.bound.contains(&name.to_owned()) {
+            true => SyntaxErrorKind::UnknownSymbol(excerpt(name)),
+            false => SyntaxErrorKind::NotADerivativeVariable(excerpt(name)),
         };
+        self.report(kind, span);
+        Ok(None)
+    }
+
+    /// The derivative by a symbol that has no name of its own.
+    fn by_symbol(&mut self, f: (Expr, Range<usize>, usize), x: usize) -> (Expr, usize) {
+        let (f, span, height) = f;
+        self.has_angle_alone(&f, &span);
+        (Expr::Deriv(Box::new(f), x), height + 1)
+    }
+
+    /// The derivative of a number by a symbol.
+    fn slope(&mut self, f: (Expr, Range<usize>, usize), x: usize) -> (Expr, usize) {
+        let (f, span, _) = f;
         let scope = self.scope();
         let of = |v: usize| scope.context().vars.get(v).and_then(|var| var.of);
-        let varies = scope.symbols(&f.expr).into_iter().any(|v| of(v) == Some(x));
+        let varies = scope.symbols(&f).into_iter().any(|v| of(v) == Some(x));
         // the derivative of an angle is a symbol
-        let is_angle = varies && matches!(f.expr, Expr::Var(_));
-        if !is_angle && self.has_angle_alone(&f) {
-            return Ok((Expr::int(1), 1));
+        let is_angle = varies && matches!(f, Expr::Var(_));
+        if !is_angle && self.has_angle_alone(&f, &span) {
+            return (Expr::int(1), 1);
         }
         let slope = if varies {
-            match rate(&f.expr, x, scope) {
+            match rate(&f, x, scope) {
                 Ok(slope) => slope,
                 Err(kind) => {
-                    self.report(kind, f.span);
-                    return Ok((Expr::int(1), 1));
+                    self.report(kind, span);
+                    return (Expr::int(1), 1);
                 }
             }
         } else if let Some(angle) = scope.angle(x) {
-            by_angle(&f.expr, *angle, scope)
+            by_angle(&f, *angle, scope)
         } else {
-            Expr::Deriv(Box::new(f.expr), x)
+            Expr::Deriv(Box::new(f), x)
         };
         let height = scope.height(&slope);
-        Ok((slope, height))
+        (slope, height)
     }
 
     /// Whether what is differentiated has an angle, or `pi`, by itself, which is noted.
-    fn has_angle_alone(&mut self, f: &Node) -> bool {
+    fn has_angle_alone(&mut self, f: &Expr, span: &Range<usize>) -> bool {
         let scope = self.scope();
         let alone = |v: &usize| *v == PI || scope.angle(*v).is_some();
-        let found = scope.symbols(&f.expr).into_iter().find(alone);
+        let found = scope.symbols(f).into_iter().find(alone);
         if let Some(v) = found {
             let name = scope.context().vars.get(v).map_or("pi", |var| &var.name);
-            self.report(SyntaxErrorKind::AngleAlone(name.to_owned()), f.span.clone());
+            self.report(SyntaxErrorKind::AngleAlone(name.to_owned()), span.clone());
         }
         found.is_some()
+    }
+
+    /// An expression with values in the place of what is bound.
+    ///
+    /// # Errors
+    /// When the text makes too much to be written out, or too deep an expression.
+    pub fn with_arguments(
+        &self,
+        e: &Expr,
+        arguments: &[Expr],
+        span: Range<usize>,
+    ) -> Result<Expr, SyntaxError> {
+        self.charge(written(e, arguments), &span)?;
+        let scope = self.scope();
+        let height = arguments.iter().map(|a| scope.height(a)).max().unwrap_or(0);
+        self.within_height(scope.height(e) + height, &span)?;
+        Ok(substituted(e, arguments))
     }
 
     fn cases(&mut self) -> Result<Node, SyntaxError> {
@@ -219,9 +343,10 @@ impl Parser<'_> {
             self.expect(Token::Colon, "`:` after the guard")?;
             let value = self.node()?;
             height = height.max(value.height);
+            let value = self.number_of(value);
             match guards {
-                Some(guards) => branches.push((guards, value.expr)),
-                None => otherwise = Some(Box::new(value.expr)),
+                Some(guards) => branches.push((guards, value)),
+                None => otherwise = Some(Box::new(value)),
             }
             if !self.accept(Token::Semicolon) {
                 break;

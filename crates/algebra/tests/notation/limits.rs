@@ -1,5 +1,6 @@
 use kane_algebra::syntax::{
     MAX_DIGITS, MAX_HEIGHT, MAX_NESTING, Notation, Scope, SyntaxErrorKind, eval, parse_expr,
+    parse_relations,
 };
 use kane_kernel::Expr;
 
@@ -31,6 +32,13 @@ fn nesting_is_limited_in_all_its_forms() {
         parse_expr(&good, &scope()).unwrap_or_else(|e| panic!("{open}: {e:?}"));
         assert_eq!(first_error(&wrap(open, close, MAX_NESTING + 1)), SyntaxErrorKind::TooNested);
         assert_eq!(first_error(&wrap(open, close, 1_000_000)), SyntaxErrorKind::TooNested);
+    }
+    for (open, close) in [("(", ")"), ("x < 1 or (", ")"), ("x < 1 implies (", ")")] {
+        let formula = |depth| format!("{}x > 0{}", open.repeat(depth), close.repeat(depth));
+        parse_relations(&formula(MAX_NESTING), &scope())
+            .unwrap_or_else(|e| panic!("{open}: {e:?}"));
+        let errors = parse_relations(&formula(MAX_NESTING + 1), &scope()).expect_err("too deep");
+        assert_eq!(errors[0].kind, SyntaxErrorKind::TooNested);
     }
     let tower = format!("x{}", "^1".repeat(1_000_000));
     assert_eq!(first_error(&tower), SyntaxErrorKind::TooNested);

@@ -34,6 +34,29 @@ fn expressions() -> impl Strategy<Value = Expr> {
     })
 }
 
+/// Relations, and what `or`, `implies` and `iff` make of them.
+fn formulas() -> impl Strategy<Value = Relation> {
+    let value = |guards: Vec<Relation>| {
+        Expr::Cases(vec![(guards, Expr::int(1))], Some(Expr::int(0).into()))
+    };
+    let equal = |lhs, rhs| Relation { lhs, rel: Rel::Eq, rhs };
+    relations_of((0_usize..4).prop_map(Expr::Var)).prop_recursive(4, 24, 3, move |inner| {
+        let part = prop::collection::vec(inner, 1..3);
+        let two = (part.clone(), part.clone());
+        prop_oneof![
+            prop::collection::vec(part, 2..4).prop_map(move |parts| {
+                let branches = parts.into_iter().map(|part| (part, Expr::int(1))).collect();
+                equal(Expr::Cases(branches, Some(Expr::int(0).into())), Expr::int(1))
+            }),
+            two.clone().prop_map(move |(a, b)| {
+                let lhs = Expr::Cases(vec![(a, value(b))], Some(Expr::int(1).into()));
+                equal(lhs, Expr::int(1))
+            }),
+            two.prop_map(move |(a, b)| equal(value(a), value(b))),
+        ]
+    })
+}
+
 fn relations_of(sides: impl Strategy<Value = Expr> + Clone) -> impl Strategy<Value = Relation> {
     let rel = prop::sample::select(vec![Rel::Eq, Rel::Ne, Rel::Lt, Rel::Le, Rel::Gt, Rel::Ge]);
     (sides.clone(), rel, sides).prop_map(|(lhs, rel, rhs)| Relation { lhs, rel, rhs })
@@ -44,8 +67,9 @@ fn soup() -> impl Strategy<Value = String> {
     let words = vec![
         "x", "y", "mu", "μ", "alpha", "k", "f", "zz", "1", "0", "0.5", "12.", "+", "-", "−", "*",
         "/", "^", "^2", "(", ")", "{", "}", ",", ";", ":", ":=", "->", "=", "<", "<=", "≠", "oo",
-        "∞", "abs(", "sqrt(", "min(", "d(", "cases {", "else", "when", "as", "from", "#", "\n",
-        "é",
+        "and", "or", "implies", "iff", "exists", "[", "]", "|", "dot(", "cross(", "det(", "norm(",
+        "inverse(", "∞", "abs(", "sqrt(", "min(", "d(", "cases {", "else", "when", "as", "from",
+        "#", "\n", "é",
     ];
     prop::collection::vec(prop::sample::select(words), 0..30).prop_map(|parts| parts.join(" "))
 }
@@ -77,6 +101,13 @@ proptest! {
     ) {
         let text = list.plain(scope().context());
         prop_assert_eq!(parse_relations(&text, &scope()), Ok(list));
+    }
+
+    #[test]
+    fn printed_formulas_read_back_as_the_same(list in prop::collection::vec(formulas(), 1..5)) {
+        let text = list.plain(scope().context());
+        prop_assert!(!text.contains("cases"), "{}", text);
+        prop_assert_eq!(parse_relations(&text, &scope()), Ok(list), "{}", text);
     }
 
     #[test]

@@ -229,6 +229,8 @@ pub enum Value {
 pub enum Comparison {
     /// the values of its sides
     Sides(Result<BigRational, NoValue>, Result<BigRational, NoValue>),
+    /// whether `or`, `implies` or `iff` of relations holds
+    Truth(bool),
     /// the relation, and why it has no meaning
     Undefined(Relation, NoValue),
 }

@@ -1,6 +1,6 @@
 //! Models as data: points and functions, with what becomes of each statement there.
 
-use kane_algebra::syntax::{Evaluator, NoValue};
+use kane_algebra::syntax::{Evaluator, Logic, NoValue};
 use kane_kernel::{
     Conclusion, Expr, Failure, Finding, Functions, Goal, Link, Model, Point, Proof, Root,
     expressions,
@@ -85,9 +85,10 @@ fn compared(at: &mut Evaluator<'_>, link: &Link, undefined: bool) -> Option<Comp
     let (a, b) = (at.value(&r.lhs), at.value(&r.rhs));
     let tells = |why: &NoValue| undefined && !matches!(why, NoValue::Irrational);
     let why = [&a, &b].into_iter().filter_map(|side| side.as_ref().err().copied()).find(tells);
-    Some(match why {
-        Some(why) => Comparison::Undefined(r.clone(), why),
-        None => Comparison::Sides(a, b),
+    Some(match (why, &a, &b) {
+        (Some(why), ..) => Comparison::Undefined(r.clone(), why),
+        (None, Ok(a), Ok(b)) if Logic::of(r).is_some() => Comparison::Truth(a == b),
+        (None, ..) => Comparison::Sides(a, b),
     })
 }
 

@@ -22,6 +22,8 @@ pub(super) struct Draft {
 #[derive(Debug)]
 pub(super) enum DraftBody {
     Let(usize),
+    /// the components of a vector or a matrix; none for a definition with arguments
+    Defined(Vec<usize>),
     Given(Sentence),
     Claim(DraftClaim),
     /// a statement with a fault, kept for its label
@@ -31,6 +33,8 @@ pub(super) enum DraftBody {
 #[derive(Debug)]
 pub(super) struct DraftClaim {
     pub(super) content: DraftContent,
+    /// whether it says that something exists, for which a witness is put in
+    pub(super) exists: bool,
     pub(super) when: Vec<Relation>,
     pub(super) from: Vec<Cited>,
     pub(super) using: Vec<Expr>,
@@ -107,6 +111,11 @@ impl Reader {
                     let message = format!("`{}` is a definition, which says nothing", cited.label);
                     faults.push(Fault::new(cited.span.clone(), message));
                 }
+                Ok(target) if self.is_existence(target) => {
+                    let message = format!("`{}` says that something exists", cited.label);
+                    let note = "that its witness does not do says nothing of others";
+                    faults.push(Fault::new(cited.span.clone(), message).with_note(note));
+                }
                 Ok(target) => resolved.target = Some(target),
                 Err(fault) => faults.push(fault),
             }
@@ -132,7 +141,12 @@ impl Reader {
 
     fn is_definition(&self, index: usize) -> bool {
         let draft = self.drafts.get(index);
-        draft.is_some_and(|draft| matches!(draft.body, DraftBody::Let(_)))
+        draft.is_some_and(|draft| matches!(draft.body, DraftBody::Let(_) | DraftBody::Defined(_)))
+    }
+
+    fn is_existence(&self, index: usize) -> bool {
+        let draft = self.drafts.get(index);
+        draft.is_some_and(|d| matches!(&d.body, DraftBody::Claim(claim) if claim.exists))
     }
 
     /// The index of the cited statement, if it can be cited there.
@@ -172,6 +186,7 @@ impl Draft {
         let body = match self.body {
             DraftBody::Broken => return None,
             DraftBody::Let(definition) => Body::Let(definition),
+            DraftBody::Defined(parts) => Body::Defined(parts),
             DraftBody::Given(sentence) => Body::Given(sentence),
             DraftBody::Claim(claim) => Body::Claim(Claim {
                 content: match claim.content {
@@ -179,6 +194,7 @@ impl Draft {
                     DraftContent::Contradiction => Content::Contradiction,
                     DraftContent::NotImplied(_) => Content::NotImplied(resolved.target?),
                 },
+                exists: claim.exists,
                 when: claim.when,
                 from: resolved.from,
                 using: claim.using,

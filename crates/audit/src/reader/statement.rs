@@ -3,14 +3,15 @@
 use std::ops::Range;
 
 use kane_algebra::syntax::{
-    DeclareError, Parser, Symbol, SyntaxError, SyntaxErrorKind, Token, canonical_name,
+    DeclareError, MAX_PARAMETERS, Parser, Symbol, SyntaxError, SyntaxErrorKind, Token, Value,
+    canonical_name,
 };
 use kane_kernel::{Expr, Link, Relation, Sentence};
 use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
 use super::label::CLAUSES;
-use super::{Fault, Reader, label, symbol};
+use super::{Fault, Reader, existence, label, symbol};
 use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
@@ -54,7 +55,8 @@ impl Reader {
         let mut parts = Parts { label: head.label_span, ..Parts::default() };
         let outcome =
             match keyword {
-                "let" => body_of_let(parser).map(|(body, end)| (Parsed::Let(body), end)),
+                "let" => body_of_let(parser, &head.parameters)
+                    .map(|(body, end)| (Parsed::Let(body), end)),
                 "given" => given(parser, &mut parts, &mut faults)
                     .map(|(body, end)| (Parsed::Body(body), end)),
                 _ => claim(parser, &mut parts, &mut faults)
@@ -78,10 +80,12 @@ impl Reader {
             }
         }
         // a broken statement keeps its label and its name, lest every use of them be a fault too
+        let takes = head.parameters.len();
         let body = match (parsed, head.name) {
-            (Parsed::Let(body), Some((name, site))) => self.define(&name, site, body),
+            (Parsed::Let(body), Some((name, site))) => self.define(&name, site, takes, body),
             (Parsed::Broken, Some((name, site))) => {
-                self.define(&name, site, Expr::Num(BigRational::from_integer(1.into())))
+                let one = Expr::Num(BigRational::from_integer(1.into()));
+                self.define(&name, site, takes, Value::Number(one))
             }
             (Parsed::Body(body), _) => body,
             (Parsed::Broken | Parsed::Let(_), _) => DraftBody::Broken,
@@ -116,17 +120,28 @@ impl Reader {
         self.drafts.push(draft);
     }
 
-    fn define(&mut self, name: &str, site: Range<usize>, body: Expr) -> DraftBody {
-        match self.scope.define(name, body) {
-            Ok(index) => {
-                self.let_sites.push(site.start);
-                DraftBody::Let(index)
+    fn define(&mut self, name: &str, site: Range<usize>, takes: usize, body: Value) -> DraftBody {
+        let defined = match body {
+            body if takes > 0 => {
+                self.scope.define_function(name, takes, body).map(|()| DraftBody::Defined(vec![]))
             }
-            Err(error) => {
-                self.refuse(&error, site);
-                DraftBody::Broken
+            Value::Number(body) => self.scope.define(name, body).map(DraftBody::Let),
+            Value::Array(array) => {
+                let names = array.shape.names(name);
+                let parts = names.iter().zip(array.parts);
+                let parts = parts.map(|(part, body)| self.scope.define(part, body));
+                parts.collect::<Result<Vec<usize>, _>>().and_then(|parts| {
+                    let symbols = parts.iter().copied().map(Symbol::Let).collect();
+                    self.scope.declare_array(name, array.shape, symbols)?;
+                    Ok(DraftBody::Defined(parts))
+                })
             }
-        }
+        };
+        self.let_sites.resize(self.scope.context().lets.len(), site.start);
+        defined.unwrap_or_else(|error| {
+            self.refuse(&error, site);
+            DraftBody::Broken
+        })
     }
 
     pub(super) fn refuse(&mut self, error: &DeclareError, site: Range<usize>) {
@@ -142,7 +157,7 @@ impl Reader {
 }
 
 enum Parsed {
-    Let(Expr),
+    Let(Value),
     Body(DraftBody),
     Broken,
 }
@@ -153,16 +168,18 @@ struct Head {
     label_span: Range<usize>,
     /// the name that a `let` defines
     name: Option<(String, Range<usize>)>,
+    /// the names of its arguments
+    parameters: Vec<(String, Range<usize>)>,
 }
 
 /// `LABEL:`
 fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label::take(p)?;
     p.expect(Token::Colon, "`:` after the label")?;
-    Ok(Head { label: label.to_owned(), label_span, name: None })
+    Ok(Head { label: label.to_owned(), label_span, name: None, parameters: Vec::new() })
 }
 
-/// `[LABEL] NAME :=`
+/// `[LABEL] NAME[(x, …)] :=`
 fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (rest, _) = p.rest();
     // two words in a row are a label and a name
@@ -172,9 +189,15 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
             .is_some_and(|after| !after.trim_start().starts_with(char::is_alphabetic));
     let label = if is_name { None } else { Some(label::take(p)?) };
     let (name, site) = p.name()?;
+    let mut parameters = Vec::new();
+    if p.accept(Token::OpenParen) {
+        parameters = bound_names(p)?;
+        p.expect(Token::CloseParen, "`)` after the names of the arguments")?;
+    }
     p.expect(Token::Define, "`:=` after the name")?;
     let (label, label_span) = label.unwrap_or((name, site.clone()));
-    Ok(Head { label: label.to_owned(), label_span, name: Some((name.to_owned(), site)) })
+    let name = Some((name.to_owned(), site));
+    Ok(Head { label: label.to_owned(), label_span, name, parameters })
 }
 
 /// Citations of derivatives in one statement that are looked into.
@@ -188,9 +211,43 @@ fn finish<T>(p: Parser<'_>, result: Result<T, SyntaxError>) -> Outcome<T> {
     p.finish(result).map(|value| (value, end))
 }
 
-fn body_of_let(mut p: Parser<'_>) -> Outcome<Expr> {
-    let body = p.expr();
+fn body_of_let(mut p: Parser<'_>, parameters: &[(String, Range<usize>)]) -> Outcome<Value> {
+    bind(&mut p, parameters);
+    let body = p.value();
+    if let Ok(body) = &body {
+        existence::refuse_unused(&mut p, parameters, body.parts());
+    }
     finish(p, body)
+}
+
+/// Names with commas between, each of which is to stand for an argument or a witness.
+pub(super) fn bound_names(p: &mut Parser<'_>) -> Result<Vec<(String, Range<usize>)>, SyntaxError> {
+    let mut names: Vec<(String, Range<usize>)> = Vec::new();
+    loop {
+        if names.len() == MAX_PARAMETERS {
+            return Err(p.fault(SyntaxErrorKind::TooManyNames));
+        }
+        let (name, span) = p.name()?;
+        names.push((name.to_owned(), span));
+        if !p.next_item(names.len())? {
+            return Ok(names);
+        }
+    }
+}
+
+/// Has names stand for placeholders; notes those that mean something already.
+pub(super) fn bind(p: &mut Parser<'_>, names: &[(String, Range<usize>)]) {
+    let mut bound: Vec<String> = Vec::new();
+    for (name, span) in names {
+        let canonical = canonical_name(name).into_owned();
+        if !p.scope().is_unused(name) {
+            p.report(SyntaxErrorKind::Shadowed(name.clone()), span.clone());
+        } else if bound.contains(&canonical) {
+            p.report(SyntaxErrorKind::NamedTwice(name.clone()), span.clone());
+        }
+        bound.push(canonical);
+    }
+    p.bind(bound);
 }
 
 /// Where what a parser reads stands.
@@ -223,6 +280,11 @@ fn clause<'a, T: Default>(
 fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let sentence = (|| {
         let (links, when);
+        if p.at_word("exists") {
+            return Err(
+                p.unexpected("a relation (what exists is declared by `var`: it has a name)")
+            );
+        }
         (links, parts.content) = placed(&mut p, Parser::links)?;
         (when, parts.when) = clause(&mut p, "when", |p| conditions(p, &links, faults))?;
         refuse_clauses(&p, &["when"])?;
@@ -232,12 +294,14 @@ fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
     finish(p, sentence)
 }
 
-/// `RELATION [as x -> a] | contradiction | not implied M`, then
+/// `RELATION [as x -> a] | exists y: RELATION | contradiction | not implied M`, then
 /// `[when RELATION] [from …] [using EXPR, …] [by f := …, …] [expect VERDICT]`
 fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let claim = (|| {
-        let (content, when, from, using, by, expect);
-        (content, parts.content) = placed(&mut p, content_of_claim)?;
+        let (mut content, mut by, when, from, using, expect);
+        let mut bound = Vec::new();
+        (content, parts.content) = placed(&mut p, |p| content_of_claim(p, &mut bound))?;
+        p.bind(Vec::new());
         let links = match &content {
             DraftContent::Links(links) => links.as_slice(),
             _ => &[],
@@ -264,22 +328,35 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
         } else {
             (Vec::new(), None)
         };
-        (by, parts.by) = if matches!(content, DraftContent::NotImplied(_)) {
+        by = Vec::new();
+        if !bound.is_empty() {
             allowed.push("by");
-            clause(&mut p, "by", |p| witness(p, faults))?
-        } else {
-            (Vec::new(), None)
-        };
+            let values;
+            (values, parts.by) = clause(&mut p, "by", |p| existence::witnesses(p, &bound))?;
+            existence::put_in(&mut p, &bound, values, &mut content)?;
+        } else if matches!(content, DraftContent::NotImplied(_)) {
+            allowed.push("by");
+            (by, parts.by) = clause(&mut p, "by", |p| witness(p, faults))?;
+        }
         (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
-        Ok(DraftBody::Claim(DraftClaim { content, when, from, using, by, expect }))
+        let exists = !bound.is_empty();
+        Ok(DraftBody::Claim(DraftClaim { content, exists, when, from, using, by, expect }))
     })();
     finish(p, claim)
 }
 
-/// `RELATION [as x -> a] | contradiction | not implied M`
-fn content_of_claim(p: &mut Parser<'_>) -> Result<DraftContent, SyntaxError> {
-    if p.accept_word("contradiction") {
+/// `RELATION [as x -> a] | exists y: RELATION | contradiction | not implied M`
+fn content_of_claim(
+    p: &mut Parser<'_>,
+    bound: &mut Vec<(String, Range<usize>)>,
+) -> Result<DraftContent, SyntaxError> {
+    if p.accept_word("exists") {
+        *bound = bound_names(p)?;
+        bind(p, bound);
+        p.expect(Token::Colon, "`:` after what exists")?;
+        Ok(DraftContent::Links(existence::relations(p)?))
+    } else if p.accept_word("contradiction") {
         Ok(DraftContent::Contradiction)
     } else if p.accept_word("not") {
         if !p.accept_word("implied") {
@@ -300,7 +377,7 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
     Err(p.unexpected(if allowed.contains(&word) {
         "the clauses once each and in the order `as`, `when`, `from`, `using`, `by`, `expect`"
     } else if word == "by" {
-        "the end (only `not implied` takes `by`)"
+        "the end (only `exists` and `not implied` take `by`)"
     } else if word == "using" {
         "the end (only a claim about points takes `using`, not a limit and not `not implied`)"
     } else if word == "as" {

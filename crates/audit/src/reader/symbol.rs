@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::{Endpoint, Parser, Symbol, SyntaxError, Token, canonical_name};
+use kane_algebra::syntax::{Endpoint, Parser, Shape, Symbol, SyntaxError, Token, canonical_name};
 use kane_kernel::{Bound, Rel, Var};
 use num_rational::BigRational;
 
@@ -12,6 +12,35 @@ impl Reader {
     /// Enters the symbols.
     pub(super) fn declare(&mut self, vars: Vec<Item>) {
         for item in vars {
+            match item.shape {
+                Some(shape) => self.declare_array(item, shape),
+                None => self.declare_one(item),
+            }
+        }
+    }
+
+    /// Enters the components of a vector or a matrix, and its name.
+    fn declare_array(&mut self, item: Item, shape: Shape) {
+        if item.lower.is_some() || item.upper.is_some() || item.turns.iter().any(Option::is_some) {
+            let message = format!("`{}` is {shape} and has no bounds", item.name);
+            let note = format!("state them of `{}`", shape.names(&item.name).join("`, `"));
+            self.faults.push(Fault::new(item.whole, message).with_note(note));
+            return;
+        }
+        let mut parts = Vec::new();
+        for name in shape.names(&item.name) {
+            self.declare_one(Item { name: name.clone(), ..item.clone() });
+            parts.extend(self.scope.resolve(&name));
+        }
+        if parts.len() == shape.count()
+            && let Err(error) = self.scope.declare_array(&item.name, shape, parts)
+        {
+            self.refuse(&error, item.span);
+        }
+    }
+
+    fn declare_one(&mut self, item: Item) {
+        {
             if self.var_sites.len() == MAX_SYMBOLS {
                 let message = format!("more than {MAX_SYMBOLS} symbols");
                 self.faults.push(Fault::new(item.span, message));
@@ -20,7 +49,7 @@ impl Reader {
             let of = item.of.clone().and_then(|(name, span)| self.argument(&name, span));
             if let Some(parts) = self.wanted.parts(&item.name) {
                 self.declare_angle(item, of, parts);
-                continue;
+                return;
             }
             if item.turns.iter().any(Option::is_some) {
                 let message =
@@ -81,12 +110,15 @@ impl Reader {
 }
 
 /// A symbol before it is entered.
+#[derive(Clone)]
 pub(super) struct Item {
     pub(super) name: String,
     pub(super) span: Range<usize>,
     /// name and bounds
     pub(super) whole: Range<usize>,
     of: Option<(String, Range<usize>)>,
+    /// of a vector or a matrix
+    shape: Option<Shape>,
     pub(super) lower: Option<Bound>,
     pub(super) upper: Option<Bound>,
     /// lower and upper bound as multiples of π, and whether they are strict
@@ -149,6 +181,7 @@ fn item(
         span: span.clone(),
         whole: start..p.last_end(),
         of,
+        shape: None,
         lower: None,
         upper: None,
         turns: [None, None],
@@ -159,7 +192,9 @@ fn item(
     } else {
         None
     };
+    let shape = if p.accept_word("in") { Some(space(p)?) } else { None };
     let item = items.last_mut().expect("an item was pushed just now");
+    item.shape = shape;
     item.whole.end = p.last_end();
     for (rel, end) in left.into_iter().chain(right) {
         if let Err(message) = item.bind(rel, end) {
@@ -167,6 +202,38 @@ fn item(
         }
     }
     Ok(())
+}
+
+/// `R^2`, `R^3`, `R^2x2` or `R^3x3`
+fn space(p: &mut Parser<'_>) -> Result<Shape, SyntaxError> {
+    const SPACES: &str = "`R^2`, `R^3`, `R^2x2` or `R^3x3`";
+    if !p.accept_word("R") {
+        return Err(p.unexpected(SPACES));
+    }
+    if p.token() != Token::Superscript {
+        p.expect(Token::Caret, SPACES)?;
+    }
+    let shape = match p.lexeme() {
+        "2" | "²" => Shape::Vector(2),
+        "3" | "³" => Shape::Vector(3),
+        "2x2" => Shape::Matrix(2),
+        "3x3" => Shape::Matrix(3),
+        _ => return Err(p.unexpected(SPACES)),
+    };
+    let is_vector = matches!(shape, Shape::Vector(_));
+    p.advance();
+    // with a sign of multiplication, too
+    if is_vector && p.token() == Token::Star {
+        p.advance();
+        return match (shape, p.lexeme()) {
+            (Shape::Vector(n), "2" | "3") if p.lexeme() == n.to_string() => {
+                p.advance();
+                Ok(Shape::Matrix(n))
+            }
+            _ => Err(p.unexpected(SPACES)),
+        };
+    }
+    Ok(shape)
 }
 
 /// Whether the item begins with a bound such as `pi/2`, and not with a symbol that is called `pi`.

@@ -343,7 +343,9 @@ fn links(body: &DraftBody) -> Vec<&Link> {
         DraftBody::Claim(DraftClaim { content: DraftContent::Links(links), .. }) => {
             links.iter().map(|(link, _)| link).collect()
         }
-        DraftBody::Claim(_) | DraftBody::Let(_) | DraftBody::Broken => Vec::new(),
+        DraftBody::Claim(_) | DraftBody::Let(_) | DraftBody::Defined(_) | DraftBody::Broken => {
+            Vec::new()
+        }
     }
 }
 
@@ -351,7 +353,7 @@ fn when_of(body: &DraftBody) -> Option<&[Relation]> {
     match body {
         DraftBody::Given(sentence) => Some(&sentence.when),
         DraftBody::Claim(claim) => Some(&claim.when),
-        DraftBody::Let(_) | DraftBody::Broken => None,
+        DraftBody::Let(_) | DraftBody::Defined(_) | DraftBody::Broken => None,
     }
 }
 

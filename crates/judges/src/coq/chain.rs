@@ -93,7 +93,7 @@ pub(super) fn said(document: &Document, statement: usize) -> Option<Sentence> {
             }),
             _ => None,
         },
-        Body::Let(_) => None,
+        Body::Let(_) | Body::Defined(_) => None,
     }
 }
 

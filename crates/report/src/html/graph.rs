@@ -28,7 +28,7 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
         .shown
         .iter()
         .filter_map(|&index| Some((index, page.entry(index)?)))
-        .filter(|(_, entry)| !matches!(entry.statement.body, Body::Let(_)))
+        .filter(|(_, entry)| !matches!(entry.statement.body, Body::Let(_) | Body::Defined(_)))
         .collect();
     let headings = headings(&page.report.audit.document.text);
     let sections: Vec<_> = headings.iter().filter(|heading| heading.level == 2).collect();

@@ -1,6 +1,6 @@
 //! Formulas within sentences: text, MathML that may be broken between its terms, or math mode.
 
-use kane_algebra::syntax::{Notation as _, comparison, latex_with, literal, mathml};
+use kane_algebra::syntax::{Logic, Notation as _, comparison, latex_with, literal, mathml};
 use kane_audit::{Variable, expression};
 use kane_kernel::{Approach, Atom, Context, Expr, Poly, Rel, Relation, Side, Sign, Target, Var};
 use num_rational::BigRational;
@@ -190,7 +190,28 @@ impl Formulas {
 
     /// A relation.
     pub(crate) fn relation(&self, r: &Relation) -> String {
-        self.compared(&self.expr(&r.lhs), comparison(r.rel), &self.expr(&r.rhs))
+        match Logic::of(r) {
+            Some(_) if self.form == Form::Plain => r.plain(&self.context),
+            Some(logic) => self.formula(&logic),
+            None => self.compared(&self.expr(&r.lhs), comparison(r.rel), &self.expr(&r.rhs)),
+        }
+    }
+
+    /// `or`, `implies` and `iff` between relations, in words.
+    fn formula(&self, logic: &Logic<'_>) -> String {
+        let one = |r: &Relation| match Logic::of(r) {
+            Some(logic) => format!("({})", self.formula(&logic)),
+            None => self.relation(r),
+        };
+        let part =
+            |relations: &[Relation]| relations.iter().map(one).collect::<Vec<_>>().join(" and ");
+        match logic {
+            Logic::Or(parts) => {
+                parts.iter().map(|relations| part(relations)).collect::<Vec<_>>().join(" or ")
+            }
+            Logic::Implies(a, b) => format!("{} implies {}", part(a), part(b)),
+            Logic::Iff(a, b) => format!("{} iff {}", part(a), part(b)),
+        }
     }
 
     /// Relations with commas between; those that share a side become a chain.
@@ -205,7 +226,7 @@ impl Formulas {
         let mut out = String::new();
         let mut last: Option<&Expr> = None;
         for r in relations {
-            if last == Some(&r.lhs) {
+            if last == Some(&r.lhs) && Logic::of(r).is_none() {
                 out = self.compared(&out, comparison(r.rel), &self.expr(&r.rhs));
             } else {
                 let comma = if last.is_some() { ", " } else { "" };

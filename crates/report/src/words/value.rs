@@ -61,6 +61,8 @@ pub(super) fn comparison(formulas: &Formulas, comparison: &Comparison) -> String
             };
             format!("left side {}, right side {}", shown(left), shown(right))
         }
+        Comparison::Truth(true) => "it is true".to_owned(),
+        Comparison::Truth(false) => "it is false".to_owned(),
         Comparison::Undefined(relation, why) => {
             let relation = formulas.relation(relation);
             format!("{relation} is undefined ({})", formulas.words(&why.to_string()))
