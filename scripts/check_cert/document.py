@@ -7,6 +7,7 @@ from functools import cache, cached_property
 
 from .blocks import statements
 from . import angles, arrays, logic, motion, templates
+from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
 from .ties import Ties
@@ -26,6 +27,7 @@ class Symbol:
     upper: tuple = None
     body: tuple = None  # of a definition
     parts: int = None  # of an angle: into how many equal parts it is cut
+    unit: dict = None  # powers of base units
 
 
 @dataclass(eq=False)
@@ -89,6 +91,7 @@ class Document:
                 orders[name] = order
         if self.late:
             raise Unreadable(self.late)
+        Units(self).check()
 
     def use(self, name, reader):
         """The expression that a name stands for."""
@@ -231,13 +234,19 @@ class Document:
             matrix, size = arrays.space(reader)
             if signs:
                 reader.fail("a vector or a matrix has no bounds")
+            self.read_unit(symbol, reader)
             parts = arrays.names(symbol.name, matrix, size)
             for part in parts:
-                self.enter_symbol(Symbol(part, symbol.argument), reader)
+                self.enter_symbol(Symbol(part, symbol.argument, unit=symbol.unit), reader)
             self.take_name(symbol.name)
             self.arrays[symbol.name] = arrays.of_names([("sym", part) for part in parts], matrix, size)
             return
+        self.read_unit(symbol, reader)
         self.enter_symbol(symbol, reader)
+
+    def read_unit(self, symbol, reader):
+        if reader.take("["):
+            symbol.unit = read_unit(reader)
 
     def enter_symbol(self, symbol, reader):
         """Declares a symbol that has its bounds."""

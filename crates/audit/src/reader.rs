@@ -20,6 +20,7 @@ mod label;
 mod statement;
 mod symbol;
 mod tie;
+mod unit;
 mod wanted;
 
 use std::borrow::Cow;
@@ -34,6 +35,7 @@ use crate::Document;
 use crate::document::digest;
 use crate::motion::Motion;
 use citation::Draft;
+use unit::Dimension;
 use wanted::Wanted;
 
 /// Bytes of a file.
@@ -75,6 +77,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
             is_last.then_some((reader, blocks))
         })
         .expect("the last reading ends the search");
+    if reader.faults.is_empty() {
+        reader.check_units();
+    }
     let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
         let message = "definitions use each other too often to be checked".to_owned();
@@ -185,6 +190,8 @@ struct Reader {
     circles: BTreeMap<usize, usize>,
     /// by derived statement, what it is the derivative of
     derived: BTreeMap<usize, usize>,
+    /// the dimensions of the symbols that have a unit
+    units: HashMap<usize, Dimension>,
     /// the line of the statement that is being read
     line: usize,
     faults: Vec<Fault>,

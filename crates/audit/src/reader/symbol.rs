@@ -6,6 +6,7 @@ use kane_algebra::syntax::{Endpoint, Parser, Shape, Symbol, SyntaxError, Token, 
 use kane_kernel::{Bound, Rel, Var};
 use num_rational::BigRational;
 
+use super::unit::{self, Dimension};
 use super::{Fault, MAX_SYMBOLS, Reader};
 
 impl Reader {
@@ -40,36 +41,44 @@ impl Reader {
     }
 
     fn declare_one(&mut self, item: Item) {
-        {
-            if self.var_sites.len() == MAX_SYMBOLS {
-                let message = format!("more than {MAX_SYMBOLS} symbols");
-                self.faults.push(Fault::new(item.span, message));
-                return;
+        let first = self.scope.context().vars.len();
+        let unit = item.unit.clone();
+        self.declare_number(item);
+        // an angle declares more symbols behind itself
+        if let Some(unit) = unit.filter(|_| self.scope.context().vars.len() > first) {
+            self.units.insert(first, unit);
+        }
+    }
+
+    fn declare_number(&mut self, item: Item) {
+        if self.var_sites.len() == MAX_SYMBOLS {
+            let message = format!("more than {MAX_SYMBOLS} symbols");
+            self.faults.push(Fault::new(item.span, message));
+            return;
+        }
+        let of = item.of.clone().and_then(|(name, span)| self.argument(&name, span));
+        if let Some(parts) = self.wanted.parts(&item.name) {
+            self.declare_angle(item, of, parts);
+            return;
+        }
+        if item.turns.iter().any(Option::is_some) {
+            let message =
+                format!("`{}` is bounded by multiples of `pi`, but is no angle", item.name);
+            let note = "an angle is what stands inside `sin`, `cos` or `tan`";
+            self.faults.push(Fault::new(item.whole.clone(), message).with_note(note));
+        }
+        if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
+            let message = format!("the domain of `{}` is empty", item.name);
+            self.faults.push(Fault::new(item.whole.clone(), message));
+        }
+        let name = item.name.clone();
+        let var = Var { name, of, lower: item.lower, upper: item.upper };
+        match self.scope.declare(var) {
+            Ok(symbol) => {
+                self.var_sites.push(item.span.start);
+                self.declare_rates(symbol, &item.name, item.span);
             }
-            let of = item.of.clone().and_then(|(name, span)| self.argument(&name, span));
-            if let Some(parts) = self.wanted.parts(&item.name) {
-                self.declare_angle(item, of, parts);
-                return;
-            }
-            if item.turns.iter().any(Option::is_some) {
-                let message =
-                    format!("`{}` is bounded by multiples of `pi`, but is no angle", item.name);
-                let note = "an angle is what stands inside `sin`, `cos` or `tan`";
-                self.faults.push(Fault::new(item.whole.clone(), message).with_note(note));
-            }
-            if is_empty(item.lower.as_ref(), item.upper.as_ref()) {
-                let message = format!("the domain of `{}` is empty", item.name);
-                self.faults.push(Fault::new(item.whole.clone(), message));
-            }
-            let name = item.name.clone();
-            let var = Var { name, of, lower: item.lower, upper: item.upper };
-            match self.scope.declare(var) {
-                Ok(symbol) => {
-                    self.var_sites.push(item.span.start);
-                    self.declare_rates(symbol, &item.name, item.span);
-                }
-                Err(error) => self.refuse(&error, item.span),
-            }
+            Err(error) => self.refuse(&error, item.span),
         }
     }
 
@@ -119,6 +128,7 @@ pub(super) struct Item {
     of: Option<(String, Range<usize>)>,
     /// of a vector or a matrix
     shape: Option<Shape>,
+    unit: Option<Dimension>,
     pub(super) lower: Option<Bound>,
     pub(super) upper: Option<Bound>,
     /// lower and upper bound as multiples of π, and whether they are strict
@@ -182,6 +192,7 @@ fn item(
         whole: start..p.last_end(),
         of,
         shape: None,
+        unit: None,
         lower: None,
         upper: None,
         turns: [None, None],
@@ -196,6 +207,9 @@ fn item(
     let item = items.last_mut().expect("an item was pushed just now");
     item.shape = shape;
     item.whole.end = p.last_end();
+    let unit = if p.token() == Token::OpenBracket { Some(unit::unit(p)?) } else { None };
+    let item = items.last_mut().expect("an item was pushed just now");
+    item.unit = unit;
     for (rel, end) in left.into_iter().chain(right) {
         if let Err(message) = item.bind(rel, end) {
             faults.push(Fault::new(item.whole.clone(), message));
