@@ -15,12 +15,14 @@ use kane::kernel::{Conclusion, Evidence, Expr, Fuel, Link, SideProof, check};
 use crate::support::installed;
 
 /// The shipped documents. Every link with a verdict is emitted for Coq.
-const DOCUMENTS: [&str; 8] = [
+const DOCUMENTS: [&str; 10] = [
     "answers-to-the-conditions.md",
     "bouncing-ball.md",
     "coupled-collision.md",
     "equal-forms.md",
+    "free-top.md",
     "oblique-collision.md",
+    "rolling-disc.md",
     "sliding-to-rolling.md",
     "spatial-sphere.md",
     "two-body-collision.md",

@@ -16,10 +16,10 @@ macro_rules! carried {
 }
 
 /// The derivations, the paper's first.
-pub(super) const DERIVATIONS: [Document; 10] = carried!("derivations", ".md":
+pub(super) const DERIVATIONS: [Document; 12] = carried!("derivations", ".md":
     "oblique-collision", "answers-to-the-conditions", "coupled-collision", "spatial-sphere",
     "two-body-collision", "bouncing-ball", "sliding-to-rolling", "physical-pendulum", "kepler",
-    "equal-forms",
+    "equal-forms", "free-top", "rolling-disc",
 );
 
 /// Collisions that are put to every law.
