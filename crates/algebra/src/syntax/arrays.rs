@@ -9,7 +9,7 @@ use super::lexer::Token;
 use super::links::RelationNode;
 use super::logic;
 use super::parser::{Node, Parser};
-use super::value::{Array, Shape, Value};
+use super::value::{Array, Operator, Shape, Value};
 
 /// Functions of vectors and matrices; a document may use these names for its own.
 pub(crate) const FUNCTIONS: [&str; 6] = ["dot", "cross", "norm", "det", "transpose", "inverse"];
@@ -19,37 +19,6 @@ pub(crate) const FUNCTIONS: [&str; 6] = ["dot", "cross", "norm", "det", "transpo
 const LEVELS: usize = 8;
 /// How often a component stands in a result at most, likewise.
 const COPIES: usize = 24;
-
-/// An operator between two operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operator {
-    Plus,
-    Minus,
-    Times,
-    Over,
-}
-
-impl Operator {
-    /// Two numbers joined.
-    pub(crate) fn join(self, a: Expr, b: Expr) -> Expr {
-        let (a, b) = (Box::new(a), Box::new(b));
-        match self {
-            Self::Plus => Expr::Add(a, b),
-            Self::Minus => Expr::Sub(a, b),
-            Self::Times => Expr::Mul(a, b),
-            Self::Over => Expr::Div(a, b),
-        }
-    }
-
-    fn sign(self) -> &'static str {
-        match self {
-            Self::Plus => "`+`",
-            Self::Minus => "`-`",
-            Self::Times => "`*`",
-            Self::Over => "`/`",
-        }
-    }
-}
 
 impl Parser<'_> {
     /// The number that an operand is; a fault and 1 in its place if it is none.

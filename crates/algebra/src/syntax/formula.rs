@@ -14,10 +14,8 @@ use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::links::RelationNode;
 use super::logic;
+use super::names::CONNECTIVES;
 use super::parser::{Node, Parser};
-
-/// The words between formulas.
-pub(crate) const CONNECTIVES: [&str; 4] = ["and", "or", "implies", "iff"];
 
 /// Tokens of a group that are looked through for a comparison.
 const MAX_AHEAD: usize = 50_000;

@@ -9,8 +9,8 @@ use num_traits::Zero as _;
 use super::angle::Turn;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
-use super::formula::CONNECTIVES;
 use super::lexer::Token;
+use super::names::CONNECTIVES;
 use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
 

@@ -27,6 +27,7 @@ mod coq;
 mod diagnostic;
 mod error;
 mod eval;
+mod exponent;
 mod formula;
 mod hidden;
 mod jet;

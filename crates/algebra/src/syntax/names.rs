@@ -28,6 +28,9 @@ pub const RESERVED: [&str; 22] = [
     "exists",
 ];
 
+/// The words between formulas.
+pub(crate) const CONNECTIVES: [&str; 4] = ["and", "or", "implies", "iff"];
+
 /// Greek letters with their names; the first character listed for a name is its usual form.
 const GREEK: [(&str, &str); 36] = [
     ("alpha", "α"),

@@ -4,16 +4,14 @@ use std::ops::Range;
 
 use kane_kernel::{Expr, Relation, Sentence};
 use num_bigint::BigInt;
-use num_traits::{ToPrimitive, Zero};
 
-use super::arrays::Operator;
-use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
+use super::bounds::{MAX_DIGITS, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::names::RESERVED;
 use super::number::{parse_literal, written_out};
 use super::scope::Scope;
-use super::value::Value;
+use super::value::{Operator, Value};
 
 /// Faults of one text that are kept.
 const MAX_ERRORS: usize = 1000;
@@ -394,7 +392,7 @@ impl<'a> Parser<'a> {
         above: Level,
     ) -> Result<Node, SyntaxError> {
         let right = self.binary(above)?;
-        if operator == Operator::Over && is_literal_zero(&right.value) {
+        if operator == Operator::Over && right.value.is_literal_zero() {
             self.report(SyntaxErrorKind::DivisionByLiteralZero, right.span.clone());
         }
         self.join(operator, left, right)
@@ -470,7 +468,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    fn prefix(&mut self, level: Level) -> Result<Node, SyntaxError> {
+    pub(crate) fn prefix(&mut self, level: Level) -> Result<Node, SyntaxError> {
         match self.token {
             Token::Minus => self.negative(level),
             _ => self.power(),
@@ -496,52 +494,6 @@ impl<'a> Parser<'a> {
 
     // Groups in groups pass through `prefix`, `power` and `atom`: what these need not hold themselves
     // stands in functions of its own, lest the stack end before the nesting does.
-
-    fn raised_to(&mut self, base: Node) -> Result<Node, SyntaxError> {
-        let exponent = match self.accept(Token::Caret) {
-            true => self.exponent()?,
-            false => self.raised()?,
-        };
-        let span = base.span.start..exponent.span.end;
-        let (at, exponent) = (exponent.span.clone(), self.number_of(exponent));
-        let value = match exponent_value(&exponent) {
-            Ok(value) => value,
-            Err(kind) => {
-                self.report(kind, at);
-                1
-            }
-        };
-        if value < 0 && is_literal_zero(&base.value) {
-            self.report(SyntaxErrorKind::DivisionByLiteralZero, span.clone());
-        }
-        let height = base.height + 1;
-        let base = self.number_of(base);
-        self.build(Expr::Pow(Box::new(base), value), span, height)
-    }
-
-    fn exponent(&mut self) -> Result<Node, SyntaxError> {
-        self.nested(|p| p.prefix(Level::Power))
-    }
-
-    /// Passes an exponent in raised digits.
-    fn raised(&mut self) -> Result<Node, SyntaxError> {
-        let (text, span) = (self.lexeme(), self.span());
-        self.advance();
-        let (minus, digits) = match text.strip_prefix('⁻') {
-            Some(digits) => (true, digits),
-            None => (false, text),
-        };
-        let plain: Option<String> = digits.chars().map(lexer::plain_digit).collect();
-        let Some(plain) = plain.filter(|plain| !plain.is_empty()) else {
-            return Err(SyntaxError { kind: SyntaxErrorKind::ExponentNotInteger, span });
-        };
-        if plain.len() > MAX_DIGITS {
-            return Err(SyntaxError { kind: SyntaxErrorKind::LiteralTooLong, span });
-        }
-        let value = Expr::Num(parse_literal(&plain));
-        let value = if minus { Expr::Neg(Box::new(value)) } else { value };
-        self.build(value, span, 1)
-    }
 
     fn atom(&mut self) -> Result<Node, SyntaxError> {
         match self.token {
@@ -608,32 +560,4 @@ pub(crate) fn excerpt(text: &str) -> String {
         Some((cut, _)) => format!("{}…", text.get(..cut).unwrap_or_default()),
         None => text.to_owned(),
     }
-}
-
-fn is_literal_zero(value: &Value) -> bool {
-    fn is_zero(expr: &Expr) -> bool {
-        match expr {
-            Expr::Num(value) => value.is_zero(),
-            Expr::Neg(inner) => is_zero(inner),
-            _ => false,
-        }
-    }
-    matches!(value, Value::Number(e) if is_zero(e))
-}
-
-/// The value of a literal integer or a tower of them.
-fn exponent_value(expr: &Expr) -> Result<i32, SyntaxErrorKind> {
-    let value = match expr {
-        Expr::Num(value) if value.is_integer() => value.numer().to_i32(),
-        Expr::Neg(inner) => exponent_value(inner)?.checked_neg(),
-        Expr::Pow(base, exponent) => {
-            let exponent =
-                u32::try_from(*exponent).map_err(|_| SyntaxErrorKind::ExponentNotInteger)?;
-            exponent_value(base)?.checked_pow(exponent)
-        }
-        _ => return Err(SyntaxErrorKind::ExponentNotInteger),
-    };
-    value
-        .filter(|v| v.unsigned_abs() <= MAX_EXPONENT.unsigned_abs())
-        .ok_or(SyntaxErrorKind::ExponentTooLarge)
 }

@@ -5,6 +5,7 @@
 use std::fmt;
 
 use kane_kernel::Expr;
+use num_traits::Zero as _;
 
 /// The axes, by which components are called.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -58,6 +59,38 @@ impl fmt::Display for Shape {
     }
 }
 
+/// An operator between two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operator {
+    Plus,
+    Minus,
+    Times,
+    Over,
+}
+
+impl Operator {
+    /// Two numbers joined.
+    pub(crate) fn join(self, a: Expr, b: Expr) -> Expr {
+        let (a, b) = (Box::new(a), Box::new(b));
+        match self {
+            Self::Plus => Expr::Add(a, b),
+            Self::Minus => Expr::Sub(a, b),
+            Self::Times => Expr::Mul(a, b),
+            Self::Over => Expr::Div(a, b),
+        }
+    }
+
+    /// As it is told of in a fault.
+    pub(crate) fn sign(self) -> &'static str {
+        match self {
+            Self::Plus => "`+`",
+            Self::Minus => "`-`",
+            Self::Times => "`*`",
+            Self::Over => "`/`",
+        }
+    }
+}
+
 /// A vector or a matrix, in components.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Array {
@@ -97,6 +130,18 @@ impl Value {
             Self::Number(e) => Self::Number(parts.pop().unwrap_or_else(|| e.clone())),
             Self::Array(Array { shape, .. }) => Self::Array(Array { shape: *shape, parts }),
         }
+    }
+
+    /// Whether it is the number 0 as it is written.
+    pub(crate) fn is_literal_zero(&self) -> bool {
+        fn is_zero(expr: &Expr) -> bool {
+            match expr {
+                Expr::Num(value) => value.is_zero(),
+                Expr::Neg(inner) => is_zero(inner),
+                _ => false,
+            }
+        }
+        matches!(self, Self::Number(e) if is_zero(e))
     }
 
     /// What it is, in words.
