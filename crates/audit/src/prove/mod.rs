@@ -3,6 +3,7 @@
 
 mod attempt;
 mod bounds;
+mod circle;
 mod combination;
 mod elimination;
 mod enclosure;
