@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::output::When;
-use super::shell::{CompletionsArgs, ManArgs};
+use super::shell_args::{CompletionsArgs, ManArgs};
 
 /// Checks the derivations and the arithmetic of collision laws.
 #[derive(Debug, Parser)]
@@ -224,10 +224,10 @@ pub(crate) enum Verb {
     #[command(after_help = SITE_EXAMPLES)]
     Site(SiteArgs),
     /// Print the completions of a shell
-    #[command(after_help = super::shell::COMPLETIONS)]
+    #[command(after_help = super::shell_args::COMPLETIONS)]
     Completions(CompletionsArgs),
     /// Print a manual page, or write all of them
-    #[command(after_help = super::shell::MAN)]
+    #[command(after_help = super::shell_args::MAN)]
     Man(ManArgs),
 }
 

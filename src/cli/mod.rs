@@ -19,6 +19,7 @@ mod output;
 mod progress;
 mod scene;
 mod shell;
+mod shell_args;
 mod site;
 mod stability;
 

@@ -71,6 +71,19 @@ fn a_workflow_is_told_what_is_not_proved() {
 }
 
 #[test]
+fn a_document_without_a_claim_is_told_and_not_passed_over() {
+    let path = document(&scratch("nothing"), "empty.md", "var x > 0");
+    let run = kane(&["audit", &path, "--format", "github"]);
+    assert_eq!(run.code, 3, "{}", run.stderr);
+    assert!(
+        run.stdout.starts_with("::error file=") && run.stdout.contains("empty.md,title=no claim::")
+    );
+    let sarif = kane(&["audit", &path, "--format", "sarif"]);
+    assert_eq!(sarif.code, 3);
+    assert!(sarif.stdout.contains("\"kind\": \"fail\""), "{}", sarif.stdout);
+}
+
+#[test]
 fn a_row_that_fails_is_told_beside_its_line() {
     let path = scratch("rows").join("log.csv");
     let log = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n\

@@ -14,7 +14,10 @@ fn cells(log: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
     (names, lines.map(|line| line.split(',').collect()).collect())
 }
 
-fn told(study: &Study) -> (u64, u64, bool, Vec<(u64, u64, f64)>, Vec<&str>) {
+/// A check: how many rows it was asked of, how many fail, and the worst residual.
+type Came = (u64, u64, f64);
+
+fn told(study: &Study) -> (u64, u64, bool, Vec<Came>, Vec<&str>) {
     let checks = study.checks.iter();
     let checks = checks.map(|c| (c.rows, c.failed, c.worst.map_or(0.0, |(_, f)| f.residual)));
     (

@@ -43,7 +43,7 @@ pub struct Remark {
 }
 
 /// A remark for every claim that a report shows: its verdict, the reason for it, and what its author
-/// expects where that is something else.
+/// expects where that is something else. Without a claim there is one that says so.
 #[must_use]
 pub fn of_audit(report: &Report<'_>) -> Vec<Remark> {
     let claims = report.entries().filter(|entry| entry.is_claim());
@@ -73,7 +73,18 @@ pub fn of_audit(report: &Report<'_>) -> Vec<Remark> {
             message,
         }
     };
-    claims.map(remark).collect()
+    let remarks: Vec<Remark> = claims.map(remark).collect();
+    if !remarks.is_empty() {
+        return remarks;
+    }
+    vec![Remark {
+        file: report.audit.document.name.clone(),
+        line: None,
+        level: Level::Error,
+        rule: "nothing".to_owned(),
+        title: "no claim".to_owned(),
+        message: "there is no claim, so that nothing is checked".to_owned(),
+    }]
 }
 
 /// A remark for every check of a log that was asked, at its worst row; one for each row that was
