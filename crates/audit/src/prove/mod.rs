@@ -14,11 +14,13 @@ mod hints;
 mod leaf;
 mod limits;
 mod linear;
+mod parameter;
 mod ranges;
 mod sample;
 mod search;
 mod series;
 mod squares;
+mod surds;
 mod tactics;
 
 use std::cell::RefCell;

@@ -8,14 +8,16 @@ use num_traits::{One, Zero};
 
 use super::circle::circles;
 use super::elimination::{Elimination, open_vars};
+use super::parameter::Parametrised;
 use super::search::Search;
+use super::surds::surds;
 use super::tactics;
 
 type Q = BigRational;
 
 impl Search<'_> {
-    /// A point that satisfies a state without solvable equations: on circles by their parameters
-    /// first, then by the variables themselves.
+    /// A point that satisfies a state without solvable equations: circles and surds by their
+    /// parameters first, then by the variables themselves.
     pub(super) fn sample(
         &self,
         state: &State<'_, '_>,
@@ -23,8 +25,13 @@ impl Search<'_> {
         vars: &[usize],
         reach: (usize, usize),
     ) -> Option<Point> {
-        let on_circles = || {
-            let found = circles(state)?;
+        let by_parameters = || {
+            let mut found = Parametrised::new(state);
+            circles(&mut found)?;
+            surds(&mut found)?;
+            if !found.is_of_use() {
+                return None;
+            }
             let trail = [trail, &found.eliminations].concat();
             let mut vars = open_vars(&found.state);
             vars.extend(&found.parameters);
@@ -34,7 +41,7 @@ impl Search<'_> {
             point.values.retain(|(v, _)| !found.parameters.contains(v));
             Some(point)
         };
-        on_circles().or_else(|| self.sample_of(state, trail, vars, reach))
+        by_parameters().or_else(|| self.sample_of(state, trail, vars, reach))
     }
 
     /// Simple rationals for all variables but one, and the sign table of that one.
