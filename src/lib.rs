@@ -107,6 +107,7 @@
 //! `cli`, on by default: the program `kane` and everything that only it needs.
 
 pub mod figures;
+pub mod testing;
 
 pub use kane_algebra as algebra;
 pub use kane_audit as audit;

@@ -4,10 +4,25 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::output::When;
+use super::shell_args::{CompletionsArgs, ManArgs};
+
 /// Checks the derivations and the arithmetic of collision laws.
 #[derive(Debug, Parser)]
 #[command(name = "kane", version, arg_required_else_help = true, after_help = EXIT)]
 pub(crate) struct Cli {
+    /// Colours: auto (on a terminal, unless NO_COLOR is set), always or never
+    #[arg(
+        long,
+        global = true,
+        value_enum,
+        value_name = "WHEN",
+        default_value_t = When::Auto,
+        hide_possible_values = true,
+        help_heading = "Everywhere"
+    )]
+    pub(crate) color: When,
+
     #[command(subcommand)]
     pub(crate) verb: Verb,
 }
@@ -108,7 +123,7 @@ Exit codes:
   2  bad input or usage
   3  the document has no formula";
 
-const LAWS_EXAMPLES: &str = "\
+pub(super) const LAWS_EXAMPLES: &str = "\
 Examples:
   kane laws                               every law against every property
   kane laws --law smith-1991              one row of it
@@ -121,7 +136,9 @@ Examples:
 A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that
 it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what
 each property asks.
+";
 
+pub(super) const LAWS_EXIT: &str = "\
 Exit codes:
   0  every cell is decided, whatever is found
   1  a cell is undecided
@@ -189,7 +206,6 @@ pub(crate) enum Verb {
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
     /// Hold every law against every property that mechanics asks of it
-    #[command(after_help = LAWS_EXAMPLES)]
     Laws(LawsArgs),
     /// Put one collision to every law, exactly and in floats
     Collide(Box<CollideArgs>),
@@ -207,6 +223,12 @@ pub(crate) enum Verb {
     /// Make a site of every report: an index that says what they come to, four pictures, and a page each
     #[command(after_help = SITE_EXAMPLES)]
     Site(SiteArgs),
+    /// Print the completions of a shell
+    #[command(after_help = super::shell_args::COMPLETIONS)]
+    Completions(CompletionsArgs),
+    /// Print a manual page, or write all of them
+    #[command(after_help = super::shell_args::MAN)]
+    Man(ManArgs),
 }
 
 /// Another judge of claims.
@@ -220,7 +242,7 @@ pub(crate) enum JudgeName {
 
 #[derive(Args, Debug)]
 pub(crate) struct AuditArgs {
-    /// Documents to audit, `-` for standard input; without one, the paper on oblique collisions
+    /// Documents to audit, `-` for standard input; a shipped one by its name; without one, the paper on oblique collisions
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
@@ -229,8 +251,8 @@ pub(crate) struct AuditArgs {
     pub(crate) out: Option<PathBuf>,
 
     /// How to print the report
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[arg(long, value_enum, default_value_t = AuditFormat::Text)]
+    pub(crate) format: AuditFormat,
 
     /// Put the claims to other judges too, which have to be installed
     #[arg(
@@ -290,7 +312,7 @@ pub(crate) struct LawsArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CollideArgs {
-    /// A collision in a file, instead of the flags below
+    /// A collision in a file, or the name of a shipped one, instead of the flags below
     #[arg(value_name = "FILE.toml")]
     pub(crate) file: Option<PathBuf>,
 
@@ -420,7 +442,7 @@ pub(crate) struct StabilityArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct SceneArgs {
-    /// The scene
+    /// The scene: a file, or the name of a shipped one
     #[arg(value_name = "FILE.toml")]
     pub(crate) file: PathBuf,
 
@@ -495,6 +517,21 @@ pub(crate) struct SiteArgs {
     pub(crate) out: PathBuf,
 }
 
+/// How the report on documents is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AuditFormat {
+    /// for people: the news, then a line each
+    Text,
+    /// for programs; the schemas are in docs
+    Json,
+    /// for the web
+    Markdown,
+    /// for editors and scanners of code: every claim beside its line, in SARIF 2.1.0
+    Sarif,
+    /// for a step of a GitHub workflow: what is not proved, beside its line
+    Github,
+}
+
 /// How the report on a log is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CheckFormat {
@@ -506,6 +543,10 @@ pub(crate) enum CheckFormat {
     Markdown,
     /// for continuous integration: each check as a test of JUnit's XML
     Junit,
+    /// for editors and scanners of code: every check beside its worst row, in SARIF 2.1.0
+    Sarif,
+    /// for a step of a GitHub workflow: what fails, beside its row
+    Github,
 }
 
 /// How a report is printed.

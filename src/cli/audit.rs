@@ -6,9 +6,10 @@ use std::sync::Mutex;
 
 use kane::audit::{Audit, Body, Document, Options};
 use kane::judges::{self, Claims, Judge, Limits, NotAsked};
+use kane::report::remarks::{self, Remark, of_audit};
 use kane::report::{self, Picture, Report};
 
-use super::args::{AuditArgs, Format, JudgeName};
+use super::args::{AuditArgs, AuditFormat, JudgeName};
 use super::delivery::Written;
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
@@ -196,19 +197,22 @@ fn command(input: &Input, args: &AuditArgs) -> String {
 }
 
 /// The reports in one string.
-fn print(reports: &[Report<'_>], format: Format) -> String {
+fn print(reports: &[Report<'_>], format: AuditFormat) -> String {
     let join = |each: &dyn Fn(&Report<'_>) -> String| {
         reports.iter().map(each).collect::<Vec<_>>().join("\n")
     };
+    let remarks = || reports.iter().flat_map(of_audit).collect::<Vec<Remark>>();
     match format {
-        Format::Text => {
+        AuditFormat::Text => {
             let page = output::page();
             join(&|report| {
                 report::text(report, page) + &report::judges::text(report.audit, report.judges)
             })
         }
-        Format::Markdown => join(&report::markdown),
-        Format::Json => report::json(reports),
+        AuditFormat::Markdown => join(&report::markdown),
+        AuditFormat::Json => report::json(reports),
+        AuditFormat::Sarif => remarks::sarif(&remarks()),
+        AuditFormat::Github => remarks::workflow(&remarks()),
     }
 }
 

@@ -13,6 +13,7 @@ use kane::records::{replay, sweep};
 use kane::report::records::{
     RecordsReport, compared_json, compared_junit, compared_text, json, junit, schema, sheet,
 };
+use kane::report::remarks;
 
 use super::args::{CheckArgs, CheckFormat, Format};
 use super::delivery::Written;
@@ -44,6 +45,12 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
     };
     let name = log.display().to_string();
     let command = command(args, &name);
+    let beside_rows = matches!(args.format, CheckFormat::Sarif | CheckFormat::Github);
+    if args.baseline.is_some() && beside_rows {
+        return bad_input(
+            "a comparison of two logs has no rows to put remarks beside; choose text, json or junit",
+        );
+    }
     if let Some(old) = &args.baseline {
         return baseline(args, old, &study, &options, &name);
     }
@@ -55,6 +62,8 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
         CheckFormat::Json => printed(Format::Json),
         CheckFormat::Markdown => printed(Format::Markdown),
         CheckFormat::Junit => junit(&report),
+        CheckFormat::Sarif => remarks::sarif(&remarks::of_log(&report)),
+        CheckFormat::Github => remarks::workflow(&remarks::of_log(&report)),
     };
     let stem = log.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let files = || {
@@ -180,7 +189,9 @@ fn baseline(
     let shown = match args.format {
         CheckFormat::Json => compared_json(&comparison, &names),
         CheckFormat::Junit => compared_junit(&comparison, &names),
-        CheckFormat::Text | CheckFormat::Markdown => compared_text(&comparison, &names),
+        CheckFormat::Text | CheckFormat::Markdown | CheckFormat::Sarif | CheckFormat::Github => {
+            compared_text(&comparison, &names)
+        }
     };
     match output::to_stdout(&shown) {
         Err(error) => bad_input(&format!("cannot print: {error}")),

@@ -4,14 +4,15 @@ mod flags;
 
 use std::path::Path;
 
-use kane::algebra::syntax::nearest;
 use kane::collide::{Collision, Question, answer, in_depth};
-use kane::impact::{InvalidInput, Law, laws, set_parameter};
+use kane::impact::{InvalidInput, Law, UnknownParameter, laws, set_parameter};
 use kane::number::{Algebraic, Rational};
 use kane::report::collision;
 use kane::scene::read;
 
 use super::args::{BodyArgs, CollideArgs};
+use super::carried::{self, COLLISIONS};
+use super::ids::{law_ids, parameter_ids, unknown};
 use super::input::quoted;
 use super::{Outcome, bad_input, deliver, forms, output};
 
@@ -119,7 +120,11 @@ fn question_of(path: &Path, flags: &BodyArgs) -> Result<Question, Fault> {
         )));
     }
     let name = path.display().to_string();
-    let text = read::load(path).map_err(|error| format!("cannot read {name}: {error}"))?;
+    let text = match carried::named(path, &COLLISIONS) {
+        Some(shipped) => shipped.text.to_owned(),
+        None => read::load(path)
+            .map_err(|error| carried::unreadable(path, &error, "toml", &COLLISIONS))?,
+    };
     let mut question = read::collision(&name, &text)?;
     question.command = format!("kane collide {}", quoted(&name));
     Ok(question)
@@ -138,19 +143,11 @@ fn in_words(error: InvalidInput<Rational>) -> String {
 
 /// The place of a law among all.
 fn known_law(law: &str) -> Result<usize, String> {
-    let ids: Vec<&str> = laws().iter().map(|law| law.info.id).collect();
+    let ids = law_ids();
     if let Some(place) = ids.iter().position(|id| *id == law) {
         return Ok(place);
     }
-    let family: Vec<&str> = ids.iter().copied().filter(|id| id.contains(law)).collect();
-    if !law.is_empty() && !family.is_empty() {
-        let family = family.join("` or `");
-        return Err(format!("--law: no law is called `{law}`; did you mean `{family}`?"));
-    }
-    match nearest(law, ids.iter().copied()) {
-        Some(near) => Err(format!("--law: no law is called `{law}`; did you mean `{near}`?")),
-        None => Err(format!("--law: no law is called `{law}`; there are {}", ids.join(", "))),
-    }
+    Err(format!("--law: {}", unknown("law", law, &ids)))
 }
 
 /// All laws, with the parameters of `law.name=value`.
@@ -163,7 +160,14 @@ fn with_parameters(given: &[String]) -> Result<Vec<Law>, String> {
             ));
         };
         let value = read::read(value).map_err(|error| format!("--param {path} {error}"))?;
-        set_parameter(&mut laws, path, &value).map_err(|error| format!("--param: {error}"))?;
+        set_parameter(&mut laws, path, &value).map_err(|error| match error {
+            UnknownParameter::Name { name, .. } => {
+                let ids = parameter_ids();
+                let ids: Vec<&str> = ids.iter().map(String::as_str).collect();
+                format!("--param: {}", unknown("parameter", &name, &ids))
+            }
+            other => format!("--param: {other}"),
+        })?;
     }
     Ok(laws)
 }

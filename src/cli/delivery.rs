@@ -55,6 +55,11 @@ impl Written {
         Self::new(path, format!("{}\n<!-- {} -->\n", svg.trim_end(), mark()))
     }
 
+    /// A page of the manual, under a comment that says where it comes from.
+    pub(super) fn manual(path: impl Into<PathBuf>, roff: &str) -> Self {
+        Self::new(path, format!(".\\\" {}\n{roff}", mark()))
+    }
+
     /// A file for a judge, under a comment that says where it comes from.
     pub(super) fn question(path: impl Into<PathBuf>, text: &str) -> Self {
         let path = path.into();
@@ -221,7 +226,7 @@ fn is_own(path: &Path, there: &[u8], new: &str) -> bool {
         "tex" => has_mark(there, "\\footnotesize kane "),
         // its schema, or the program, is named first
         "json" => there.lines().take(8).any(|line| line.contains("\": \"kane")),
-        "v" | "smt2" | "rs" | "c" | "py" | "fpcore" => {
+        "1" | "v" | "smt2" | "rs" | "c" | "py" | "fpcore" => {
             has_mark(there.lines().next().unwrap_or_default(), "written by kane ")
         }
         _ => false,
@@ -293,6 +298,7 @@ mod tests {
             ("a.xml", "<testsuites>\n</testsuites>\n<!-- written by kane 0.1.0 -->\n"),
             ("a.v", "(* written by kane 0.1.0 *)\n"),
             ("a.smt2", "; written by kane 0.1.0\n(check-sat)\n"),
+            ("kane.1", ".\\\" written by kane 0.1.0\n.TH KANE 1\n"),
         ] {
             assert!(own(name, there), "{name}: {there}");
         }
@@ -310,6 +316,7 @@ mod tests {
             ("a.xml", "<testsuites>\n</testsuites>\n"),
             ("a.v", "Lemma mine : True.\n"),
             ("a.smt2", "(check-sat)\n"),
+            ("kane.1", ".TH KANE 1\n"),
             ("a", "kane 0.1.0: kane"),
         ] {
             assert!(!own(name, there), "{name}: {there}");

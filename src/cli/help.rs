@@ -1,19 +1,63 @@
-//! The parts of `--help` that are made of data: the laws' parameters and the names of models.
+//! The parts of `--help` that are made of data: the laws' parameters, ids and the names of models.
 
-use clap::{Command, CommandFactory as _};
+use clap::builder::PossibleValuesParser;
+use clap::{Command, CommandFactory as _, ValueHint};
 
 use kane::impact::laws;
 use kane::scene::model_names;
 
-use super::args::{COLLIDE_EXAMPLES, COLLIDE_EXIT, Cli, SCENE_EXAMPLES, SCENE_EXIT};
+use super::args::{
+    COLLIDE_EXAMPLES, COLLIDE_EXIT, Cli, LAWS_EXAMPLES, LAWS_EXIT, SCENE_EXAMPLES, SCENE_EXIT,
+};
+use super::carried::{COLLISIONS, Document, SCENES};
+use super::ids::{law_ids, parameter_ids, property_ids};
 
 /// The grammar with all of its help.
 pub(super) fn command() -> Command {
-    let collide = format!("{COLLIDE_EXAMPLES}\n{}\n{COLLIDE_EXIT}", parameters());
-    let scene = format!("{SCENE_EXAMPLES}\n{}\n{SCENE_EXIT}", models());
+    let shipped = shipped("collisions", &COLLISIONS);
+    let collide = format!("{COLLIDE_EXAMPLES}\n{shipped}\n{}\n{COLLIDE_EXIT}", parameters());
+    let laws = format!("{LAWS_EXAMPLES}\n{}\n{LAWS_EXIT}", rows_and_columns());
+    let shipped = self::shipped("scenes", &SCENES);
+    let scene = format!("{SCENE_EXAMPLES}\n\n{shipped}\n{}\n{SCENE_EXIT}", models());
     Cli::command()
         .mut_subcommand("collide", |verb| verb.after_help(collide))
+        .mut_subcommand("laws", |verb| verb.after_help(laws))
         .mut_subcommand("scene", |verb| verb.after_help(scene))
+}
+
+/// The same grammar for the completions of a shell, which offer what the program knows: ids of laws,
+/// properties, parameters and models, shapes, and directories after `--out`. What is typed is still
+/// read by [`command`], whose messages say more than that a value is not in a list.
+pub(super) fn completed() -> Command {
+    let ids = |ids: Vec<&'static str>| PossibleValuesParser::new(ids);
+    let parameters: Vec<&'static str> =
+        parameter_ids().into_iter().map(|id| &*format!("{id}=").leak()).collect();
+    let mut command = command();
+    let verbs = command.get_subcommands().map(|verb| verb.get_name().to_owned());
+    for verb in verbs.collect::<Vec<_>>() {
+        command = command.mut_subcommand(verb, |verb| {
+            verb.mut_args(|arg| match arg.get_id().as_str() {
+                "out" => arg.value_hint(ValueHint::DirPath),
+                "files" | "file" | "log" | "baseline" => arg.value_hint(ValueHint::FilePath),
+                _ => arg,
+            })
+        });
+    }
+    command
+        .mut_subcommand("laws", |verb| {
+            verb.mut_arg("law", |arg| arg.value_parser(ids(law_ids())))
+                .mut_arg("property", |arg| arg.value_parser(ids(property_ids())))
+        })
+        .mut_subcommand("collide", |verb| {
+            verb.mut_arg("law", |arg| arg.value_parser(ids(law_ids())))
+                .mut_arg("param", |arg| arg.value_parser(ids(parameters)))
+                .mut_arg("body", |arg| {
+                    arg.value_parser(ids(vec!["sphere", "hollow-sphere", "disc", "hoop"]))
+                })
+        })
+        .mut_subcommand("scene", |verb| {
+            verb.mut_arg("model", |arg| arg.value_parser(ids(model_names(laws()))))
+        })
 }
 
 /// A line for every parameter of every law.
@@ -37,4 +81,29 @@ fn models() -> String {
         "Models, from the least:\n  {}\neach in f64, or as in routh-newton/rational in f32, f64, double-double or rational.\n",
         model_names(laws()).join(", ")
     )
+}
+
+/// The ids of the laws and of the properties.
+fn rows_and_columns() -> String {
+    format!("Laws:\n{}Properties:\n{}", list(&law_ids()), list(&property_ids()))
+}
+
+/// The shipped files that go by their names.
+fn shipped(what: &str, documents: &[Document]) -> String {
+    let names: Vec<&str> = documents.iter().map(|document| document.stem).collect();
+    format!("Shipped {what}, which go by their names:\n{}", list(&names))
+}
+
+/// Names in lines of the width of the other help.
+fn list(names: &[&str]) -> String {
+    let (mut out, mut line) = (String::new(), String::from(" "));
+    for (at, name) in names.iter().enumerate() {
+        let comma = if at + 1 < names.len() { "," } else { "" };
+        if line.len() + name.len() > 94 {
+            out.push_str(&format!("{line}\n"));
+            line = String::from(" ");
+        }
+        line.push_str(&format!(" {name}{comma}"));
+    }
+    out + &line + "\n"
 }

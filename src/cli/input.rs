@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use super::carried::{self, DERIVATIONS};
+
 /// The paper, carried along so that an installed program needs no checkout.
 const PAPER: &str = include_str!("../../docs/derivations/oblique-collision.md");
 /// Where the paper stands in a checkout.
@@ -62,7 +64,10 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
                 command: format!("kane audit {}", quoted(&file.display().to_string())),
                 bytes,
             }),
-            Err(error) => errors.push(format!("cannot read {name}: {error}")),
+            Err(error) if piped => errors.push(format!("cannot read {name}: {error}")),
+            Err(error) => {
+                errors.push(carried::unreadable(file, &error.to_string(), "md", &DERIVATIONS));
+            }
         }
     }
     (inputs, errors)
@@ -72,6 +77,9 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
 fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let limit = u64::try_from(kane::audit::MAX_FILE_BYTES).unwrap_or(u64::MAX).saturating_add(1);
+    if let Some(shipped) = carried::named(file, &DERIVATIONS) {
+        return Ok(shipped.text.as_bytes().to_vec());
+    }
     let source: Box<dyn Read> =
         if is_standard_input(file) { Box::new(io::stdin()) } else { Box::new(File::open(file)?) };
     source.take(limit).read_to_end(&mut bytes)?;

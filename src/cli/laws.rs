@@ -1,13 +1,13 @@
 //! `kane laws`: every law against every property.
 
-use kane::algebra::syntax::nearest;
 use kane::impact::laws;
-use kane::matrix::{Finding, Matrix, PROPERTIES, Selection, matrix};
+use kane::matrix::{Finding, Matrix, Selection, matrix};
 use kane::report::Sheet;
 use kane::report::matrix::{MatrixReport, csv, explain, html, json, sheet};
 
 use super::args::LawsArgs;
 use super::delivery::Written;
+use super::ids::{law_ids, property_ids, unknown};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, forms};
 
@@ -48,8 +48,8 @@ fn selection(args: &LawsArgs) -> Result<Selection, String> {
         wanted.push(law.to_owned());
         columns.push(property.to_owned());
     }
-    let properties: Vec<&str> = PROPERTIES.iter().map(|p| p.id).collect();
-    let laws: Vec<&str> = laws().iter().map(|law| law.info.id).collect();
+    let properties = property_ids();
+    let laws = law_ids();
     known("law", &wanted, &laws)?;
     known("property", &columns, &properties)?;
     let chosen = |ids: Vec<String>| (!ids.is_empty()).then_some(ids);
@@ -60,9 +60,7 @@ fn selection(args: &LawsArgs) -> Result<Selection, String> {
 fn known(what: &str, wanted: &[String], ids: &[&str]) -> Result<(), String> {
     for id in wanted {
         if !ids.contains(&id.as_str()) {
-            let near = nearest(id, ids.iter().copied());
-            let hint = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-            return Err(format!("no {what} is called `{id}`{hint}"));
+            return Err(unknown(what, id, ids));
         }
     }
     Ok(())
@@ -100,7 +98,7 @@ fn files(report: &MatrixReport<'_>, sheet: &Sheet<'_>) -> Vec<Written> {
 
 #[cfg(test)]
 mod tests {
-    use kane::matrix::{Cell, Row};
+    use kane::matrix::{Cell, PROPERTIES, Row};
 
     use super::*;
 

@@ -2,6 +2,7 @@
 
 mod args;
 mod audit;
+mod carried;
 mod chart;
 mod check;
 mod collide;
@@ -9,6 +10,7 @@ mod delivery;
 mod floats;
 mod forms;
 mod help;
+mod ids;
 mod input;
 mod labels;
 mod laws;
@@ -16,6 +18,8 @@ mod machine;
 mod output;
 mod progress;
 mod scene;
+mod shell;
+mod shell_args;
 mod site;
 mod stability;
 
@@ -54,8 +58,11 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the program.
 pub(crate) fn run() -> ExitCode {
-    let matches = help::command().get_matches();
+    // before anything is parsed, so that what clap says has the colours that are asked for, too
+    let when = output::When::asked(std::env::args_os());
+    let matches = help::command().color(when.into()).get_matches();
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    output::choose(cli.color);
     let outcome = match cli.verb {
         Verb::Audit(args) => audit::run(&args),
         Verb::Laws(args) => laws::run(&args),
@@ -65,6 +72,8 @@ pub(crate) fn run() -> ExitCode {
         Verb::Scene(args) => scene::run(&args),
         Verb::Check(args) => check::run(&args),
         Verb::Site(args) => site::run(&args),
+        Verb::Completions(args) => shell::completions(&args),
+        Verb::Man(args) => shell::man(&args),
     };
     outcome.into()
 }

@@ -1,21 +1,78 @@
 //! Where reports go: standard output and standard error.
 
+use std::ffi::OsString;
 use std::io::{self, IsTerminal as _, Write as _};
+use std::sync::OnceLock;
 
+use clap::{ColorChoice, ValueEnum};
 use kane::algebra::syntax::printable;
 use kane::report::Page;
 
-/// The page that standard output is: its width and colours on a terminal, neither elsewhere.
-pub(super) fn page() -> Page {
-    if !io::stdout().is_terminal() {
-        return Page::default();
-    }
-    let (_, columns) = console::Term::stdout().size();
-    Page { width: Some(usize::from(columns)), colour: colours_wanted() }
+/// When reports have colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum When {
+    /// on a terminal that is not dumb, unless `NO_COLOR` is set to anything
+    #[default]
+    Auto,
+    /// in pipes and files, too
+    Always,
+    /// nowhere
+    Never,
 }
 
-/// Whether a terminal may be sent colours: not if `NO_COLOR` is set to anything, or the terminal is dumb.
-fn colours_wanted() -> bool {
+impl When {
+    /// What the command line asks, read before it is parsed: messages about the parsing have colours,
+    /// too. What is no answer is left to the parser to refuse.
+    pub(super) fn asked(arguments: impl Iterator<Item = OsString>) -> Self {
+        let words = arguments.map(|word| word.to_string_lossy().into_owned());
+        let words: Vec<String> = words.take_while(|word| word != "--").collect();
+        let last = words.iter().enumerate().rev().find_map(|(at, word)| {
+            let value = match word.strip_prefix("--color")? {
+                "" => words.get(at + 1)?,
+                value => value.strip_prefix('=')?,
+            };
+            Self::from_str(value, false).ok()
+        });
+        last.unwrap_or_default()
+    }
+}
+
+impl From<When> for ColorChoice {
+    fn from(when: When) -> Self {
+        match when {
+            When::Auto => Self::Auto,
+            When::Always => Self::Always,
+            When::Never => Self::Never,
+        }
+    }
+}
+
+/// What the command line asks, for the whole of the run.
+static CHOSEN: OnceLock<When> = OnceLock::new();
+
+/// Keeps what the command line asks. Only the first word counts.
+pub(super) fn choose(when: When) {
+    let _ = CHOSEN.set(when);
+}
+
+/// The page that standard output is: its width on a terminal, and colours there or where they are asked for.
+pub(super) fn page() -> Page {
+    let terminal = io::stdout().is_terminal();
+    let width = terminal.then(|| usize::from(console::Term::stdout().size().1));
+    Page { width, colour: colours_wanted(terminal) }
+}
+
+/// Whether standard output is sent colours. A flag goes before the environment.
+fn colours_wanted(terminal: bool) -> bool {
+    match CHOSEN.get().copied().unwrap_or_default() {
+        When::Always => true,
+        When::Never => false,
+        When::Auto => terminal && environment_allows_colours(),
+    }
+}
+
+/// Not if `NO_COLOR` is set to anything, or the terminal is dumb.
+fn environment_allows_colours() -> bool {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     !set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
@@ -27,7 +84,8 @@ fn colours_wanted() -> bool {
 /// Everything else that keeps the text from being written.
 pub(super) fn to_stdout(text: &str) -> io::Result<()> {
     let mut stdout = io::stdout().lock();
-    let text = if stdout.is_terminal() { coloured(text) } else { printable(text).into_owned() };
+    let may_be_coloured = stdout.is_terminal() || colours_wanted(false);
+    let text = if may_be_coloured { coloured(text) } else { printable(text).into_owned() };
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
@@ -57,7 +115,18 @@ pub(super) fn to_stderr(text: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::coloured;
+    use super::{When, coloured};
+
+    #[test]
+    fn the_last_word_on_colours_counts_and_none_after_the_dashes() {
+        let asked = |words: &str| When::asked(words.split(' ').map(Into::into));
+        assert_eq!(asked("kane audit"), When::Auto);
+        assert_eq!(asked("kane audit --color never"), When::Never);
+        assert_eq!(asked("kane --color=always audit --help"), When::Always);
+        assert_eq!(asked("kane --color=always audit --color never"), When::Never);
+        assert_eq!(asked("kane audit -- --color=always"), When::Auto);
+        assert_eq!(asked("kane --color=sometimes --colour always --color"), When::Auto);
+    }
 
     #[test]
     fn a_terminal_is_sent_colours_and_nothing_else_that_it_obeys() {

@@ -5,6 +5,7 @@ use kane::report::scene::{SceneReport, json, models_csv, sheet, states_csv};
 use kane::scene::{Effort, Model, Verdict, answer, read};
 
 use super::args::SceneArgs;
+use super::carried::{self, SCENES};
 use super::delivery::Written;
 use super::input::quoted;
 use super::progress::Progress;
@@ -13,9 +14,14 @@ use super::{Outcome, bad_input, deliver, forms, output};
 /// Runs the verb.
 pub(super) fn run(args: &SceneArgs) -> Outcome {
     let name = args.file.display().to_string();
-    let text_of_file = match read::load(&args.file) {
-        Ok(text) => text,
-        Err(error) => return bad_input(&format!("cannot read {name}: {error}")),
+    let text_of_file = match carried::named(&args.file, &SCENES) {
+        Some(shipped) => shipped.text.to_owned(),
+        None => match read::load(&args.file) {
+            Ok(text) => text,
+            Err(error) => {
+                return bad_input(&carried::unreadable(&args.file, &error, "toml", &SCENES));
+            }
+        },
     };
     let wanted = match args.model.as_deref().map(|name| Model::named(name, laws())).transpose() {
         Ok(wanted) => wanted,

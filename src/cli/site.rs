@@ -1,6 +1,5 @@
 //! `kane site`: every report as a page, and an index that says what they come to.
 
-mod carried;
 mod stages;
 
 use std::path::Path;
@@ -23,9 +22,9 @@ use kane::scene::{Answer, Effort, read};
 use kane::{figures, measure};
 
 use super::args::SiteArgs;
+use super::carried::{COLLISIONS, DERIVATIONS, Document, SCENES};
 use super::delivery::{self, Written};
 use super::{Outcome, bad_input, machine, output};
-use carried::{COLLISIONS, DERIVATIONS, Document, SCENES};
 use stages::Stages;
 
 /// Runs the verb.

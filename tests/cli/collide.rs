@@ -63,7 +63,7 @@ fn each_wrong_value_is_named_with_its_flag_and_domain() {
         ("--law", "waltom", "did you mean `walton`?"),
         ("--param", "walton.beta0", "`walton.beta0` has no value"),
         ("--param", "walton.beta0=2", "walton.beta0 is 2, but must be from 0 to 1"),
-        ("--param", "walton.beta=0", "there are brach.share"),
+        ("--param", "walton.beta=0", "did you mean `walton.beta0`?"),
     ] {
         let run = run(&with(flag, value));
         assert_eq!(run.code, 2, "{flag} {value}: {}", run.stderr);

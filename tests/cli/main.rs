@@ -15,7 +15,9 @@ mod laws; // the matrix: exit codes, one cell in full, files
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
+mod remarks; // verdicts beside lines: SARIF and workflow commands
 mod scene; // scenes: models, files, exit codes
+mod shell; // colours, completions, manual pages, near names
 mod site; // the site
 mod stability; // stability and chart
 

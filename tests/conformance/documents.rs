@@ -81,3 +81,48 @@ fn no_page_links_to_nowhere() {
     }
     assert!(dead.is_empty(), "links to nowhere:\n{}", dead.join("\n"));
 }
+
+/// `crates/measure` builds from its package alone, which takes nothing from outside of it.
+#[test]
+fn the_equal_forms_that_a_crate_carries_are_those_that_are_shipped() {
+    let shipped = fs::read(root().join("docs/derivations/equal-forms.md")).expect("it is there");
+    let carried = root().join("crates/measure/src/stability/equal-forms.md");
+    assert_eq!(fs::read(carried).expect("it is there"), shipped);
+}
+
+/// What a package does not hold cannot be included: of a crate's sources, only files beside them; of the
+/// program's, only what its list has.
+#[test]
+fn what_is_included_is_packaged() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("it is there");
+    let folders = ["collisions", "data", "derivations", "figures", "scenes", "laws.md"];
+    for folder in folders {
+        assert!(manifest.contains(&format!("    \"/docs/{folder}")), "{folder} is not packaged");
+    }
+    let crates = fs::read_dir(root().join("crates")).expect("the folder is there");
+    let mut seen = 0;
+    for src in crates.map(|entry| entry.expect("readable").path().join("src")) {
+        let mut sources = Vec::new();
+        rust_files(&src, &mut sources);
+        for path in sources {
+            let text = fs::read_to_string(&path).expect("the source is UTF-8");
+            let below = path.strip_prefix(&src).expect("it is in src");
+            let outside = format!("include_str!(\"{}", "../".repeat(below.components().count()));
+            assert!(!text.contains(&outside), "{} includes a file outside of src", path.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 300, "the sources are found");
+}
+
+/// All Rust files under `dir`.
+fn rust_files(dir: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(dir).expect("the source is there") {
+        let path = entry.expect("the source is readable").path();
+        if path.is_dir() {
+            rust_files(&path, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+}

@@ -7,7 +7,7 @@ use std::process::Command;
 use cargo_metadata::{Metadata, MetadataCommand};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 16] = [
+const LEVELS: [(&str, u32); 18] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-semidefinite", 0),
@@ -24,6 +24,9 @@ const LEVELS: [(&str, u32); 16] = [
     ("kane", 5),
     ("kane-pages", 6),
     ("kane-lake", 5),
+    ("kane-python", 5),
+    // an example of another project
+    ("as-a-test", 6),
 ];
 
 /// All that the kernel may stand on.

@@ -46,6 +46,7 @@ pub mod statistics;
 pub mod study;
 pub mod suspicion;
 pub mod sweep;
+pub mod table;
 pub mod tally;
 pub mod tolerance;
 pub mod untold;

@@ -36,6 +36,9 @@ pub enum ReadFault {
     /// The columns are not those that are needed.
     #[error(transparent)]
     Header(#[from] HeaderFault),
+    /// Columns in memory have several lengths.
+    #[error("the columns are not of one length")]
+    Lengths,
     /// The first line is no JSON object, so that there are no names.
     #[error("line {0}: {1}")]
     FirstLine(u64, Reason),

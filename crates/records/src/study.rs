@@ -120,6 +120,17 @@ pub fn study(input: impl BufRead, kind: Kind, options: &Options<'_>) -> Result<S
     Ok(gathering.finish(header))
 }
 
+/// Studies rows that somebody feeds: header, rows and end, in that order.
+pub(crate) fn study_rows(
+    header: Header,
+    options: &Options<'_>,
+    feed: impl FnOnce(&mut dyn Sink, &Header),
+) -> Study {
+    let mut gathering = Gathering::new(options);
+    feed(&mut gathering, &header);
+    gathering.finish(header)
+}
+
 /// Rows that are looked at before the first is checked, to tell the format.
 const AHEAD: usize = 1000;
 /// Rows that fail, of which attribution sees all it can.

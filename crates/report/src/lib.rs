@@ -4,7 +4,7 @@
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
 //! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`] and [`growth`] are functions from data to a
-//! [`Sheet`], which is written in any form; [`records`] says what a log of impacts follows; [`figures`] draws
+//! [`Sheet`], which is written in any form; [`records`] says what a log of impacts follows; [`remarks`] puts verdicts beside lines; [`figures`] draws
 //! curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
@@ -28,6 +28,7 @@ mod outline;
 mod picture;
 mod place;
 pub mod records;
+pub mod remarks;
 mod report;
 pub mod scene;
 #[cfg(feature = "schema")]

@@ -15,8 +15,9 @@ use scan::Probe;
 pub use plane::{Cell, Plane};
 pub use search::Searched;
 
-/// The forms of one value that the program knows, as a derivation document.
-const EQUAL_FORMS: &str = include_str!("../../../../docs/derivations/equal-forms.md");
+/// The forms of one value that the program knows, as a derivation document: the shipped one, once more,
+/// so that the crate builds from its package alone.
+const EQUAL_FORMS: &str = include_str!("equal-forms.md");
 
 /// The forms of one value that the program knows. A document whose claims prove that they are equal.
 ///

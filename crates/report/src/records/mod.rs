@@ -16,6 +16,7 @@ pub use junit::{compared_junit, junit};
 pub use sentence::headline;
 pub use sheet::sheet;
 pub use wording::schema;
+pub(crate) use wording::{suspicion as suspected, told};
 
 use kane_records::study::Study;
 

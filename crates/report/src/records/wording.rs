@@ -88,8 +88,22 @@ pub(super) fn residual(check: Check, finding: &Finding) -> String {
     format!("{} of {} {unit}", brief(finding.residual), brief(finding.tolerance))
 }
 
+/// What a check asks, and what came of it, with the worst row where one fails.
+pub(crate) fn told(checked: &Checked) -> (&'static str, String) {
+    let rows = checked.rows;
+    let worst = checked.worst.filter(|_| checked.failed > 0);
+    let worst = worst.map_or_else(String::new, |(_, finding)| {
+        format!(", the worst {}", residual(checked.check, &finding))
+    });
+    let came = match checked.failed {
+        0 => format!("holds in {rows} rows"),
+        _ => format!("{} of {rows} rows{worst}", verdict(checked)),
+    };
+    (asks(checked.check), came)
+}
+
 /// Of what a log is suspected.
-pub(super) fn suspicion(suspicion: &Suspicion) -> String {
+pub(crate) fn suspicion(suspicion: &Suspicion) -> String {
     match suspicion {
         Suspicion::Degrees => {
             "spins look like degrees a second: J*dw is 57.3 times r x p; convert them to rad/s".to_owned()

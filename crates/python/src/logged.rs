@@ -1,0 +1,84 @@
+//! Logs of impacts: from text, or from columns that NumPy owns.
+
+use kane_impact::laws;
+use kane_records::format::Format;
+use kane_records::reader::Kind;
+use kane_records::study::{Options, Study, study};
+use kane_records::table::{Cells, Table, study_table};
+use kane_report::records::{RecordsReport, json, sheet};
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+
+use crate::bad_input;
+
+/// What is asked: names of the schema and of the log, the format of the numbers, the extent in arms.
+type Asked = (Vec<(String, String)>, Option<String>, Option<f64>);
+
+/// A report: JSON, HTML, text, and whether all is as expected.
+type Told = (String, String, String, bool);
+
+/// Studies a log in CSV or JSON lines.
+///
+/// # Errors
+/// `ValueError` if there is nothing that could be checked.
+#[pyfunction]
+pub(crate) fn check_text(text: &str, name: &str, json_lines: bool, asked: Asked) -> PyResult<Told> {
+    let kind = if json_lines { Kind::JsonLines } else { Kind::Csv };
+    let options = options(asked)?;
+    let study = study(text.as_bytes(), kind, &options).map_err(bad_input)?;
+    Ok(told(&study, name))
+}
+
+/// Studies a table: columns of numbers, each with a mask of the cells that are missing (empty for none),
+/// and columns of words.
+///
+/// # Errors
+/// As of [`check_text`], and for columns of several lengths.
+#[pyfunction]
+pub(crate) fn check_columns(
+    numbers: Vec<(String, PyReadonlyArray1<'_, f64>, Vec<bool>)>,
+    words: Vec<(String, Vec<Option<String>>)>,
+    name: &str,
+    asked: Asked,
+) -> PyResult<Told> {
+    let options = options(asked)?;
+    let mut table = Table::default();
+    for (name, values, missing) in &numbers {
+        let values = values.as_slice().map_err(|_| bad_input(format!("{name} has gaps")))?;
+        table.push(name, Cells::Numbers { values, missing });
+    }
+    for (name, values) in &words {
+        table.push(name, Cells::Words(values));
+    }
+    let study = study_table(&table, &options).map_err(bad_input)?;
+    Ok(told(&study, name))
+}
+
+fn options((map, float, extent): Asked) -> PyResult<Options<'static>> {
+    let mut options = Options::new(laws());
+    options.map = map;
+    options.format = match float.as_deref() {
+        None => None,
+        Some("f32") => Some(Format::Binary32),
+        Some("f64") => Some(Format::Binary64),
+        Some(digits) => match digits.parse() {
+            Ok(digits @ 0..=15) => Some(Format::Decimals(digits)),
+            _ => return Err(bad_input("float is f32, f64 or a count of decimals up to 15")),
+        },
+    };
+    if let Some(extent) = extent {
+        if !(0.0..=1e12).contains(&extent) {
+            return Err(bad_input("extent must be between 0 and 1e12 arms"));
+        }
+        options.extent = extent;
+    }
+    Ok(options)
+}
+
+fn told(study: &Study, name: &str) -> Told {
+    let command = format!("kane.check({name})");
+    let report = RecordsReport { study, log: name, command: &command };
+    let sheet = sheet(&report);
+    let text = sheet.text(kane_report::Page::default());
+    (json(&report), sheet.html(), text, study.rows > 0 && study.as_expected())
+}

@@ -1,0 +1,113 @@
+//! Verdicts beside the lines of files: SARIF, and the commands of a workflow.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::{document, kane, scratch};
+
+const MIXED: &str = "var x > 0, y
+given same: y = x
+claim holds: y > 0 from same
+claim (2): y > 1 from same
+claim known: y > 2 from same expect refuted";
+
+#[test]
+fn sarif_has_every_claim_on_its_line() {
+    let path = document(&scratch("sarif"), "a b.md", MIXED);
+    let run = kane(&["audit", &path, "--format", "sarif"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let log: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    assert_eq!(log["version"], "2.1.0");
+    let driver = &log["runs"][0]["tool"]["driver"];
+    let rules: Vec<&Value> =
+        driver["rules"].as_array().expect("a list").iter().map(|rule| &rule["id"]).collect();
+    let results = log["runs"][0]["results"].as_array().expect("a list");
+    let told: Vec<(&str, &str, &str, u64)> = results
+        .iter()
+        .map(|result| {
+            assert!(rules.contains(&&result["ruleId"]), "{result}");
+            let place = &result["locations"][0]["physicalLocation"];
+            let uri = place["artifactLocation"]["uri"].as_str().expect("text");
+            assert!(uri.ends_with("a%20b.md"), "{uri}");
+            (
+                result["ruleId"].as_str().expect("text"),
+                result["kind"].as_str().expect("text"),
+                result["level"].as_str().expect("text"),
+                place["region"]["startLine"].as_u64().expect("a line"),
+            )
+        })
+        .collect();
+    assert_eq!(
+        told,
+        [
+            ("proved", "pass", "none", 6),
+            ("refuted", "fail", "error", 7),
+            ("refuted", "informational", "none", 8),
+        ]
+    );
+    let message = results[1]["message"]["text"].as_str().expect("text");
+    assert!(message.contains("claim (2): refuted: y > 1\nat y = "), "{message}");
+}
+
+#[test]
+fn a_workflow_is_told_what_is_not_proved() {
+    let path = document(&scratch("workflow"), "notes.md", MIXED);
+    let run = kane(&["audit", &path, "--format", "github"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!(lines.len(), 2, "{}", run.stdout);
+    assert!(lines[0].starts_with("::error file="), "{}", lines[0]);
+    assert!(
+        lines[0].contains("notes.md,line=7,title=claim (2)::refuted: y > 1%0A"),
+        "{}",
+        lines[0]
+    );
+    assert!(
+        lines[1].starts_with("::notice file=") && lines[1].contains(",line=8,"),
+        "{}",
+        lines[1]
+    );
+}
+
+#[test]
+fn a_document_without_a_claim_is_told_and_not_passed_over() {
+    let path = document(&scratch("nothing"), "empty.md", "var x > 0");
+    let run = kane(&["audit", &path, "--format", "github"]);
+    assert_eq!(run.code, 3, "{}", run.stderr);
+    assert!(
+        run.stdout.starts_with("::error file=") && run.stdout.contains("empty.md,title=no claim::")
+    );
+    let sarif = kane(&["audit", &path, "--format", "sarif"]);
+    assert_eq!(sarif.code, 3);
+    assert!(sarif.stdout.contains("\"kind\": \"fail\""), "{}", sarif.stdout);
+}
+
+#[test]
+fn a_row_that_fails_is_told_beside_its_line() {
+    let path = scratch("rows").join("log.csv");
+    let log = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n\
+               1,1,0.4,0.25,0.5,2,-1,0,1.625,0.5,-0.9375\n\
+               1,1,0.4,0.25,0.5,2,-1,0,1.625,0.5,-0.9\n\
+               1,1,0.4,0.25,0.5,fast,-1,0,1.625,0.5,-0.9375\n";
+    fs::write(&path, log).expect("writable");
+    let path = path.to_str().expect("UTF-8");
+    let run = kane(&["check", path, "--format", "github"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(
+        run.stdout.lines().any(|l| l.contains("log.csv,line=3,title=the impulse acts")),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.lines().any(|l| l.contains("log.csv,line=4,title=")), "{}", run.stdout);
+    let sarif = kane(&["check", path, "--format", "sarif"]);
+    let sarif: Value = serde_json::from_str(&sarif.stdout).expect("it is JSON");
+    let results = sarif["runs"][0]["results"].as_array().expect("a list");
+    let failing = results.iter().filter(|result| result["kind"] == "fail");
+    let lines: Vec<_> = failing
+        .map(|result| &result["locations"][0]["physicalLocation"]["region"]["startLine"])
+        .collect();
+    assert!(lines.iter().any(|line| **line == 3) && lines.iter().any(|line| **line == 4));
+    let compared = kane(&["check", path, "--baseline", path, "--format", "sarif"]);
+    assert_eq!(compared.code, 2);
+}
