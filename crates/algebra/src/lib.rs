@@ -1,6 +1,7 @@
 //! The clever, untrusted part: parsing, printing, rational functions, tables of signs.
 #![deny(clippy::float_arithmetic)]
 
+pub mod cells;
 pub mod descartes;
 mod fraction;
 pub mod linear_program;
