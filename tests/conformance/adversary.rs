@@ -53,6 +53,17 @@ fn no_verdict_on_derivatives_of_functions_is_wrong() {
 }
 
 #[test]
+fn no_verdict_on_angles_is_wrong() {
+    let claims = many(120).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
+    if let Some(output) = adversary("angles.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" 0 wrong"), "{printed}");
+        assert!(printed.contains("True proved") && printed.contains("False refuted"), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_a_random_claim_is_wrong() {
     let claims = many(CLAIMS).to_string();
     // where z3 is not installed the script says what it leaves out; the gate asks for it

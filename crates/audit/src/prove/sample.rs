@@ -6,16 +6,46 @@ use kane_kernel::{Atom, Point, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::elimination::Elimination;
+use super::circle::circles;
+use super::elimination::{Elimination, open_vars};
+use super::parameter::Parametrised;
 use super::search::Search;
+use super::surds::surds;
 use super::tactics;
 
 type Q = BigRational;
 
 impl Search<'_> {
-    /// A point that satisfies a state without solvable equations: simple rationals for all
-    /// variables but one, and the sign table of that one.
+    /// A point that satisfies a state without solvable equations: circles and surds by their
+    /// parameters first, then by the variables themselves.
     pub(super) fn sample(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        vars: &[usize],
+        reach: (usize, usize),
+    ) -> Option<Point> {
+        let by_parameters = || {
+            let mut found = Parametrised::new(state);
+            circles(&mut found)?;
+            surds(&mut found)?;
+            if !found.is_of_use() {
+                return None;
+            }
+            let trail = [trail, &found.eliminations].concat();
+            let mut vars = open_vars(&found.state);
+            vars.extend(&found.parameters);
+            vars.sort_unstable();
+            vars.dedup();
+            let mut point = self.sample_of(&found.state, &trail, &vars, reach)?;
+            point.values.retain(|(v, _)| !found.parameters.contains(v));
+            Some(point)
+        };
+        by_parameters().or_else(|| self.sample_of(state, trail, vars, reach))
+    }
+
+    /// Simple rationals for all variables but one, and the sign table of that one.
+    fn sample_of(
         &self,
         state: &State<'_, '_>,
         trail: &[Elimination],

@@ -54,17 +54,22 @@ fn bits(ulps: f64, precision: Precision) -> f64 {
 
 /// Bits lost at most, in tenths, rounded up.
 pub(super) fn bits_at_most(ulps: f64, precision: Precision) -> String {
-    let bits = bits(ulps, precision);
-    // a logarithm may be a little off
-    let tenths = ((bits * 10.0 + 1e-9).ceil() / 10.0).min(f64::from(precision.bits()));
-    if tenths >= f64::from(precision.bits()) { "all".to_owned() } else { format!("{tenths:.1}") }
+    tenths((ulps.log2() * 10.0 + LOGARITHM).ceil(), precision)
 }
 
 /// Bits lost at least, in tenths, rounded down.
 pub(super) fn bits_at_least(ulps: f64, precision: Precision) -> String {
-    let bits = bits(ulps, precision);
-    let tenths = ((bits * 10.0 - 1e-9).floor() / 10.0).max(0.0);
-    if tenths >= f64::from(precision.bits()) { "all".to_owned() } else { format!("{tenths:.1}") }
+    tenths((ulps.log2() * 10.0 - LOGARITHM).floor(), precision)
+}
+
+/// By how much ten times a logarithm is off at most.
+const LOGARITHM: f64 = 1e-9;
+
+/// Whole tenths of a bit, within what a format has.
+fn tenths(tenths: f64, precision: Precision) -> String {
+    let all = f64::from(precision.bits());
+    let bits = (tenths / 10.0).max(0.0);
+    if bits >= all { "all".to_owned() } else { format!("{bits:.1}") }
 }
 
 /// How many times the error that was found the bound is.
