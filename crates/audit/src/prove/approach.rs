@@ -43,7 +43,7 @@ impl Search<'_> {
             state.atoms.iter().filter(|a| a.decided().is_none()).cloned().collect();
         let equations = live.iter().filter(|a| a.sign == Sign::Zero).count();
         let fits = (2..=VARIABLES).contains(&vars.len()) && live.len() <= CONDITIONS;
-        if !fits || equations > 2 || equations >= vars.len() {
+        if !fits || equations > 2 || equations >= vars.len() || !self.spend() {
             return None;
         }
         let slopes = |a: &Atom| {
@@ -56,7 +56,7 @@ impl Search<'_> {
         diagonal(&lists, starts).into_iter().find_map(|start| {
             MARGINS.iter().find_map(|m| {
                 let margin = Q::new(1.into(), (*m).into());
-                let found = near.simplest(near.from(&start, &margin, || self.spend())?);
+                let found = near.simplest(near.from(&start, &margin)?);
                 complete(state, near.solved(&found, equations)?, trail)
             })
         })
@@ -138,15 +138,12 @@ impl Near<'_> {
     }
 
     /// A point where all conditions hold, equations nearly.
-    fn from(&self, start: &[Q], margin: &Q, spend: impl Fn() -> bool) -> Option<Vec<Q>> {
+    fn from(&self, start: &[Q], margin: &Q) -> Option<Vec<Q>> {
         let mut at = start.to_vec();
         for _ in 0..STEPS {
             let seen = self.seen(&at)?;
             if self.holds(&seen) {
                 return Some(at);
-            }
-            if !spend() {
-                return None;
             }
             let step = self.step(&seen, margin)?;
             at = at.iter().zip(&step).map(|(x, d)| rounded(&(x + d), DIGITS)).collect();
