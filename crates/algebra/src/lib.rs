@@ -2,6 +2,7 @@
 #![deny(clippy::float_arithmetic)]
 
 pub mod cells;
+mod coprime;
 pub mod descartes;
 mod fraction;
 pub mod linear_program;

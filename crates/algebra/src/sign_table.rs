@@ -1,14 +1,12 @@
 //! Sign tables: the real line cut at all roots of some polynomials, complete in one variable.
 
-use std::collections::BTreeMap;
-
 use kane_kernel::{Fuel, Rejection, Root, sign_at};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
-use polycore::{Gf, Uni};
+use num_traits::{One, Signed, Zero};
 
+use crate::coprime::{coprime_bases, factor_over};
 use crate::descartes::descartes;
 
 type Q = BigRational;
@@ -33,8 +31,6 @@ pub enum Cell {
     Root(usize),
 }
 
-/// Above this degree polynomials are split by greatest common divisors only, not factored.
-const FACTOR_DEGREE: usize = 24;
 /// Halvings of one interval before giving up.
 const MAX_HALVINGS: usize = 4096;
 
@@ -114,145 +110,6 @@ impl SignTable {
     }
 }
 
-fn uni(p: &[BigInt]) -> Uni<Q> {
-    Uni::new(p.iter().map(|c| Q::from_integer(c.clone())).collect())
-}
-
-fn integers(p: &Uni<Q>) -> Vec<BigInt> {
-    p.primitive().0.iter().map(|c| c.numer().clone()).collect()
-}
-
-/// Pairwise coprime square-free polynomials of which all inputs are products.
-fn coprime_bases(polys: &[Vec<BigInt>], fuel: &Fuel) -> Result<Vec<Vec<BigInt>>, Rejection> {
-    let mut seen = Vec::new();
-    let mut irreducible: BTreeMap<Vec<BigInt>, ()> = BTreeMap::new();
-    let mut coarse: Vec<Uni<Q>> = Vec::new();
-    for p in polys {
-        if p.len() <= 1 || seen.contains(p) {
-            continue;
-        }
-        seen.push(p.clone());
-        let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
-        let words = 1 + p.iter().map(BigInt::bits).max().unwrap_or(0) / 64;
-        fuel.spend(degree.saturating_pow(3).saturating_mul(words))?;
-        let f = uni(p);
-        if f.deg() <= FACTOR_DEGREE {
-            for (factor, _) in polyfactor::factor(&f) {
-                if factor.deg() > 0 {
-                    irreducible.insert(integers(&factor), ());
-                }
-            }
-        } else {
-            coarse.extend(squarefree(p, fuel)?);
-        }
-    }
-    // Refine until nothing is shared; irreducible factors are coprime already.
-    let mut bases: Vec<Uni<Q>> = irreducible.keys().map(|p| uni(p)).collect();
-    for mut part in coarse {
-        let mut i = 0;
-        while i < bases.len() && part.deg() > 0 {
-            let g = gcd(&part, &bases[i], fuel)?;
-            if g.deg() > 0 {
-                let rest = divided(&bases[i], &g, fuel)?.0;
-                part = divided(&part, &g, fuel)?.0;
-                if rest.deg() > 0 {
-                    bases.push(rest);
-                }
-                bases[i] = g;
-            }
-            i += 1;
-        }
-        if part.deg() > 0 {
-            bases.push(part);
-        }
-    }
-    Ok(bases.iter().map(integers).collect())
-}
-
-/// The square-free parts of p, without their multiplicities (Yun 1976).
-fn squarefree(p: &[BigInt], fuel: &Fuel) -> Result<Vec<Uni<Q>>, Rejection> {
-    let f = uni(p);
-    if visibly_squarefree(p, fuel)? {
-        return Ok(vec![f]);
-    }
-    let slope = f.derivative();
-    let common = gcd(&f, &slope, fuel)?;
-    let (mut rest, mut slope) = (divided(&f, &common, fuel)?.0, divided(&slope, &common, fuel)?.0);
-    let mut parts = Vec::new();
-    while rest.deg() > 0 {
-        slope = &slope - &rest.derivative();
-        let part = gcd(&rest, &slope, fuel)?;
-        (rest, slope) = (divided(&rest, &part, fuel)?.0, divided(&slope, &part, fuel)?.0);
-        parts.extend((part.deg() > 0).then_some(part));
-    }
-    Ok(parts)
-}
-
-/// Whether p keeps its degree modulo a prime and shares no root with its derivative there: it then
-/// has no square factor, and no long division is needed to see it.
-fn visibly_squarefree(p: &[BigInt], fuel: &Fuel) -> Result<bool, Rejection> {
-    const PRIME: u64 = (1 << 61) - 1;
-    let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
-    fuel.spend(degree.saturating_mul(degree))?;
-    let residue = |c: &BigInt| c.mod_floor(&PRIME.into()).to_u64().unwrap_or(0);
-    let f: Uni<Gf<PRIME>> = Uni::new(p.iter().map(|c| Gf::new(residue(c))).collect());
-    Ok(f.deg() + 1 == p.len() && f.gcd(&f.derivative()).deg() == 0)
-}
-
-/// The monic greatest common divisor (Euclid). The remainders are made monic on the way, which
-/// keeps their coefficients as small as they can be.
-fn gcd(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<Uni<Q>, Rejection> {
-    let (mut a, mut b) = (a.clone(), b.monic());
-    while !b.is_zero() {
-        let rest = divided(&a, &b, fuel)?.1;
-        a = std::mem::replace(&mut b, rest.monic());
-    }
-    Ok(a.monic())
-}
-
-/// Quotient and remainder. Coefficients grow while a division runs, so each of its steps spends what
-/// it costs then.
-fn divided(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<(Uni<Q>, Uni<Q>), Rejection> {
-    let words = |q: &Q| 1 + (q.numer().bits() + q.denom().bits()) / 64;
-    let (mut rest, mut quotient) = (a.0.clone(), Vec::new());
-    let lead = b.lc();
-    while rest.len() >= b.0.len() {
-        let (at, top) = (rest.len() - b.0.len(), rest.pop().unwrap_or_else(Q::zero) / &lead);
-        for (i, c) in b.0[..b.deg()].iter().enumerate() {
-            if !top.is_zero() && !c.is_zero() {
-                let size = words(&top) + words(c) + words(&rest[at + i]);
-                fuel.spend(size.saturating_mul(size))?;
-                rest[at + i] -= &top * c;
-            }
-        }
-        quotient.push(top);
-    }
-    quotient.reverse();
-    Ok((Uni::new(quotient), Uni::new(rest)))
-}
-
-fn factor_over(
-    p: &[BigInt],
-    bases: &[Vec<BigInt>],
-    fuel: &Fuel,
-) -> Result<(Q, Vec<u32>), Rejection> {
-    let mut rest = uni(p);
-    let mut powers = vec![0; bases.len()];
-    for (base, n) in bases.iter().zip(&mut powers) {
-        let base = uni(base);
-        while rest.deg() >= base.deg() {
-            let (q, r) = divided(&rest, &base, fuel)?;
-            if !r.is_zero() {
-                break;
-            }
-            rest = q;
-            *n += 1;
-        }
-    }
-    let constant = rest.0.first().cloned().unwrap_or_else(Q::zero);
-    if rest.deg() == 0 { Ok((constant, powers)) } else { Err(Rejection::NotAnIdentity) }
-}
-
 /// An integer beyond all roots in absolute value (Cauchy 1829).
 fn root_bound(p: &[BigInt]) -> BigInt {
     let lead = p.last().map(Signed::abs).unwrap_or_else(BigInt::one);
@@ -276,8 +133,10 @@ fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Reje
             0 => {}
             1 => out.push(Root { poly: base.to_vec(), lo, hi }),
             _ => {
+                let words = size(&lo).saturating_add(size(&hi));
+                fuel.spend(words.saturating_mul(words))?;
                 let mid = (&lo + &hi) / Q::from_integer(2.into());
-                if sign_at(base, &mid) == 0 {
+                if value_sign(base, &mid, fuel)? == 0 {
                     out.push(Root { poly: base.to_vec(), lo: mid.clone(), hi: mid.clone() });
                 }
                 todo.push((lo, mid.clone(), depth + 1));
@@ -289,37 +148,47 @@ fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Reje
 }
 
 /// Halves an interval around a root, or finds the root.
-pub fn refine(root: &mut Root) {
+///
+/// # Errors
+/// [`Rejection::Budget`].
+pub fn refine(root: &mut Root, fuel: &Fuel) -> Result<(), Rejection> {
+    // a sum of fractions takes a common divisor, which takes the square of their size
+    let words = size(&root.lo).saturating_add(size(&root.hi));
+    fuel.spend(words.saturating_mul(words))?;
     let mid = (&root.lo + &root.hi) / Q::from_integer(2.into());
-    let at = |x: &Q| sign_at(&root.poly, x);
     // A root at an end of the interval is another one: compare with a sign just inside.
-    match (at(&mid), at(&root.hi)) {
+    match (value_sign(&root.poly, &mid, fuel)?, value_sign(&root.poly, &root.hi, fuel)?) {
         (0, _) => {
             root.lo = mid.clone();
             root.hi = mid;
         }
-        (_, 0) => {
-            // Both ends may be other roots; Descartes' rule is exact on halves with one root or none.
-            let plenty = Fuel::new(u64::MAX);
-            match descartes(&root.poly, Some(&root.lo), Some(&mid), &plenty) {
-                Ok(1) => root.hi = mid,
-                _ => root.lo = mid,
-            }
-        }
+        // Both ends may be other roots; Descartes' rule is exact on halves with one root or none.
+        (_, 0) => match descartes(&root.poly, Some(&root.lo), Some(&mid), fuel)? {
+            1 => root.hi = mid,
+            _ => root.lo = mid,
+        },
         (s, h) if s == h => root.hi = mid,
         _ => root.lo = mid,
     }
+    Ok(())
+}
+
+/// Words of a fraction.
+fn size(x: &Q) -> u64 {
+    1 + (x.numer().bits() + x.denom().bits()) / 64
+}
+
+/// The sign of a value, within the budget: Horner's rule on numbers that grow by the size of x in
+/// each step.
+fn value_sign(p: &[BigInt], x: &Q, fuel: &Fuel) -> Result<i8, Rejection> {
+    let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+    let words = 1 + degree.saturating_mul(x.numer().bits() + x.denom().bits()) / 64;
+    fuel.spend(degree.saturating_mul(words))?;
+    Ok(sign_at(p, x))
 }
 
 /// Shrinks intervals until they are disjoint and no other base has a root or sign change there.
 fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<(), Rejection> {
-    let sign_at = |p: &[BigInt], x: &Q| {
-        // Horner's rule on numbers that grow by the size of x in each step
-        let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
-        let words = 1 + degree.saturating_mul(x.numer().bits() + x.denom().bits()) / 64;
-        fuel.spend(degree.saturating_mul(words))?;
-        Ok::<i8, Rejection>(sign_at(p, x))
-    };
     for _ in 0..MAX_HALVINGS {
         roots.sort_by(|a, b| (&a.lo, &a.hi).cmp(&(&b.lo, &b.hi)));
         let mut dirty = false;
@@ -331,13 +200,14 @@ fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<()
             let mut clear =
                 (i == 0 || roots[i - 1].hi < lo) && roots.get(i + 1).is_none_or(|r| hi < r.lo);
             for base in bases {
-                clear = clear && sign_at(base, &lo)? != 0 && sign_at(base, &hi)? != 0;
+                let at = |x| value_sign(base, x, fuel);
+                clear = clear && at(&lo)? != 0 && at(&hi)? != 0;
                 if clear && *base != roots[i].poly {
                     clear = descartes(base, Some(&lo), Some(&hi), fuel)? == 0;
                 }
             }
             if !clear {
-                refine(&mut roots[i]);
+                refine(&mut roots[i], fuel)?;
                 dirty = true;
             }
         }
@@ -420,7 +290,10 @@ pub fn simplest_between(lo: Option<&Q>, hi: Option<&Q>) -> Q {
 mod tests {
     use proptest::prelude::*;
 
+    use polycore::Uni;
+
     use super::*;
+    use crate::coprime::{integers, uni};
 
     fn fuel() -> Fuel {
         Fuel::new(1 << 40)
@@ -511,7 +384,7 @@ mod tests {
             for root in table.roots.iter().filter(|r| !r.is_exact()) {
                 let mut refined = root.clone();
                 for _ in 0..times {
-                    refine(&mut refined);
+                    refine(&mut refined, &fuel()).unwrap();
                 }
                 prop_assert!(root.lo <= refined.lo && refined.hi <= root.hi);
                 let at = |x: &Q| sign_at(&root.poly, x);

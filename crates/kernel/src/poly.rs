@@ -17,6 +17,9 @@ use crate::{Checked, Rejection, sign};
 #[derive(Clone, Debug)]
 pub struct Fuel(Rc<Cell<u64>>);
 
+/// Terms and powers of one product: beyond it lies memory, not time.
+const WIDEST: u64 = 4_000_000;
+
 impl Fuel {
     /// A budget of this many word-sized coefficient operations.
     #[must_use]
@@ -243,6 +246,13 @@ impl Poly {
         let size = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
         let words = |p: &Self| 1 + p.bits() / 64;
         let pairs = size(self).saturating_mul(size(other));
+        // what is held before like terms are added up
+        let held = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
+        let powers =
+            size(self).saturating_mul(held(other)) + size(other).saturating_mul(held(self));
+        if pairs.saturating_add(powers) > WIDEST {
+            return Err(Rejection::Budget);
+        }
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
         let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
         if one(self) || one(other) {

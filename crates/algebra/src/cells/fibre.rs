@@ -42,7 +42,7 @@ impl Partial {
             {
                 return Some(sign_at(&value, &middle(&root)));
             }
-            refine(&mut root);
+            refine(&mut root, fuel).ok()?;
         }
         None
     }
@@ -185,8 +185,8 @@ fn joined(
                 (None, _) => return None,
                 _ => {}
             }
-            refine(&mut x);
-            refine(&mut y);
+            refine(&mut x, fuel).ok()?;
+            refine(&mut y, fuel).ok()?;
         }
         let generator = found.filter(|t| !t.is_exact() && t.poly.len() <= DEGREE + 1)?;
         let field = modulus(&generator);

@@ -2,7 +2,7 @@
 
 use kane_algebra::syntax::{Evaluator, NoValue};
 use kane_kernel::{
-    Conclusion, Expr, Failure, Finding, Functions, Goal, Link, Model, Point, Proof, Root,
+    Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Proof, Root,
     expressions,
 };
 use num_rational::BigRational;
@@ -177,12 +177,15 @@ fn value(point: &Point, v: usize) -> Option<Value> {
     })
 }
 
+/// Steps for the decimals of one root.
+const TIGHTENING: u64 = 1_000_000;
+
 /// A root, confined closely enough to be written as a decimal.
 pub(super) fn tight(root: &Root) -> Root {
-    let mut tight = root.clone();
+    let (mut tight, fuel) = (root.clone(), Fuel::new(TIGHTENING));
     for _ in 0..40 {
-        if !tight.is_exact() {
-            kane_algebra::sign_table::refine(&mut tight);
+        if tight.is_exact() || kane_algebra::sign_table::refine(&mut tight, &fuel).is_err() {
+            break;
         }
     }
     tight

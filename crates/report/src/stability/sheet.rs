@@ -5,7 +5,7 @@ use kane_measure::{Fault, Point};
 use super::{Entry, StabilityReport, bits, interval, named, picture, short, strips_picture};
 use crate::sheet::{Column, Entry as Line, Row, Sheet, Table, Tone, Words, row};
 
-const READING: &str = "A range runs from the first to the last failing input; bits are lost at its worst input. \
+const READING: &str = "A range runs from the first to the last failing input that was found; bits are lost at its worst input. \
 Cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs.";
 
 const BOUNDS: &str = "No float of the ranges has a larger error than the bound; the error found is exact. \

@@ -1,0 +1,188 @@
+//! Coprime bases: polynomials without common or repeated roots of which given ones are products.
+
+use std::collections::BTreeSet;
+
+use kane_kernel::{Fuel, Rejection};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+use polycore::{Gf, Uni};
+
+type Q = BigRational;
+
+/// Above this degree polynomials are split by greatest common divisors only, not factored.
+const FACTOR_DEGREE: usize = 24;
+/// Beyond this measure of degree and coefficients, too: factoring knows no budget.
+const FACTOR_COST: u64 = 60_000;
+
+pub(crate) fn uni(p: &[BigInt]) -> Uni<Q> {
+    Uni::new(p.iter().map(|c| Q::from_integer(c.clone())).collect())
+}
+
+pub(crate) fn integers(p: &Uni<Q>) -> Vec<BigInt> {
+    p.primitive().0.iter().map(|c| c.numer().clone()).collect()
+}
+
+/// Pairwise coprime square-free polynomials of which all inputs are products.
+pub(crate) fn coprime_bases(
+    polys: &[Vec<BigInt>],
+    fuel: &Fuel,
+) -> Result<Vec<Vec<BigInt>>, Rejection> {
+    let mut seen = Vec::new();
+    let mut irreducible: BTreeSet<Vec<BigInt>> = BTreeSet::new();
+    let mut coarse: Vec<Uni<Q>> = Vec::new();
+    for p in polys {
+        if p.len() <= 1 || seen.contains(p) {
+            continue;
+        }
+        seen.push(p.clone());
+        let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+        let words = 1 + p.iter().map(BigInt::bits).max().unwrap_or(0) / 64;
+        fuel.spend(degree.saturating_pow(3).saturating_mul(words))?;
+        match irreducible_factors(p, fuel)? {
+            Some(factors) => irreducible.extend(factors),
+            None => coarse.extend(squarefree(p, fuel)?),
+        }
+    }
+    // Refine until nothing is shared; irreducible factors are coprime already.
+    let mut bases: Vec<Uni<Q>> = irreducible.iter().map(|p| uni(p)).collect();
+    for mut part in coarse {
+        let mut i = 0;
+        while i < bases.len() && part.deg() > 0 {
+            let g = gcd(&part, &bases[i], fuel)?;
+            if g.deg() > 0 {
+                let rest = divided(&bases[i], &g, fuel)?.0;
+                part = divided(&part, &g, fuel)?.0;
+                if rest.deg() > 0 {
+                    bases.push(rest);
+                }
+                bases[i] = g;
+            }
+            i += 1;
+        }
+        if part.deg() > 0 {
+            bases.push(part);
+        }
+    }
+    Ok(bases.iter().map(integers).collect())
+}
+
+/// The irreducible factors of p, of degree 1 or more; none if it would take too long. A factor of
+/// the reversed polynomial is one of p reversed, and what has the smaller leading coefficient is
+/// factored faster, because it is made monic first.
+fn irreducible_factors(p: &[BigInt], fuel: &Fuel) -> Result<Option<Vec<Vec<BigInt>>>, Rejection> {
+    let zeros = p.iter().take_while(|c| c.is_zero()).count();
+    let mut rest = p[zeros..].to_vec();
+    let lead = |p: &[BigInt]| p.last().map_or(0, BigInt::bits);
+    let backwards = rest.first().map_or(0, BigInt::bits) < lead(&rest);
+    if backwards {
+        rest.reverse();
+    }
+    let degree = u64::try_from(rest.len() - 1).unwrap_or(u64::MAX);
+    let bits = rest.iter().map(BigInt::bits).max().unwrap_or(0);
+    let height = bits.saturating_add(degree.saturating_mul(lead(&rest)));
+    let cost = degree.saturating_mul(degree).saturating_mul(height);
+    if rest.len() > FACTOR_DEGREE + 1 || cost > FACTOR_COST {
+        return Ok(None);
+    }
+    fuel.spend(cost)?;
+    let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
+    let mut factors: Vec<Vec<BigInt>> = factors.map(|(f, _)| integers(&f)).collect();
+    if backwards {
+        for factor in &mut factors {
+            factor.reverse();
+            // as the other way gives it: with a positive leading coefficient
+            *factor = integers(&uni(factor));
+        }
+    }
+    if zeros > 0 {
+        factors.push(vec![BigInt::from(0), BigInt::from(1)]);
+    }
+    Ok(Some(factors))
+}
+
+/// The square-free parts of p, without their multiplicities (Yun 1976).
+fn squarefree(p: &[BigInt], fuel: &Fuel) -> Result<Vec<Uni<Q>>, Rejection> {
+    let f = uni(p);
+    if visibly_squarefree(p, fuel)? {
+        return Ok(vec![f]);
+    }
+    let slope = f.derivative();
+    let common = gcd(&f, &slope, fuel)?;
+    let (mut rest, mut slope) = (divided(&f, &common, fuel)?.0, divided(&slope, &common, fuel)?.0);
+    let mut parts = Vec::new();
+    while rest.deg() > 0 {
+        slope = &slope - &rest.derivative();
+        let part = gcd(&rest, &slope, fuel)?;
+        (rest, slope) = (divided(&rest, &part, fuel)?.0, divided(&slope, &part, fuel)?.0);
+        parts.extend((part.deg() > 0).then_some(part));
+    }
+    Ok(parts)
+}
+
+/// Whether p keeps its degree modulo a prime and shares no root with its derivative there: it then
+/// has no square factor, and no long division is needed to see it.
+fn visibly_squarefree(p: &[BigInt], fuel: &Fuel) -> Result<bool, Rejection> {
+    const PRIME: u64 = (1 << 61) - 1;
+    let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
+    fuel.spend(degree.saturating_mul(degree))?;
+    let residue = |c: &BigInt| c.mod_floor(&PRIME.into()).to_u64().unwrap_or(0);
+    let f: Uni<Gf<PRIME>> = Uni::new(p.iter().map(|c| Gf::new(residue(c))).collect());
+    Ok(f.deg() + 1 == p.len() && f.gcd(&f.derivative()).deg() == 0)
+}
+
+/// The monic greatest common divisor (Euclid). The remainders are made monic on the way, which
+/// keeps their coefficients as small as they can be.
+fn gcd(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<Uni<Q>, Rejection> {
+    let (mut a, mut b) = (a.clone(), b.monic());
+    while !b.is_zero() {
+        let rest = divided(&a, &b, fuel)?.1;
+        a = std::mem::replace(&mut b, rest.monic());
+    }
+    Ok(a.monic())
+}
+
+/// Quotient and remainder. Coefficients grow while a division runs, so each of its steps spends what
+/// it costs then.
+fn divided(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<(Uni<Q>, Uni<Q>), Rejection> {
+    let words = |q: &Q| 1 + (q.numer().bits() + q.denom().bits()) / 64;
+    let (mut rest, mut quotient) = (a.0.clone(), Vec::new());
+    let lead = b.lc();
+    while rest.len() >= b.0.len() {
+        let (at, top) = (rest.len() - b.0.len(), rest.pop().unwrap_or_else(Q::zero) / &lead);
+        for (i, c) in b.0[..b.deg()].iter().enumerate() {
+            if !top.is_zero() && !c.is_zero() {
+                let size = words(&top) + words(c) + words(&rest[at + i]);
+                fuel.spend(size.saturating_mul(size))?;
+                rest[at + i] -= &top * c;
+            }
+        }
+        quotient.push(top);
+    }
+    quotient.reverse();
+    Ok((Uni::new(quotient), Uni::new(rest)))
+}
+
+/// p = constant · Π baseᵢ^eᵢ
+pub(crate) fn factor_over(
+    p: &[BigInt],
+    bases: &[Vec<BigInt>],
+    fuel: &Fuel,
+) -> Result<(Q, Vec<u32>), Rejection> {
+    let mut rest = uni(p);
+    let mut powers = vec![0; bases.len()];
+    for (base, n) in bases.iter().zip(&mut powers) {
+        let base = uni(base);
+        while rest.deg() >= base.deg() {
+            let (q, r) = divided(&rest, &base, fuel)?;
+            if !r.is_zero() {
+                break;
+            }
+            rest = q;
+            *n += 1;
+        }
+    }
+    let constant = rest.0.first().cloned().unwrap_or_else(Q::zero);
+    if rest.deg() == 0 { Ok((constant, powers)) } else { Err(Rejection::NotAnIdentity) }
+}
