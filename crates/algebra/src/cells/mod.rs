@@ -36,6 +36,8 @@ pub enum Cells {
 const CONDITIONS: usize = 12;
 /// The degree of a condition in one variable beyond which no cells are made.
 const DEGREE: u32 = 8;
+/// Bits of a coefficient beyond which no cells are made.
+const BITS: u64 = 256;
 
 /// Looks at the cells of space in these variables, the last of which is eliminated first; all other
 /// variables of the conditions must have a value in `base`, which is rational there. Cells count as
@@ -46,7 +48,7 @@ pub fn cells(atoms: &[Atom], vars: &[usize], steps: &mut usize, fuel: &Fuel) -> 
     if atoms.iter().any(|a| a.decided() == Some(false)) {
         return Cells::Empty;
     }
-    let wide = |a: &Atom| vars.iter().any(|v| a.poly.degree(*v) > DEGREE);
+    let wide = |a: &Atom| a.poly.bits() > BITS || vars.iter().any(|v| a.poly.degree(*v) > DEGREE);
     let foreign = |a: &Atom| a.poly.vars().iter().any(|v| !vars.contains(v));
     if live.len() > CONDITIONS || live.iter().any(|a| wide(a) || foreign(a)) {
         return Cells::Open;

@@ -20,6 +20,8 @@ const STEPS: usize = 16;
 /// Variables and conditions of a state that is tried.
 const VARIABLES: usize = 8;
 const CONDITIONS: usize = 16;
+/// Bits of their coefficients.
+const BITS: u64 = 256;
 /// By how much of its size a condition is to hold, as parts of one.
 const MARGINS: [i64; 3] = [16, 256, 8192];
 /// Coordinates beyond which it is given up.
@@ -42,7 +44,9 @@ impl Search<'_> {
         let live: Vec<Atom> =
             state.atoms.iter().filter(|a| a.decided().is_none()).cloned().collect();
         let equations = live.iter().filter(|a| a.sign == Sign::Zero).count();
-        let fits = (2..=VARIABLES).contains(&vars.len()) && live.len() <= CONDITIONS;
+        let fits = (2..=VARIABLES).contains(&vars.len())
+            && live.len() <= CONDITIONS
+            && live.iter().all(|a| a.poly.bits() <= BITS);
         if !fits || equations > 2 || equations >= vars.len() || !self.spend() {
             return None;
         }
