@@ -40,6 +40,8 @@ use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
+/// Bits of a coefficient beyond which the ways that take long are not gone.
+const WIDE: u64 = 256;
 
 pub(crate) use attempt::Attempt;
 use budget::Ways;
@@ -213,6 +215,10 @@ impl Prover<'_> {
                 return open;
             }
         };
+        let wide = |a: &Atom| a.poly.bits() > WIDE;
+        if ways == Ways::Far && state.formulas.iter().flatten().flatten().any(wide) {
+            return open;
+        }
         let mut germs = limits::premised_sides(&state, goal);
         if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
             germs.extend(
