@@ -33,6 +33,7 @@ const SMALL: Budget = Budget {
     ideals: false,
     products: true,
     squares: 2_000_000,
+    cells: 500_000,
 };
 
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {

@@ -1,6 +1,7 @@
 //! The clever, untrusted part: parsing, printing, rational functions, tables of signs.
 #![deny(clippy::float_arithmetic)]
 
+pub mod cells;
 mod coprime;
 pub mod descartes;
 mod fraction;

@@ -76,6 +76,10 @@ pub enum Method {
     Boxes,
     /// points: simple values, boundaries and where they meet
     Points,
+    /// cells on which the conditions keep their signs, with a point in each
+    Cells,
+    /// cases by leading coefficients, discriminants and resultants
+    Cases,
 }
 
 /// What was tried in vain for a link, and what it came to.

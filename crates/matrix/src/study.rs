@@ -28,6 +28,7 @@ const BUDGET: Budget = Budget {
     ideals: false,
     products: false,
     squares: 0,
+    cells: 0,
 };
 /// The same with the tactics that take long, where all variables are few.
 const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };

@@ -10,7 +10,7 @@ use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, Step, since};
 use super::squares::{Reach, squares};
-use super::{expansion, tactics};
+use super::{cases, expansion, tactics};
 use crate::argument::{Argument, Rules as _};
 use crate::open::Method;
 
@@ -18,7 +18,11 @@ type Q = BigRational;
 
 /// Case distinctions for which an inequality that is taken as an equation counts.
 const BOUNDARY: u32 = 5;
-/// What it costs, of the budget for squares, to tell the order of two variables.
+/// Points from which others are approached.
+const STARTS: usize = 4;
+/// Case distinctions for which one by elimination counts.
+const CASE: u32 = 2;
+/// What it costs, of the budget for squares or for cells, to tell a case.
 const ORDER: u64 = 1_000_000;
 
 impl Search<'_> {
@@ -64,13 +68,25 @@ impl Search<'_> {
             if let Some(point) = self.linear_point(state, trail, &vars) {
                 return Outcome::Model(point);
             }
-            if !linear && let Some(point) = self.on_boundary(state, trail, splits) {
+            let found = if linear {
+                None
+            } else if self.far {
+                self.note(Method::Cells);
+                self.by_cells(state, trail, &vars)
+            } else {
+                self.by_approach(state, trail, &vars, STARTS)
+                    .or_else(|| self.on_boundary(state, trail, splits))
+            };
+            if let Some(point) = found {
                 return Outcome::Model(point);
             }
         }
         if vars.len() > 1 && self.proofs {
             // A quick look for a point saves the long search for a proof that there is none.
-            if !self.models && self.sample(state, trail, &vars, (2, 12)).is_some() {
+            if !self.models
+                && (self.sample(state, trail, &vars, (2, 12)).is_some()
+                    || self.by_approach(state, trail, &vars, 1).is_some())
+            {
                 return Outcome::Open;
             }
             let squares = |reach| {
@@ -98,6 +114,17 @@ impl Search<'_> {
             }
             if !self.products {
                 return combined.map_or(Outcome::Open, Outcome::Closed);
+            }
+            if combined.is_none() && self.far && self.cells.spend(ORDER).is_ok() {
+                self.note(Method::Cases);
+                if let Some(proof) = cases::closed(state, &vars, &self.cells) {
+                    return Outcome::Closed(proof);
+                }
+                if splits + CASE <= MAX_SPLITS
+                    && let Some(poly) = cases::telling(state, &vars, &self.cells)
+                {
+                    return self.split(state, poly, trail, splits + CASE);
+                }
             }
             let proof = combined
                 .or_else(|| products(1))

@@ -1,8 +1,12 @@
 //! Finding proofs and witnesses for goals. Nothing here is trusted: what is found goes to the
 //! kernel, and what the kernel does not accept is not reported.
 
+mod approach;
 mod attempt;
 mod bounds;
+mod budget;
+mod cases;
+mod cells;
 mod circle;
 mod combination;
 mod elimination;
@@ -36,64 +40,19 @@ use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
+/// Bits of a coefficient beyond which the ways that take long are not gone.
+const WIDE: u64 = 256;
 
 pub(crate) use attempt::Attempt;
+use budget::Ways;
 use functions::Effort;
 use germs::Germs;
 use hints::Hint;
 pub(crate) use hints::expanded;
 use search::{Outcome, Search};
 
+pub use budget::Budget;
 pub use functions::expression;
-
-/// How much work one link may take. All numbers count steps, none of them time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Budget {
-    /// states that one search may visit
-    pub steps: u64,
-    /// coefficient operations of one search
-    pub fuel: u64,
-    /// coefficient operations of one check
-    pub check: u64,
-    /// tuples of functions that are tried as a model
-    pub functions: usize,
-    /// whether ideals may be computed where substitution does not close
-    pub ideals: bool,
-    /// whether products of premises and boxes may be tried, which take long
-    pub products: bool,
-    /// coefficient operations of one search for sums of squares
-    pub squares: u64,
-}
-
-impl Default for Budget {
-    fn default() -> Self {
-        Self {
-            steps: 4_000,
-            fuel: 40_000_000,
-            check: 400_000_000,
-            functions: 60,
-            ideals: true,
-            products: true,
-            squares: 200_000_000,
-        }
-    }
-}
-
-impl Budget {
-    /// As many times the work.
-    #[must_use]
-    pub fn times(self, factor: u64) -> Self {
-        let functions = usize::try_from(factor).unwrap_or(usize::MAX);
-        Self {
-            steps: self.steps.saturating_mul(factor),
-            fuel: self.fuel.saturating_mul(factor),
-            check: self.check.saturating_mul(factor),
-            functions: self.functions.saturating_mul(functions),
-            squares: self.squares.saturating_mul(factor),
-            ..self
-        }
-    }
-}
 
 /// A certificate that the kernel accepted, and what it was written out from.
 #[derive(Clone, Debug)]
@@ -214,8 +173,14 @@ impl Prover<'_> {
     }
 
     /// Searches for a contradiction in the state of a finding.
-    fn closed(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> Option<Grounds> {
-        match self.search(goal, finding, false, out) {
+    fn closed(
+        &self,
+        goal: &Goal,
+        finding: Finding,
+        ways: Ways,
+        out: &mut Verdicts,
+    ) -> Option<Grounds> {
+        match self.search(goal, finding, false, ways, out) {
             (Some(course), _) => Some(Grounds::Contradiction(course)),
             (None, _) => None,
         }
@@ -227,6 +192,7 @@ impl Prover<'_> {
         goal: &Goal,
         finding: Finding,
         models: bool,
+        ways: Ways,
         out: &mut Verdicts,
     ) -> (Option<Course>, Outcome) {
         let open = (None, Outcome::Open);
@@ -249,6 +215,10 @@ impl Prover<'_> {
                 return open;
             }
         };
+        let wide = |a: &Atom| a.poly.bits() > WIDE;
+        if ways == Ways::Far && state.formulas.iter().flatten().flatten().any(wide) {
+            return open;
+        }
         let mut germs = limits::premised_sides(&state, goal);
         if let (Conclusion::Link(Link::Limit(l)), Finding::Vacuous) = (&goal.conclusion, finding) {
             germs.extend(
@@ -261,6 +231,11 @@ impl Prover<'_> {
         search.ideals = self.budget.ideals;
         search.products = self.budget.products;
         search.squares = Fuel::new(self.budget.squares);
+        search.cells = Fuel::new(if guide { self.budget.cells / 16 } else { self.budget.cells });
+        if ways == Ways::Far {
+            search.far = true;
+            search.squares = Fuel::new(self.budget.squares / 4);
+        }
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
         if guide {
@@ -324,22 +299,26 @@ impl Prover<'_> {
         goal: &Goal,
         finding: Finding,
         candidates: usize,
+        ways: Ways,
         out: &mut Verdicts,
     ) -> Option<Model> {
         match limit_variable(goal, finding) {
-            None => match self.search(goal, finding, true, out) {
+            None => match self.search(goal, finding, true, ways, out) {
                 (_, Outcome::Model(point)) => Some(Model::Point(point)),
                 _ => None,
             },
+            Some(_) if ways == Ways::Far => None,
             Some(x) => functions::model(goal, finding, x, self.by, self.effort(candidates))
                 .map(|f: Functions| Model::Functions(Box::new(f))),
         }
     }
 
     /// A model for the goal, preferably one that satisfies all givens behind it.
-    fn witness(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> bool {
+    fn witness(&self, goal: &Goal, finding: Finding, ways: Ways, out: &mut Verdicts) -> bool {
         for source in [self.resting, goal] {
-            if let Some(model) = self.model(source, finding, self.candidates(source, goal), out) {
+            if let Some(model) =
+                self.model(source, finding, self.candidates(source, goal), ways, out)
+            {
                 let model = restricted(model, goal, source);
                 if self.decide(goal, finding, Grounds::Model(model), out) {
                     out.behind_met = source == self.resting;
@@ -387,7 +366,8 @@ impl Prover<'_> {
             out.model = Some(model);
             return false;
         }
-        let found = self.model(goal, Finding::Consistent, self.budget.functions / 4, out);
+        let found =
+            self.model(goal, Finding::Consistent, self.budget.functions / 4, Ways::Near, out);
         if let Some(model) = found {
             let grounds = Grounds::Model(model.clone());
             if self.accept(goal, Finding::Consistent, &grounds).is_ok() {
@@ -396,7 +376,7 @@ impl Prover<'_> {
                 return false;
             }
         }
-        match self.closed(goal, Finding::Vacuous, out) {
+        match self.closed(goal, Finding::Vacuous, Ways::Near, out) {
             Some(grounds) => self.decide(goal, Finding::Vacuous, grounds, out),
             None => false,
         }
@@ -405,7 +385,7 @@ impl Prover<'_> {
     /// Looks for a proof of a pointwise goal, and for nothing else.
     pub(crate) fn prove(&self, goal: &Goal) -> Verdicts {
         let mut out = Verdicts::default();
-        if let Some(grounds) = self.closed(goal, Finding::Proved, &mut out) {
+        if let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, &mut out) {
             self.decide(goal, Finding::Proved, grounds, &mut out);
         }
         if out.decided.is_none() && out.open.is_none() {
@@ -417,39 +397,49 @@ impl Prover<'_> {
     /// Looks for a point against a pointwise goal, and for nothing else.
     pub(crate) fn refute(&self, goal: &Goal) -> Verdicts {
         let mut out = Verdicts::default();
-        self.witness(goal, Finding::Refuted, &mut out);
+        self.witness(goal, Finding::Refuted, Ways::Near, &mut out);
         out
     }
 
     fn judge_pointwise(&self, goal: &Goal, doubt: bool, out: &mut Verdicts) {
         if goal.conclusion == Conclusion::Contradiction {
-            match self.closed(goal, Finding::Proved, out) {
-                Some(grounds) => self.decide(goal, Finding::Proved, grounds, out),
-                None => self.witness(goal, Finding::Refuted, out),
-            };
+            for ways in [Ways::Near, Ways::Far] {
+                let proved = self
+                    .closed(goal, Finding::Proved, ways, out)
+                    .is_some_and(|grounds| self.decide(goal, Finding::Proved, grounds, out));
+                if proved || self.witness(goal, Finding::Refuted, ways, out) {
+                    return;
+                }
+            }
             return;
         }
         if doubt && self.consistent(goal, out) {
             return;
         }
         if let Conclusion::NotImplied(_) = goal.conclusion {
-            if self.witness(goal, Finding::Proved, out) {
+            if self.witness(goal, Finding::Proved, Ways::Near, out) {
                 return;
             }
             if !speaks_of_limits(&goal.conclusion)
-                && let Some(grounds) = self.closed(goal, Finding::Refuted, out)
+                && let Some(grounds) = self.closed(goal, Finding::Refuted, Ways::Near, out)
+                && self.decide(goal, Finding::Refuted, grounds, out)
             {
-                self.decide(goal, Finding::Refuted, grounds, out);
+                return;
             }
+            self.witness(goal, Finding::Proved, Ways::Far, out);
             return;
         }
-        if let Some(grounds) = self.closed(goal, Finding::Proved, out)
+        if let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, out)
             && self.decide(goal, Finding::Proved, grounds, out)
         {
             return;
         }
-        if !self.witness(goal, Finding::IllDefined, out) {
-            self.witness(goal, Finding::Refuted, out);
+        let found = self.witness(goal, Finding::IllDefined, Ways::Near, out)
+            || self.witness(goal, Finding::Refuted, Ways::Near, out)
+            || self.witness(goal, Finding::IllDefined, Ways::Far, out)
+            || self.witness(goal, Finding::Refuted, Ways::Far, out);
+        if !found && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Far, out) {
+            self.decide(goal, Finding::Proved, grounds, out);
         }
     }
 
@@ -462,7 +452,7 @@ impl Prover<'_> {
         {
             return;
         }
-        if !self.witness(goal, Finding::Refuted, out) {
+        if !self.witness(goal, Finding::Refuted, Ways::Near, out) {
             out.unreached = self.unreached(goal, limit);
         }
     }

@@ -69,6 +69,10 @@ pub(crate) struct Search<'a> {
     pub(crate) products: bool,
     /// for sums of squares
     pub(crate) squares: Fuel,
+    /// for points by approach, cells and elimination by cases
+    pub(crate) cells: Fuel,
+    /// whether cells and elimination by cases are tried, which take long
+    pub(crate) far: bool,
     /// what the author says to use
     pub(crate) hints: Vec<Hint>,
     /// what was tried, and the smallest conditions on which all of it failed
@@ -97,6 +101,8 @@ impl<'a> Search<'a> {
             ideals: false,
             products: true,
             squares: Fuel::new(0),
+            cells: Fuel::new(0),
+            far: false,
             hints: Vec::new(),
             attempt: RefCell::default(),
         }

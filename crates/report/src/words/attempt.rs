@@ -40,6 +40,8 @@ fn name(method: Method) -> &'static str {
         Method::Ideals => "ideals",
         Method::Boxes => "boxes",
         Method::Points => "points",
+        Method::Cells => "cells",
+        Method::Cases => "cases by elimination",
         _ => "others",
     }
 }
