@@ -17,8 +17,8 @@ use crate::{Checked, Rejection, sign};
 #[derive(Clone, Debug)]
 pub struct Fuel(Rc<Cell<u64>>);
 
-/// Terms and powers of one product: beyond it lies memory, not time.
-const WIDEST: u64 = 4_000_000;
+/// Terms and powers of one product, of each factor multiplied.
+const WIDEST: usize = 8_000_000;
 
 impl Fuel {
     /// A budget of this many word-sized coefficient operations.
@@ -246,11 +246,9 @@ impl Poly {
         let size = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
         let words = |p: &Self| 1 + p.bits() / 64;
         let pairs = size(self).saturating_mul(size(other));
-        // what is held before like terms are added up
-        let held = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
-        let powers =
-            size(self).saturating_mul(held(other)) + size(other).saturating_mul(held(self));
-        if pairs.saturating_add(powers) > WIDEST {
+        // what is held before like terms are added up: memory, where `pairs` is time
+        let held = |p: &Self| p.len() + p.0.powers.len();
+        if held(self).saturating_mul(held(other)) > WIDEST {
             return Err(Rejection::Budget);
         }
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;

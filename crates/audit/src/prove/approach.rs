@@ -4,7 +4,7 @@
 
 use kane_algebra::cells::{Cells, cells};
 use kane_algebra::point::{Partial, specialised};
-use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
+use kane_kernel::{Atom, Fuel, Point, Poly, Power, Sign, State};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -74,21 +74,23 @@ struct Near<'a> {
     fuel: &'a Fuel,
 }
 
-/// The value of a polynomial, of which n variables are told, at a point.
+/// The value of a polynomial at a point whose coordinates are multiples of 2^−DIGITS: a sum of integers
+/// over one power of two, so that nothing is reduced on the way.
 fn value(p: &Poly, vars: &[usize], at: &[Q], fuel: &Fuel) -> Option<Q> {
-    fuel.spend(4 * u64::try_from(p.len()).ok()?).ok()?;
-    let mut sum = Q::zero();
+    let degree = |m: &[Power]| m.iter().map(|x| x.1).sum::<u32>();
+    let highest = p.terms().map(|(m, _)| degree(m)).max().unwrap_or(0);
+    fuel.spend(u64::try_from(p.len()).ok()? * u64::from(4 + highest)).ok()?;
+    let whole: Vec<BigInt> =
+        at.iter().map(|x| (x * Q::from_integer(BigInt::one() << DIGITS)).to_integer()).collect();
+    let mut sum = BigInt::zero();
     for (m, c) in p.terms() {
-        let mut term = Q::from_integer(c.clone());
+        let mut term = c << (DIGITS * (highest - degree(m)));
         for &(v, n) in m {
-            let x = &at[vars.iter().position(|w| *w == v)?];
-            for _ in 0..n {
-                term *= x;
-            }
+            term *= whole[vars.iter().position(|w| *w == v)?].pow(n);
         }
         sum += term;
     }
-    Some(sum)
+    Some(Q::new(sum, BigInt::one() << (DIGITS * highest)))
 }
 
 /// The nearest multiple of 2^−digits.
@@ -143,7 +145,7 @@ impl Near<'_> {
 
     /// A point where all conditions hold, equations nearly.
     fn from(&self, start: &[Q], margin: &Q) -> Option<Vec<Q>> {
-        let mut at = start.to_vec();
+        let mut at: Vec<Q> = start.iter().map(|x| rounded(x, DIGITS)).collect();
         for _ in 0..STEPS {
             let seen = self.seen(&at)?;
             if self.holds(&seen) {
