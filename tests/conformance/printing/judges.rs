@@ -183,11 +183,11 @@ fn questions_to_z3_hold_exactly_where_the_claim_fails() {
 
 /// Names that Coq, its library or the file itself have a use for.
 const NAMES: &str = "epsilon, delta, bound, level, true, false, proved, eq_refl, H, root, Rlt_dec, \
-    pow, R, S, O, I, Rabs, sqrt_, forall, exists, fun, fix, end, in, let_, match, return, then, Prop, \
+    pow, R, S, O, I, Rabs, sqrt_, forall, fun, fix, end, in, let_, match, return, then, Prop, \
     Set, Type, goal_a, proof_a, claim_a, witness_a, Root0, t, N, nat, list, goal, proof, atom, expr, \
     Num, Var, Neg, Add, Mul, Div, Eq, Le, Holds, Goal, Says, Rel, Some, None, PI, exp, ln, sin, up, \
     IZR, INR, Rplus, Rmult, Ropp, Rinv, Rmin, Rmax, Rge_dec, Req_EM_T, Steady, Witness, refuted, \
-    holds, conj, and, or, True, False, Axiom, Variable, mod, rem, div, quot, v_goal_a";
+    holds, conj, True, False, Axiom, Variable, mod, rem, div, quot, v_goal_a";
 
 #[test]
 fn no_name_clashes_with_a_word_of_coq_or_of_the_file() {

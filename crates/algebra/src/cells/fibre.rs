@@ -203,7 +203,7 @@ fn joined(
         let constant = m.0.iter().map(|c| Uni::constant(c.clone())).collect();
         let common = gcd(constant, shifted, &field, fuel)?;
         let [c, d] = <[Uni<Q>; 2]>::try_from(common).ok()?;
-        let at = reduced(&(-&c) * &inverse(&d, &field)?, &field);
+        let at = reduced(&(-&c) * &inverse(&d, &field, fuel)?, &field);
         let mut out = Partial { generator: Some(generator), ..Partial::default() };
         for (w, value) in values {
             let moved = value.0.iter().rev().fold(Uni::constant(Q::zero()), |sum, c| {
@@ -220,7 +220,16 @@ fn reduced(p: Uni<Q>, field: &Uni<Q>) -> Uni<Q> {
     if p.deg() >= field.deg() { &p % field } else { p }
 }
 
-fn inverse(p: &Uni<Q>, field: &Uni<Q>) -> Option<Uni<Q>> {
+/// Bits of the largest coefficient.
+fn bits(p: &Uni<Q>) -> u64 {
+    p.0.iter().map(|c| c.numer().bits() + c.denom().bits()).max().unwrap_or(0)
+}
+
+/// 1/p; what it takes is estimated and spent before, because coefficients grow with each division.
+fn inverse(p: &Uni<Q>, field: &Uni<Q>, fuel: &Fuel) -> Option<Uni<Q>> {
+    let degree = u64::try_from(field.deg()).ok()?;
+    let words = 1 + degree.saturating_mul(bits(p) + bits(field)) / 32;
+    fuel.spend((degree * degree).saturating_mul(words).saturating_mul(words)).ok()?;
     let (s, _, g) = p.bezout(field);
     (g.deg() == 0 && !g.is_zero()).then(|| s.scale(&g.0[0].recip()))
 }
@@ -245,10 +254,11 @@ fn gcd(mut a: Vec<Uni<Q>>, mut b: Vec<Uni<Q>>, field: &Uni<Q>, fuel: &Fuel) -> O
     trim(&mut a);
     trim(&mut b);
     while !b.is_empty() {
-        let lead = inverse(b.last()?, field)?;
+        let lead = inverse(b.last()?, field, fuel)?;
         while a.len() >= b.len() {
-            let size = b.len() * field.deg() * field.deg();
-            fuel.spend(10 * u64::try_from(size).ok()?).ok()?;
+            let size = u64::try_from(b.len() * field.deg() * field.deg()).ok()?;
+            let words = 1 + (bits(&lead) + a.iter().map(bits).max().unwrap_or(0)) / 64;
+            fuel.spend(size.saturating_mul(10).saturating_mul(words)).ok()?;
             let factor = reduced(a.last()? * &lead, field);
             let at = a.len() - b.len();
             for (i, c) in b.iter().enumerate() {
