@@ -17,7 +17,7 @@ type Q = BigRational;
 /// Degree over ℚ of the number that carries all coordinates.
 const DEGREE: usize = 16;
 /// Degree of a polynomial that has all values of a coordinate among its roots.
-const NORM: usize = 40;
+const NORM: usize = 24;
 /// Halvings of an interval.
 const HALVINGS: usize = 400;
 /// Multiples of a coordinate that are tried for the number that carries both.

@@ -31,7 +31,7 @@ impl Default for Budget {
             ideals: true,
             products: true,
             squares: 200_000_000,
-            cells: 40_000_000,
+            cells: 10_000_000,
         }
     }
 }

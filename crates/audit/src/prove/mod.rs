@@ -203,6 +203,8 @@ impl Prover<'_> {
         } else {
             (self.budget.steps, self.budget.fuel)
         };
+        // What the near ways have tried in full is tried again on cases alone.
+        let steps = if ways == Ways::Far { steps / 4 } else { steps };
         let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
             return open;
         };
@@ -234,7 +236,7 @@ impl Prover<'_> {
         search.cells = Fuel::new(if guide { self.budget.cells / 16 } else { self.budget.cells });
         if ways == Ways::Far {
             search.far = true;
-            search.squares = Fuel::new(self.budget.squares / 4);
+            search.squares = Fuel::new(self.budget.squares / 16);
         }
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
