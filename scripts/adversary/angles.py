@@ -7,16 +7,15 @@ whose cosine changes its sign within the ranges is undefined somewhere, so that 
     python3 scripts/adversary/angles.py KANE [COUNT [SEED]] [--certificates]
 """
 
-import json
 import math
 import random
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
-from pathlib import Path
 
-CHECKER = Path(__file__).resolve().parents[1] / "check_cert.py"
+sys.dont_write_bytecode = True
+
+from trial import Trial  # noqa: E402
+
 CLAIMS = 8
 ANGLES = ("theta", "phi")
 
@@ -49,7 +48,7 @@ def half_turns(q):
 
 
 class Node:
-    """An expression: how it is written, and its value at angles; `slopes` are the cosines of its tangents."""
+    """An expression: how it is written, its value at angles, and the cosines of its tangents."""
 
     def __init__(self, text, value, cosines=()):
         self.text, self.value, self.cosines = text, value, tuple(cosines)
@@ -199,49 +198,30 @@ def document(rng):
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
-    kane, count, seed = arguments + ["1000", "angles"][len(arguments) - 1:]
-    rng = random.Random(seed)
-    tally, wrong, unread, judged = {}, [], 0, 0
-    with tempfile.TemporaryDirectory() as folder:
-        while judged < int(count):
-            source, truths = document(rng)
-            path = Path(folder) / "a.md"
-            path.write_text(source)
-            run = subprocess.run(
-                [kane, "audit", str(path), "--format", "json", "--budget", "2000000", "--out", folder + "/out"],
-                capture_output=True, text=True, check=False,
-            )
-            if run.returncode not in (0, 1):
-                # a range that does not fit the finest part, or parts finer than the language has
-                unread += 1
-                if "error" not in run.stderr or unread > 50 + judged:
-                    wrong.append((source, run.stderr))
-                    break
+    trial = Trial("angles")
+    rng = random.Random(trial.seed)
+    unread = 0
+    while trial.judged < trial.count:
+        source, truths = document(rng)
+        statements, messages = trial.statements(source, 2_000_000)
+        if statements is None:
+            # a range that does not fit the finest part, or parts finer than the language has
+            unread += 1
+            if "error" not in messages or unread > 50 + trial.judged:
+                trial.wrong.append((source, messages))
+                break
+            continue
+        for statement in statements:
+            label = statement["label"]
+            if label not in truths:
                 continue
-            for statement in json.loads(run.stdout)["documents"][0]["statements"]:
-                label = statement["label"]
-                if label not in truths:
-                    continue
-                judged += 1
-                verdict, true = statement["verdict"], truths[label]
-                tally[str(true), verdict] = tally.get((str(true), verdict), 0) + 1
-                says_false = verdict in ("refuted", "ill-defined")
-                if (true is True and says_false) or (true is False and verdict == "proved") or verdict == "vacuous":
-                    wrong.append((source, f"{label} is {verdict}, and it is {true}"))
-            if "--certificates" in sys.argv:
-                check = subprocess.run(
-                    [sys.executable, str(CHECKER), "--quiet", str(path), folder + "/out/a.cert.json"],
-                    capture_output=True, text=True, check=False,
-                )
-                if check.returncode:
-                    wrong.append((source, check.stdout + check.stderr))
-    for (true, verdict), n in sorted(tally.items()):
-        print(f"{true} {verdict}: {n}")
-    print(f"{judged} claims, {len(wrong)} wrong, {unread} documents not read")
-    for source, why in wrong[:3]:
-        print(source, why)
-    return 1 if wrong else 0
+            trial.judged += 1
+            verdict, true = statement["verdict"], truths[label]
+            trial.count_one(f"{true} {verdict}")
+            says_false = verdict in ("refuted", "ill-defined")
+            if (true is True and says_false) or (true is False and verdict == "proved") or verdict == "vacuous":
+                trial.wrong.append((source, f"{label} is {verdict}, and it is {true}"))
+    return trial.told(f", {unread} documents not read")
 
 
 if __name__ == "__main__":

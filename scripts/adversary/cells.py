@@ -26,7 +26,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1])]
 
 from check_cert.evidence import unique_keys  # noqa: E402
-from check_cert.main import check_text  # noqa: E402
+from opinion import second_opinion  # noqa: E402
 
 CLAIMS = 10  # a document
 SECONDS = 4  # of z3 a question
@@ -265,18 +265,6 @@ def asked(relations, negated):
     lines = ["(set-logic QF_NRA)", *[f"(declare-const {n} Real)" for n in names], *[f"(assert {p})" for p in parts], "(check-sat)"]
     done = subprocess.run(["z3", f"-T:{SECONDS}", "-in"], input="\n".join(lines), capture_output=True, text=True)
     return done.stdout.split("\n")[0].strip() if done.stdout else "unknown"
-
-
-def second_opinion(source, certificate, shown):
-    """What the second checker refuses, and how many links it accepts."""
-    said = []
-    try:
-        check_text(source.encode("utf-8"), certificate, said.append)
-    except Exception as why:
-        said.append(f"NO   document: {why!r}")
-    if [c["verdict"] for c in certificate["claims"]] != shown:
-        said.append("NO   the certificate has other verdicts than the report")
-    return [line for line in said if line.startswith("NO")], sum(" link " in line and line.startswith("yes") for line in said)
 
 
 def wrong_verdict(verdict, claim, tally, family):

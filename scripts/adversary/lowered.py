@@ -13,12 +13,9 @@ anything, and nothing is written out in components but the results. A verdict is
     python3 scripts/adversary/lowered.py KANE [COUNT [SEED]] [--certificates]
 """
 
-import json
 import random
 import re
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
 from pathlib import Path
 
@@ -26,8 +23,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from meaning import Scene, all_of, formula, links, number, text  # noqa: E402
+from trial import Trial  # noqa: E402
 
-CHECKER = Path(__file__).resolve().parents[1] / "check_cert.py"
 GRID = [Fraction(n) for n in (0, 1, -1, 2, -2, 3)] + [Fraction(1, 2), Fraction(-1, 2)]
 CLAIMS, POINTS = 8, 150
 POINT = re.compile(r"^At the point (.*):$")
@@ -342,48 +339,27 @@ def shown_point(env):
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
-    kane, count, seed = arguments + ["1000", "lowered"][len(arguments) - 1:]
-    rng = random.Random(seed)
-    tally, wrong, rejected, judged, documents = {}, [], 0, 0, 0
-    with tempfile.TemporaryDirectory() as folder:
-        while judged < int(count):
-            scene, givens, claims, source = document(rng)
-            path = Path(folder) / "l.md"
-            path.write_text(source)
-            run = subprocess.run(
-                [kane, "audit", str(path), "--format", "json", "--budget", "200000", "--out", folder + "/out"],
-                capture_output=True, text=True, check=False,
-            )
-            documents += 1
-            if run.returncode not in (0, 1):
-                if "division by literal zero" in run.stderr:
-                    continue
-                wrong.append((source, run.stderr))
-                break
-            shown = json.loads(run.stdout)["documents"][0]["statements"]
-            values = [{n: rng.choice(GRID) for n in scene.names()} for _ in range(POINTS)]
-            # points at which vectors are equal, or matrices singular, are met more often by few values
-            values += [{n: rng.choice(GRID[:2]) for n in scene.names()} for _ in range(POINTS // 2)]
-            found, verdicts = judge(scene, givens, claims, shown, values)
-            judged += len(claims)
-            for verdict in verdicts:
-                tally[verdict] = tally.get(verdict, 0) + 1
-            wrong += [(source, why) for why in found]
-            if "--certificates" in sys.argv:
-                check = subprocess.run(
-                    [sys.executable, str(CHECKER), "--quiet", str(path), folder + "/out/l.cert.json"],
-                    capture_output=True, text=True, check=False,
-                )
-                if check.returncode:
-                    rejected += 1
-                    wrong.append((source, check.stdout + check.stderr))
-    for verdict, n in sorted(tally.items()):
-        print(f"{verdict}: {n}")
-    print(f"{documents} documents, {judged} claims, {len(wrong)} wrong, {rejected} certificates rejected")
-    for source, why in wrong[:5]:
-        print(source, why)
-    return 1 if wrong else 0
+    trial = Trial("lowered")
+    rng = random.Random(trial.seed)
+    documents = 0
+    while trial.judged < trial.count:
+        scene, givens, claims, source = document(rng)
+        shown, messages = trial.statements(source, 200_000)
+        documents += 1
+        if shown is None:
+            if "division by literal zero" in messages:
+                continue
+            trial.wrong.append((source, messages))
+            break
+        values = [{n: rng.choice(GRID) for n in scene.names()} for _ in range(POINTS)]
+        # points at which vectors are equal, or matrices singular, are met more often by few values
+        values += [{n: rng.choice(GRID[:2]) for n in scene.names()} for _ in range(POINTS // 2)]
+        found, verdicts = judge(scene, givens, claims, shown, values)
+        trial.judged += len(claims)
+        for verdict in verdicts:
+            trial.count_one(verdict)
+        trial.wrong += [(source, why) for why in found]
+    return trial.told(f", {documents} documents")
 
 
 if __name__ == "__main__":

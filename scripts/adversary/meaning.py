@@ -186,11 +186,7 @@ def compare(op, a, b):
 
 def all_of(formulas, env, s):
     """Of a list, read from left to right, the first truth that is not true."""
-    for f in formulas:
-        truth = true(f, env, s)
-        if truth is not True:
-            return truth
-    return True
+    return all_of_truths(true(f, env, s) for f in formulas)
 
 
 def links(f):

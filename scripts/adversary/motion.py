@@ -9,15 +9,14 @@ or too seldom.
     python3 scripts/adversary/motion.py KANE [COUNT [SEED]] [--certificates]
 """
 
-import json
 import random
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
-from pathlib import Path
 
-CHECKER = Path(__file__).resolve().parents[1] / "check_cert.py"
+sys.dont_write_bytecode = True
+
+from trial import Trial  # noqa: E402
+
 FREE = ("x", "z")
 CLAIMS = 8
 
@@ -172,46 +171,24 @@ def substitute(p, jets):
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
-    kane, count, seed = arguments + ["1000", "motion"][len(arguments) - 1:]
-    rng = random.Random(seed)
-    tally, wrong, rejected = {}, [], 0
-    judged = 0
-    with tempfile.TemporaryDirectory() as folder:
-        while judged < int(count):
-            source, truths = document(rng)
-            path = Path(folder) / "m.md"
-            path.write_text(source)
-            run = subprocess.run(
-                [kane, "audit", str(path), "--format", "json", "--budget", "2000000", "--out", folder + "/out"],
-                capture_output=True, text=True, check=False,
-            )
-            if run.returncode not in (0, 1):
-                wrong.append((source, run.stderr))
-                break
-            for statement in json.loads(run.stdout)["documents"][0]["statements"]:
-                label = statement["label"]
-                if not label.startswith("c") or label not in truths:
-                    continue
-                judged += 1
-                verdict, truth = statement["verdict"], truths[label]
-                tally[truth, verdict] = tally.get((truth, verdict), 0) + 1
-                if (truth and verdict in ("refuted", "ill-defined")) or (not truth and verdict == "proved") or verdict == "vacuous":
-                    wrong.append((source, f"{label} is {verdict}, and it is {truth}"))
-            if "--certificates" in sys.argv:
-                check = subprocess.run(
-                    [sys.executable, str(CHECKER), "--quiet", str(path), folder + "/out/m.cert.json"],
-                    capture_output=True, text=True, check=False,
-                )
-                if check.returncode:
-                    rejected += 1
-                    wrong.append((source, check.stdout))
-    for (truth, verdict), n in sorted(tally.items(), key=str):
-        print(f"{'true' if truth else 'false'} {verdict}: {n}")
-    print(f"{judged} claims, {len(wrong)} wrong, {rejected} certificates rejected")
-    for source, why in wrong[:3]:
-        print(source, why)
-    return 1 if wrong else 0
+    trial = Trial("motion")
+    rng = random.Random(trial.seed)
+    while trial.judged < trial.count:
+        source, truths = document(rng)
+        statements, messages = trial.statements(source, 2_000_000)
+        if statements is None:
+            trial.wrong.append((source, messages))
+            break
+        for statement in statements:
+            label = statement["label"]
+            if not label.startswith("c") or label not in truths:
+                continue
+            trial.judged += 1
+            verdict, truth = statement["verdict"], truths[label]
+            trial.count_one(f"{'true' if truth else 'false'} {verdict}")
+            if (truth and verdict in ("refuted", "ill-defined")) or (not truth and verdict == "proved") or verdict == "vacuous":
+                trial.wrong.append((source, f"{label} is {verdict}, and it is {truth}"))
+    return trial.told()
 
 
 if __name__ == "__main__":

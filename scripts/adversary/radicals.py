@@ -26,7 +26,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1])]
 
 from check_cert.evidence import unique_keys  # noqa: E402
-from check_cert.main import check_text  # noqa: E402
+from opinion import second_opinion  # noqa: E402
 
 DIGITS = 3000
 DEPTHS = (100, 200, 400)
@@ -283,18 +283,6 @@ def truth(rng, claim):
     if False in found:
         return False
     return None if None in found else True
-
-
-def second_opinion(source, certificate, shown):
-    """What the second checker refuses."""
-    said = []
-    try:
-        check_text(source.encode("utf-8"), certificate, said.append)
-    except Exception as why:
-        said.append(f"NO   document: {why!r}")
-    if [c["verdict"] for c in certificate["claims"]] != shown:
-        said.append("NO   the certificate has other verdicts than the report")
-    return [line for line in said if line.startswith("NO")], sum(" link " in line and line.startswith("yes") for line in said)
 
 
 def run(args):

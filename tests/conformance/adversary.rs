@@ -41,24 +41,25 @@ fn no_wrong_verdict_of_old_comes_back() {
     }
 }
 
+/// What a script printed that puts random claims to the program one document at a time.
+fn trial(script: &str, claims: usize) -> Option<String> {
+    let claims = many(claims).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
+    let printed = succeeded(&adversary(script, &arguments)?);
+    assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+    Some(printed)
+}
+
 #[test]
 fn no_verdict_on_derivatives_of_functions_is_wrong() {
-    let claims = many(300).to_string();
-    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
-    if let Some(output) = adversary("motion.py", &arguments) {
-        let printed = succeeded(&output);
-        assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+    if let Some(printed) = trial("motion.py", 300) {
         assert!(printed.contains("true proved") && printed.contains("false refuted"), "{printed}");
     }
 }
 
 #[test]
 fn no_verdict_on_what_is_lowered_is_wrong() {
-    let claims = many(300).to_string();
-    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
-    if let Some(output) = adversary("lowered.py", &arguments) {
-        let printed = succeeded(&output);
-        assert!(printed.contains(" 0 wrong, 0 certificates rejected"), "{printed}");
+    if let Some(printed) = trial("lowered.py", 300) {
         let kinds = ["\nproved: ", "\nrefuted: ", "\nill-defined: ", "exists proved: "];
         let all = format!("\n{printed}");
         assert!(kinds.iter().all(|kind| all.contains(kind)), "{printed}");
@@ -67,11 +68,7 @@ fn no_verdict_on_what_is_lowered_is_wrong() {
 
 #[test]
 fn no_verdict_on_angles_is_wrong() {
-    let claims = many(120).to_string();
-    let arguments = [env!("CARGO_BIN_EXE_kane"), &claims, "gate", "--certificates"];
-    if let Some(output) = adversary("angles.py", &arguments) {
-        let printed = succeeded(&output);
-        assert!(printed.contains(" 0 wrong"), "{printed}");
+    if let Some(printed) = trial("angles.py", 120) {
         assert!(printed.contains("True proved") && printed.contains("False refuted"), "{printed}");
     }
 }
