@@ -115,6 +115,7 @@ pub use kane_floats as floats;
 pub use kane_impact as impact;
 pub use kane_judges as judges;
 pub use kane_kernel as kernel;
+pub use kane_latex as latex;
 pub use kane_matrix as matrix;
 pub use kane_measure as measure;
 pub use kane_number as number;

@@ -1,12 +1,15 @@
 """One document at a time, put to the program and its certificate to the second checker."""
 
 import json
+import random
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 CHECKER = Path(__file__).resolve().parents[1] / "check_cert.py"
+
+LONGEST = 60  # seconds that a scene may take
 
 
 class Trial:
@@ -41,14 +44,49 @@ class Trial:
                 self.wrong.append((source, check.stdout + check.stderr))
         return json.loads(run.stdout)["documents"][0]["statements"], ""
 
+    def scene(self, source):
+        """The report on a scene with all of its models; where there is none, the exit code and the messages."""
+        path = Path(self.folder.name) / "s.toml"
+        path.write_text(source)
+        command = [self.kane, "scene", str(path), "--format", "json", "--compare"]
+        try:
+            run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            return None, "none", f"no answer in {LONGEST} s"
+        return (json.loads(run.stdout) if run.returncode in (0, 1) and run.stdout else None), run.returncode, run.stderr
+
+    def formulas(self, make, batch, *options):
+        """Formulas that `make` writes, put to `kane stability` some at a time; a batch is a list of (formula, report,
+        source of chance).
+
+        A formula is a tuple that begins with its text; `--out` goes to the folder. A batch that fails is a wrong answer.
+        """
+        path = Path(self.folder.name) / "f.fpcore"
+        for begin in range(0, self.count, batch):
+            numbers = range(begin, min(begin + batch, self.count))
+            made = [make(random.Random(f"{self.seed}/{i}"), i) for i in numbers]
+            path.write_text("\n".join(text for text, *_ in made) + "\n")
+            run = subprocess.run(
+                [self.kane, "stability", str(path), "--format", "json", *options],
+                capture_output=True, text=True, check=False,
+            )
+            if run.returncode:
+                self.wrong.append((path.read_text(), f"exit {run.returncode}: {run.stderr}"))
+                continue
+            rngs = [random.Random(f"{self.seed}/{i}/points") for i in numbers]
+            yield list(zip(made, json.loads(run.stdout)["formulas"], rngs, strict=True))
+            done = numbers.stop
+            if done % 500 == 0:
+                print(f"{done} formulas, {self.judged} judged, {len(self.wrong)} wrong", file=sys.stderr, flush=True)
+
     def count_one(self, name):
         self.tally[name] = self.tally.get(name, 0) + 1
 
-    def told(self, beside=""):
+    def told(self, beside="", what="claims"):
         """Prints what was found; the exit code."""
         for name, n in sorted(self.tally.items()):
             print(f"{name}: {n}")
-        print(f"{self.judged} claims, {len(self.wrong)} wrong, {self.rejected} certificates rejected{beside}")
+        print(f"{self.judged} {what}, {len(self.wrong)} wrong, {self.rejected} certificates rejected{beside}")
         for source, why in self.wrong[:5]:
             print(source, why)
         return 1 if self.wrong else 0

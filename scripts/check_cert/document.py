@@ -6,10 +6,11 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
-from . import angles, arrays, logic, motion, templates
+from .bounds import allows, pi_bounds, rational
+from . import angles, arrays, logic, motion, sequences, templates, terms
 from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable
-from .expressions import GREEK, RESERVED, Reader, parts, spelled, symbols_in
+from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
 from .ties import Ties
 
 SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
@@ -47,6 +48,8 @@ class Statement:
     expect: str = None
     derived_from: "Statement" = None  # of which premise it is the derivative
     exists: bool = False  # a witness is put in, and only a proof decides
+    range: tuple = None  # (index, its first value)
+    induction: tuple = None  # the same, of a claim that is to be shown so
 
     @cached_property
     def relations(self):
@@ -70,11 +73,13 @@ class Document:
     def __init__(self, text):
         wanted = {}  # symbols that are angles, which is seen only where they are used
         orders = {}  # how often functions are differentiated
+        self.powers = set()  # bases and indices of powers
         while True:
             self.symbols, self.statements, self.claims = {}, {}, []
             self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
             self.points, self.rate_of, self.orders = {}, {}, orders
             self.arrays, self.templates = {}, {}
+            self.sequences = sequences.Sequences(self)
             try:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
                 for statement in statements(text):
@@ -82,6 +87,10 @@ class Document:
                 break
             except angles.Met as met:
                 wanted[met.name] = met.parts
+            except sequences.MetPower as met:
+                if (met.base, met.index) in self.powers:
+                    raise Unreadable("a power is used above its base or its index") from None
+                self.powers.add((met.base, met.index))
             except motion.MetRate as met:
                 name, order = met.name, 1
                 while name in self.rate_of:
@@ -107,7 +116,8 @@ class Document:
     def is_plain(self, name):
         """Is it a variable that is neither a function nor defined?"""
         symbol = self.symbols.get(name)
-        return symbol is not None and not (symbol.argument or symbol.body or symbol.parts)
+        index = name in self.sequences.indices
+        return symbol is not None and not (symbol.argument or symbol.body or symbol.parts or index)
 
     def expression(self, text):
         """Reads an expression from the certificate."""
@@ -117,6 +127,8 @@ class Document:
             reader.done()
         except Unreadable as reason:
             raise Rejected(str(reason)) from None
+        except sequences.MetPower:
+            raise Rejected("there is no such power") from None
         return expression
 
     def mentioned(self, expression):
@@ -149,13 +161,17 @@ class Document:
         """Does an expression depend on the variable?"""
         return self.varies(self.mentioned(expression), variable)
 
+    def declare_name(self, name, **what):
+        self.declare(Symbol(name, **what))
+
     def declare(self, symbol):
         self.take_name(symbol.name)
         self.symbols[symbol.name] = symbol
 
     def take_name(self, name):
         """A name is declared once, and looks like no other."""
-        if name in self.symbols or name in self.arrays or name in self.templates:
+        known = (self.symbols, self.arrays, self.templates, self.sequences.terms)
+        if any(name in names for names in known):
             raise Unreadable(f"`{name}` is already declared")
         alike = self.printed.setdefault(printed(name), name)
         if alike != name:
@@ -193,8 +209,10 @@ class Document:
             self.read_symbol(reader)
             while reader.take(","):
                 self.read_symbol(reader)
+            terms.declare_powers(self)
         elif reader.take("let"):
             self.read_definition(reader)
+            terms.declare_powers(self)
         elif kind := reader.take("given", "claim"):
             self.read_statement(kind, reader)
         else:
@@ -230,7 +248,12 @@ class Document:
             if getattr(symbol, key):
                 reader.fail("a bound is given twice")
             setattr(symbol, key, (bound, len(sign) == 1))
-        if reader.take("in"):
+        within = reader.take("in")
+        if within and reader.take("N"):
+            self.read_unit(symbol, reader)
+            terms.declare_index(self, symbol, signs, reader)
+            return
+        if within:
             matrix, size = arrays.space(reader)
             if signs:
                 reader.fail("a vector or a matrix has no bounds")
@@ -349,12 +372,22 @@ class Document:
         name = reader.name()
         parameters = ()
         if reader.take("("):
+            if reader.kind == "number":
+                self.add(Statement("let", label or name))
+                terms.read_recursion(self, name, reader)
+                return
+            if reader.word in self.sequences.indices:
+                self.add(Statement("let", label or name))
+                terms.read_term(self, name, reader)
+                return
             parameters = self.bound_names(reader)
             reader.expect(")")
         reader.expect(":=")
         self.add(Statement("let", label or name))
         reader.bound = parameters
         body = reader.value()
+        if not parameters and self.sequences.spoken(templates.components(body)):
+            reader.fail("a plain definition varies with no index")
         if parameters:
             self.all_used(parameters, templates.components(body), reader)
             self.take_name(name)
@@ -406,8 +439,10 @@ class Document:
             self.read_items(statement, reader)
         if statement.limits:
             self.read_limit_point(statement, reader)
+        if kind == "claim" and reader.word == "for" and statement.form == "relations" and not statement.limits:
+            terms.read_range(self, statement, reader)
         if reader.take("when"):
-            statement.when = reader.relations()
+            statement.when = (*statement.when, *reader.relations())
         if kind == "claim":
             self.read_support(statement, reader)
         if statement.exists:
@@ -492,6 +527,10 @@ class Document:
                 reader.sum()
                 if not reader.take(","):
                     break
+        plain = statement.form == "relations" and not statement.limits and not statement.exists
+        if plain and reader.take("by"):
+            reader.expect("induction")
+            statement.induction = statement.range or reader.fail("`by induction` needs `for n >= 0`")
         if statement.form == "not implied" and reader.take("by"):
             while True:
                 reader.name()
@@ -509,6 +548,7 @@ class Document:
 
     def check(self, statement, reader):
         """What has no meaning is an error."""
+        self.sequences.check(statement, reader)
         variable = statement.variable
         for _, _, limit in statement.limits:
             if isinstance(limit, tuple) and self.depends(limit, variable):
@@ -550,49 +590,8 @@ class Document:
             self.check_derivatives(part, variables, ties, seen, reader)
 
 
-def pi_bounds(reader, symbol):
-    """Is `pi` a bound here, and not the symbol that is declared?"""
-    if reader.word != "pi":
-        return False
-    item = spelled(reader.text[reader.start:].partition(",")[0])
-    names = re.findall(r"(?<![\w'])[^\W\d_][\w']*", item)
-    return symbol is not None or any(name != "pi" for name in names)
-
-
 def printed(name):
     """What names that look the same have in common: where primes and one `_` stand is not seen."""
     bare = re.sub("_+", "_", name.replace("omicron", "o").replace("'", "")).rstrip("_")
     index = re.fullmatch(rf"({'|'.join(SMALL_GREEK)}|[A-Za-z])_?([A-Za-z]?[0-9]*(?:_.*)?)", bare)
     return index.groups() if index else bare, name.count("'")
-
-
-def allows(symbol, at, above):
-    """Do the bounds of a symbol allow a side of a point?"""
-    low, high = symbol.lower, symbol.upper
-    if at is None:
-        return (high if above else low) is None
-    if above:
-        return (low is None or low[0] <= at) and (high is None or at < high[0])
-    return (low is None or low[0] < at) and (high is None or at <= high[0])
-
-
-def rational(expression, reader):
-    """The value of an expression of numbers alone."""
-    kind = expression[0]
-    if kind == "num":
-        return Fraction(expression[1], expression[2])
-    if kind in ("neg", "add", "sub", "mul", "div", "pow"):
-        values = [rational(part, reader) for part in parts(expression)]
-        if kind == "neg":
-            return -values[0]
-        if kind == "add":
-            return values[0] + values[1]
-        if kind == "sub":
-            return values[0] - values[1]
-        if kind == "mul":
-            return values[0] * values[1]
-        if kind == "div" and values[1]:
-            return values[0] / values[1]
-        if kind == "pow" and abs(expression[2]) < 1000 and (values[0] or expression[2] >= 0):
-            return values[0] ** expression[2]
-    return reader.fail("expected a rational number")

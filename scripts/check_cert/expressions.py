@@ -9,7 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
-from . import angles, arrays, logic, motion, templates
+from . import angles, arrays, logic, motion, sequences, templates
 from .arrays import Array
 from .errors import Unreadable
 
@@ -53,6 +53,7 @@ class Reader:
         self.at = 0
         self.in_angle = False
         self.bound = ()  # names that stand for arguments
+        self.recursion = None  # the index of the sequence that is being defined, the only name bound
         self.advance()
 
     def advance(self):
@@ -95,6 +96,8 @@ class Reader:
 
     def name(self):
         """Reads a name that is not reserved."""
+        if self.word.startswith("$"):
+            self.fail("LaTeX is not read here; write the formula as the report shows it")
         if self.kind != "name" or self.word in RESERVED:
             self.fail("expected a name")
         word = self.word
@@ -155,7 +158,26 @@ class Reader:
                 self.fail("the exponent is too large")
             self.advance()
             return ("pow", base, power)
-        return ("pow", base, self.exponent()) if self.take("^") else base
+        if not self.take("^"):
+            return base
+        exponent = self.exponent_with_index()
+        if exponent:
+            return self.document.sequences.power(base, exponent, self.fail)
+        return ("pow", base, self.exponent())
+
+    def exponent_with_index(self):
+        """Reads an exponent that speaks of an index, if one is there."""
+        if not self.document.sequences.indices:
+            return None
+        before = self.at, self.start, self.kind, self.word
+        try:
+            exponent = self.number(self.signed())
+            if not templates.found_in(exponent) and self.document.sequences.spoken([exponent]):
+                return exponent
+        except Unreadable:
+            pass
+        self.at, self.start, self.kind, self.word = before
+        return None
 
     def exponent(self):
         """An integer: powers of literals associate to the right."""
@@ -215,9 +237,21 @@ class Reader:
             return ("pi", 1)
         if self.kind == "name" and self.word in arrays.FUNCTIONS and self.is_free(self.word):
             return self.function(self.take(*arrays.FUNCTIONS))
+        if self.kind == "name" and self.word == "pow" and self.is_free("pow"):
+            return self.power()
         name = self.name()
         if name in self.bound:
+            if self.recursion:
+                self.expect("(")
+                if self.sum() != ("sym", self.recursion):
+                    self.fail("a step leads from the term at the index")
+                self.expect(")")
             return ("par", self.bound.index(name))
+        if name in self.document.sequences.terms:
+            self.expect("(")
+            argument = self.sum()
+            self.expect(")")
+            return self.document.sequences.term(name, argument, self.fail)
         if name in self.document.templates:
             return self.application(self.document.templates[name])
         if name in self.document.arrays:
@@ -226,7 +260,20 @@ class Reader:
 
     def is_free(self, name):
         known = self.document
-        return name not in known.symbols and name not in known.arrays and name not in known.templates
+        taken = (known.symbols, known.arrays, known.templates, known.sequences.terms)
+        return not any(name in names for names in taken)
+
+    def power(self):
+        """Reads `pow(b, n)`."""
+        self.advance()
+        self.expect("(")
+        base = self.sum()
+        self.expect(",")
+        exponent = self.sum()
+        self.expect(")")
+        if not self.document.sequences.spoken([exponent]):
+            self.fail("this is no exponent with an index")
+        return self.document.sequences.power(base, exponent, self.fail)
 
     def function(self, function):
         """Reads the arguments of `dot` and the like."""

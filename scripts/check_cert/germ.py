@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cache
 
-from .document import allows
+from .bounds import allows
 from .errors import demand
 from .evidence import count, keys, listed, optional, polynomial, rational, text
 from .expressions import parts

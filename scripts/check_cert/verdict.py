@@ -23,13 +23,41 @@ PROVED_BY = {  # form of a claim -> finding -> how it is shown
 }
 
 
-def check_link(document, claim, item, link):
-    """Checks the evidence of one link; returns what it is found to be."""
+def asked(document, claim):
+    """What each link of a claim asks: a claim and its link, and the same for a witness."""
+    if not claim.induction:
+        return [((claim, item),) * 2 for item in claim.items or [None]]
+    known = document.sequences
+    first, step = known.instance(claim, dict([claim.induction])), known.step(claim)
+    own = zip(claim.items, step.items)
+    return [((first, item),) * 2 for item in first.items] + [
+        ((step, further), (claim, item)) for item, further in own
+    ]
+
+
+def check_link(document, aims, link, shown):
+    """Checks the evidence of one link; returns what it is found to be.
+
+    `shown` says whether all links before it are proved.
+    """
     demand(isinstance(link, dict) and "finding" in link, "a finding is expected")
     if link["finding"] is None:
         keys(link, "finding")
         return "undecided"
-    finding, premises, roots, evidence = keys(link, "finding", "premises", "roots", "evidence")
+    names = ("finding", "premises", "roots", "evidence", *(("at",) if "at" in link else ()))
+    finding, premises, roots, evidence, *at = keys(link, *names)
+    is_witness = isinstance(evidence, dict) and bool({"point", "functions"} & set(evidence))
+    (claim, item), known = aims[is_witness], document.sequences
+    is_step = aims[0][0] is not aims[1][0]
+    demand(not is_step or shown or finding != "vacuous", "the first values do not all hold")
+    if is_witness and known.all_spoken(claim):
+        demand(at, "a point counts where numbers stand in the place of indices")
+        place = claim.items.index(item) if item else None
+        claim = known.instance(claim, known.named(at[0]))
+        item = None if place is None else claim.items[place]
+        demand(not known.all_spoken(claim), "an index has no number")
+    else:
+        demand(not at, "no number stands in the place of an index here")
     form = claim.form
     if form == "relations":
         form = "limit" if item[0] == "->" else "relation"
@@ -69,11 +97,12 @@ def check_claim(document, claim, entry, verdicts, report):
     """Checks an entry for a claim; returns the verdict, and whether all was accepted."""
     label, verdict, links = keys(entry, "label", "verdict", "links")
     demand(label == claim.label, f"the label is not `{claim.label}`")
-    items = claim.items or [None]
+    links_asked = asked(document, claim)
     found, good = [], True
-    for number, (item, link) in enumerate(zip(items, listed(links, len(items))), 1):
+    for number, (aims, link) in enumerate(zip(links_asked, listed(links, len(links_asked))), 1):
         try:
-            found.append(check_link(document, claim, item, link))
+            shown = all(verdict == "proved" for verdict in found)
+            found.append(check_link(document, aims, link, shown))
             report(f"yes  {label} link {number}: {found[-1]}")
         except Rejected as reason:
             found.append("undecided")

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::output::When;
@@ -40,6 +41,7 @@ Examples:
   kane audit --only 9                     one statement of it, by its label
   kane audit --explain 16                 its proof or witness, step by step
   kane audit - < notes.md                 a document from standard input
+  kane audit notes.md --watch             again whenever it changes
   kane audit notes.md --out reports       writes reports/notes.html, .tex, .md and .json
   kane audit a.md b.md --format json      two documents, for programs
   kane audit --judges coq,z3              what a proof assistant and a solver say, too
@@ -52,6 +54,23 @@ Exit codes:
   1  a claim is not, or another judge disagrees
   2  bad input or usage
   3  no document has a claim, or a judge is not installed";
+
+const DRAFT_EXAMPLES: &str = "\
+Examples:
+  kane draft paper.tex > paper.md         a document to go on from
+  kane draft paper.tex > paper.md && kane audit paper.md
+                                          what follows from what, as far as the guesses go
+
+Every equation stands in the draft as printed and under its number. Those that can be read are
+statements; the others are quoted with the reason, which standard error lists, too. Which of them are
+premises, what a claim rests on, and the ranges of symbols are guesses from the words around them.
+docs/draft.md says how, and what is read.
+
+Exit codes:
+  0  every equation is read
+  1  some are not
+  2  bad input or usage
+  3  there is no displayed equation";
 
 pub(super) const COLLIDE_EXAMPLES: &str = "\
 Examples:
@@ -78,6 +97,7 @@ const CHART_EXAMPLES: &str = "\
 Examples:
   kane chart --quick                      a first look, in some seconds
   kane chart --out charts                 also writes charts/chart.html, .svg, .csv and more
+  kane chart docs/examples/roots.fpcore   formulas of your own, repaired and in every number system
   kane chart --growth                     how cost grows with rows, bounces, variables and degree
   kane chart --figures --out figures      draws what the laws say: figures/*.svg, data in *.csv
 
@@ -85,6 +105,10 @@ A method is a form of a law in a number system. Its error is that at the worst o
 inputs, alpha from 2^-30 to 2^30, against the exact value; its time is the median of several
 rounds in which all methods take turns. A warning says where the clock contradicts the costs that
 are counted in docs/data/methods.csv.
+
+With a file: each formula as given, with fused operations, and repaired, in f32, f64, double-double,
+intervals and fractions, where these have answers. The inputs are the same for all forms: drawn over
+the ranges, and the worst that a search finds. Files are called NAME-prices.
 
 With --growth: what a row costs by the number of rows in a batch; how an exact chain of bounces
 grows, and how many digits floats and intervals keep in it; what a claim costs the audit by its
@@ -170,6 +194,7 @@ Examples:
   kane check impacts.jsonl --out reports  also writes reports/impacts-check.html, .svg and more
   kane check - < impacts.csv              a log from standard input
   kane check --schema                     the columns, with their units
+  kane check log.csv --preset mujoco      columns called qvel[0] before, qvel[1] before, ...
   kane check log.csv --map vx1_pre_m_s=speed_in
                                           a column by another name
   kane check log.csv --row 17             the collision of line 17, for kane collide
@@ -205,6 +230,9 @@ pub(crate) enum Verb {
     /// Judge every statement of derivation documents
     #[command(after_help = EXAMPLES)]
     Audit(AuditArgs),
+    /// Make a draft of a derivation document from a paper in LaTeX or Markdown
+    #[command(after_help = DRAFT_EXAMPLES)]
+    Draft(DraftArgs),
     /// Hold every law against every property that mechanics asks of it
     Laws(LawsArgs),
     /// Put one collision to every law, exactly and in floats
@@ -223,6 +251,9 @@ pub(crate) enum Verb {
     /// Make a site of every report: an index that says what they come to, four pictures, and a page each
     #[command(after_help = SITE_EXAMPLES)]
     Site(SiteArgs),
+    /// Answer an editor while a derivation document is written
+    #[command(after_help = super::lsp::ABOUT)]
+    Lsp(super::lsp::LspArgs),
     /// Print the completions of a shell
     #[command(after_help = super::shell_args::COMPLETIONS)]
     Completions(CompletionsArgs),
@@ -285,6 +316,17 @@ pub(crate) struct AuditArgs {
     /// Print the proof or the witness of the statement with this label, step by step; may be repeated
     #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
     pub(crate) explain: Vec<String>,
+
+    /// Judge again whenever a file changes, until Ctrl-C or the end of piped input
+    #[arg(long)]
+    pub(crate) watch: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct DraftArgs {
+    /// The paper: LaTeX, or Markdown if its name ends in `.md`; `-` for LaTeX from standard input
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
 }
 
 #[derive(Args, Debug)]
@@ -391,6 +433,19 @@ pub(crate) struct BodyArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct ChartArgs {
+    /// A document, or FPCore in a file called .fpcore: its formulas and their repairs in every number system;
+    /// without one, the paper's forms
+    #[arg(value_name = "FILE", conflicts_with_all = ["growth", "figures"])]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Examine an input of the file from here to there: alpha=1/1000..1000; may be repeated
+    #[arg(long, value_name = "NAME=FROM..TO", allow_hyphen_values = true, requires = "file")]
+    pub(crate) range: Vec<String>,
+
+    /// Follow inputs of the file whose range is left open to the least and the greatest float
+    #[arg(long, requires = "file")]
+    pub(crate) full_line: bool,
+
     /// Fewer and shorter rounds
     #[arg(long)]
     pub(crate) quick: bool,
@@ -403,8 +458,8 @@ pub(crate) struct ChartArgs {
     #[arg(long, conflicts_with_all = ["quick", "growth", "format"])]
     pub(crate) figures: bool,
 
-    /// Also write chart.html, .txt, .md, .tex, .json, .csv and .svg into this directory, or growth.*,
-    /// or the figures
+    /// Also write chart.html, .txt, .md, .tex, .json, .csv and .svg into this directory, or NAME-prices.*,
+    /// growth.*, or the figures
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
@@ -477,6 +532,10 @@ pub(crate) struct CheckArgs {
     #[arg(long, conflicts_with = "log")]
     pub(crate) generate: bool,
 
+    /// Whose names the columns have, where these say nothing by themselves; --map goes before
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(presets()))]
+    pub(crate) preset: Option<String>,
+
     /// What a column of the schema is called in the log; may be repeated
     #[arg(long, value_name = "OURS=THEIRS")]
     pub(crate) map: Vec<String>,
@@ -508,6 +567,13 @@ pub(crate) struct CheckArgs {
     /// Also write NAME-check.html, .txt, .md, .tex, .json, .svg and .xml (JUnit) into this directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+/// The names of presets, with whose they are.
+fn presets() -> impl Iterator<Item = PossibleValue> {
+    kane::records::preset::PRESETS
+        .iter()
+        .map(|preset| PossibleValue::new(preset.name).help(preset.of))
 }
 
 #[derive(Args, Debug)]

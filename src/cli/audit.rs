@@ -1,10 +1,10 @@
 //! `kane audit`: reads documents, judges them, prints the reports.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use kane::audit::{Audit, Body, Document, Options};
+use kane::audit::{Audit, Body, Document, Memo, Options};
 use kane::judges::{self, Claims, Judge, Limits, NotAsked};
 use kane::report::remarks::{self, Remark, of_audit};
 use kane::report::{self, Picture, Report};
@@ -13,7 +13,7 @@ use super::args::{AuditArgs, AuditFormat, JudgeName};
 use super::delivery::Written;
 use super::input::{self, Input, quoted};
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, labels, output};
+use super::{Outcome, bad_input, deliver, labels, output, watch};
 
 /// Two figures for the paper, drawn beforehand: `docs/figures`, which the tests draw anew. With all of
 /// them the page would be above a megabyte.
@@ -37,6 +37,18 @@ const POINTER: &str = "docs/verdict.md answers Kane's puzzle on one page";
 
 /// Runs the verb.
 pub(super) fn run(args: &AuditArgs) -> Outcome {
+    let mut memos = Memos::new();
+    if args.watch {
+        return watch::run(&args.files, &mut || once(args, Some(&mut memos)));
+    }
+    once(args, None)
+}
+
+/// By the name of a document, what was judged of it before.
+type Memos = BTreeMap<String, Memo>;
+
+/// Judges and shows the documents once.
+fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     let (inputs, unreadable) = input::read(&args.files);
     if let Some(twin) = args.out.as_ref().and_then(|_| twin(&inputs)) {
         return bad_input(&format!(
@@ -63,7 +75,8 @@ pub(super) fn run(args: &AuditArgs) -> Outcome {
         let chosen = (!wanted.is_empty()).then(|| {
             wanted.iter().flat_map(|label| labels::find(&document, label)).collect::<Vec<_>>()
         });
-        audits.push((input, judge(document, chosen.as_deref(), args), chosen));
+        let memo = memos.as_mut().map(|memos| memos.entry(input.name.clone()).or_default());
+        audits.push((input, judge(document, chosen.as_deref(), args, memo), chosen));
     }
     let (inputs, reports): (Vec<&Input>, Vec<Report<'_>>) = audits
         .iter()
@@ -164,7 +177,12 @@ fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
 }
 
 /// Judges the document, or of it only what is asked for and what that cites.
-fn judge(document: Document, chosen: Option<&[usize]>, args: &AuditArgs) -> Audit {
+fn judge(
+    document: Document,
+    chosen: Option<&[usize]>,
+    args: &AuditArgs,
+    memo: Option<&mut Memo>,
+) -> Audit {
     let mut options = Options { only: chosen.map(<[usize]>::to_vec), ..Options::default() };
     if let Some(fuel) = args.budget {
         let whole = options.budget;
@@ -177,7 +195,16 @@ fn judge(document: Document, chosen: Option<&[usize]>, args: &AuditArgs) -> Audi
     }
     options.budget = options.budget.times(args.effort.unwrap_or(1));
     let mut progress = Progress::new();
-    kane::audit::audit(document, &options, &mut |done, all| progress.update(done, all))
+    let mut tell = |done, all| progress.update(done, all);
+    let Some(memo) = memo else {
+        return kane::audit::audit(document, &options, &mut tell);
+    };
+    let mut go_on = |done, all| {
+        tell(done, all);
+        true
+    };
+    let again = kane::audit::audit_again(document, &options, memo, &mut go_on);
+    again.expect("it is told to go on")
 }
 
 /// The command that prints one document's report again.

@@ -10,11 +10,14 @@ use super::args::ChartArgs;
 use super::delivery::Written;
 use super::machine::machine;
 use super::progress::Progress;
-use super::{Outcome, bad_input, deliver, forms};
+use super::{Outcome, bad_input, deliver, forms, prices};
 
 /// Runs the verb.
 pub(super) fn run(args: &ChartArgs) -> Outcome {
     let effort = if args.quick { Effort::Quick } else { Effort::Full };
+    if let Some(file) = &args.file {
+        return prices::run(args, file, effort);
+    }
     let mut command = "kane chart".to_owned();
     for (flag, given) in [(" --growth", args.growth), (" --quick", args.quick)] {
         command.push_str(if given { flag } else { "" });

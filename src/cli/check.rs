@@ -7,7 +7,8 @@ use std::path::Path;
 use kane::impact::laws;
 use kane::records::comparison::compare;
 use kane::records::format::Format as Numbers;
-use kane::records::reader::Kind;
+use kane::records::preset::Preset;
+use kane::records::reader::{Kind, names};
 use kane::records::study::{Options, Study, study};
 use kane::records::{replay, sweep};
 use kane::report::records::{
@@ -137,14 +138,38 @@ fn opened(log: &Path) -> Result<Box<dyn BufRead>, String> {
     Ok(Box::new(BufReader::with_capacity(BUFFER, file)))
 }
 
+/// Adds what the preset says of the names in the log, which `--map` goes before.
+fn with_preset<'a>(
+    args: &CheckArgs,
+    log: &Path,
+    input: &mut dyn BufRead,
+    options: &Options<'a>,
+) -> Result<Options<'a>, String> {
+    let mut options = options.clone();
+    if let Some(preset) = args.preset.as_deref().and_then(Preset::named) {
+        let start =
+            input.fill_buf().map_err(|error| format!("cannot read {}: {error}", log.display()))?;
+        let mut map = preset.map(&names(start, kind(args, log)));
+        map.retain(|(ours, theirs)| {
+            !options.map.iter().any(|(known, name)| known == ours || name == theirs)
+        });
+        options.map.extend(map);
+    }
+    Ok(options)
+}
+
 fn studied(args: &CheckArgs, log: &Path, options: &Options<'_>) -> Result<Study, String> {
-    study(opened(log)?, kind(args, log), options)
-        .map_err(|fault| format!("{}: {fault}", log.display()))
+    let mut input = opened(log)?;
+    let options = with_preset(args, log, &mut input, options)?;
+    study(input, kind(args, log), &options).map_err(|fault| format!("{}: {fault}", log.display()))
 }
 
 /// The command that prints the report again.
 fn command(args: &CheckArgs, name: &str) -> String {
     let mut command = format!("kane check {}", quoted(name));
+    if let Some(preset) = &args.preset {
+        command.push_str(&format!(" --preset {preset}"));
+    }
     for pair in &args.map {
         command.push_str(&format!(" --map {}", quoted(pair)));
     }
@@ -162,8 +187,12 @@ fn command(args: &CheckArgs, name: &str) -> String {
 
 /// The collision of one line.
 fn row(args: &CheckArgs, log: &Path, line: u64, options: &Options<'_>) -> Outcome {
-    let input = match opened(log) {
-        Ok(input) => input,
+    let opened = opened(log).and_then(|mut input| {
+        let options = with_preset(args, log, &mut input, options)?;
+        Ok((input, options))
+    });
+    let (input, options) = match opened {
+        Ok(opened) => opened,
         Err(message) => return bad_input(&message),
     };
     match replay::of_line(input, kind(args, log), &options.map, line) {

@@ -4,6 +4,7 @@ mod flags;
 
 use std::path::Path;
 
+use kane::algebra::syntax::Diagnostic;
 use kane::collide::{Collision, Question, answer, in_depth};
 use kane::impact::{InvalidInput, Law, UnknownParameter, laws, set_parameter};
 use kane::number::{Algebraic, Rational};
@@ -89,7 +90,44 @@ fn collision(args: &CollideArgs) -> Result<Collision, Fault> {
             answer(&question, &laws)
         }
     };
-    answered.map_err(|error| Fault::Message(in_words(error)))
+    answered.map_err(|error| located(error, args))
+}
+
+/// What is wrong with the values, at the field or with the flags that say how the bodies move if it is
+/// that.
+fn located(error: InvalidInput<Rational>, args: &CollideArgs) -> Fault {
+    let apart = is_apart(&error);
+    let message = in_words(error);
+    if !apart {
+        return Fault::Message(message);
+    }
+    let Some(path) = &args.file else {
+        let moving = ["--vx", "--vy", "--speed", "--angle", "--half-tangent", "--spin"];
+        let pairs = flags::pairs(&args.body);
+        let given: Vec<&str> =
+            pairs.iter().map(|(flag, _)| *flag).filter(|flag| moving.contains(flag)).collect();
+        return Fault::Message(format!("{message}; see {}", given.join(", ")));
+    };
+    let text = match carried::named(path, &COLLISIONS) {
+        Some(shipped) => shipped.text.to_owned(),
+        None => read::load(path).unwrap_or_default(),
+    };
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let field = line.split('=').next().unwrap_or_default();
+        if line.contains('=') && !field.contains('#') && field.contains("velocit") {
+            let place = start..start + line.trim_end().len();
+            let name = path.display().to_string();
+            return Fault::Shown(Diagnostic::new(&name, &text, place, message).to_string());
+        }
+        start += line.len();
+    }
+    Fault::Message(format!("{}: {message}", path.display()))
+}
+
+/// Whether the bodies move apart, so that there is no collision.
+fn is_apart(error: &InvalidInput<Rational>) -> bool {
+    matches!(error, InvalidInput::Negative { quantity, .. } if quantity.contains("approach"))
 }
 
 /// The laws that do not run on invented numbers, and a note of those that do.
@@ -132,8 +170,7 @@ fn question_of(path: &Path, flags: &BodyArgs) -> Result<Question, Fault> {
 
 /// A value outside the domain that showed only when the contact was formed.
 fn in_words(error: InvalidInput<Rational>) -> String {
-    let apart =
-        matches!(&error, InvalidInput::Negative { quantity, .. } if quantity.contains("approach"));
+    let apart = is_apart(&error);
     let told = error.map(|exact| kane::collide::written(&Algebraic::from(exact.clone())));
     match apart {
         true => format!("the bodies move apart: {told}"),

@@ -66,7 +66,7 @@ impl Written {
         let first = match ending(&path) {
             "v" => format!("(* {} *)", mark()),
             "rs" | "c" => format!("// {}", mark()),
-            "py" => format!("# {}", mark()),
+            "py" | "g" => format!("# {}", mark()),
             _ => format!("; {}", mark()),
         };
         Self::new(path, format!("{first}\n{text}"))

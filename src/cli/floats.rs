@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use kane::algebra::syntax::Diagnostic;
 use kane::floats::rigor::Inputs;
 use kane::floats::{Core, fpcore};
 use kane::measure::Ranges;
 use kane::measure::certify::{Account, Work, account};
-use kane::report::floats::{FloatsReport, json, sheet, sources};
+use kane::report::floats::{FloatsReport, json, questions, sheet, sources};
 
 use super::args::StabilityArgs;
 use super::delivery::Written;
@@ -21,24 +22,7 @@ pub(super) fn is_fpcore(file: &Path) -> bool {
 
 /// Runs the verb on FPCore.
 pub(super) fn run(args: &StabilityArgs, input: &Input, file: &Path, ranges: &Ranges) -> Outcome {
-    let Ok(text) = std::str::from_utf8(&input.bytes) else {
-        bad_input(&format!("{} is not UTF-8", input.name));
-        return Outcome::BadInput;
-    };
-    let mut cores = match fpcore::read(&input.name, text) {
-        Ok(cores) => cores,
-        Err(fault) => {
-            output::to_stderr(&format!("{fault}\n"));
-            return Outcome::BadInput;
-        }
-    };
-    for core in &mut cores {
-        narrow(core, ranges);
-    }
-    let names = || cores.iter().flat_map(|core| &core.arguments).map(|a| a.name.as_str());
-    if !known(ranges, names()) {
-        return Outcome::BadInput;
-    }
+    let Some(cores) = cores(input, ranges) else { return Outcome::BadInput };
     let accounts = accounts(cores, args.rounded_inputs);
     let command = format!("kane stability {}{}", quoted(&file.display().to_string()), flags(args));
     let report = FloatsReport { name: input.name.clone(), accounts: &accounts, command };
@@ -56,6 +40,51 @@ pub(super) fn run(args: &StabilityArgs, input: &Input, file: &Path, ranges: &Ran
     }
 }
 
+/// The formulas of a file over the ranges that are examined; says what is wrong if it cannot be read.
+pub(super) fn cores(input: &Input, ranges: &Ranges) -> Option<Vec<Core>> {
+    let Ok(text) = std::str::from_utf8(&input.bytes) else {
+        output::to_stderr(&Diagnostic::not_utf8(&input.name, &input.bytes).to_string());
+        return None;
+    };
+    let mut cores = match fpcore::read(&input.name, text) {
+        Ok(cores) => cores,
+        Err(fault) => {
+            output::to_stderr(&format!("{fault}\n"));
+            return None;
+        }
+    };
+    for core in &mut cores {
+        narrow(core, ranges);
+    }
+    let names = || cores.iter().flat_map(|core| &core.arguments).map(|a| a.name.as_str());
+    known(ranges, names()).then_some(cores)
+}
+
+/// What a formula is called, by its place in the file.
+pub(super) fn label(core: &Core, index: usize) -> String {
+    core.name.clone().unwrap_or_else(|| format!("formula {}", index + 1))
+}
+
+/// The ranges that the user gives; says which one cannot be read.
+pub(super) fn ranges(given: &[String], full_line: bool) -> Option<Ranges> {
+    let mut ranges = Ranges { full_line, ..Ranges::default() };
+    for range in given {
+        if let Err(error) = ranges.add(range) {
+            bad_input(&format!("--range {range}: {error}"));
+            return None;
+        }
+    }
+    Some(ranges)
+}
+
+/// The flags of ranges.
+pub(super) fn range_flags(given: &[String], full_line: bool) -> String {
+    let mut flags: String =
+        given.iter().map(|range| format!(" --range {}", quoted(range))).collect();
+    flags.push_str(if full_line { " --full-line" } else { "" });
+    flags
+}
+
 /// The arguments over the ranges that are examined.
 fn narrow(core: &mut Core, ranges: &Ranges) {
     for argument in &mut core.arguments {
@@ -71,17 +100,19 @@ fn accounts(cores: Vec<Core>, rounded: bool) -> Vec<Account> {
     let all = cores.len();
     let one = |(index, core): (usize, Core)| {
         progress.update(index, all);
-        let label = core.name.clone().unwrap_or_else(|| format!("formula {}", index + 1));
-        account(&label, &core, work)
+        account(&label(&core, index), &core, work)
     };
     cores.into_iter().enumerate().map(one).collect()
 }
 
-/// The best forms as source code.
+/// The best forms as source code, and the bounds as questions to Gappa.
 pub(super) fn code(stem: &str, accounts: &[Account]) -> Vec<Written> {
     let file =
         |(ending, text): (&str, String)| Written::question(format!("{stem}.{ending}"), &text);
-    sources(accounts).into_iter().map(file).collect()
+    let questions = questions(accounts).into_iter();
+    let question =
+        |(ending, text): (String, String)| Written::question(format!("{stem}-{ending}"), &text);
+    sources(accounts).into_iter().map(file).chain(questions.map(question)).collect()
 }
 
 /// Whether every range that the user gives is of an input that there is; says so if not.
@@ -101,11 +132,7 @@ pub(super) fn known<'a>(ranges: &Ranges, names: impl Iterator<Item = &'a str>) -
 
 /// The flags of a command that prints a report again.
 pub(super) fn flags(args: &StabilityArgs) -> String {
-    let mut flags: String =
-        args.range.iter().map(|range| format!(" --range {}", quoted(range))).collect();
-    if args.full_line {
-        flags.push_str(" --full-line");
-    }
+    let mut flags = range_flags(&args.range, args.full_line);
     if args.rounded_inputs {
         flags.push_str(" --rounded-inputs");
     }

@@ -7,6 +7,7 @@ mod chart;
 mod check;
 mod collide;
 mod delivery;
+mod draft;
 mod floats;
 mod forms;
 mod help;
@@ -14,14 +15,17 @@ mod ids;
 mod input;
 mod labels;
 mod laws;
+mod lsp;
 mod machine;
 mod output;
+mod prices;
 mod progress;
 mod scene;
 mod shell;
 mod shell_args;
 mod site;
 mod stability;
+mod watch;
 
 use std::io;
 use std::path::Path;
@@ -65,6 +69,7 @@ pub(crate) fn run() -> ExitCode {
     output::choose(cli.color);
     let outcome = match cli.verb {
         Verb::Audit(args) => audit::run(&args),
+        Verb::Draft(args) => draft::run(&args),
         Verb::Laws(args) => laws::run(&args),
         Verb::Collide(args) => collide::run(&args),
         Verb::Chart(args) => chart::run(&args),
@@ -72,6 +77,7 @@ pub(crate) fn run() -> ExitCode {
         Verb::Scene(args) => scene::run(&args),
         Verb::Check(args) => check::run(&args),
         Verb::Site(args) => site::run(&args),
+        Verb::Lsp(args) => lsp::run(&args),
         Verb::Completions(args) => shell::completions(&args),
         Verb::Man(args) => shell::man(&args),
     };

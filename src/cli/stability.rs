@@ -15,13 +15,9 @@ use super::{Outcome, bad_input, deliver, floats, forms, output};
 
 /// Runs the verb.
 pub(super) fn run(args: &StabilityArgs) -> Outcome {
-    let mut ranges = Ranges { full_line: args.full_line, ..Ranges::default() };
-    for range in &args.range {
-        if let Err(error) = ranges.add(range) {
-            bad_input(&format!("--range {range}: {error}"));
-            return Outcome::BadInput;
-        }
-    }
+    let Some(ranges) = floats::ranges(&args.range, args.full_line) else {
+        return Outcome::BadInput;
+    };
     let files: Vec<_> = args.file.iter().cloned().collect();
     let (inputs, unreadable) = input::read(&files);
     for error in &unreadable {

@@ -233,3 +233,33 @@ fn the_schema_and_the_sweep_are_printed() {
     assert_eq!(run.code, 3, "{}", run.stdout);
     assert!(run.stdout.contains("vx1_post_m_s is empty"), "{}", run.stdout);
 }
+
+/// A log with the names of an engine is the same log: a preset says what its columns are, and the command that is
+/// printed has it.
+#[test]
+fn a_preset_reads_an_engine_s_own_names() {
+    let dir = scratch("check-preset");
+    let rows = "1,0.5,1,0.3,0.5,1.5,-1,0,1.05,0.5,0.9\n2,1,1,0.3,0.5,0,-1,0,0,0.5,0\n";
+    let plain = "mass,inertia,radius,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n";
+    let theirs = "body_mass,body_inertia[2],geom_size[0],geom_friction[0],e,qvel[0] before,qvel[1] before,\
+                  qvel[2] before,qvel[0] after,qvel[1] after,qvel[2] after\n";
+    let written = |name: &str, head: &str| {
+        let path = dir.join(name);
+        std::fs::write(&path, format!("{head}{rows}")).expect("it is writable");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let (plain, theirs) = (written("plain.csv", plain), written("theirs.csv", theirs));
+    let checks = |arguments: &[&str]| {
+        let run = kane(arguments);
+        let value: serde_json::Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+        (run.code, value["checks"].clone(), value["command"].clone())
+    };
+    let first = checks(&["check", &plain, "--format", "json"]);
+    let second = checks(&["check", &theirs, "--preset", "mujoco", "--format", "json"]);
+    assert_eq!((first.0, &first.1), (second.0, &second.1));
+    assert!(second.2.as_str().is_some_and(|command| command.contains("--preset mujoco")));
+    // without it the columns are missing, and an unknown preset is said with those that there are
+    assert_eq!(kane(&["check", &theirs]).code, 2);
+    let unknown = kane(&["check", &theirs, "--preset", "havok"]);
+    assert!(unknown.code == 2 && unknown.stderr.contains("rapier"), "{}", unknown.stderr);
+}

@@ -374,7 +374,7 @@ fn a_file_s_fault_is_shown_in_its_line() {
         (
             "apart",
             format!("{good}{rod}velocity_m_s = [0, 1]\n"),
-            "",
+            ":7:1",
             "the bodies move apart: the approach speed is -1",
         ),
     ] {
@@ -392,6 +392,14 @@ fn a_file_s_fault_is_shown_in_its_line() {
             assert!(run.stderr.contains('^'), "{name}: {}", run.stderr);
         }
     }
+}
+
+#[test]
+fn bodies_that_move_apart_are_told_with_the_flags_that_say_so() {
+    let flags = ["--body", "hoop", "--vx", "0", "--vy", "1", "--mu", "0.1", "--e", "1/2"];
+    let run = kane(&[&["collide"][..], &flags].concat());
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    assert!(run.stderr.contains("--vy"), "{}", run.stderr);
 }
 
 #[test]

@@ -70,6 +70,28 @@ fn a_file_that_is_not_text_is_refused() {
 }
 
 #[test]
+fn whoever_reads_a_file_says_where_it_stops_being_text() {
+    let dir = scratch("not-text");
+    let verbs = [
+        ("audit", "md"),
+        ("draft", "tex"),
+        ("stability", "fpcore"),
+        ("stability", "md"),
+        ("scene", "toml"),
+        ("collide", "toml"),
+    ];
+    for (verb, ending) in verbs {
+        let path = dir.join(format!("bytes.{ending}"));
+        std::fs::write(&path, b"# T\r\nsecond\rthird \xc3(\n").expect("the directory is writable");
+        let run = kane(&[verb, path.to_str().expect("UTF-8")]);
+        assert_eq!(run.code, 2, "{verb}: {}", run.stdout);
+        let place = run.stderr.contains(":3:7") || run.stderr.contains("line 3, column 7");
+        assert!(place && run.stderr.contains("not UTF-8"), "{verb} {ending}: {}", run.stderr);
+        assert!(run.stderr.contains("bytes."), "{verb}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn a_directory_is_not_a_document() {
     let dir = scratch("directory");
     let run = kane(&["audit", dir.to_str().expect("UTF-8")]);

@@ -12,6 +12,7 @@ mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod hidden; // characters that are not seen reach nothing that is shown
 mod laws; // the matrix: exit codes, one cell in full, files
+mod lsp; // the language server as an editor starts it
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
@@ -20,6 +21,7 @@ mod scene; // scenes: models, files, exit codes
 mod shell; // colours, completions, manual pages, near names
 mod site; // the site
 mod stability; // stability and chart
+mod watch; // --watch
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

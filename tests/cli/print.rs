@@ -13,7 +13,7 @@ var f(alpha)
 let k_W := cases { x < 1: 1 - 2*x; else: abs(x)/3 }
 given a_b: mu*v_x0' <= max(x, 2)^2    # 100 % & more
 given lim: f -> 1/3 as alpha -> 0+
-claim (50%&#_~): d(x^3, x) = 3*x^2
+claim (50): d(x^3, x) = 3*x^2    # 50 %, & # _ ~
 claim not-so: sqrt(x^2) = x  expect refuted
 claim chain: 0 <= mu < mu + 1 != mu  from a_b
 claim weaker: not implied lim from a_b

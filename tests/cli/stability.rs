@@ -61,6 +61,66 @@ fn fpcore_has_bounds_repairs_and_sources() {
     assert_eq!(kane(&["stability", file, "--range", "x=4..12", "--out", out]).code, 0);
 }
 
+/// A choice that rounding can turn is named with an input at which it does, and written again without that fault.
+#[test]
+fn a_guard_has_a_certified_version_beside_the_formula() {
+    let dir = scratch("stability-decides");
+    let file = document(
+        &dir,
+        "guard.md",
+        "var 0 < x < 2, 0 < y < 2\nlet f := cases { x*y < 1: x; else: y }",
+    );
+    let target = dir.join("out");
+    let run = kane(&["stability", &file, "--out", target.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("x*y < 1"), "{}", run.stdout);
+    assert!(run.stdout.contains("wrong near ties"), "{}", run.stdout);
+    for (ending, head) in [
+        ("rs", "pub fn f_1_decides_1(x: f64, y: f64) -> bool {"),
+        ("c", "int f_1_decides_1(double x, double y) {"),
+        ("py", "def f_1_decides_1(x, y):"),
+    ] {
+        let path = target.join(format!("guard-stability.{ending}"));
+        let code = fs::read_to_string(path).expect("it was written");
+        assert!(code.contains(head) && code.contains("f_1_certified"), "{code}");
+    }
+    let json = fs::read_to_string(target.join("guard-stability.json")).expect("it was written");
+    let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
+    let decision = &value["bounds"][0]["formats"][1]["decisions"][0];
+    assert_eq!(decision["function"], "f_1_decides_1");
+    assert!(decision["wrong_near_ties"].as_u64() > Some(0), "{decision}");
+}
+
+/// Digits over nanoseconds of formulas of one's own, of either kind of file.
+#[test]
+fn formulas_of_a_file_are_charted_in_every_system() {
+    let dir = scratch("chart-file");
+    let file = dir.join("two.fpcore");
+    let text = "(FPCore (x) :name \"f\" :pre (<= 1 x 1000) (- (/ 1 x) (/ 1 (+ x 1))))";
+    fs::write(&file, text).expect("it is writable");
+    let file = file.to_str().expect("UTF-8");
+    let target = dir.join("out");
+    let run = kane(&["chart", file, "--quick", "--out", target.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for system in ["f32", "f64", "double-double", "interval", "rational"] {
+        assert!(run.stdout.contains(system), "{}", run.stdout);
+    }
+    assert!(run.stdout.contains("repair 1"), "{}", run.stdout);
+    for ending in ["txt", "md", "html", "tex", "json", "csv", "svg"] {
+        let path = target.join(format!("two-prices.{ending}"));
+        assert!(path.is_file(), "{} is missing", path.display());
+    }
+    let document = document(&dir, "one.md", "var x > 0\nlet f := x + 1");
+    let run = kane(&["chart", &document, "--quick", "--range", "x=1..2", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    assert_eq!(value["schema"]["name"], "kane-prices");
+    assert_eq!(value["formulas"][0]["ways"][0]["form"], "given");
+    assert_eq!(kane(&["chart", &document, "--range", "y=1..2"]).code, 2);
+    assert_eq!(kane(&["chart", "--range", "y=1..2"]).code, 2);
+    let none = crate::document(&dir, "none.md", "var x > 0\nclaim pos: x > 0");
+    assert_eq!(kane(&["chart", &none]).code, 3);
+}
+
 #[test]
 fn ranges_and_fpcore_that_cannot_be_read_are_bad_input() {
     let dir = scratch("stability-bad-floats");
@@ -129,8 +189,8 @@ fn quick_growth_has_all_its_parts() {
     for part in ["a row, ns", "Bounces in a chain: wang-su-li", "in the audit", "rustc"] {
         assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
     }
-    for ending in ["md", "json", "csv", "svg"] {
-        assert!(dir.join(format!("growth.{ending}")).is_file());
+    for ending in [".md", ".json", ".csv", "-batch.svg", "-chain.svg", "-audit.svg"] {
+        assert!(dir.join(format!("growth{ending}")).is_file(), "{ending}");
     }
 }
 

@@ -50,10 +50,31 @@ fn trial(script: &str, claims: usize) -> Option<String> {
     Some(printed)
 }
 
+/// A busy machine without optimization gets more time than the ten seconds that the script gives.
+#[test]
+fn no_hostile_file_breaks_a_verb() {
+    let count = many(180).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &count, "gate", "--seconds", "100"];
+    if let Some(output) = adversary("hostile.py", &arguments) {
+        let printed = succeeded(&output);
+        for verb in ["audit", "draft", "scene", "collide", "check", "stability"] {
+            assert!(printed.contains(&format!("{verb}: the longest")), "{printed}");
+        }
+    }
+}
+
 #[test]
 fn no_verdict_on_derivatives_of_functions_is_wrong() {
     if let Some(printed) = trial("motion.py", 300) {
         assert!(printed.contains("true proved") && printed.contains("false refuted"), "{printed}");
+    }
+}
+
+#[test]
+fn no_verdict_on_what_is_said_of_all_n_is_wrong() {
+    if let Some(printed) = trial("sequences.py", 300) {
+        let kinds = ["induction, true, proved: ", "induction, false, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
     }
 }
 
@@ -70,6 +91,21 @@ fn no_verdict_on_what_is_lowered_is_wrong() {
 fn no_verdict_on_angles_is_wrong() {
     if let Some(printed) = trial("angles.py", 120) {
         assert!(printed.contains("True proved") && printed.contains("False refuted"), "{printed}");
+    }
+}
+
+/// So many random scenes are answered in the gate.
+const SCENES: usize = 70;
+
+#[test]
+fn no_answer_to_a_random_scene_is_further_off_than_it_says() {
+    let scenes = many(SCENES).to_string();
+    if let Some(output) = adversary("scenes.py", &[env!("CARGO_BIN_EXE_kane"), &scenes, "gate"]) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" answers, 0 wrong"), "{printed}");
+        let kinds =
+            ["answers enclosed: ", "answers estimated: ", "ledgers: ", "enclosed spreads: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
     }
 }
 

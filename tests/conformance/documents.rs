@@ -41,7 +41,9 @@ fn every_shipped_document_audits_as_expected() {
         assert!(page < 1_400_000, "the page of {name} has {page} bytes");
         surprises.extend(summary.surprises.iter().map(|label| format!("{name}: {label}")));
         for (statement, judgement) in audit.document.statements.iter().zip(&audit.judgements) {
-            if judgement.verdict == Verdict::Undecided {
+            // what is shipped as an example of an open claim says so
+            let is_open = judgement.verdict == Verdict::Undecided;
+            if is_open && judgement.expect != Some(Verdict::Undecided) {
                 surprises.push(format!("{name}: {} is undecided", statement.label));
             }
         }

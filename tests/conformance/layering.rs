@@ -7,26 +7,29 @@ use std::process::Command;
 use cargo_metadata::{Metadata, MetadataCommand};
 
 /// Each crate with its level. An edge goes down by at least one level.
-const LEVELS: [(&str, u32); 18] = [
+const LEVELS: [(&str, u32); 21] = [
     ("kane-number", 0),
     ("kane-kernel", 0),
     ("kane-semidefinite", 0),
     ("kane-algebra", 1),
+    ("kane-latex", 2),
     ("kane-impact", 2),
-    ("kane-audit", 2),
     ("kane-floats", 2),
-    ("kane-matrix", 3),
-    ("kane-judges", 3),
-    ("kane-measure", 3),
-    ("kane-scene", 3),
-    ("kane-records", 3),
-    ("kane-report", 4),
-    ("kane", 5),
-    ("kane-pages", 6),
-    ("kane-lake", 5),
-    ("kane-python", 5),
-    // an example of another project
-    ("as-a-test", 6),
+    ("kane-audit", 3),
+    ("kane-matrix", 4),
+    ("kane-judges", 4),
+    ("kane-measure", 4),
+    ("kane-scene", 4),
+    ("kane-records", 4),
+    ("kane-report", 5),
+    ("kane-editor", 6),
+    ("kane", 7),
+    ("kane-pages", 8),
+    ("kane-lake", 6),
+    ("kane-python", 6),
+    // examples of other projects
+    ("as-a-test", 8),
+    ("in-an-engine", 8),
 ];
 
 /// All that the kernel may stand on.
@@ -34,7 +37,7 @@ const GROUND: [&str; 4] = ["num-bigint", "num-integer", "num-rational", "num-tra
 
 /// Lines of code in the kernel: it must stay small enough to be read in an evening. The aim is 1,500;
 /// see docs/decisions/0007 for what is between.
-const KERNEL_LINES: usize = 2_235;
+const KERNEL_LINES: usize = 2_260;
 
 fn metadata() -> Metadata {
     MetadataCommand::new()

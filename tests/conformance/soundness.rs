@@ -34,6 +34,7 @@ const SMALL: Budget = Budget {
     products: true,
     squares: 2_000_000,
     cells: 500_000,
+    document: u64::MAX,
 };
 
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {

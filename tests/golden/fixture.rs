@@ -5,7 +5,8 @@ use std::rc::Rc;
 
 use kane::audit::{
     Accepted, Assignment, Audit, Body, Comparison, Content, Document, Judgement, LinkJudgement,
-    Means, Open, Proof, Reason, Source, Step, Value, Variable, Verdict,
+    Means, Measured, Open, Proof, Reason, Said, Solved, Source, Speaker, Step, Value, Variable,
+    Verdict,
 };
 use kane::kernel::{
     Atom, Certificate, Conclusion, Evidence, Expr, Finding, Goal, Link, Model, Point, Poly, Rel,
@@ -160,12 +161,15 @@ fn link(document: &Document, label: &str, number: usize, verdict: Verdict) -> Li
         certificate: decided.then(|| "0123456789abcdef0123456789abcdef".to_owned()),
         used: if verdict == Verdict::Proved { vec![1] } else { vec![] },
         cost: 12,
+        work: 3_400,
         accepted: decided.then(|| Rc::new(accepted(goal, finding, Evidence::Limit(Vec::new())))),
         explanation: if decided { told.into() } else { kane::audit::Explanation::default() },
         behind: None,
         attempt: None,
         open: (!decided).then_some(Open::Steps(10_000)),
         unreached: None,
+        would_do: None,
+        at: Vec::new(),
     }
 }
 
@@ -190,26 +194,36 @@ fn explanation(goal: &Goal, finding: Finding) -> (Reason, Proof) {
             };
             let why = kane::algebra::syntax::NoValue::DivisionByZero;
             let (values, claim) =
-                (vec![at(K, ratio(1, 1))], Comparison::Undefined(pole.clone(), why));
-            let sides = vec![(None, claim.clone())];
+                (vec![at(K, ratio(1, 1))], Comparison::Undefined(pole.clone(), why, None));
+            let said = vec![said(Speaker::Claim, pole, &claim)];
             (
                 Reason::Point { values: values.clone(), claim: Some(claim) },
-                Step::Point { values, sides },
+                Step::Point { values, definitions: Vec::new(), said },
             )
         }
         Finding::Refuted | Finding::Consistent => {
             let values = vec![at(M, ratio(1, 1)), at(V_Y0, ratio(-1, 2))];
-            let claim = Comparison::Sides(Ok(ratio(-1, 2)), Ok(ratio(3, 2)));
-            let premise = Comparison::Sides(Ok(ratio(0, 1)), Ok(ratio(0, 1)));
-            let sides = vec![(Some(0), premise), (None, claim.clone())];
+            let both = |a, b| Comparison::Sides(Measured::Exact(a), Measured::Exact(b));
+            let (claim, premise) =
+                (both(ratio(-1, 2), ratio(3, 2)), both(ratio(0, 1), ratio(0, 1)));
+            let equality = Relation { lhs: Expr::Var(V_Y0), rel: Rel::Eq, rhs: Expr::Var(M) };
+            let said = vec![
+                said(Speaker::Hypothesis(0), &equality, &premise),
+                said(Speaker::Claim, &equality, &claim),
+            ];
             (
                 Reason::Point { values: values.clone(), claim: Some(claim) },
-                Step::Point { values, sides },
+                Step::Point { values, definitions: Vec::new(), said },
             )
         }
     };
     let variables = (0..goal.context.vars.len()).map(Variable::Symbol).collect();
     (reason, Proof { variables, steps: vec![step] })
+}
+
+/// What becomes of a relation at a point.
+fn said(of: Speaker, relation: &Relation, comparison: &Comparison) -> Said {
+    Said { of, relation: relation.clone(), comparison: comparison.clone(), parts: Vec::new() }
 }
 
 /// A proof with a substitution and two cases.
@@ -226,7 +240,15 @@ fn contradiction() -> Step {
                 source: Source::Hypothesis(0),
                 atoms: vec![Atom::new(premise, Sign::Zero)],
             },
-            Step::Substitute { variable: I_X, value: (speeds, Poly::one()), leaves: Vec::new() },
+            Step::Solve {
+                solved: vec![Solved {
+                    variable: I_X,
+                    value: (speeds, Poly::one()),
+                    source: Some(Source::Hypothesis(0)),
+                }],
+                divided: Vec::new(),
+                leaves: Vec::new(),
+            },
             Step::Cases {
                 source: Source::Failure,
                 cases: vec![

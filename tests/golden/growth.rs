@@ -3,7 +3,7 @@
 use kane::measure::chart::Effort;
 use kane::measure::growth::{Growth, counted};
 use kane::report::Page;
-use kane::report::growth::{GrowthReport, csv, json, picture, sheet};
+use kane::report::growth::{GrowthReport, Question, csv, json, picture, sheet};
 
 use crate::settings;
 
@@ -33,8 +33,11 @@ fn the_curves_without_a_clock() {
     assert_eq!(value["readings"].as_array().map(Vec::len), Some(8));
     assert!(!table.contains(",ns,") && !json(&report).contains("\"ns\""), "no time is in it");
     assert!(sheet(&report).markdown().contains("## Bounces in a chain: wang-su-li"));
-    let svg = picture(&report);
-    assert!(svg.starts_with("<svg") && svg.contains("wang-su-li: digits of the slip"));
+    let drawn = |question| picture(&report, question);
+    let chain = drawn(Question::Chain).expect("there are chains");
+    assert!(chain.starts_with("<svg") && chain.contains("wang-su-li: digits of the slip"));
+    assert!(drawn(Question::Audit).is_some_and(|svg| svg.contains("steps of search")));
+    assert_eq!(drawn(Question::Batch), None, "no clock was read");
     assert_eq!(csv(&self::report(&counted(Effort::Quick))), table, "the same in every run");
 }
 

@@ -1,6 +1,7 @@
 //! Snapshots of what the program prints: every file under `snapshots/` has one test here that owns it.
 
 mod collide; // one collision under all laws, or under one in depth
+mod draft; // papers in LaTeX as drafts
 mod figures; // the figures and their data
 mod fixture;
 mod growth; // how cost grows with size, without a clock
@@ -9,6 +10,7 @@ mod laws;
 mod made_up_law; // what the impact laws return, over a range of states
 mod matrix; // every law against every property, some cells in full, and the page of properties
 mod methods; // the errors and counted costs of all methods
+mod proofs; // how long the proofs of two documents are to read
 mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod rounding; // the scripts that bound rounding errors

@@ -32,6 +32,7 @@ fn every_shipped_scene_is_answered_and_drawn() {
         "cradle-touching",
         "discs",
         "double-pendulum",
+        "dropped-rod",
         "paper-sphere",
         "putt",
         "rest",
@@ -41,6 +42,7 @@ fn every_shipped_scene_is_answered_and_drawn() {
         "superball-groove",
         "table-tennis",
         "tennis-clay",
+        "tumbling-brick",
         "two-spheres",
     ];
     for name in names {

@@ -96,6 +96,7 @@ fn a_site_in_small() {
     assert_eq!(files, site.files(), "the same in every run");
     every_link_leads_to_something(&files);
     nothing_is_loaded(&files);
+    a_screen_reader_walks_through_every_page(&files);
     for (start, verb) in [
         ("derivations/", "audit"),
         ("collisions/", "collide"),
@@ -176,6 +177,40 @@ fn nothing_is_loaded(files: &[File]) {
             assert!(!page.text.contains(loaded), "{}: {loaded}", page.path);
         }
     }
+}
+
+/// The levels of headings in order, of elements and of those that are told to be headings.
+fn headings(page: &str) -> Vec<u8> {
+    let digit = |rest: &str| rest.bytes().next().filter(u8::is_ascii_digit).map(|byte| byte - b'0');
+    let of = |mark: &'static str| {
+        page.match_indices(mark)
+            .filter_map(move |(at, _)| Some((at, digit(&page[at + mark.len()..])?)))
+    };
+    let all: BTreeMap<usize, u8> = of("<h").chain(of(" aria-level=\"")).collect();
+    all.into_values().collect()
+}
+
+/// What a checker of accessible pages found once, so that it stays away: gaps between levels of headings, heads of columns
+/// without a word, and regions of one name.
+fn a_screen_reader_walks_through_every_page(files: &[File]) {
+    for page in pages(files) {
+        let mut last = 0;
+        for level in headings(&page.text) {
+            assert!(level <= last + 1, "{}: a heading {level} behind one of {last}", page.path);
+            last = level;
+        }
+        assert!(last > 0, "{} has headings", page.path);
+        let is_empty = |cell: &&str| cell.split_once('>').is_some_and(|c| c.1.starts_with("</th>"));
+        let empty = page.text.split("<th").skip(1).filter(is_empty).count();
+        assert_eq!(empty, 0, "{}: heads of columns without a word", page.path);
+        let named = addresses(&page.text, "role=\"region\" aria-label=\"");
+        let titles: Vec<&str> = page.text.split("<h2").skip(1).collect();
+        for name in named {
+            let twice = titles.iter().any(|title| title.contains(&format!(">{name}</h2>")));
+            assert!(!twice, "{}: two regions are called {name}", page.path);
+        }
+    }
+    assert_eq!(headings("<html><h1>a</h1><p aria-level=\"3\"></p><h2>"), [1, 3, 2]);
 }
 
 fn every_page_is_found_from_the_index_and_has_its_data(files: &[File]) {

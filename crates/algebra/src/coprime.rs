@@ -9,6 +9,8 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use polycore::{Gf, Uni};
 
+use crate::work::spend_fraction;
+
 type Q = BigRational;
 
 /// Above this degree polynomials are split by greatest common divisors only, not factored.
@@ -154,7 +156,7 @@ fn divided(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<(Uni<Q>, Uni<Q>), Reje
         for (i, c) in b.0[..b.deg()].iter().enumerate() {
             if !top.is_zero() && !c.is_zero() {
                 let size = words(&top) + words(c) + words(&rest[at + i]);
-                fuel.spend(size.saturating_mul(size))?;
+                spend_fraction(size, fuel)?;
                 rest[at + i] -= &top * c;
             }
         }

@@ -4,6 +4,8 @@
 pub mod cells;
 mod coprime;
 pub mod descartes;
+pub mod factors;
+pub mod field;
 mod fraction;
 pub mod linear_program;
 pub mod point;
@@ -12,3 +14,4 @@ pub mod ring;
 pub mod sign_table;
 pub mod squares;
 pub mod syntax;
+mod work;

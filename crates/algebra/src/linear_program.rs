@@ -4,6 +4,8 @@ use kane_kernel::Fuel;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use crate::work::spend_fraction;
+
 type Q = BigRational;
 
 /// Finds x ≥ 0 with A·x = b, or `None` if there is none or the steps or the fuel run out.
@@ -73,7 +75,7 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
             for (x, s) in row.iter_mut().zip(&source) {
                 if !s.is_zero() {
                     let size = words(x) + words(&factor) + words(s);
-                    fuel.spend(size.saturating_mul(size)).ok()?;
+                    spend_fraction(size, fuel).ok()?;
                     *x -= &factor * s;
                 }
             }

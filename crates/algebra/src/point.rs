@@ -1,10 +1,12 @@
 //! Values at a point: rationals, or polynomials in one real algebraic number.
 
-use kane_kernel::{Point, Poly, Root};
+use kane_kernel::{Fuel, Point, Poly, Root};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use polycore::Uni;
+
+use crate::field::Field;
 
 type Q = BigRational;
 
@@ -17,34 +19,37 @@ pub struct Partial {
     pub values: std::collections::BTreeMap<usize, Uni<Q>>,
 }
 
+impl From<&Point> for Partial {
+    fn from(point: &Point) -> Self {
+        let values = point.values.iter().map(|(v, c)| (*v, Uni::new(c.clone())));
+        Self { generator: point.generator.clone(), values: values.collect() }
+    }
+}
+
 impl Partial {
     /// Gives v a rational value.
     pub fn set(&mut self, v: usize, q: Q) {
         self.values.insert(v, Uni::constant(q));
     }
 
-    fn modulus(&self) -> Option<Uni<Q>> {
-        let root = self.generator.as_ref()?;
-        Some(Uni::new(root.poly.iter().cloned().map(Q::from_integer).collect()))
-    }
-
-    fn reduce(&self, p: Uni<Q>) -> Uni<Q> {
-        match self.modulus() {
-            Some(m) if p.deg() >= m.deg() => &p % &m,
-            _ => p,
-        }
+    fn field(&self) -> Option<Field> {
+        self.generator.as_ref().map(Field::of)
     }
 
     /// Value of a polynomial; `None` if a variable has none.
     #[must_use]
     pub fn eval(&self, p: &Poly) -> Option<Uni<Q>> {
+        let field = self.field();
         let mut sum = Uni::constant(Q::zero());
         for (m, c) in p.terms() {
             let mut product = Uni::constant(Q::from_integer(c.clone()));
             for (v, n) in m {
                 let value = self.values.get(v)?;
                 for _ in 0..*n {
-                    product = self.reduce(&product * value);
+                    product = &product * value;
+                    if let Some(field) = &field {
+                        product = field.reduced(product);
+                    }
                 }
             }
             sum = &sum + &product;
@@ -52,24 +57,25 @@ impl Partial {
         Some(sum)
     }
 
-    /// −e/d, `None` where d vanishes.
+    /// −e/d, `None` where d vanishes, or if the budget is spent.
     #[must_use]
-    pub fn quotient(&self, e: &Poly, d: &Poly) -> Option<Uni<Q>> {
+    pub fn quotient(&self, e: &Poly, d: &Poly, fuel: &Fuel) -> Option<Uni<Q>> {
         let (e, d) = (self.eval(e)?, self.eval(d)?);
         if d.is_zero() {
             return None;
         }
-        let inverse = match self.modulus() {
-            None => Uni::constant(d.0.first()?.recip()),
-            Some(m) => {
-                let (s, _, g) = d.bezout(&m);
-                if g.deg() != 0 {
-                    return None;
-                }
-                s.scale(&g.0.first()?.recip())
-            }
-        };
-        Some(self.reduce(&(-&e) * &inverse))
+        match self.field() {
+            None => Some((-&e).scale(&d.0.first()?.recip())),
+            Some(field) => Some(field.reduced(&(-&e) * &field.inverse(&d, fuel)?)),
+        }
+    }
+
+    /// The value of n/d, if it is rational: exact. `None` where it is not, where d vanishes, or if the budget
+    /// is spent.
+    #[must_use]
+    pub fn rational(&self, n: &Poly, d: &Poly, fuel: &Fuel) -> Option<Q> {
+        let value = self.quotient(&n.neg(), d, fuel)?;
+        (value.deg() == 0).then(|| value.0.first().cloned().unwrap_or_else(Q::zero))
     }
 
     /// The point as the kernel takes it.
@@ -81,12 +87,6 @@ impl Partial {
             values: self.values.into_iter().map(|(v, u)| (v, u.0)).collect(),
         }
     }
-}
-
-/// θ itself as a value.
-#[must_use]
-pub fn theta() -> Uni<Q> {
-    Uni::new(vec![Q::zero(), Q::one()])
 }
 
 /// Replaces variables by rational values: Dⁿ·p(values), a positive multiple.
@@ -116,9 +116,8 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
 
 #[cfg(test)]
 mod tests {
-    use kane_kernel::Fuel;
-
     use super::*;
+    use crate::field::theta;
 
     fn ratio(n: i64, d: i64) -> Q {
         Q::new(n.into(), d.into())
@@ -145,14 +144,30 @@ mod tests {
 
     #[test]
     fn a_quotient_times_its_divisor_is_the_dividend() {
-        let point = root_of_two();
+        let (point, fuel) = (root_of_two(), Fuel::new(1 << 20));
         let d = Poly::var(0).add(&Poly::one());
         let e = Poly::var(1).add(&Poly::var(0));
-        let q = point.quotient(&e, &d).expect("√2 + 1 is not zero");
-        let product = point.reduce(&q * &point.eval(&d).unwrap());
+        let q = point.quotient(&e, &d, &fuel).expect("√2 + 1 is not zero");
+        let field = point.field().expect("√2 is not rational");
+        let product = field.reduced(&q * &point.eval(&d).unwrap());
         assert_eq!(product, -&point.eval(&e).unwrap());
         let zero = Poly::term(vec![(0, 2)], 1.into()).sub(&Poly::constant(2.into()));
-        assert_eq!(point.quotient(&e, &zero), None);
+        assert_eq!(point.quotient(&e, &zero, &fuel), None);
+    }
+
+    #[test]
+    fn what_is_rational_at_an_irrational_point_is_told_exactly() {
+        let (point, fuel) = (root_of_two(), Fuel::new(1 << 20));
+        let (x, y) = (Poly::var(0), Poly::var(1));
+        let square = Poly::term(vec![(0, 2)], 1.into());
+        // (√2)²/(3/2), and √2/(3/2)
+        assert_eq!(point.rational(&square, &y, &fuel), Some(ratio(4, 3)));
+        assert_eq!(point.rational(&x, &y, &fuel), None);
+        assert_eq!(
+            point.rational(&square.sub(&Poly::constant(2.into())), &x, &fuel),
+            Some(ratio(0, 1))
+        );
+        assert_eq!(point.rational(&y, &square.sub(&Poly::constant(2.into())), &fuel), None);
     }
 
     #[test]

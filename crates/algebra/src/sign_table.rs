@@ -8,6 +8,7 @@ use num_traits::{One, Signed, Zero};
 
 use crate::coprime::{coprime_bases, factor_over};
 use crate::descartes::descartes;
+use crate::work::spend_fraction;
 
 type Q = BigRational;
 
@@ -133,9 +134,7 @@ fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Reje
             0 => {}
             1 => out.push(Root { poly: base.to_vec(), lo, hi }),
             _ => {
-                let words = size(&lo).saturating_add(size(&hi));
-                fuel.spend(words.saturating_mul(words))?;
-                let mid = (&lo + &hi) / Q::from_integer(2.into());
+                let mid = midpoint(&lo, &hi, fuel)?;
                 if value_sign(base, &mid, fuel)? == 0 {
                     out.push(Root { poly: base.to_vec(), lo: mid.clone(), hi: mid.clone() });
                 }
@@ -152,10 +151,7 @@ fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Reje
 /// # Errors
 /// [`Rejection::Budget`].
 pub fn refine(root: &mut Root, fuel: &Fuel) -> Result<(), Rejection> {
-    // a sum of fractions takes a common divisor, which takes the square of their size
-    let words = size(&root.lo).saturating_add(size(&root.hi));
-    fuel.spend(words.saturating_mul(words))?;
-    let mid = (&root.lo + &root.hi) / Q::from_integer(2.into());
+    let mid = midpoint(&root.lo, &root.hi, fuel)?;
     // A root at an end of the interval is another one: compare with a sign just inside.
     match (value_sign(&root.poly, &mid, fuel)?, value_sign(&root.poly, &root.hi, fuel)?) {
         (0, _) => {
@@ -171,6 +167,13 @@ pub fn refine(root: &mut Root, fuel: &Fuel) -> Result<(), Rejection> {
         _ => root.lo = mid,
     }
     Ok(())
+}
+
+/// (a + b)/2. A sum of fractions takes a common divisor, which takes the square of their size.
+pub(crate) fn midpoint(a: &Q, b: &Q, fuel: &Fuel) -> Result<Q, Rejection> {
+    let words = size(a).saturating_add(size(b));
+    spend_fraction(words, fuel)?;
+    Ok((a + b) / Q::from_integer(2.into()))
 }
 
 /// Words of a fraction.
@@ -245,7 +248,7 @@ fn cut_gaps(bases: &[Vec<BigInt>], roots: Vec<Root>, fuel: &Fuel) -> Result<Vec<
         let beyond = bases.iter().map(|p| root_bound(p)).max().unwrap_or_else(BigInt::one);
         let beyond = Q::from_integer(beyond);
         let at = match (lo, hi) {
-            (Some(a), Some(b)) => (a + b) / Q::from_integer(2.into()),
+            (Some(a), Some(b)) => midpoint(a, b, fuel)?,
             (Some(a), None) => beyond.max(a + Q::one()),
             (None, Some(b)) => (-beyond).min(b - Q::one()),
             (None, None) => Q::zero(),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::Notation as _;
+use kane_algebra::syntax::{Notation as _, Sequences};
 use kane_kernel::{Context, Expr, Sentence};
 use sha2::{Digest as _, Sha256};
 
@@ -14,7 +14,8 @@ use crate::motion::Motion;
 pub struct Document {
     /// the file's name, as given, with what cannot be seen in it written out
     pub name: String,
-    /// the whole text; a carriage return that ends a line by itself is a line feed in it
+    /// the whole text; a carriage return that ends a line by itself is a line feed in it, and a formula
+    /// in LaTeX is written in the notation of the language
     pub text: String,
     /// the first level-one heading, if any, with what cannot be seen in it written out
     pub title: Option<String>,
@@ -23,6 +24,7 @@ pub struct Document {
     /// `let`, `given` and `claim` in the order of the text
     pub statements: Vec<Statement>,
     pub(crate) motion: Motion,
+    pub(crate) sequences: Sequences,
     pub(crate) digest: String,
 }
 
@@ -48,7 +50,7 @@ pub struct Parts {
     pub label: Range<usize>,
     /// what is defined, assumed or claimed, without its conditions
     pub content: Range<usize>,
-    /// `when …`
+    /// `for …` and `when …`
     pub when: Option<Range<usize>>,
     /// `from …`
     pub from: Option<Range<usize>>,
@@ -90,8 +92,10 @@ pub struct Claim {
     /// whether it says that something exists: the content has the witness in its place, so only a
     /// proof of it decides
     pub exists: bool,
-    /// the claim's own conditions
+    /// the claim's own conditions, the range of its index first
     pub when: Vec<kane_kernel::Relation>,
+    /// how it is shown for all values of an index
+    pub induction: Option<Induction>,
     /// indices of the cited statements, as cited
     pub from: Vec<usize>,
     /// expressions whose squares and products with premises are to be tried, and whose sign tells
@@ -101,6 +105,16 @@ pub struct Claim {
     pub by: Vec<(usize, Expr)>,
     /// the verdict that the author expects; `Proved` where nothing is written
     pub expect: Option<Verdict>,
+}
+
+/// That a claim is to be shown by induction. It has two links for each of its relations: all of them at
+/// the first value of the index, and then all of them one step further, from the claim itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Induction {
+    /// the symbol of the index
+    pub index: usize,
+    /// its first value
+    pub from: u32,
 }
 
 /// The claimed thing.
@@ -140,7 +154,10 @@ impl Document {
         };
         match &claim.content {
             Content::Links(links) => {
-                links.get(link).map_or_else(String::new, |(link, _)| link.plain(&self.context))
+                let said = links.get(link % links.len().max(1));
+                let said = said.map_or_else(String::new, |(link, _)| link.plain(&self.context));
+                let stage = self.stage(claim, link).map(|stage| format!(" {stage}"));
+                said + &stage.unwrap_or_default()
             }
             Content::Contradiction => "contradiction".to_owned(),
             Content::NotImplied(denied) => {
@@ -148,6 +165,18 @@ impl Document {
                 format!("not implied {denied}")
             }
         }
+    }
+
+    /// Which part of an induction a link of a claim is: `at n = 0`, or `from n to n + 1`.
+    #[must_use]
+    pub fn stage(&self, claim: &Claim, link: usize) -> Option<String> {
+        let Induction { index, from } = claim.induction?;
+        let Content::Links(links) = &claim.content else { return None };
+        let n = &self.context.vars.get(index)?.name;
+        Some(match link < links.len() {
+            true => format!("at {n} = {from}"),
+            false => format!("from {n} to {n} + 1"),
+        })
     }
 
     /// A part of a statement on one line, without comments.

@@ -25,7 +25,8 @@ pub struct Findings {
 pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
-    let prover = Prover { budget, using: &[], by, earlier: &earlier, cited, resting: goal };
+    let work = Fuel::new(budget.document);
+    let prover = Prover { budget, work, using: &[], by, earlier: &earlier, cited, resting: goal };
     let found = prover.judge(goal, true);
     let model = |m| Certificate {
         goal: digest(goal),
@@ -43,7 +44,9 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
 pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, Open> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
-    let prover = Prover { budget, using: &[], by: &[], earlier: &earlier, cited, resting: goal };
+    let work = Fuel::new(budget.document);
+    let (using, by) = (&[], &[]);
+    let prover = Prover { budget, work, using, by, earlier: &earlier, cited, resting: goal };
     let found = prover.prove(goal);
     found.decided.ok_or(found.open.unwrap_or(Open::NoProof(budget.steps)))
 }
@@ -66,7 +69,9 @@ pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Decided> {
 pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Decided> {
     let earlier = std::cell::RefCell::default();
     let cited = goal.hypotheses.len();
-    let prover = Prover { budget, using: &[], by: &[], earlier: &earlier, cited, resting: goal };
+    let work = Fuel::new(budget.document);
+    let (using, by) = (&[], &[]);
+    let prover = Prover { budget, work, using, by, earlier: &earlier, cited, resting: goal };
     prover.refute(goal).decided
 }
 

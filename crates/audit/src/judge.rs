@@ -4,22 +4,26 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use kane_kernel::{
-    Conclusion, Context, Definition, Evidence, Expr, Finding, Goal, Hypothesis, Link, Model,
+    Conclusion, Context, Definition, Evidence, Expr, Finding, Fuel, Goal, Hypothesis, Link, Model,
     Sentence, Side, Target,
 };
 
+use crate::memo::{self, Memo, Read};
 use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
-    Accepted, Audit, Behind, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement,
-    Open, Unreached, Verdict, explain,
+    Accepted, Audit, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement, Open,
+    Unreached, Verdict, behind, explain, index,
 };
+
+/// What the search for one number in the place of an index has of the work that a claim may take.
+const SHARE: u64 = 4;
 
 /// What to judge, and with how much effort.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// indices of the claims to judge, with all that they cite; `None` for all
     pub only: Option<Vec<usize>>,
-    /// effort a link
+    /// effort a link, and all links together
     pub budget: Budget,
 }
 
@@ -29,21 +33,126 @@ pub fn audit(
     options: &Options,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Audit {
+    let mut go_on = |done, all| {
+        progress(done, all);
+        true
+    };
+    let judgements = judge_all(&document, options, None, &mut go_on);
+    Audit { document, judgements: judgements.unwrap_or_default() }
+}
+
+/// Judges a document as [`audit`] does, but for the claims about which nothing has changed since they
+/// were judged with this memo. `go_on` is asked before each statement, with its index and their number;
+/// `None` if it says no.
+pub fn audit_again(
+    document: Document,
+    options: &Options,
+    memo: &mut Memo,
+    go_on: &mut dyn FnMut(usize, usize) -> bool,
+) -> Option<Audit> {
+    memo.begin(&document, options.budget);
+    let judgements = judge_all(&document, options, Some(memo), go_on)?;
+    memo.end();
+    Some(Audit { document, judgements })
+}
+
+/// The judgements of all statements; `None` if it is not to go on.
+fn judge_all(
+    document: &Document,
+    options: &Options,
+    mut memo: Option<&mut Memo>,
+    go_on: &mut dyn FnMut(usize, usize) -> bool,
+) -> Option<Vec<Judgement>> {
     let count = document.statements.len();
-    let wanted = wanted(&document, options);
+    let wanted = wanted(document, options);
     let earlier = RefCell::default();
+    let is_judged = |i: usize| wanted[i] && matches!(document.statements[i].body, Body::Claim(_));
+    let claims = (0..count).filter(|i| is_judged(*i)).count() as u64;
+    let (whole, mut after) = (Fuel::new(options.budget.document), claims);
     let mut judgements: Vec<Judgement> = Vec::with_capacity(count);
-    for (i, wanted) in wanted.into_iter().enumerate() {
-        progress(i, count);
+    let mut above = 0;
+    for (i, wanted) in wanted.iter().enumerate() {
+        if !go_on(i, count) {
+            return None;
+        }
+        after -= u64::from(is_judged(i));
+        let work = || whole.within(options.budget.of_claim(whole.left(), claims, after));
         let judgement = match &document.statements[i].body {
             Body::Let(_) | Body::Defined(_) => plain_verdict(Verdict::Defined, Vec::new()),
-            Body::Given(_) => plain_verdict(Verdict::Assumed, vec![i]),
-            Body::Claim(claim) if wanted => judge(&document, claim, &judgements, &earlier, options),
+            Body::Given(sentence) => {
+                if let Some(memo) = &mut memo {
+                    above = memo.given(above, i, sentence);
+                }
+                plain_verdict(Verdict::Assumed, vec![i])
+            }
+            Body::Claim(claim) if *wanted => {
+                let prover = (options.budget, &work(), &earlier);
+                match &mut memo {
+                    // what sequences stand for is read, too, and is in no key
+                    Some(memo) if document.sequences.is_empty() => {
+                        recall((document, claim, &judgements[..]), prover, (memo, above))
+                    }
+                    _ => judge(document, claim, &judgements, prover).0,
+                }
+            }
             Body::Claim(_) => plain_verdict(Verdict::Undecided, Vec::new()),
         };
         judgements.push(judgement);
     }
-    Audit { document, judgements }
+    Some(judgements)
+}
+
+/// The judgement of a claim, from the memo if it is there.
+fn recall(
+    (document, claim, done): (&Document, &Claim, &[Judgement]),
+    (budget, work, earlier): (Budget, &Fuel, &RefCell<Vec<Model>>),
+    (memo, above): (&mut Memo, usize),
+) -> Judgement {
+    let given = work.left();
+    let key = {
+        let read = Read {
+            done,
+            hypothesis: &|index| hypothesis(document, index),
+            definitions: reached(document, claim, done),
+            earlier: &earlier.borrow(),
+            work: given,
+        };
+        memo.key(claim, read)
+    };
+    if let Some((known, spent)) = memo.known(&key, above, &mut earlier.borrow_mut()) {
+        // it was there when the claim was judged, of as much
+        let spent = work.spend(spent);
+        debug_assert!(spent.is_ok(), "a claim spends no more than it is given");
+        // what the author thinks of it is not read by its judge
+        return Judgement { expect: claim.expect, ..known };
+    }
+    let before = earlier.borrow().len();
+    let judged = judge(document, claim, done, (budget, work, earlier));
+    let judgement = judged.0.clone();
+    let spent = given.saturating_sub(work.left());
+    memo.keep(key, judged, (spent, &earlier.borrow()[before..]), above);
+    judgement
+}
+
+/// The document's definitions with those emptied that nothing reaches which the judge of a claim reads.
+fn reached(document: &Document, claim: &Claim, done: &[Judgement]) -> Vec<Definition> {
+    let mut cited = claim.from.clone();
+    cited.extend(memo::rests_on(claim, done));
+    if let Content::NotImplied(target) = claim.content {
+        cited.push(target);
+    }
+    let premises: Vec<Hypothesis> =
+        cited.into_iter().filter_map(|i| hypothesis(document, i)).collect();
+    let mut roots: Vec<&Expr> = claim.using.iter().chain(claim.by.iter().map(|b| &b.1)).collect();
+    roots.extend(claim.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
+    if let Content::Links(links) = &claim.content {
+        roots.extend(links.iter().flat_map(|(l, _)| link_parts(l)));
+    }
+    for Hypothesis { sentence, .. } in &premises {
+        roots.extend(sentence.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
+        roots.extend(sentence.links.iter().flat_map(link_parts));
+    }
+    kept(&document.context.lets, roots)
 }
 
 /// The statements that are asked for and all that they cite.
@@ -98,8 +207,6 @@ fn needed_lets(
     behind: &[Hypothesis],
     by: &[(usize, Expr)],
 ) -> Vec<Definition> {
-    let lets = &document.context.lets;
-    let mut needed = vec![false; lets.len()];
     let mut todo: Vec<&Expr> = by.iter().map(|b| &b.1).collect();
     let sentences = goal.hypotheses.iter().chain(behind).map(|h| &h.sentence);
     for s in sentences {
@@ -115,6 +222,12 @@ fn needed_lets(
         }
         Conclusion::Contradiction => {}
     }
+    kept(&document.context.lets, todo)
+}
+
+/// The definitions with those emptied that nothing of this reaches.
+fn kept<'a>(lets: &'a [Definition], mut todo: Vec<&'a Expr>) -> Vec<Definition> {
+    let mut needed = vec![false; lets.len()];
     while let Some(e) = todo.pop() {
         if let Expr::Let(i) = e
             && !std::mem::replace(&mut needed[*i], true)
@@ -164,13 +277,13 @@ fn sentence(claim: &Claim) -> Option<Sentence> {
     }
 }
 
+/// The judgement of a claim, and whether all givens above and all definitions were read for it.
 fn judge(
     document: &Document,
     claim: &Claim,
     done: &[Judgement],
-    earlier: &RefCell<Vec<Model>>,
-    options: &Options,
-) -> Judgement {
+    (budget, work, earlier): (Budget, &Fuel, &RefCell<Vec<Model>>),
+) -> (Judgement, bool) {
     let unproved: Vec<usize> = claim
         .from
         .iter()
@@ -179,11 +292,7 @@ fn judge(
             !matches!(done[i].verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined)
         })
         .collect();
-    let mut rests_on: Vec<usize> =
-        claim.from.iter().flat_map(|&i| done[i].rests_on.iter().copied()).collect();
-    rests_on.sort_unstable();
-    rests_on.dedup();
-
+    let rests_on = memo::rests_on(claim, done);
     let cited: Vec<usize> =
         claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect();
     let hypotheses: Vec<Hypothesis> =
@@ -207,51 +316,81 @@ fn judge(
     };
     let using: Vec<Expr> =
         claim.using.iter().filter_map(|e| expanded(e, &document.context)).collect();
-    let mut links = Vec::new();
-    let (mut met, mut vacuous) = (None, false);
-    for conclusion in conclusions {
+    let mut links: Vec<LinkJudgement> = Vec::new();
+    let (mut met, mut vacuous, mut read_above) = (None, false, false);
+    let stages = index::stages(document, claim, sentence(claim), conclusions, &hypotheses);
+    let from_text = hypotheses.len();
+    for index::Stage { conclusion, hypotheses, part } in stages {
         let along = hypotheses.iter().map(|h| &h.sentence.links[..]).chain([conclusion.links()]);
         let limits = along.flatten().any(|l| matches!(l, Link::Limit(_)));
-        let mut goal = Goal {
+        let goal = Goal {
             context: Context { vars: document.context.vars.clone(), ..Context::default() },
             hypotheses: hypotheses.clone(),
             behind: if limits { ranged.clone() } else { Vec::new() },
             when: claim.when.clone(),
             conclusion,
         };
-        goal.context.lets = needed_lets(document, &goal, &behind, &claim.by);
         let resting = Goal {
-            hypotheses: [&hypotheses[..], &behind[..]].concat(),
+            hypotheses: [&hypotheses[..from_text], &behind[..]].concat(),
             behind: Vec::new(),
             ..goal.clone()
         };
-        let prover = Prover {
-            budget: options.budget,
-            using: &using,
-            by: &claim.by,
-            earlier,
-            cited: hypotheses.len(),
-            resting: &resting,
-        };
-        // The hypotheses are the same for all links: whether they can hold is found once.
-        let mut found = prover.judge(&goal, links.is_empty() || vacuous);
         let ids = [&cited[..], &further].concat();
-        let complete = found.behind_met || behind.is_empty();
-        only_motions(document, (&resting, &ids), complete, &mut found);
-        if claim.exists {
-            only_proofs(&mut found);
-        }
+        let complete_behind = behind.is_empty();
+        let ask = |mut goal: Goal, mut resting: Goal, (whole, doubt): (bool, bool)| {
+            goal.context.lets = needed_lets(document, &goal, &behind, &claim.by);
+            resting.context.lets.clone_from(&goal.context.lets);
+            let prover = Prover {
+                budget: if whole { budget } else { budget.share(SHARE) },
+                work: work.clone(),
+                using: &using,
+                by: &claim.by,
+                earlier,
+                cited: goal.hypotheses.len(),
+                resting: &resting,
+            };
+            let mut found = prover.judge(&goal, doubt);
+            let complete = found.behind_met || complete_behind;
+            only_motions(document, (&resting, &ids), complete, &mut found);
+            if claim.exists {
+                only_proofs(&mut found);
+            }
+            let met = found.model.as_ref().map(|model| (goal.clone(), model.clone()));
+            index::Asked { goal, resting, found, met, at: Vec::new() }
+        };
+        let before = work.left();
+        // The hypotheses are the same for all links: whether they can hold is found once.
+        let doubt = links.is_empty() || vacuous;
+        let shown = links.iter().all(|l| l.verdict == Verdict::Proved);
+        let task = (part, doubt, shown);
+        let asked = index::judge(
+            &document.sequences,
+            (goal, resting),
+            task,
+            hypotheses.len().min(from_text),
+            &ask,
+        );
+        let index::Asked { goal, resting, found, met: model, at } = asked;
         let unreached = found.unreached.as_ref();
         let unreached =
             unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
         vacuous |= matches!(&found.decided, Some(d) if d.certificate.finding == Finding::Vacuous);
         if met.is_none() {
-            met = found.model.as_ref().map(|m| Rc::new(accepted_model(&goal, m)));
+            met = model.as_ref().map(|(goal, model)| Rc::new(accepted_model(goal, model)));
         }
-        links.push(LinkJudgement { unreached, ..link_judgement(&goal, &resting, &cited, found) });
+        let point = found.decided.as_ref().filter(|d| d.certificate.finding == Finding::Refuted);
+        read_above |= point.is_some();
+        let failing = point.map_or_else(Vec::new, |decided| {
+            behind::failing(document, done.len(), &cited, &decided.certificate)
+        });
+        let would_do = behind::would_do(document, &goal, &failing, (budget, work));
+        let resting_on = failing.into_iter().filter(|i| further.contains(i)).collect();
+        let judged = link_judgement((&goal, &resting), &cited, found, resting_on);
+        let work = before.saturating_sub(work.left());
+        links.push(LinkJudgement { work, unreached, would_do, at, ..judged });
     }
     let worst = links.iter().map(|l| rank(l.verdict)).max().map_or(Verdict::Undecided, |r| r.1);
-    Judgement {
+    let judgement = Judgement {
         verdict: if unproved.is_empty() { worst } else { Verdict::Unsupported },
         conditional: worst,
         links,
@@ -260,7 +399,8 @@ fn judge(
         hypotheses: cited,
         met,
         expect: claim.expect,
-    }
+    };
+    (judgement, read_above)
 }
 
 /// Where derivatives of functions are spoken of, keeps a model only if functions pass through it for
@@ -338,7 +478,12 @@ fn rank(v: Verdict) -> (u8, Verdict) {
     (rank, v)
 }
 
-fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts) -> LinkJudgement {
+fn link_judgement(
+    (goal, resting): (&Goal, &Goal),
+    cited: &[usize],
+    found: Verdicts,
+    failing: Vec<usize>,
+) -> LinkJudgement {
     let verdict = match found.decided.as_ref().map(|d| d.certificate.finding) {
         Some(Finding::Proved) => Verdict::Proved,
         Some(Finding::Refuted) => Verdict::Refuted,
@@ -351,12 +496,15 @@ fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts)
         certificate: None,
         used: Vec::new(),
         cost: found.cost,
+        work: 0,
         accepted: None,
         explanation: Explanation::default(),
         behind: None,
         open: None,
         attempt: None,
         unreached: None,
+        would_do: None,
+        at: Vec::new(),
     };
     let Some(Decided { certificate, grounds }) = found.decided else {
         let attempt = explain::attempt(goal, found.attempt);
@@ -364,7 +512,8 @@ fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts)
     };
     let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
     let used = explain::used(whose, &grounds, cited.len());
-    let behind = (!found.behind_met).then(|| behind(goal, resting, &certificate)).flatten();
+    let behind = !found.behind_met;
+    let behind = behind.then(|| behind::behind(goal, resting, &certificate, failing)).flatten();
     LinkJudgement {
         certificate: Some(format!("{:032x}", kane_kernel::digest(&certificate))),
         used: used.into_iter().filter_map(|i| cited.get(i).copied()).collect(),
@@ -372,22 +521,5 @@ fn link_judgement(goal: &Goal, resting: &Goal, cited: &[usize], found: Verdicts)
         explanation: Explanation::of(grounds),
         behind,
         ..undecided
-    }
-}
-
-/// What is to be said of a witness and the givens behind what is cited, if anything.
-fn behind(goal: &Goal, resting: &Goal, certificate: &kane_kernel::Certificate) -> Option<Behind> {
-    if goal.hypotheses.len() == resting.hypotheses.len() {
-        return None;
-    }
-    match &certificate.evidence {
-        Evidence::Model(Model::Point(_)) => {
-            let goal = kane_kernel::digest(resting);
-            let again = kane_kernel::Certificate { goal, ..certificate.clone() };
-            let met = kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000));
-            met.is_err().then_some(Behind::NotMet)
-        }
-        Evidence::Model(Model::Functions(_)) => Some(Behind::NotShown),
-        Evidence::Contradiction(_) | Evidence::Limit(_) => None,
     }
 }

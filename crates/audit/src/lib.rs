@@ -2,23 +2,31 @@
 #![deny(clippy::float_arithmetic)]
 
 mod argument;
+mod behind;
 mod document;
 mod explain;
 mod goal;
+mod index;
 mod judge;
+mod memo;
 mod motion;
 mod open;
+mod origin;
+mod outline;
 mod prove;
 mod reader;
 mod verdict;
 
-pub use argument::contradicts_bounds;
+pub use argument::{BoundedSum, contradicts_bounds};
 pub use document::*;
 pub use explain::*;
 pub use goal::{Findings, find_witness, judge_goal, prove_goal, refute_goal};
-pub use judge::{Options, audit};
+pub use judge::{Options, audit, audit_again};
 pub use kane_algebra::syntax::Diagnostic;
+pub use memo::Memo;
 pub use open::*;
+pub use origin::Origin;
+pub use outline::{Citation, Kind, Label, Name, Outline, Survey};
 pub use prove::{Budget, Decided, expression};
-pub use reader::{MAX_FILE_BYTES, MAX_STATEMENTS, read};
+pub use reader::{MAX_FILE_BYTES, MAX_STATEMENTS, read, survey};
 pub use verdict::*;

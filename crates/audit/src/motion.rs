@@ -179,7 +179,7 @@ fn in_order(mut found: Vec<(usize, Poly)>) -> Option<Vec<Unit>> {
 }
 
 /// The symbols of which a goal speaks, definitions written out.
-fn mentioned(goal: &Goal) -> BTreeSet<usize> {
+pub(crate) fn mentioned(goal: &Goal) -> BTreeSet<usize> {
     let premises = goal.hypotheses.iter().map(|h| &h.sentence);
     let premises = premises.flat_map(|s| expressions(&s.when, &s.links));
     let own = expressions(&goal.when, goal.conclusion.links());

@@ -18,6 +18,8 @@ pub enum Open {
     Operations(u64),
     /// no proof within so many states
     NoProof(u64),
+    /// the budget of the whole document was spent before this was decided, after so many states
+    Document(u64),
     /// the normal form does not fit the budget
     Unfit(Rejection),
     /// an argument was found and could not be written out
@@ -28,6 +30,12 @@ pub enum Open {
     Motion,
     /// the witness of an `exists` does not do
     Witness,
+    /// a point was found, but not for numbers in the place of the indices
+    Index,
+    /// with numbers, or n + 1, in the place of an index it comes to too much
+    Long,
+    /// the step of an induction fails at these values, and the claim at no index that was tried
+    Step(String),
 }
 
 impl fmt::Display for Open {
@@ -37,6 +45,11 @@ impl fmt::Display for Open {
             Self::Operations(n) => {
                 write!(f, "neither proof nor witness within {n} coefficient operations")
             }
+            Self::Document(n) => write!(
+                f,
+                "the budget of the document was spent when nothing had decided this in {n} steps; \
+                 with a greater effort there is more of it, and a claim judged alone has all of it"
+            ),
             Self::NoProof(n) => write!(f, "no proof within {n} steps"),
             Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
             Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
@@ -44,6 +57,17 @@ impl fmt::Display for Open {
             Self::Witness => f.write_str(
                 "what is named behind `by` does not do everywhere; that nothing else does is not shown \
                  by that",
+            ),
+            Self::Index => f.write_str(
+                "it fails for some values of its powers and terms, but at no index that was tried; claims \
+                 on them that hold for all indices may be missing from `from`",
+            ),
+            Self::Long => f.write_str("it comes to too much when powers and terms are written out"),
+            Self::Step(at) => write!(
+                f,
+                "it does not follow from the claim at the index before and from what is cited (it fails \
+                 for {at}), but at no index that was tried the claim itself fails; a stronger claim may \
+                 be shown by induction"
             ),
             Self::Motion => f.write_str(
                 "it fails for some values of the functions and their derivatives, but whether functions \
@@ -108,10 +132,10 @@ pub struct Unreached {
 }
 
 /// What is to be said of a witness and the givens behind what is cited.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Behind {
-    /// they are not all met there
-    NotMet,
+    /// they are not all met there; those that are seen to fail, by their indices
+    NotMet(Vec<usize>),
     /// whether they are was not shown
     NotShown,
 }

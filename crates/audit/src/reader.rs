@@ -15,9 +15,12 @@ mod angle;
 mod blocks;
 mod citation;
 mod differentiation;
+mod dollars;
 mod existence;
 mod label;
+mod sequence;
 mod statement;
+mod survey;
 mod symbol;
 mod tie;
 mod unit;
@@ -34,6 +37,9 @@ use kane_algebra::syntax::{
 use crate::Document;
 use crate::document::digest;
 use crate::motion::Motion;
+use crate::origin::Origin;
+use crate::outline::{Outline, Survey};
+use blocks::Blocks;
 use citation::Draft;
 use unit::Dimension;
 use wanted::Wanted;
@@ -58,25 +64,54 @@ const MAX_READINGS: usize = 100;
 /// # Errors
 /// Everything that is wrong, in the order of the text, up to 200 faults.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
+    read_with(name, bytes, None)
+}
+
+/// Reads a document as [`read`] does, and says what stands where, also where there are errors.
+#[must_use]
+pub fn survey(name: &str, bytes: &[u8]) -> Survey {
+    let mut found = (Outline::default(), Origin::default());
+    let document = read_with(name, bytes, Some(&mut found));
+    let (outline, origin) = found;
+    Survey { document, outline, origin }
+}
+
+/// The document; what stands where is noted as far as it is read.
+fn read_with(
+    name: &str,
+    bytes: &[u8],
+    survey: Option<&mut (Outline, Origin)>,
+) -> Result<Document, Vec<Diagnostic>> {
     if bytes.len() > MAX_FILE_BYTES {
         let message = format!("the file has {} bytes; {MAX_FILE_BYTES} are the most", bytes.len());
         return Err(vec![Diagnostic::at_start(name, message)]);
     }
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => lines_ended_by_line_feeds(text),
-        Err(error) => return Err(vec![not_utf8(name, bytes, error.valid_up_to())]),
+        Err(_) => return Err(vec![Diagnostic::not_utf8(name, bytes)]),
     };
+    let mut blocks = blocks::find(&text);
+    let (text, origin) = match dollars::read(&text, &blocks) {
+        Ok(read) => read,
+        Err(faults) => {
+            // the formulas stay as they are, and what is found of the rest is found in them
+            if let Some((outline, _)) = survey {
+                let reader = read_wanted(&text, &blocks);
+                *outline = reader.outline(&text, &blocks.ranges, &Origin::default());
+            }
+            let reader = Reader { faults, ..Reader::default() };
+            return Err(reader.diagnostics(name, &text));
+        }
+    };
+    if let Cow::Owned(read) = &text {
+        blocks = blocks::find(read);
+    }
     let text = text.as_ref();
-    let mut wanted = Wanted::default();
-    let (mut reader, blocks) = (0..MAX_READINGS)
-        .find_map(|reading| {
-            let (reader, blocks) = read_once(text, wanted.clone());
-            // where something new was met, the faults are those of not having known it
-            let is_last = reader.met == wanted || reading + 1 == MAX_READINGS;
-            wanted.clone_from(&reader.met);
-            is_last.then_some((reader, blocks))
-        })
-        .expect("the last reading ends the search");
+    let mut reader = read_wanted(text, &blocks);
+    if let Some((outline, found)) = survey {
+        *outline = reader.outline(text, &blocks.ranges, &origin);
+        *found = origin;
+    }
     if reader.faults.is_empty() {
         reader.check_units();
     }
@@ -93,9 +128,10 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
         };
         return Ok(Document {
             motion,
+            sequences: reader.scope.sequences().clone(),
             name: visible(name).into_owned(),
             text: text.to_owned(),
-            title: blocks.title.map(|title| visible(&title).into_owned()),
+            title: blocks.title.as_deref().map(|title| visible(title).into_owned()),
             context: reader.scope.into_context(),
             statements,
             digest: digest(bytes),
@@ -104,10 +140,24 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Vec<Diagnostic>> {
     Err(reader.diagnostics(name, text))
 }
 
+/// Reads the statements of a text, and again while an angle or a derivative is met that was not known.
+fn read_wanted(text: &str, blocks: &Blocks) -> Reader {
+    let mut wanted = Wanted::default();
+    (0..MAX_READINGS)
+        .find_map(|reading| {
+            let reader = read_once(text, blocks, wanted.clone());
+            // where something new was met, the faults are those of not having known it
+            let is_last = reader.met == wanted || reading + 1 == MAX_READINGS;
+            wanted.clone_from(&reader.met);
+            is_last.then_some(reader)
+        })
+        .expect("the last reading ends the search")
+}
+
 /// Reads the statements of a text, in which these angles and derivatives are known.
-fn read_once(text: &str, wanted: Wanted) -> (Reader, blocks::Blocks) {
-    let mut reader = Reader { met: wanted.clone(), wanted, ..Reader::default() };
-    let blocks = blocks::find(text, &mut reader.faults);
+fn read_once(text: &str, blocks: &Blocks, wanted: Wanted) -> Reader {
+    let faults = blocks.faults.clone();
+    let mut reader = Reader { met: wanted.clone(), wanted, faults, ..Reader::default() };
     reader.refuse_hidden(&blocks.code);
     let mut lines = Lines::new(text);
     for (count, span) in blocks.statements.iter().cloned().enumerate() {
@@ -123,7 +173,7 @@ fn read_once(text: &str, wanted: Wanted) -> (Reader, blocks::Blocks) {
         reader.line = line;
         reader.statement(&blocks.code, span, line);
     }
-    (reader, blocks)
+    reader
 }
 
 /// The text with a line feed in place of each carriage return that no line feed follows, so that all
@@ -137,16 +187,8 @@ fn lines_ended_by_line_feeds(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.char_indices().map(ended).collect())
 }
 
-fn not_utf8(name: &str, bytes: &[u8], valid: usize) -> Diagnostic {
-    let mut text = String::from_utf8_lossy(bytes.get(..valid).unwrap_or_default()).into_owned();
-    text.push(char::REPLACEMENT_CHARACTER);
-    let text = lines_ended_by_line_feeds(&text);
-    let fault = Fault::new(valid..valid + 1, "the file is not UTF-8".to_owned());
-    fault.diagnostic(name, &mut Lines::new(&text))
-}
-
 /// Something wrong at a place in the text.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Fault {
     span: Range<usize>,
     message: String,
@@ -244,6 +286,9 @@ impl Reader {
         if let Some(array) = self.scope.array(unknown) {
             let parts = array.shape.names(unknown).join("`, `");
             return Some(format!("it is {}; its components are `{parts}`", array.shape));
+        }
+        if self.scope.is_sequence(unknown) {
+            return Some("it is a sequence".to_owned());
         }
         if self.scope.is_function(unknown) {
             return Some("it is a definition with arguments".to_owned());

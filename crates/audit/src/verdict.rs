@@ -86,6 +86,8 @@ pub struct LinkJudgement {
     pub used: Vec<usize>,
     /// search steps spent
     pub cost: u64,
+    /// coefficient operations spent, of the document's budget
+    pub work: u64,
     /// the goal that the kernel was asked about and the certificate that it accepted, for those who
     /// hand both to another judge; `None` when undecided
     pub accepted: Option<Rc<Accepted>>,
@@ -99,6 +101,10 @@ pub struct LinkJudgement {
     pub attempt: Option<Attempt>,
     /// a given that was not shown to hold near a limit, which left it undecided
     pub unreached: Option<Unreached>,
+    /// a given above that is not cited, with which a refuted link would be proved
+    pub would_do: Option<usize>,
+    /// the numbers that were put in the place of indices for what was accepted, by their symbols
+    pub at: Vec<(usize, u32)>,
 }
 
 /// A goal and the certificate that the kernel accepted for it.

@@ -1,8 +1,8 @@
-//! Small documents that ask for much: each ends, in little room.
+//! Documents that ask for much: each ends, in little room, and all its claims share one budget.
 
 use std::time::{Duration, Instant};
 
-use kane_audit::{Options, audit, read};
+use kane_audit::{Audit, Budget, Open, Options, Verdict, audit, read};
 
 /// Longer than the longest of them takes on a busy machine in a build without optimization.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -50,4 +50,80 @@ fn documents_that_ask_for_much_end_in_little_room() {
             assert!(held < ROOM, "{held} KB after {head}");
         }
     }
+}
+
+/// Too hard for any budget of these tests: equations of degree three in four variables.
+const HARD: &str = "x + y + z + w = 0 from g1, g2, g3";
+
+/// A document of that many hard claims, with easy ones between them and at the end.
+fn crowd(hard: usize) -> String {
+    let givens = "var x, y, z, w\n\
+                  given g1: x^2*y + y^2*z + z^2*w = 1\n\
+                  given g2: x*y*z*w = 2\n\
+                  given g3: x^3 + y^3 + z^3 + w^3 = 3\n";
+    let claims = (0..hard).map(|i| format!("claim h{i}: {HARD}\nclaim e{i}: (x + {i})^2 >= 0\n"));
+    format!("```kane\n{givens}{}```\n", claims.collect::<String>())
+}
+
+fn judged(text: &str, only: Option<Vec<usize>>, document: u64) -> Audit {
+    let read = read("crowd.md", text.as_bytes()).expect("it is well formed");
+    let budget = Budget { document, ..Budget::default() };
+    audit(read, &Options { only, budget }, &mut |_, _| {})
+}
+
+/// Verdict and work of each claim.
+fn outcomes(audit: &Audit) -> Vec<(Verdict, u64)> {
+    let claims = audit.judgements.iter().filter(|j| !j.links.is_empty());
+    claims.map(|j| (j.verdict, j.links.iter().map(|l| l.work).sum())).collect()
+}
+
+fn is_of_document(open: Option<&Open>) -> bool {
+    matches!(open, Some(Open::Document(_)))
+}
+
+#[test]
+fn all_claims_of_a_document_share_one_budget() {
+    const WHOLE: u64 = 12_000_000;
+    let few = outcomes(&judged(&crowd(2), None, WHOLE));
+    let many = outcomes(&judged(&crowd(8), None, WHOLE));
+    for (count, found) in [(4, &few), (16, &many)] {
+        assert_eq!(found.len(), count);
+        let spent: u64 = found.iter().map(|f| f.1).sum();
+        assert!(spent <= WHOLE, "{spent}");
+        assert!(spent > WHOLE / 2, "the first claims have most of it: {spent}");
+    }
+    // A claim that is easy is decided however much those before it have spent.
+    for (i, (verdict, _)) in many.iter().enumerate() {
+        let expected = if i % 2 == 0 { Verdict::Undecided } else { Verdict::Proved };
+        assert_eq!(*verdict, expected, "claim {i}");
+    }
+}
+
+#[test]
+fn a_claim_whose_document_has_spent_its_budget_says_so_and_alone_has_all_of_it() {
+    const WHOLE: u64 = 12_000_000;
+    let text = crowd(3);
+    let audit = judged(&text, None, WHOLE);
+    let last = audit.document.statements.iter().position(|s| s.label == "h2").expect("it is there");
+    let link = &audit.judgements[last].links[0];
+    assert!(is_of_document(link.open.as_ref()), "{:?}", link.open);
+    let said = link.open.as_ref().map(ToString::to_string).unwrap_or_default();
+    assert!(said.contains("the budget of the document was spent"), "{said}");
+    let alone = judged(&text, Some(vec![last]), WHOLE);
+    let more = alone.judgements[last].links[0].work;
+    assert!(more > 2 * link.work, "{more} against {}", link.work);
+    assert_eq!(more, judged(&text, Some(vec![last]), WHOLE).judgements[last].links[0].work);
+}
+
+#[test]
+fn what_a_budget_decides_is_the_same_in_every_run() {
+    let text = crowd(3);
+    let runs: Vec<_> = (0..2).map(|_| outcomes(&judged(&text, None, 7_000_000))).collect();
+    assert_eq!(runs[0], runs[1]);
+}
+
+#[test]
+fn more_effort_is_more_of_the_budget_of_a_document() {
+    let usual = Budget::default();
+    assert_eq!(usual.times(3).document, 3 * usual.document);
 }

@@ -199,7 +199,7 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): not implied (1) by m := 1, m := 2", 1, 39, "`m` is given twice"),
         // clauses
         ("claim (2): x = 1 from (1) when m > 1", 1, 27, "expected the clauses once each"),
-        ("claim (2): x = 1 by m := 1", 1, 18, "expected the end (only `exists` and `not implied`"),
+        ("claim (2): x = 1 by m := 1", 1, 21, "expected `induction` (only `exists` and"),
         ("claim (2): x = 1 using m from (1)", 1, 26, "expected the clauses once each"),
         ("claim (2): x = 1 using", 1, 23, "expected an expression"),
         ("claim (2): x = 1 using m,", 1, 26, "expected an expression"),
@@ -426,7 +426,8 @@ proptest! {
             "var", "let", "given", "claim", "\n", "\n  ", "(1)", "a-b", ":", ":=", "x", "k(x)", "k", "=", "->",
             "oo", "as", "when", "from", "using", "by", "expect", "proved", "not", "implied", "contradiction",
             "and", "or", "implies", "iff", "exists", "in R^2", "in R^3x3", "v", "A", "[", "]", "dot(", "cross(",
-            "inverse(", "f(", "f(u, v) :=", "[kg]",
+            "inverse(", "f(", "f(u, v) :=", "[kg]", "in N", "n", "s(0) :=", "s(n + 1) :=", "s(n)", "x^n", "for n >= 0",
+            "by induction", "pow(x, n)",
             "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
         ]), 0..60)
     ) {

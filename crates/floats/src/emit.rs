@@ -2,10 +2,13 @@
 
 use std::fmt::Write as _;
 
+use kane_kernel::Rel;
 use kane_number::Rational;
 
 use crate::machine::rounded;
-use crate::{Core, Operation, Precision, text};
+use crate::{Core, Operation, Precision, Test, text};
+
+mod branches;
 
 /// A programming language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,18 +41,21 @@ impl Language {
 /// `-ffp-contract=off`).
 #[must_use]
 pub fn emit(core: &Core, precision: Precision, language: Language) -> String {
-    let writer = Writer { core, precision, language };
-    writer.function()
+    Writer { core, precision, language, named: &|_, _, _| None }.function()
 }
 
-struct Writer<'a> {
-    core: &'a Core,
-    precision: Precision,
-    language: Language,
+/// Writes a formula in a language.
+pub(crate) struct Writer<'a> {
+    pub(crate) core: &'a Core,
+    pub(crate) precision: Precision,
+    pub(crate) language: Language,
+    /// comparisons that are functions by their names; the others are compared as they stand
+    pub(crate) named: &'a dyn Fn(Rel, usize, usize) -> Option<String>,
 }
 
 impl Writer<'_> {
-    fn function(&self) -> String {
+    /// The formula as a function.
+    pub(crate) fn function(&self) -> String {
         let name = identifier(self.core.name.as_deref().unwrap_or("f"));
         let arguments: Vec<String> =
             (0..self.core.arguments.len()).map(|i| self.argument(i)).collect();
@@ -76,6 +82,12 @@ impl Writer<'_> {
             for argument in &arguments {
                 writeln!(text, "    {argument} = float32({argument})").expect("a string takes all");
             }
+        }
+        if self.language == Language::Python
+            && let Some((lines, value)) = self.by_branches()
+        {
+            write!(text, "{lines}    return {value}").expect("a string takes all");
+            return text;
         }
         let needed = self.core.program.needed(self.core.root);
         for (index, operation) in self.core.program.operations().iter().enumerate() {
@@ -104,7 +116,8 @@ impl Writer<'_> {
         text
     }
 
-    fn argument(&self, index: usize) -> String {
+    /// The name of an argument.
+    pub(crate) fn argument(&self, index: usize) -> String {
         let name = self.core.arguments.get(index).map_or("x", |argument| argument.name.as_str());
         let name = identifier(name);
         // two names may come out the same
@@ -123,6 +136,13 @@ impl Writer<'_> {
 
     /// The float that a constant is rounded to, by its shortest decimal.
     fn number(&self, number: &Rational) -> String {
+        let wide = match self.precision {
+            Precision::F32 => f64::from(rounded::<f32>(number)),
+            Precision::F64 => rounded::<f64>(number),
+        };
+        if wide.is_infinite() {
+            return infinity(self.language, self.precision, wide.is_sign_negative());
+        }
         let digits = match self.precision {
             Precision::F32 => format!("{:?}", rounded::<f32>(number)),
             Precision::F64 => format!("{:?}", rounded::<f64>(number)),
@@ -133,7 +153,7 @@ impl Writer<'_> {
             (Language::Python, Precision::F32) => format!("float32({digits})"),
             _ => digits,
         };
-        if rounded::<f64>(number).is_sign_negative() { format!("({digits})") } else { digits }
+        if wide.is_sign_negative() { format!("({digits})") } else { digits }
     }
 
     fn operation(&self, operation: &Operation) -> String {
@@ -168,30 +188,72 @@ impl Writer<'_> {
             Operation::Min(a, b) => call("min", "fmin", "min", &[a, b]),
             Operation::Max(a, b) => call("max", "fmax", "max", &[a, b]),
             Operation::If(test, a, b) => {
-                let side = |index: usize| self.at(index);
-                let guard = text::condition(test, &side);
+                let guard = self.guard(test);
                 match self.language {
-                    Language::Rust => {
-                        format!("if {} {{ {} }} else {{ {} }}", symbols(&guard), at(a), at(b))
-                    }
-                    Language::C => format!("({}) ? {} : {}", symbols(&guard), at(a), at(b)),
-                    Language::Python => {
-                        let guard = guard.replace("true", "True").replace("false", "False");
-                        format!("{} if {guard} else {}", at(a), at(b))
-                    }
+                    Language::Rust => format!("if {guard} {{ {} }} else {{ {} }}", at(a), at(b)),
+                    Language::C => format!("({guard}) ? {} : {}", at(a), at(b)),
+                    Language::Python => format!("{} if {guard} else {}", at(a), at(b)),
                 }
+            }
+        }
+    }
+
+    /// A test in the language.
+    fn guard(&self, test: &Test) -> String {
+        let compare = |rel, a, b| self.comparison(rel, a, b);
+        in_words_of(self.language, &text::condition(test, &compare))
+    }
+
+    /// A comparison, by its function if it has one.
+    fn comparison(&self, rel: Rel, a: usize, b: usize) -> String {
+        match (self.named)(rel, a, b) {
+            None => format!("{} {} {}", self.at(a), text::sign(rel), self.at(b)),
+            Some(name) => {
+                let widened = |index: usize| match (self.language, self.precision) {
+                    (Language::Rust, Precision::F32) => {
+                        format!("f64::from({})", self.argument(index))
+                    }
+                    _ => self.argument(index),
+                };
+                let arguments: Vec<String> = (0..self.core.arguments.len()).map(widened).collect();
+                format!("{name}({})", arguments.join(", "))
             }
         }
     }
 }
 
-/// A condition in the words of Rust and C.
-fn symbols(guard: &str) -> String {
-    guard.replace(" and ", " && ").replace(" or ", " || ").replace("not (", "!(")
+/// A condition in the words of a language.
+pub(crate) fn in_words_of(language: Language, guard: &str) -> String {
+    match language {
+        Language::Python => guard.replace("true", "True").replace("false", "False"),
+        Language::Rust | Language::C => {
+            guard.replace(" and ", " && ").replace(" or ", " || ").replace("not (", "!(")
+        }
+    }
+}
+
+/// What a constant beyond every float is rounded to.
+pub(crate) fn infinity(language: Language, precision: Precision, negative: bool) -> String {
+    let name = match language {
+        Language::Rust => format!("{}::INFINITY", precision.name()),
+        Language::C => "INFINITY".to_owned(),
+        Language::Python => "inf".to_owned(),
+    };
+    if negative { format!("(-{name})") } else { name }
+}
+
+/// A comment of one line before a function.
+pub(crate) fn comment(language: Language, text: &str) -> String {
+    match language {
+        Language::Rust => format!("/// {text}"),
+        // an argument may be called so
+        Language::C => format!("/* {} */", text.replace("*/", "* /")),
+        Language::Python => format!("# {text}"),
+    }
 }
 
 /// A name that all three languages take.
-fn identifier(name: &str) -> String {
+pub(crate) fn identifier(name: &str) -> String {
     let mut text: String =
         name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {

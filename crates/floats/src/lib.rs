@@ -9,9 +9,12 @@
 #![deny(clippy::float_arithmetic)]
 
 mod core;
+pub mod decision;
+mod draw;
 mod emit;
 pub mod exact;
 pub mod fpcore;
+mod gappa;
 mod machine;
 mod program;
 mod repair;
@@ -20,8 +23,10 @@ mod search;
 pub mod text;
 
 pub use core::{Argument, Core, Precision};
+pub use draw::points;
 pub use emit::{Language, emit};
+pub use gappa::gappa;
 pub use machine::{Machine, Runner, places};
 pub use program::{Operation, Program, Test};
-pub use repair::{Proposal, repairs};
+pub use repair::{Proposal, fused, repairs};
 pub use search::{Effort, Worst, worst};

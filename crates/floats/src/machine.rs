@@ -61,54 +61,36 @@ pub trait Machine:
     }
 }
 
-impl Machine for f32 {
-    const FORMAT: Precision = Precision::F32;
+macro_rules! machine {
+    ($float:ident, $format:ident) => {
+        impl Machine for $float {
+            const FORMAT: Precision = Precision::$format;
 
-    fn root(self) -> Self {
-        self.sqrt()
-    }
+            fn root(self) -> Self {
+                self.sqrt()
+            }
 
-    fn fused(self, b: Self, c: Self) -> Self {
-        self.mul_add(b, c)
-    }
+            fn fused(self, b: Self, c: Self) -> Self {
+                self.mul_add(b, c)
+            }
 
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
 
-    fn wide(self) -> f64 {
-        f64::from(self)
-    }
+            fn wide(self) -> f64 {
+                f64::from(self)
+            }
 
-    #[allow(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
-    fn nearest(wide: f64) -> Self {
-        wide as Self
-    }
+            #[allow(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
+            fn nearest(wide: f64) -> Self {
+                wide as Self
+            }
+        }
+    };
 }
-
-impl Machine for f64 {
-    const FORMAT: Precision = Precision::F64;
-
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-
-    fn fused(self, b: Self, c: Self) -> Self {
-        self.mul_add(b, c)
-    }
-
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
-
-    fn wide(self) -> f64 {
-        self
-    }
-
-    fn nearest(wide: f64) -> Self {
-        wide
-    }
-}
+machine!(f32, F32);
+machine!(f64, F64);
 
 /// The finite floats of a range, by their places; `None` if there is none. A bound is met to the float.
 #[must_use]

@@ -133,6 +133,15 @@ impl Operation {
         }
     }
 
+    /// The results that it takes, those that a test compares included.
+    pub(crate) fn reads(&self) -> Vec<usize> {
+        let mut reads = self.operands();
+        if let Self::If(test, ..) = self {
+            reads.extend(test.compared().into_iter().flat_map(|(_, a, b)| [a, b]));
+        }
+        reads
+    }
+
     /// Whether a machine rounds its result.
     #[must_use]
     pub const fn rounds(&self) -> bool {
@@ -195,20 +204,38 @@ impl Program {
     /// Which operations a result needs, itself and what tests compare included.
     #[must_use]
     pub fn needed(&self, root: usize) -> Vec<bool> {
+        self.needed_by(&[root])
+    }
+
+    /// Which operations some results need.
+    #[must_use]
+    pub(crate) fn needed_by(&self, roots: &[usize]) -> Vec<bool> {
         let mut needed = vec![false; self.operations.len()];
-        let mut todo = vec![root];
+        let mut todo = roots.to_vec();
         while let Some(index) = todo.pop() {
             let Some(seen) = needed.get_mut(index) else { continue };
             if !*seen {
                 *seen = true;
                 let Some(operation) = self.operations.get(index) else { continue };
-                todo.extend(operation.operands());
-                if let Operation::If(test, ..) = operation {
-                    todo.extend(test.compared().into_iter().flat_map(|(_, a, b)| [a, b]));
-                }
+                todo.extend(operation.reads());
             }
         }
         needed
+    }
+
+    /// How often each result is read by those operations that a result needs.
+    #[must_use]
+    pub(crate) fn uses(&self, root: usize) -> Vec<usize> {
+        let mut uses = vec![0; self.operations.len()];
+        let needed = self.needed(root);
+        for (operation, _) in self.operations.iter().zip(&needed).filter(|(_, needed)| **needed) {
+            for index in operation.reads() {
+                if let Some(uses) = uses.get_mut(index) {
+                    *uses += 1;
+                }
+            }
+        }
+        uses
     }
 
     /// The constant that an operation is, if it is one.

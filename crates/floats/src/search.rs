@@ -6,6 +6,7 @@
 
 use kane_number::{DoubleDouble, Number as _, Ordered as _};
 
+use crate::draw::Random;
 use crate::exact::{Compared, compared};
 use crate::machine::{Machine, Runner, compares};
 use crate::rigor::{Cell, Goal};
@@ -210,13 +211,7 @@ impl<M: Machine> Search<'_, M> {
                     Some(&(low, high)) => (M::nearest(low).place(), M::nearest(high).place()),
                     None => (first, last),
                 };
-                let place = if turn % 3 == 2 {
-                    low.saturating_add(self.random.upto(low.abs_diff(high)))
-                } else {
-                    let (low, high) = (M::at(low).wide(), M::at(high).wide());
-                    let part = self.random.part();
-                    M::nearest(low * (1.0 - part) + high * part).place()
-                };
+                let place = self.random.place::<M>((low, high), turn % 3 != 2);
                 point.push(place.clamp(first, last));
             }
             self.visit(point);
@@ -321,29 +316,5 @@ fn wide(
             }
         };
         results.push(result);
-    }
-}
-
-/// The generator `splitmix64`.
-struct Random(u64);
-
-impl Random {
-    const fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// An integer from 0 to `most`.
-    fn upto(&mut self, most: u64) -> i64 {
-        let drawn = self.next();
-        let within = if most == u64::MAX { drawn } else { drawn % (most + 1) };
-        i64::try_from(within).unwrap_or(i64::MAX)
-    }
-
-    /// A number in [0, 1).
-    fn part(&mut self) -> f64 {
-        f64::from_bits((self.next() >> 12) | 1.0_f64.to_bits()) - 1.0
     }
 }

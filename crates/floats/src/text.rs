@@ -60,7 +60,8 @@ fn one(core: &Core, operation: &Operation, written: &[(String, u8)]) -> (String,
         Operation::Min(a, b) => (format!("min({}, {})", at(a, 0), at(b, 0)), ATOM),
         Operation::Max(a, b) => (format!("max({}, {})", at(a, 0), at(b, 0)), ATOM),
         Operation::If(test, a, b) => {
-            let guard = condition(test, &|index| at(&index, SUM));
+            let compare = |rel, a, b| format!("{} {} {}", at(&a, SUM), sign(rel), at(&b, SUM));
+            let guard = condition(test, &compare);
             (format!("(if {guard} then {} else {})", at(a, 0), at(b, 0)), ATOM)
         }
     }
@@ -119,21 +120,21 @@ pub const fn sign(rel: Rel) -> &'static str {
     }
 }
 
-/// A condition, with what is compared in a notation of choice.
-pub(crate) fn condition(test: &Test, side: &impl Fn(usize) -> String) -> String {
+/// A condition, with comparisons in a notation of choice.
+pub(crate) fn condition(test: &Test, compare: &impl Fn(Rel, usize, usize) -> String) -> String {
     let joined = |tests: &[Test], word: &str, none: &str| match tests {
         [] => none.to_owned(),
-        [test] => condition(test, side),
+        [test] => condition(test, compare),
         tests => {
             let parts: Vec<String> =
-                tests.iter().map(|test| format!("({})", condition(test, side))).collect();
+                tests.iter().map(|test| format!("({})", condition(test, compare))).collect();
             parts.join(word)
         }
     };
     match test {
-        Test::Compare(rel, a, b) => format!("{} {} {}", side(*a), sign(*rel), side(*b)),
+        Test::Compare(rel, a, b) => compare(*rel, *a, *b),
         Test::All(tests) => joined(tests, " and ", "true"),
         Test::Any(tests) => joined(tests, " or ", "false"),
-        Test::Not(test) => format!("not ({})", condition(test, side)),
+        Test::Not(test) => format!("not ({})", condition(test, compare)),
     }
 }

@@ -60,10 +60,14 @@ fn functions_carry_out_the_operations_in_order() {
 }";
     let python = "def f(x_1, y):
     t2 = sqrt(x_1)
-    t5 = fma(t2, y, (-2.0))
-    t6 = t2 + y
-    t7 = t2 / t6
-    return t5 if t2 < 0.1 else t7";
+    if t2 < 0.1:
+        t5 = fma(t2, y, (-2.0))
+        t8 = t5
+    else:
+        t6 = t2 + y
+        t7 = t2 / t6
+        t8 = t7
+    return t8";
     assert_eq!(emit(&core, Precision::F64, Language::Rust), rust);
     assert_eq!(emit(&core, Precision::F32, Language::C), c);
     assert_eq!(emit(&core, Precision::F64, Language::Python), python);

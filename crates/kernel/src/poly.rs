@@ -15,7 +15,10 @@ use crate::{Checked, Rejection, sign};
 /// A budget of coefficient operations; what needs more is rejected, never waited for. Clones share
 /// it.
 #[derive(Clone, Debug)]
-pub struct Fuel(Rc<Cell<u64>>);
+pub struct Fuel {
+    left: Rc<Cell<u64>>,
+    whole: Option<Rc<Self>>,
+}
 
 /// Terms and powers of one product, of each factor multiplied.
 const WIDEST: usize = 8_000_000;
@@ -24,7 +27,35 @@ impl Fuel {
     /// A budget of this many word-sized coefficient operations.
     #[must_use]
     pub fn new(steps: u64) -> Self {
-        Self(Rc::new(Cell::new(steps)))
+        Self { left: Rc::new(Cell::new(steps)), whole: None }
+    }
+
+    /// A budget of its own, which is part of this one: what is spent of it is spent of both.
+    #[must_use]
+    pub fn within(&self, steps: u64) -> Self {
+        Self { whole: Some(Rc::new(self.clone())), ..Self::new(steps) }
+    }
+
+    /// Takes `steps` from the budget of which this one is a part, if it is: work that this one does
+    /// not count.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`] when fewer are left there.
+    pub fn spend_beyond(&self, steps: u64) -> Checked {
+        self.whole.as_ref().map_or(Ok(()), |whole| whole.spend(steps))
+    }
+
+    /// Another budget beside this one, a part of the same whole if there is one.
+    #[must_use]
+    pub fn beside(&self, steps: u64) -> Self {
+        Self { whole: self.whole.clone(), ..Self::new(steps) }
+    }
+
+    /// Operations that are left of this budget, and of all that it is part of.
+    #[must_use]
+    pub fn left(&self) -> u64 {
+        let own = self.left.get();
+        self.whole.as_ref().map_or(own, |whole| own.min(whole.left()))
     }
 
     /// Takes `steps` from the budget.
@@ -32,9 +63,11 @@ impl Fuel {
     /// # Errors
     /// [`Rejection::Budget`] when fewer are left.
     pub fn spend(&self, steps: u64) -> Checked {
-        let left = self.0.get().checked_sub(steps);
-        self.0.set(left.unwrap_or(0));
-        left.map(|_| ()).ok_or(Rejection::Budget)
+        let left = self.left.get();
+        let spent = steps.min(left);
+        self.left.set(left - spent);
+        self.spend_beyond(spent)?;
+        if spent == steps { Ok(()) } else { Err(Rejection::Budget) }
     }
 }
 
@@ -252,6 +285,10 @@ impl Poly {
             return Err(Rejection::Budget);
         }
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
+        // a term is as long as it has powers, which its own budget does not count
+        let powers = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
+        let long = powers(self).saturating_mul(size(other));
+        fuel.spend_beyond(long.saturating_add(powers(other).saturating_mul(size(self))) / 4)?;
         let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
         if one(self) || one(other) {
             return Ok(if one(self) { other } else { self }.clone());

@@ -29,6 +29,7 @@ const BUDGET: Budget = Budget {
     products: false,
     squares: 0,
     cells: 0,
+    document: u64::MAX,
 };
 /// The same with the tactics that take long, where all variables are few.
 const THOROUGH: Budget = Budget { steps: 60, products: true, ..BUDGET };

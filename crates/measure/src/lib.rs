@@ -29,6 +29,7 @@ mod expand;
 mod formula;
 pub mod growth;
 mod over_alpha;
+pub mod prices;
 mod program;
 mod ranges;
 mod rounding;

@@ -1,5 +1,6 @@
 //! Laws over columns of floats that NumPy owns; nothing is copied.
 
+use kane_impact::LawInfo;
 use kane_impact::batch::{self as lanes, Batched, Columns, Contacts, Survey};
 use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
@@ -9,47 +10,45 @@ use pyo3::prelude::*;
 
 use crate::bad_input;
 
-/// Does something with the law of an id that has a lane for columns.
-macro_rules! lane {
-    ($id:expr, |$law:ident| $then:expr) => {
-        match $id {
-            "wang-su-li" => {
-                let $law = &WangSuLi;
-                Some($then)
-            }
-            "whittaker-uncapped" => {
-                let $law = &WhittakerUncapped;
-                Some($then)
-            }
-            "whittaker-stop" => {
-                let $law = &WhittakerStop;
-                Some($then)
-            }
-            "walton" => {
-                let $law = &Walton::default();
-                Some($then)
-            }
-            "garwin-capped" => {
-                let $law = &GarwinCapped;
-                Some($then)
-            }
-            "smith-1991" => {
-                let $law = &Smith1991;
-                Some($then)
-            }
-            _ => None,
-        }
-    };
+/// A law that has a lane for columns.
+struct Lane {
+    law: &'static LawInfo,
+    evaluate: fn(&[f64], Columns<'_>),
+    contacts: fn(Contacts<'_>, Columns<'_>),
+    survey: fn(&[f64]) -> Survey,
 }
 
-/// The ids of the laws that have a lane for columns.
-const LANES: [&str; 6] =
-    ["wang-su-li", "whittaker-uncapped", "whittaker-stop", "walton", "garwin-capped", "smith-1991"];
+impl Lane {
+    const fn of<L: Batched + Default>() -> Self {
+        Self {
+            law: &L::INFO,
+            evaluate: |alpha, out| lanes::evaluate(&L::default(), alpha, out),
+            contacts: |contacts, out| lanes::evaluate_contacts(&L::default(), contacts, out),
+            survey: |alpha| lanes::survey(&L::default(), alpha),
+        }
+    }
+
+    /// The lane of the law with an id.
+    fn with(id: &str) -> PyResult<&'static Self> {
+        LANES.iter().find(|lane| lane.law.id == id).ok_or_else(|| {
+            bad_input(format!("{id} has no lane for columns; there are {}", batched().join(", ")))
+        })
+    }
+}
+
+const LANES: [Lane; 6] = [
+    Lane::of::<WangSuLi>(),
+    Lane::of::<WhittakerUncapped>(),
+    Lane::of::<WhittakerStop>(),
+    Lane::of::<Walton>(),
+    Lane::of::<GarwinCapped>(),
+    Lane::of::<Smith1991>(),
+];
 
 /// The ids of the laws that [`batch`] knows.
 #[pyfunction]
 pub(crate) fn batched() -> Vec<&'static str> {
-    LANES.to_vec()
+    LANES.iter().map(|lane| lane.law.id).collect()
 }
 
 /// Fills k, i_x and Δe for a column of α.
@@ -68,7 +67,8 @@ pub(crate) fn batch(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[alpha.len()], &out)?;
-    lane!(law, |law| lanes::evaluate(law, alpha, out)).ok_or_else(|| unknown(law))
+    (Lane::with(law)?.evaluate)(alpha, out);
+    Ok(())
 }
 
 /// Fills k, i_x and Δe for columns of contacts.
@@ -89,7 +89,8 @@ pub(crate) fn batch_contacts(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[contacts.slip.len(), contacts.sliding.len(), contacts.mobility.len()], &out)?;
-    lane!(law, |law| lanes::evaluate_contacts(law, contacts, out)).ok_or_else(|| unknown(law))
+    (Lane::with(law)?.contacts)(contacts, out);
+    Ok(())
 }
 
 /// Rows, rows outside, gains, rows beyond the cone, greatest Δe and least k of a column of α.
@@ -102,13 +103,8 @@ pub(crate) fn survey(
     alpha: PyReadonlyArray1<'_, f64>,
 ) -> PyResult<(usize, u64, u64, u64, f64, f64)> {
     let alpha = filled(&alpha)?;
-    let told =
-        |s: Survey| (s.rows, s.outside, s.gains, s.beyond_cone, s.greatest_energy, s.least_k);
-    lane!(law, |law| told(surveyed(law, alpha))).ok_or_else(|| unknown(law))
-}
-
-fn surveyed<L: Batched>(law: &L, alpha: &[f64]) -> Survey {
-    lanes::survey(law, alpha)
+    let s = (Lane::with(law)?.survey)(alpha);
+    Ok((s.rows, s.outside, s.gains, s.beyond_cone, s.greatest_energy, s.least_k))
 }
 
 fn filled<'a>(column: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
@@ -136,8 +132,4 @@ fn same_length(inputs: &[usize], out: &Columns<'_>) -> PyResult<()> {
         true => Ok(()),
         false => Err(bad_input("the columns are not of one length")),
     }
-}
-
-fn unknown(law: &str) -> PyErr {
-    bad_input(format!("{law} has no lane for columns; there are {}", LANES.join(", ")))
 }

@@ -149,3 +149,17 @@ def test_bad_options_are_errors(tmp_path):
     empty.write_text("")
     with pytest.raises(ValueError):
         kane.check(empty)
+
+
+def test_the_page_on_engines_shows_a_program_that_runs(tmp_path, monkeypatch):
+    pytest.importorskip("pymunk", reason="the engine of the page is not installed")
+    page = Path(__file__).parents[3] / "docs/checking-your-engine.md"
+    program = page.read_text(encoding="utf-8").split("```python\n")[1].split("```")[0]
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(program, names)  # noqa: S102 - a page of this repository
+    names["out"] = None  # the file is closed, and all of it is there
+    check = kane.check(tmp_path / "log.csv")
+    assert json.loads(check.json())["headline"].startswith(
+        "Restitution as stated; friction is Coulomb's, which stops the slip"
+    )

@@ -31,6 +31,7 @@ pub mod format;
 pub mod frame;
 pub mod friction;
 pub mod header;
+pub mod preset;
 pub mod reader;
 pub mod rejection;
 pub mod replay;

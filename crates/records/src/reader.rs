@@ -87,6 +87,36 @@ impl Pairs {
     }
 }
 
+/// The names of the columns, from the beginning of a log; none where they cannot be read.
+#[must_use]
+pub fn names(start: &[u8], kind: Kind) -> Vec<String> {
+    match kind {
+        Kind::Csv => {
+            let mut reader = csv::ReaderBuilder::new()
+                .delimiter(delimiter(start))
+                .comment(Some(b'#'))
+                .flexible(true)
+                .trim(csv::Trim::Headers)
+                .from_reader(start);
+            header_names(&mut reader).unwrap_or_default()
+        }
+        Kind::JsonLines => {
+            let mut lines =
+                start.split(|&byte| byte == b'\n').filter(|l| !l.trim_ascii().is_empty());
+            let cells = lines.next().and_then(|line| flat(line).ok()).unwrap_or_default();
+            cells.into_iter().map(|(name, _)| name).collect()
+        }
+    }
+}
+
+/// The names in the first record.
+fn header_names<R: io::Read>(reader: &mut csv::Reader<R>) -> Result<Vec<String>, csv::Error> {
+    let name = |name: &[u8]| {
+        String::from_utf8_lossy(name).trim_start_matches('\u{feff}').trim().to_owned()
+    };
+    Ok(reader.byte_headers()?.iter().map(name).collect())
+}
+
 /// Reads the log to its end.
 ///
 /// # Errors
@@ -116,11 +146,7 @@ fn csv_rows(
         .flexible(true)
         .trim(csv::Trim::Headers)
         .from_reader(input);
-    let names: Vec<String> = reader
-        .byte_headers()?
-        .iter()
-        .map(|name| String::from_utf8_lossy(name).trim_start_matches('\u{feff}').trim().to_owned())
-        .collect();
+    let names = header_names(&mut reader)?;
     if names.is_empty() {
         return Err(ReadFault::Empty);
     }

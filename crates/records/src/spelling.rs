@@ -107,7 +107,7 @@ pub(crate) fn spelled(name: &str) -> Spelled {
 }
 
 /// The words of a name, in small letters, digits apart.
-fn tokens(name: &str) -> Vec<String> {
+pub(crate) fn tokens(name: &str) -> Vec<String> {
     let mut tokens: Vec<String> = Vec::new();
     let (mut token, mut before) = (String::new(), ' ');
     for c in name.chars() {

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ptr;
 
-use kane_algebra::syntax::Notation as _;
+use kane_algebra::syntax::{Notation as _, canonical_name};
 use kane_audit::{Accepted, Body, Claim, Content, LinkJudgement, Verdict};
 use kane_kernel::{
     Atom, Conclusion, Context, Evidence, Expr, Failure, Finding, Fuel, Functions, Germ, Goal,
@@ -68,7 +68,10 @@ fn link(report: &Report<'_>, claim: &Claim, rests_on: &[usize], judged: &LinkJud
     let label = |i: usize| {
         statements[i].label.trim_start_matches('(').trim_end_matches(')').trim().to_owned()
     };
-    let all = accepted.goal.hypotheses.len() > cited.len();
+    // the step of an induction has more premises of its own, and no other finding but these
+    let by_point = matches!(accepted.certificate.evidence, Evidence::Model(_));
+    let all =
+        accepted.goal.hypotheses.len() > cited.len() && (claim.induction.is_none() || by_point);
     let mut labels =
         Labels { cited: cited.iter().copied().map(label).collect(), behind: Vec::new() };
     match all {
@@ -88,7 +91,13 @@ fn link(report: &Report<'_>, claim: &Claim, rests_on: &[usize], judged: &LinkJud
             let roots: Vec<String> =
                 writer.roots.iter().map(|root| root.plain(writer.context)).collect();
             let premises = if all { "all" } else { "cited" };
-            json!({ "finding": finding, "premises": premises, "roots": roots, "evidence": evidence })
+            let mut link = json!({
+                "finding": finding, "premises": premises, "roots": roots, "evidence": evidence
+            });
+            if !judged.at.is_empty() {
+                link["at"] = writer.indices(&judged.at);
+            }
+            link
         }
         Err(_) => nothing,
     }
@@ -110,6 +119,14 @@ struct Writer<'a> {
 type Written = Result<Value, Rejection>;
 
 impl Writer<'_> {
+    /// The numbers in the place of indices.
+    fn indices(&self, at: &[(usize, u32)]) -> Value {
+        let name = |v: usize| Expr::Var(v).plain(self.context);
+        let named =
+            at.iter().map(|(v, n)| (canonical_name(&name(*v)).into_owned(), json!(n.to_string())));
+        Value::Object(named.collect())
+    }
+
     fn evidence(&mut self, accepted: &Accepted, labels: &Labels) -> Written {
         let goal = &accepted.goal;
         let scope = scope(goal, Fuel::new(u64::MAX))?;

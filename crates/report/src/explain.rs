@@ -38,7 +38,7 @@ pub fn explain(audit: &Audit, index: usize) -> Option<String> {
 fn write_link(out: &mut String, entry: &Entry<'_>, (number, link): (usize, &LinkJudgement)) {
     let _ = writeln!(out, "{}", entry.link_text(number));
     let _ = writeln!(out, "  {}: {}", link.verdict, entry.reason(link, Form::Plain));
-    for Line { depth, text } in entry.steps(link, Form::Plain) {
+    for Line { depth, text, .. } in entry.steps(link, Form::Plain) {
         let _ = writeln!(out, "{:indent$}{text}", "", indent = 4 + 2 * depth);
     }
     if !link.used.is_empty() {

@@ -185,7 +185,7 @@ impl<'a> Link<'a> {
             certificate: link.certificate.as_deref(),
             used: entry.labels(&link.used),
             cost: link.cost,
-            steps: steps.map(|Line { depth, text }| Step { depth, text }).collect(),
+            steps: steps.map(|Line { depth, text, .. }| Step { depth, text }).collect(),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::judges;
 use crate::markdown::capitalised;
 use crate::outline::headings;
 use crate::report::Entry;
-use crate::tex::escape;
+use crate::tex::{escape, whole};
 use crate::wording::evidence;
 use crate::words::{Form, Line};
 use crate::{Report, Summary};
@@ -19,17 +19,28 @@ const PREAMBLE: &str = r"\documentclass[11pt]{article}
 \usepackage[utf8]{inputenc}
 \usepackage{amsmath,amssymb}
 \usepackage[margin=30mm]{geometry}
+\usepackage[hidelinks]{hyperref}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip plus 2pt}
 \raggedright
 \relpenalty=100 \binoppenalty=200 \emergencystretch=3em
-\newcommand{\statement}[3]{\pagebreak[2]\medskip\par\textbf{#1 #2}\quad #3\par}
+\newsavebox{\said}
+\makeatletter
+\newcommand{\anchor}[2]{\phantomsection\def\@currentlabel{#2}\label{#1}}
+\newcommand{\statement}[4]{\pagebreak[2]\medskip\par\sbox{\said}{$\displaystyle #4$}%
+  \ifdim\wd\said<.75\linewidth\relax
+    \textbf{#1}\nopagebreak\begin{equation*}#4\tag*{#3}\label{#2}\end{equation*}%
+  \else\anchor{#2}{#3}\textbf{#1 #3}\quad$\displaystyle #4$\par\fi}
+\makeatother
 \newcommand{\evidence}[1]{\par\nopagebreak\textit{#1.}\enspace}
 \newcommand{\step}[2]{\par\vspace{-\parskip}\hangindent=\dimexpr#1\relax\advance\hangindent by 1.5em\hangafter=1\hspace*{#1}#2}
 \newcommand{\qed}{\hfill\ensuremath{\square}}
 ";
 
-/// The report as a document for LaTeX, which needs `amsmath`, `amssymb` and `geometry` alone.
+/// The report as a document for LaTeX, which needs `amsmath`, `amssymb`, `geometry` and `hyperref` alone.
+///
+/// A statement that is short enough is a displayed formula with its label as its tag. Each can be referred to: the one at
+/// index 4 of the document as `\ref{s:4}`, which prints its label.
 ///
 /// Section by section it states what is assumed and claimed; a proof ends in a square, and what is refuted is
 /// followed by its counterexample. Equal reports give equal bytes.
@@ -62,7 +73,7 @@ pub fn latex(report: &Report<'_>) -> String {
             let command = if heading.level == 2 { "section" } else { "subsection" };
             let _ = writeln!(out, "\\{command}*{{{}}}\n", escape(&heading.title));
         }
-        statement(&mut out, &entry);
+        statement(&mut out, index, &entry);
         if entry.is_claim() && !report.judges.is_empty() {
             let links = entry.judgement.links.len();
             let told =
@@ -84,7 +95,13 @@ pub fn latex(report: &Report<'_>) -> String {
     out
 }
 
-fn statement(out: &mut String, entry: &Entry<'_>) {
+/// References to the statements at these indices.
+fn references(indices: &[usize]) -> String {
+    let all: Vec<String> = indices.iter().map(|index| format!("\\ref{{s:{index}}}")).collect();
+    all.join(", ")
+}
+
+fn statement(out: &mut String, index: usize, entry: &Entry<'_>) {
     let judgement = entry.judgement;
     let kind = match entry.kind() {
         "let" => "Definition",
@@ -92,26 +109,22 @@ fn statement(out: &mut String, entry: &Entry<'_>) {
         _ => "Claim",
     };
     let said = match entry.formula() {
-        Some(formula) => format!("$\\displaystyle {}$", formula.replace(":=", "\\mathrel{:=}")),
+        Some(formula) => formula.replace(":=", "\\mathrel{:=}"),
         None => match entry.denied() {
             Some(denied) => {
-                format!("{} does not follow.", escape(&entry.labels(&[denied]).join("")))
+                format!("\\text{{{} does not follow.}}", escape(&entry.labels(&[denied]).join("")))
             }
-            None => "The premises contradict each other.".to_owned(),
+            None => "\\text{The premises contradict each other.}".to_owned(),
         },
     };
-    let label = match entry.claim() {
-        Some(_) | None if entry.kind() != "let" => escape(&entry.statement.label),
-        // a definition goes by its name, which the formula begins with
-        _ => String::new(),
-    };
-    let _ = writeln!(out, "\\statement{{{kind}}}{{{label}}}{{{said}}}");
+    let label = escape(&entry.statement.label);
+    let _ = writeln!(out, "\\statement{{{kind}}}{{s:{index}}}{{{label}}}{{{said}}}");
     let Some(claim) = entry.claim() else {
         out.push('\n');
         return;
     };
     if !claim.from.is_empty() {
-        let _ = writeln!(out, "From {}.", escape(&entry.labels(&claim.from).join(", ")));
+        let _ = writeln!(out, "From {}.", references(&claim.from));
     }
     let mut verdict = judgement.verdict.to_string();
     for remark in entry.expectation().into_iter().chain(entry.support()) {
@@ -137,26 +150,27 @@ fn statement(out: &mut String, entry: &Entry<'_>) {
     }
     let mut ground = Vec::new();
     if !judgement.rests_on.is_empty() {
-        ground.push(format!("Rests on {}.", entry.labels(&judgement.rests_on).join(", ")));
+        ground.push(format!("Rests on {}.", references(&judgement.rests_on)));
     }
     if judgement.verdict == Verdict::Proved && judgement.met.is_none() {
         ground.push("No model of its hypotheses was found.".to_owned());
     }
     if !ground.is_empty() {
-        let _ = writeln!(out, "\\par{{\\small {}}}", escape(&ground.join(" ")));
+        let _ = writeln!(out, "\\par{{\\small {}}}", ground.join(" "));
     }
     out.push('\n');
 }
 
 fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
-    let _ = writeln!(out, "{}.", capitalised(&entry.reason(link, Form::Latex)));
-    for Line { depth, text } in entry.steps(link, Form::Latex) {
-        let _ = writeln!(out, "\\step{{{}em}}{{{text}}}", 1 + depth.min(8));
+    let _ = writeln!(out, "{}.", capitalised(&whole(&entry.reason(link, Form::Latex))));
+    for Line { depth, text, folded } in entry.steps(link, Form::Latex) {
+        let small = if folded { "\\footnotesize " } else { "" };
+        let _ = writeln!(out, "\\step{{{}em}}{{{small}{}}}", 1 + depth.min(8), whole(&text));
     }
     if let Some(certificate) = &link.certificate {
         let uses = match &link.used[..] {
             [] => String::new(),
-            used => format!("Uses {}. ", escape(&entry.labels(used).join(", "))),
+            used => format!("Uses {}. ", references(used)),
         };
         let square = if link.verdict == Verdict::Proved { "\\qed" } else { "" };
         let _ =

@@ -3,7 +3,7 @@
 //! A [`Report`] chooses what is shown of an [`Audit`](kane_audit::Audit). [`text`] is for the terminal,
 //! [`markdown`] and [`html`] for the web, [`latex`] for print, [`json`] for programs (its schema is
 //! documented in `docs/report-schema.md`), and [`explain`] writes out one proof or witness in full.
-//! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`] and [`growth`] are functions from data to a
+//! [`collision`], [`scene`], [`matrix`], [`stability`], [`chart`], [`prices`] and [`growth`] are functions from data to a
 //! [`Sheet`], which is written in any form; [`records`] says what a log of impacts follows; [`remarks`] puts verdicts beside lines; [`figures`] draws
 //! curves and maps. All of them return
 //! strings whose bytes depend on their arguments alone.
@@ -22,11 +22,13 @@ mod json;
 pub mod judges;
 mod latex;
 mod layers;
+mod length;
 mod markdown;
 pub mod matrix;
 mod outline;
 mod picture;
 mod place;
+pub mod prices;
 pub mod records;
 pub mod remarks;
 mod report;
@@ -48,6 +50,7 @@ pub use explain::explain;
 pub use html::html;
 pub use json::{SCHEMA_NAME, SCHEMA_VERSION, json};
 pub use latex::latex;
+pub use length::{ProofLength, proof_lengths};
 pub use markdown::markdown;
 pub use place::{Link, Place};
 pub use report::{Picture, Report};

@@ -102,7 +102,7 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
 /// The steps, indented by their depth, in a fence that none of them can close.
 fn steps(told: &[Line]) -> String {
     let mut steps = String::new();
-    for Line { depth, text } in told {
+    for Line { depth, text, .. } in told {
         let _ = writeln!(steps, "{:indent$}{text}", "", indent = 2 * depth);
     }
     let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);

@@ -247,7 +247,10 @@ impl<'a> Entry<'a> {
                 n if links.iter().all(|other| other.verdict == link.verdict) => {
                     format!("{n} links: {reason}")
                 }
-                n => format!("link {} of {n}: {reason}", index + 1),
+                n => match self.claim().and_then(|c| self.audit.document.stage(c, index)) {
+                    Some(stage) => format!("{}: {reason}", words::words(&stage, form)),
+                    None => format!("link {} of {n}: {reason}", index + 1),
+                },
             }
         })
     }
@@ -274,7 +277,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn link_latex(&self, index: usize) -> String {
         match self.claim().map(|claim| &claim.content) {
             Some(Content::Links(links)) => {
-                let link = links.get(index);
+                let link = links.get(index % links.len().max(1));
                 link.map_or_else(String::new, |(link, _)| link.latex(self.context()))
             }
             Some(Content::Contradiction) => "\\text{contradiction}".to_owned(),

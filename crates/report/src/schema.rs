@@ -2,7 +2,9 @@
 
 use serde_json::Value;
 
-use crate::{chart, collision, floats, growth, json, matrix, records, scene, site, stability};
+use crate::{
+    chart, collision, floats, growth, json, matrix, prices, records, scene, site, stability,
+};
 
 /// The schemas by the verb of their report, JSON Schema 2020-12. A reader should let pass what a schema does not name,
 /// since a report may tell more without a new version.
@@ -16,6 +18,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         ("stability", stability::schema()),
         ("floats", floats::schema()),
         ("chart", chart::schema()),
+        ("prices", prices::schema()),
         ("growth", growth::schema()),
         ("check", records::report_schema()),
         ("site", site::schema()),

@@ -69,9 +69,72 @@ fn beyond_ascii(c: char) -> String {
     known.to_owned()
 }
 
+/// A line whose formulas are whole: where nothing but signs stands between two of them, they are one.
+///
+/// `($a$ + $b$)$^{2}$$\cdot$\allowbreak{}$c$` becomes `($a + b)^{2}\cdot\allowbreak{}c$`.
+pub(crate) fn whole(line: &str) -> String {
+    let parts = parts(line);
+    let mut out = String::with_capacity(line.len());
+    // whether a formula is open at the end of what is written
+    let mut open = false;
+    for (i, (text, is_formula)) in parts.iter().enumerate() {
+        if *is_formula {
+            if !std::mem::replace(&mut open, true) {
+                out.push('$');
+            }
+            out.push_str(text);
+        } else {
+            let goes_on = open && parts.get(i + 1).is_some_and(|next| next.1) && joins(text);
+            if open && !goes_on {
+                out.push('$');
+                open = false;
+            }
+            out.push_str(text);
+        }
+    }
+    if open {
+        out.push('$');
+    }
+    out
+}
+
+/// Words and formulas in turn; a dollar behind a backslash is a word.
+fn parts(line: &str) -> Vec<(&str, bool)> {
+    let (mut parts, mut start, mut is_formula) = (Vec::new(), 0, false);
+    let mut escaped = false;
+    for (at, c) in line.char_indices() {
+        if c == '$' && !escaped {
+            if is_formula || at > start {
+                parts.push((&line[start..at], is_formula));
+            }
+            (start, is_formula) = (at + 1, !is_formula);
+        }
+        escaped = c == '\\' && !escaped;
+    }
+    if start < line.len() {
+        parts.push((&line[start..], false));
+    }
+    parts
+}
+
+/// Whether what stands between two formulas is a sign within one.
+fn joins(text: &str) -> bool {
+    let rest = text.replace("\\allowbreak{}", "");
+    rest.chars().all(|c| "()[]+/ ".contains(c)) && (text.is_empty() || !text.trim().is_empty())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn formulas_with_signs_alone_between_them_are_one() {
+        let line = r"($a$ + $b$)$^{2}$$\cdot$\allowbreak{}$c$ is $0$ identically";
+        assert_eq!(whole(line), r"($a + b)^{2}\cdot\allowbreak{}c$ is $0$ identically");
+        assert_eq!(whole(r"5\$ and $x$, $y$"), r"5\$ and $x$, $y$");
+        assert_eq!(whole("$a$ $b$"), "$a$ $b$");
+        assert_eq!(whole("no formula"), "no formula");
+    }
 
     #[test]
     fn no_character_of_a_text_becomes_a_command() {

@@ -40,8 +40,15 @@ impl Air<f64> {
         [drag.mul_add(vx, -lift * vy), drag.mul_add(vy, lift * vx) - gravity]
     }
 
-    /// The body after one step of the classical method of Runge and Kutta, of fourth order: heuristic.
-    pub(crate) fn stepped(&self, body: &Round<f64>, gravity: f64, step: f64) -> Round<f64> {
+    /// What the air takes from a body's energy in a second, −ρ·π·r²/2·C_d·|v|³; the lift does no work; W.
+    fn power(&self, body: &Round<f64>, [vx, vy]: [f64; 2]) -> f64 {
+        let speed = vx.hypot(vy);
+        -self.density * PI * body.radius * body.radius / 2.0 * self.drag * speed * speed * speed
+    }
+
+    /// The body after one step of the classical method of Runge and Kutta, of fourth order, and the work of
+    /// the air on the way, in J, which is integrated beside the motion and not taken from it: heuristic.
+    pub(crate) fn stepped(&self, body: &Round<f64>, gravity: f64, step: f64) -> (Round<f64>, f64) {
         let start = [body.motion.vx, body.motion.vy];
         let at =
             |slope: [f64; 2], part: f64| [0, 1].map(|k| slope[k].mul_add(part * step, start[k]));
@@ -58,7 +65,9 @@ impl Air<f64> {
         after.position = [0, 1].map(|k| body.position[k] + way[k]);
         after.motion.vx += gain[0];
         after.motion.vy += gain[1];
-        after
+        let [first, second, third, last] =
+            [start, two_v, three_v, four_v].map(|velocity| self.power(body, velocity));
+        (after, step * (first + 2.0 * (second + third) + last) / 6.0)
     }
 
     /// The same after any time, in steps no longer than the given one.
@@ -72,7 +81,7 @@ impl Air<f64> {
         let (mut body, mut left) = (body.clone(), time);
         while left > 0.0 {
             let step = left.min(step);
-            body = self.stepped(&body, gravity, step);
+            (body, _) = self.stepped(&body, gravity, step);
             left -= step;
         }
         body

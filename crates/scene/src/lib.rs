@@ -39,6 +39,7 @@ mod air;
 mod choose;
 pub mod collide;
 mod coordinate;
+mod corners;
 mod encounter;
 mod impulse_plane;
 mod picture;
@@ -46,6 +47,7 @@ mod plane;
 mod quantity;
 pub mod read;
 mod resolver;
+mod rotation;
 mod round;
 mod scene;
 mod side;
@@ -62,6 +64,7 @@ pub use choose::{
     UnknownModel, Verdict, answer, model_names,
 };
 pub use coordinate::Coordinate;
+pub use corners::{Corners, NotConvex};
 pub use impulse_plane::{ImpulsePlane, PlaneLine};
 pub use kane_impact::oracle::Event;
 pub use picture::Picture;

@@ -39,7 +39,12 @@ impl<N: Coordinate> Plane<N> {
     pub(crate) fn parting(&self, body: &Round<N>, gravity: &N) -> [N; 2] {
         let [nx, ny] = &self.normal;
         let speed = body.motion.vx.clone() * nx + body.motion.vy.clone() * ny;
-        [speed - &self.velocity[1], -(gravity.clone() * ny)]
+        [speed - &self.velocity[1], self.pull(gravity)]
+    }
+
+    /// Gravity along the normal.
+    pub(crate) fn pull(&self, gravity: &N) -> N {
+        -(gravity.clone() * &self.normal[1])
     }
 
     /// Puts a body that touches at a time where the wall is, whatever rounding says.

@@ -23,6 +23,8 @@ pub enum Kind {
     Vy,
     /// Its spin; rad/s.
     Omega,
+    /// By what a body with corners has turned since the start, at the end; rad.
+    Turned,
     /// The kinetic energy of all bodies at the end; J.
     Energy,
     /// The energy of motion and height at the end by that at the start, heights counted from where a
@@ -41,13 +43,14 @@ pub enum Kind {
 }
 
 impl Kind {
-    const ALL: [(Self, &'static str, &'static str); 13] = [
+    const ALL: [(Self, &'static str, &'static str); 14] = [
         (Self::Time, "time_s", "s"),
         (Self::X, "x_m", "m"),
         (Self::Y, "y_m", "m"),
         (Self::Vx, "v_x_m_s", "m/s"),
         (Self::Vy, "v_y_m_s", "m/s"),
         (Self::Omega, "omega_rad_s", "rad/s"),
+        (Self::Turned, "turned_rad", "rad"),
         (Self::Energy, "kinetic_energy_j", "J"),
         (Self::EnergyRatio, "energy_ratio", ""),
         (Self::K, "k", ""),
@@ -138,6 +141,7 @@ impl Quantity {
             Kind::Vx => body.map(|body| body.motion.vx.clone()),
             Kind::Vy => body.map(|body| body.motion.vy.clone()),
             Kind::Omega => body.map(|body| body.motion.omega.clone()),
+            Kind::Turned => end.turned.clone(),
             Kind::Energy => Some(energy()),
             Kind::EnergyRatio => {
                 world.energy(&end.bodies)?.checked_div(&world.energy(&world.bodies)?)

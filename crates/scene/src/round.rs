@@ -12,7 +12,7 @@ pub struct Round<N> {
     pub mass: N,
     /// J > 0; kg·m².
     pub inertia: N,
-    /// r > 0; m.
+    /// r > 0, or 0 for the centre of a body with [`Corners`](crate::Corners); m.
     pub radius: N,
     /// The centre; m.
     pub position: [N; 2],

@@ -88,6 +88,7 @@ fn ball(
         air: None,
         planes: vec![],
         terms: vec![],
+        corners: None,
         rolling: integer(0),
         bodies: vec![Round {
             inertia: mass.clone() * gyration,

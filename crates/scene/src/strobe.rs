@@ -22,8 +22,10 @@ pub struct Strobe {
     pub frames: Vec<Frame>,
     /// The way of each body's centre, finely.
     pub paths: Vec<Vec<[f64; 2]>>,
-    /// r of each body; m.
+    /// r of each body, or how far its corners reach; m.
     pub radii: Vec<f64>,
+    /// Of a body with corners: these from its centre, where it is not turned; m.
+    pub corners: Vec<[f64; 2]>,
     /// The walls and where they are; m.
     pub walls: Vec<(Side, f64)>,
     /// Walls at an angle: a point at the end, and the direction in which they go on both ways; m.
@@ -114,7 +116,9 @@ impl Strobe {
                 times.into_iter().map(|time| at(index, time).0).collect()
             })
             .collect();
-        let radii: Vec<f64> = world.bodies.iter().map(|body| body.radius).collect();
+        let corners = world.corners.as_ref().map_or_else(Vec::new, |corners| corners.0.clone());
+        let reach = corners.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+        let radii: Vec<f64> = world.bodies.iter().map(|body| body.radius.max(reach)).collect();
         let count = frames(&paths, &radii);
         let frames = (0..=count)
             .map(|n| Frame {
@@ -126,6 +130,7 @@ impl Strobe {
             frames,
             paths,
             radii,
+            corners,
             walls: world.walls.iter().map(|wall| (wall.side, wall.at)).collect(),
             planes: world.planes.iter().map(|plane| at_end(plane, time)).collect(),
         })

@@ -4,6 +4,7 @@ use kane_impact::NoImpulse;
 
 use crate::air::Air;
 use crate::coordinate::Coordinate;
+use crate::corners::Corners;
 use crate::encounter::Encounter;
 use crate::plane::Plane;
 use crate::round::Round;
@@ -32,6 +33,8 @@ pub struct World<N> {
     pub planes: Vec<Plane<N>>,
     /// At least one.
     pub bodies: Vec<Round<N>>,
+    /// Of the only body, if it is not round; its radius is 0 then.
+    pub corners: Option<Corners<N>>,
     /// μ ≥ 0 of every contact of which nothing else is stated.
     pub friction: N,
     /// 0 ≤ e ≤ 1, likewise.
@@ -56,6 +59,23 @@ impl<N: Coordinate> World<N> {
             sum + height * &body.mass * &self.gravity
         });
         Some(motion + heights)
+    }
+
+    /// All walls as planes, those of the room first.
+    pub(crate) fn as_planes(&self) -> Vec<(Side, Plane<N>)> {
+        let zero = N::zero;
+        let (one, at_rest) = (N::one(), [zero(), zero()]);
+        let of_side = |wall: &Wall<N>| {
+            let (normal, through) = match wall.side {
+                Side::Left => ([one.clone(), zero()], [wall.at.clone(), zero()]),
+                Side::Right => ([-one.clone(), zero()], [wall.at.clone(), zero()]),
+                Side::Ceiling => ([zero(), -one.clone()], [zero(), wall.at.clone()]),
+                Side::Floor | Side::Plane(_) => ([zero(), one.clone()], [zero(), wall.at.clone()]),
+            };
+            (wall.side, Plane { normal, through, velocity: at_rest.clone() })
+        };
+        let planes = (0..).map(Side::Plane).zip(self.planes.iter().cloned());
+        self.walls.iter().map(of_side).chain(planes).collect()
     }
 
     /// μ of a contact.
@@ -133,6 +153,7 @@ impl<N> World<N> {
                 .collect(),
             planes: self.planes.iter().map(|plane| plane.map(&mut to)).collect(),
             bodies: self.bodies.iter().map(|body| body.map(&mut to)).collect(),
+            corners: self.corners.as_ref().map(|corners| corners.map(&mut to)),
             friction: to(&self.friction),
             restitution: to(&self.restitution),
             terms: self.terms.iter().map(|terms| terms.map(&mut to)).collect(),

@@ -47,7 +47,7 @@ class Documents(unittest.TestCase):
             ["var x", "claim a: x = 1 as x -> 0"], ["var x", "claim a: d(x, 2*x) = 1"],
             ["var t, x(t)", "claim a: d(pi*x, t) = 0"], ["var x", "claim a: d(pi*x, x) = 0"],
             ["var x", "claim a: x -> 0 as x -> 0 when x > 0"], ["var k(y)"], ["var x != 0"],
-            ["var x", "claim a: x^x = 1"], ["var x", "claim a: x = 1 from a"], [" var x"],
+            ["var x", "claim a: x^x = 1"], ["var x", "claim a: $x = 1$"], ["var x", "claim a: x = 1 from a"], [" var x"],
             ["var x", "claim a: contradiction", "claim b: x = 1 from a"],
             ["var x, y, z", "claim a: d(y, x) = 0 when z = x^2, y = z"],
             ["var x, y", "claim a: d(y, x) = 0 when y <= x^2, x^2 <= y"],

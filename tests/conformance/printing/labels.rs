@@ -152,8 +152,8 @@ fn latex_prints_labels_and_headings_as_they_are() {
     assert_eq!(tex.matches("\\end{document}").count(), 1);
     let labels: Vec<String> = tex
         .lines()
-        .filter_map(|line| line.strip_prefix("\\statement{Claim}{"))
-        .map(|rest| rest.split("}{$\\displaystyle").next().unwrap_or_default().to_owned())
+        .filter_map(|line| line.strip_prefix("\\statement{Claim}{s:")?.split_once("}{"))
+        .map(|(_, rest)| rest.split("}{").next().unwrap_or_default().to_owned())
         .collect();
     assert_eq!(labels.len(), 2 * NASTY.len());
     for (label, statement) in labels.iter().zip(&audit.document.statements) {

@@ -254,7 +254,7 @@ impl<'a> Reader<'a> {
             let ends = self.comparison().is_some()
                 || matches!(
                     self.peek(),
-                    None | Some(Token::Other(',' | '}' | '&') | Token::Words(_))
+                    None | Some(Token::Other(',' | '}' | '&' | ')') | Token::Words(_))
                 )
                 || ["right", "to", "\\", "end"].iter().any(|name| self.is_command(name));
             return if ends { Ok(cases) } else { self.fault("something beside the rows of cases") };
@@ -279,7 +279,7 @@ impl<'a> Reader<'a> {
             Some(Token::Command(name)) => {
                 !["right", "end", "to", "ne", "le", "ge", "cdot", "\\"].contains(&name.as_str())
             }
-            Some(Token::Other(c)) => *c == '{',
+            Some(Token::Other(c)) => ['{', '('].contains(c),
             Some(Token::Words(_)) | None => false,
         }
     }
@@ -310,8 +310,9 @@ impl<'a> Reader<'a> {
         }
         self.joined = false;
         let base = self.primary()?;
-        let opens = self.tokens.get(self.at + 1) == Some(&Token::Other('('));
-        if self.names.functions.contains(&base) && self.is_command("left") && opens {
+        let high = self.is_command("left");
+        let opens = self.tokens.get(self.at + usize::from(high)) == Some(&Token::Other('('));
+        if self.names.functions.contains(&base) && opens {
             return self.fault("a function that is applied");
         }
         if !self.accept('^') {
@@ -368,6 +369,14 @@ impl<'a> Reader<'a> {
         Ok(Expr::Deriv(f.into(), x))
     }
 
+    /// The end of brackets, which grow at both ends or at none.
+    fn closes(&mut self, high: bool, bracket: char) -> Read<()> {
+        if self.accept_command("right") != high {
+            return self.fault("brackets of two kinds");
+        }
+        self.expect(bracket)
+    }
+
     /// What is in braces.
     fn braced(&mut self) -> Read<Expr> {
         self.expect('{')?;
@@ -400,13 +409,12 @@ impl<'a> Reader<'a> {
                 "min" | "max" => {
                     let min = name == "min";
                     self.at += 1;
-                    self.expect_command("left")?;
+                    let high = self.accept_command("left");
                     self.expect('(')?;
                     let a = self.sum()?;
                     self.expect(',')?;
                     let b = self.sum()?;
-                    self.expect_command("right")?;
-                    self.expect(')')?;
+                    self.closes(high, ')')?;
                     self.joined = true;
                     Ok(if min {
                         Expr::Min(a.into(), b.into())
@@ -421,13 +429,19 @@ impl<'a> Reader<'a> {
                         self.expect('(')?;
                     }
                     let e = self.sum()?;
-                    self.expect_command("right")?;
-                    self.expect(if bars { '|' } else { ')' })?;
+                    self.closes(true, if bars { '|' } else { ')' })?;
                     self.joined = false;
                     Ok(if bars { Expr::Abs(e.into()) } else { e })
                 }
                 _ => self.name(),
             },
+            Some(Token::Other('(')) => {
+                self.at += 1;
+                let e = self.sum()?;
+                self.closes(false, ')')?;
+                self.joined = false;
+                Ok(e)
+            }
             _ => self.fault("nothing"),
         }
     }

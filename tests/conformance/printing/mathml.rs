@@ -6,7 +6,7 @@ use super::latex::{Read, Token};
 /// An element, or a text in one.
 #[derive(Clone, Debug)]
 pub(super) enum Node {
-    Element { tag: String, upright: bool, children: Vec<Node> },
+    Element { tag: String, upright: bool, grows: bool, children: Vec<Node> },
     Text(String),
 }
 
@@ -16,9 +16,10 @@ pub(super) fn element(text: &str) -> Read<(Node, &str)> {
     let (head, mut rest) = rest.split_once('>').ok_or("an element that does not end")?;
     let tag = head.split([' ', '/']).next().unwrap_or_default().to_owned();
     let upright = head.contains("mathvariant=\"normal\"");
+    let grows = head.contains("stretchy=\"true\"");
     let mut children = Vec::new();
     if head.ends_with('/') {
-        return Ok((Node::Element { tag, upright, children }, rest));
+        return Ok((Node::Element { tag, upright, grows, children }, rest));
     }
     loop {
         if let Some(after) = rest.strip_prefix("</") {
@@ -26,7 +27,7 @@ pub(super) fn element(text: &str) -> Read<(Node, &str)> {
             if end != tag {
                 return Err(format!("{tag} ends as {end}"));
             }
-            return Ok((Node::Element { tag, upright, children }, after));
+            return Ok((Node::Element { tag, upright, grows, children }, after));
         }
         if rest.starts_with('<') {
             let (child, after) = element(rest)?;
@@ -51,6 +52,11 @@ impl Node {
             Self::Element { tag, .. } => tag,
             Self::Text(_) => "",
         }
+    }
+
+    /// Whether a bracket is as high as what follows it, which it then holds together.
+    fn grows(&self) -> bool {
+        matches!(self, Self::Element { grows: true, .. })
     }
 
     fn children(&self) -> &[Self] {
@@ -161,7 +167,7 @@ impl Node {
         let Some((first, rest)) = children.split_first() else { return Ok(vec![]) };
         match (first.tag(), first.text().as_str(), rest) {
             ("mo", "{", [table]) => table.cases(),
-            ("mo", open @ ("(" | "|"), [inner @ .., last]) => {
+            ("mo", open @ ("(" | "|"), [inner @ .., last]) if first.grows() => {
                 let close = if open == "(" { ")" } else { "|" };
                 if last.text() != close {
                     return Err(format!("{open} closed by {}", last.text()));

@@ -82,6 +82,122 @@ fn latex_reads_back_as_the_same_statement() {
     }
 }
 
+/// What `$…$` in a document is read as, by the names that the symbols are declared under; nothing if the
+/// formula is refused, or has a name that is not declared.
+fn between_dollars(latex: &str) -> Option<Sentence> {
+    let read = kane::latex::statement(latex, &mut kane::latex::Names::default()).ok()?;
+    // a subscript without its line is the same name in print
+    let text = read.text().replace("k_W", "kW");
+    parse_sentence(&text, &generator::scope()).ok()
+}
+
+/// What the program prints, its own reader of LaTeX takes for the same, or refuses.
+#[test]
+fn latex_between_dollars_reads_back_as_the_same_statement() {
+    let context = context();
+    let mut chance = Chance::new(5);
+    let (mut all, mut taken) = (0, 0);
+    for _ in 0..many(6000) {
+        let depth = 1 + chance.below(3);
+        let sentence = generator::sentence(depth, ALL, &mut chance);
+        let latex = sentence.latex(&context);
+        all += 1;
+        if let Some(back) = between_dollars(&latex) {
+            taken += 1;
+            assert_eq!(back, generator::spelled_sentence(&sentence), "{latex}");
+        }
+    }
+    assert!(5 * taken > all, "{taken} of {all} are read");
+}
+
+/// Two readers of LaTeX that share nothing, and a formula that nobody printed: both may refuse, but they
+/// never read two things.
+#[test]
+fn two_readers_of_latex_never_read_two_things() {
+    let (context, names) = (context(), names());
+    let mut chance = Chance::new(6);
+    let pieces = [
+        "x",
+        "y",
+        r"\mu ",
+        r"\alpha ",
+        "E",
+        "^{2}",
+        "^2",
+        "_",
+        "(",
+        ")",
+        r"\left(",
+        r"\right)",
+        "+",
+        "-",
+        "/",
+        "=",
+        "<",
+        ",",
+        r"\frac{1}{2}",
+        r"\frac",
+        "{",
+        "}",
+        "2",
+        "3",
+        "|",
+        r"\cdot ",
+        r"\sqrt{x}",
+        "'",
+        " ",
+        "0.5",
+        r"\Delta ",
+        "d",
+        r"\text{when }",
+        r"\to ",
+        r"\min",
+        r"\begin{cases}",
+        "&",
+        r"\\",
+        "w",
+        "k",
+    ];
+    let mut both = 0;
+    for _ in 0..many(30_000) {
+        let sentence = generator::sentence(1 + chance.below(2), ALL, &mut chance);
+        let mut latex = sentence.latex(&context);
+        for _ in 0..=chance.below(3) {
+            let places: Vec<usize> = latex.char_indices().map(|(at, _)| at).collect();
+            let at = places[chance.below(places.len())];
+            let piece = pieces[chance.below(pieces.len())];
+            if chance.below(2) == 0 {
+                latex.insert_str(at, piece);
+            } else {
+                let end = at + latex[at..].chars().next().map_or(0, char::len_utf8);
+                latex.replace_range(at..end, piece);
+            }
+        }
+        // a wide space parts two formulas, or is a space: papers have it as the former
+        if latex.replace(r"\quad\text", "").contains(r"\quad") {
+            continue;
+        }
+        let theirs =
+            latex::tokens(&latex).and_then(|tokens| Reader::new(tokens, &names).sentence());
+        if let (Some(ours), Ok(theirs)) = (between_dollars(&latex), theirs) {
+            both += 1;
+            assert_eq!(ours, theirs, "{latex}");
+        }
+    }
+    assert!(both > 100, "{both}");
+}
+
+#[test]
+fn words_of_the_language_are_no_names_between_dollars() {
+    for word in kane::algebra::syntax::RESERVED {
+        let latex = format!(r"\mathrm{{{word}}} = 1");
+        assert!(
+            kane::latex::statement(&latex, &mut kane::latex::Names::default()).is_err(),
+            "{word}"
+        );
+    }
+}
+
 /// The given sentences as a judged document.
 fn given(sentences: &[Sentence]) -> Audit {
     let mut text = format!("```kane\n{}", generator::declarations());

@@ -8,9 +8,10 @@ use polycore::Uni;
 
 use super::resultant::{norm, whole};
 use crate::descartes::descartes;
-use crate::point::{Partial, theta};
+use crate::field::{Field, theta};
+use crate::point::Partial;
 use crate::ring::univariate;
-use crate::sign_table::{Cell, SignTable, refine};
+use crate::sign_table::{Cell, SignTable, midpoint, refine};
 
 type Q = BigRational;
 
@@ -40,7 +41,7 @@ impl Partial {
         for _ in 0..HALVINGS {
             if root.is_exact() || descartes(&value, Some(&root.lo), Some(&root.hi), fuel).ok()? == 0
             {
-                return Some(sign_at(&value, &middle(&root)));
+                return Some(sign_at(&value, &midpoint(&root.lo, &root.hi, fuel).ok()?));
             }
             refine(&mut root, fuel).ok()?;
         }
@@ -56,10 +57,6 @@ impl Partial {
         }
         Some(out)
     }
-}
-
-fn middle(root: &Root) -> Q {
-    (&root.lo + &root.hi) / Q::from_integer(2.into())
 }
 
 /// A line over a point.
@@ -83,11 +80,11 @@ impl<'a> Fibre<'a> {
                     whole(&Uni::new(rational.collect()))
                 }
                 Some(root) => {
-                    let m = modulus(root);
-                    if m.deg() * (along.len() - 1) > NORM {
+                    let field = Field::of(root);
+                    if field.modulus().deg() * (along.len() - 1) > NORM {
                         return None;
                     }
-                    norm(&m, &along, fuel)?
+                    norm(field.modulus(), &along, fuel)?
                 }
                 None => univariate(p, v)?,
             };
@@ -137,10 +134,6 @@ impl<'a> Fibre<'a> {
     }
 }
 
-fn modulus(root: &Root) -> Uni<Q> {
-    Uni::new(root.poly.iter().cloned().map(Q::from_integer).collect())
-}
-
 /// Values in ℚ(x) and a number y beside them, all in ℚ(θ) for θ = y + k·x (the theorem of the primitive
 /// element).
 fn joined(
@@ -150,7 +143,8 @@ fn joined(
     v: usize,
     fuel: &Fuel,
 ) -> Option<Partial> {
-    let (m, r) = (modulus(x), modulus(y));
+    let (of_x, of_y) = (Field::of(x), Field::of(y));
+    let (m, r) = (of_x.modulus(), of_y.modulus());
     if m.deg() * r.deg() > NORM {
         return None;
     }
@@ -166,10 +160,10 @@ fn joined(
                 factorial *= Q::from_integer(n.into());
             }
             let at = slope.compose(&minus).scale(&factorial.recip());
-            coefficients.push(if at.deg() >= m.deg() { &at % &m } else { at });
+            coefficients.push(of_x.reduced(at));
             slope = slope.derivative();
         }
-        let sums = norm(&m, &coefficients, fuel)?;
+        let sums = norm(m, &coefficients, fuel)?;
         let table = SignTable::new(&[sums], fuel).ok()?;
         // Intervals of x and y that leave one root for θ.
         let (mut x, mut y) = (x.clone(), y.clone());
@@ -189,7 +183,7 @@ fn joined(
             refine(&mut y, fuel).ok()?;
         }
         let generator = found.filter(|t| !t.is_exact() && t.poly.len() <= DEGREE + 1)?;
-        let field = modulus(&generator);
+        let field = Field::of(&generator);
         // x is the common root of m(X) and r(θ − k·X).
         let mut shifted: Vec<Uni<Q>> = vec![Uni::constant(Q::zero()); r.deg() + 1];
         let step = vec![theta(), Uni::constant(-k.clone())];
@@ -198,76 +192,20 @@ fn joined(
             for (sum, p) in shifted.iter_mut().zip(&power) {
                 *sum = &*sum + &p.scale(c);
             }
-            power = product(&power, &step, &field);
+            power = field.product(&power, &step);
         }
         let constant = m.0.iter().map(|c| Uni::constant(c.clone())).collect();
-        let common = gcd(constant, shifted, &field, fuel)?;
+        let common = field.gcd(constant, shifted, fuel)?;
         let [c, d] = <[Uni<Q>; 2]>::try_from(common).ok()?;
-        let at = reduced(&(-&c) * &inverse(&d, &field, fuel)?, &field);
+        let at = field.reduced(&(-&c) * &field.inverse(&d, fuel)?);
         let mut out = Partial { generator: Some(generator), ..Partial::default() };
         for (w, value) in values {
             let moved = value.0.iter().rev().fold(Uni::constant(Q::zero()), |sum, c| {
-                &reduced(&sum * &at, &field) + &Uni::constant(c.clone())
+                &field.reduced(&sum * &at) + &Uni::constant(c.clone())
             });
             out.values.insert(*w, moved);
         }
         out.values.insert(v, &theta() - &at.scale(&k));
         Some(out)
     })
-}
-
-fn reduced(p: Uni<Q>, field: &Uni<Q>) -> Uni<Q> {
-    if p.deg() >= field.deg() { &p % field } else { p }
-}
-
-/// Bits of the largest coefficient.
-fn bits(p: &Uni<Q>) -> u64 {
-    p.0.iter().map(|c| c.numer().bits() + c.denom().bits()).max().unwrap_or(0)
-}
-
-/// 1/p; what it takes is estimated and spent before, because coefficients grow with each division.
-fn inverse(p: &Uni<Q>, field: &Uni<Q>, fuel: &Fuel) -> Option<Uni<Q>> {
-    let degree = u64::try_from(field.deg()).ok()?;
-    let words = 1 + degree.saturating_mul(bits(p) + bits(field)) / 32;
-    fuel.spend((degree * degree).saturating_mul(words).saturating_mul(words)).ok()?;
-    let (s, _, g) = p.bezout(field);
-    (g.deg() == 0 && !g.is_zero()).then(|| s.scale(&g.0[0].recip()))
-}
-
-fn product(a: &[Uni<Q>], b: &[Uni<Q>], field: &Uni<Q>) -> Vec<Uni<Q>> {
-    let mut out = vec![Uni::constant(Q::zero()); a.len() + b.len() - 1];
-    for (i, x) in a.iter().enumerate() {
-        for (j, y) in b.iter().enumerate() {
-            out[i + j] = &out[i + j] + &reduced(x * y, field);
-        }
-    }
-    out
-}
-
-/// The greatest common divisor over ℚ(θ) (Euclid).
-fn gcd(mut a: Vec<Uni<Q>>, mut b: Vec<Uni<Q>>, field: &Uni<Q>, fuel: &Fuel) -> Option<Vec<Uni<Q>>> {
-    let trim = |p: &mut Vec<Uni<Q>>| {
-        while p.last().is_some_and(|u| u.is_zero()) {
-            p.pop();
-        }
-    };
-    trim(&mut a);
-    trim(&mut b);
-    while !b.is_empty() {
-        let lead = inverse(b.last()?, field, fuel)?;
-        while a.len() >= b.len() {
-            let size = u64::try_from(b.len() * field.deg() * field.deg()).ok()?;
-            let words = 1 + (bits(&lead) + a.iter().map(bits).max().unwrap_or(0)) / 64;
-            fuel.spend(size.saturating_mul(10).saturating_mul(words)).ok()?;
-            let factor = reduced(a.last()? * &lead, field);
-            let at = a.len() - b.len();
-            for (i, c) in b.iter().enumerate() {
-                a[at + i] = &a[at + i] - &reduced(&factor * c, field);
-            }
-            a.pop();
-            trim(&mut a);
-        }
-        std::mem::swap(&mut a, &mut b);
-    }
-    Some(a)
 }

@@ -6,6 +6,7 @@ use kane_kernel::{Fuel, Monomial};
 use num_traits::{One, Zero};
 
 use super::Q;
+use crate::work::FRACTION;
 
 /// What is unknown: an entry of a Gram matrix, or a coefficient of a cofactor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,7 +74,8 @@ impl Solution {
                     continue;
                 }
                 let by = rows[other].entries[&c].clone();
-                fuel.spend(pivot.entries.len() as u64).ok()?;
+                let width = pivot.entries.len() as u64;
+                fuel.spend(width).and_then(|()| fuel.spend_beyond(width * FRACTION)).ok()?;
                 for (k, q) in &pivot.entries {
                     let entry = rows[other].entries.entry(*k).or_insert_with(Q::zero);
                     *entry -= &by * q;

@@ -8,6 +8,9 @@ use num_traits::{One, Signed, Zero};
 use super::elimination::{Column, Row, System};
 use super::{COLUMNS, Q, Question, ROWS, total_degree};
 
+/// What an entry of the equations costs beside its product, in coefficient operations.
+const ENTRY: u64 = 20;
+
 /// A basis whose squares are multiplied by a product.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
@@ -101,7 +104,8 @@ impl Gram {
         for (m, c) in question.positive.terms() {
             rows.entry(m.to_vec()).or_default().value = Q::from(-c);
         }
-        let mut add = |column: Column, p: &Poly| {
+        let mut add = |column: Column, p: &Poly| -> Option<()> {
+            fuel.spend_beyond(ENTRY * p.len() as u64).ok()?;
             for (m, c) in p.terms() {
                 rows.entry(m.to_vec())
                     .or_default()
@@ -109,6 +113,7 @@ impl Gram {
                     .insert(columns.len(), Q::from(c.clone()));
             }
             columns.push(column);
+            Some(())
         };
         for (b, block) in self.blocks.iter().enumerate() {
             let product = &question.products[block.product];
@@ -117,14 +122,14 @@ impl Gram {
                 for (j, q) in block.basis.iter().enumerate().skip(i) {
                     let both = scaled.mul(q, fuel).ok()?;
                     let both = if i == j { both } else { both.add(&both) };
-                    add(Column::Entry { block: b, row: i, column: j }, &both);
+                    add(Column::Entry { block: b, row: i, column: j }, &both)?;
                 }
             }
         }
         for (equation, m) in &self.cofactors {
             let p = Poly::term(m.clone(), One::one());
             let multiple = p.mul(&question.equations[*equation], fuel).ok()?;
-            add(Column::Cofactor { equation: *equation, monomial: m.clone() }, &multiple);
+            add(Column::Cofactor { equation: *equation, monomial: m.clone() }, &multiple)?;
         }
         Some(System { columns, rows: rows.into_values().collect() })
     }

@@ -10,6 +10,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::elimination::{Column, Solution};
 use super::gram::{Block, Gram};
 use super::{Exact, Q, ldl};
+use crate::work::FRACTION;
 
 /// What became of a solution.
 pub(super) enum Rounded {
@@ -38,7 +39,8 @@ pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded 
         return Rounded::Outside;
     };
     for denominator in DENOMINATORS {
-        if let Some(exact) = at(gram, solution, &pencil, (&found, &units), denominator) {
+        let exact = at(gram, solution, &pencil, (&found, &units), denominator, fuel);
+        if let Some(exact) = exact {
             return Rounded::Inside(exact);
         }
     }
@@ -48,11 +50,13 @@ pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded 
         .map_or(Rounded::Outside, Rounded::Face)
 }
 
-/// How many Newton steps the budget allows; each costs about k³/3 + 16·k² for k parameters.
+/// How many Newton steps the budget allows; each costs about k³/3 + 16·k² for k parameters. In the
+/// operations of which the whole is a budget they are twice what they are among squares.
 fn newton(pencil: &Pencil, fuel: &Fuel) -> usize {
     let (k, n) = (pencil.directions.len() as u64, pencil.sizes.iter().sum::<usize>() as u64);
     let cost = (k * k * k / 3 + 16 * k * k + n * n * n) / 16 + 1;
-    (0..NEWTON).take_while(|_| fuel.spend(cost / 4 + 1).is_ok()).count()
+    let pays = || fuel.spend(cost / 4 + 1).and_then(|()| fuel.spend_beyond(cost / 4 + 1));
+    (0..NEWTON).take_while(|_| pays().is_ok()).count()
 }
 
 /// The Gram matrices as floats, all parameters scaled to matter alike; and what one unit of each is.
@@ -90,6 +94,7 @@ fn at(
     pencil: &Pencil,
     (found, units): (&Center, &[Q]),
     denominator: u64,
+    fuel: &Fuel,
 ) -> Option<Exact> {
     let grid = BigInt::from(denominator);
     let free: Vec<Q> = found
@@ -106,6 +111,9 @@ fn at(
     if !pencil.is_nearly_definite(&floats, SLACK) {
         return None;
     }
+    // Cubes of rows in fractions: not of the budget for squares, which counts what led here.
+    let rows = gram.sizes().into_iter().map(|n| n as u64);
+    fuel.spend_beyond(rows.map(|n| n * n * n * FRACTION / 3).sum()).ok()?;
     let values = solution.values(&free);
     let mut matrices: Vec<Vec<Vec<Q>>> =
         gram.sizes().iter().map(|&n| vec![vec![Q::zero(); n]; n]).collect();

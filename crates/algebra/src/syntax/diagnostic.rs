@@ -66,6 +66,19 @@ impl Diagnostic {
         Self { file: file.to_owned(), line, column, span, message, note: None, excerpt }
     }
 
+    /// That a file is not text, at the first byte that is not UTF-8.
+    #[must_use]
+    pub fn not_utf8(file: &str, bytes: &[u8]) -> Self {
+        let valid = std::str::from_utf8(bytes).map_or_else(|error| error.valid_up_to(), str::len);
+        let mut text = String::from_utf8_lossy(bytes.get(..valid).unwrap_or_default()).into_owned();
+        text.push(char::REPLACEMENT_CHARACTER);
+        // a carriage return by itself ends a line, too; no byte moves
+        let lone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
+        let ended = |(at, c): (usize, char)| if c == '\r' && lone(at) { '\n' } else { c };
+        let text: String = text.char_indices().map(ended).collect();
+        Self::new(file, &text, valid..valid + 1, "the file is not UTF-8".to_owned())
+    }
+
     /// A fault of the file as a whole.
     #[must_use]
     pub fn at_start(file: &str, message: String) -> Self {

@@ -184,6 +184,39 @@ pub enum SyntaxErrorKind {
     /// `exists` without a value
     #[error("`exists` needs a value for `{0}`")]
     NoWitness(String),
+    /// a power with an index for exponent that has no symbol yet
+    #[error("`{base}^{index}` has no symbol here")]
+    NoPower {
+        /// the base as it is named
+        base: String,
+        /// the index
+        index: String,
+    },
+    /// the base of a power with an index for exponent
+    #[error("the base of a power with an index is a natural number, a plain `var` or a definition")]
+    PowerBase,
+    /// such as `q^(n - 1)` or `q^(n*m)`
+    #[error("an exponent with an index is a sum of indices with natural factors, as in `n + 1`")]
+    PowerExponent,
+    /// such as `s(2*n)` or `s(n - 1)`
+    #[error(
+        "a sequence is taken at a natural number or at its index: `{name}({index})`, `{name}({index} + 1)`"
+    )]
+    Term {
+        /// the sequence
+        name: String,
+        /// its index
+        index: String,
+    },
+    /// a sequence without its argument
+    #[error("`{0}` is a sequence, and takes its index")]
+    TermAlone(String),
+    /// an index is due
+    #[error("`{0}` is no index")]
+    NotAnIndex(String),
+    /// a term that comes to too much
+    #[error("this term of the sequence comes to too much when written out")]
+    LongTerm,
     /// `cases { }`
     #[error("`cases` without a branch")]
     NoBranch,
@@ -227,6 +260,23 @@ impl SyntaxErrorKind {
             Self::BoundInside(_) => "take the derivative where it is used: `d(f(x), x)`",
             Self::LimitExists => "name the value with `let`, and claim the limit of it",
             Self::NoWitness(_) => "say which: `by y := …`, an expression in declared symbols",
+            Self::NoPower { .. } => {
+                "both have to be declared above: `var n in N`, and the base by `var` or `let`"
+            }
+            Self::PowerBase => {
+                "give it a name, `let b := 1 + x`, and write `b^n`; it is a polynomial in plain symbols, \
+                 divided by nothing that can be 0 by what is declared"
+            }
+            Self::PowerExponent => {
+                "indices begin at 0; shift the claim so that the lowest exponent is `n`, or divide: \
+                 `1/q^n`"
+            }
+            Self::Term { .. } => {
+                "shift the claim, so that the lowest index in it is the index itself"
+            }
+            Self::NotAnIndex(_) => "an index is declared by `var n in N`",
+            Self::TermAlone(_) => "write `s(n)`, `s(n + 1)` or `s(0)`",
+            Self::LongTerm => "indices up to 64 are put in, if what comes of it is short enough",
             Self::TooTall => "name parts of it with parentheses or split the sum",
             Self::NoRelation => {
                 "compare it with something: `=`, `!=`, `<`, `<=`, `>`, `>=` or `->`"

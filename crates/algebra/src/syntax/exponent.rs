@@ -1,13 +1,16 @@
 //! Exponents: literal integers behind `^`, or in raised digits.
 
+use std::ops::Range;
+
 use kane_kernel::Expr;
-use num_traits::ToPrimitive as _;
+use num_traits::{Signed as _, ToPrimitive as _};
 
 use super::bounds::{MAX_DIGITS, MAX_EXPONENT};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
 use super::number::parse_literal;
 use super::parser::{Level, Node, Parser};
+use super::sequence::power;
 
 impl Parser<'_> {
     /// Passes `^n`, or raised digits, behind a base.
@@ -18,6 +21,9 @@ impl Parser<'_> {
         };
         let span = base.span.start..exponent.span.end;
         let (at, exponent) = (exponent.span.clone(), self.number_of(exponent));
+        if self.scope().symbols(&exponent).into_iter().any(|v| self.is_index(v)) {
+            return self.power_of_index(base, &exponent, at);
+        }
         let value = match exponent_value(&exponent) {
             Ok(value) => value,
             Err(kind) => {
@@ -31,6 +37,81 @@ impl Parser<'_> {
         let height = base.height + 1;
         let base = self.number_of(base);
         self.build(Expr::Pow(Box::new(base), value), span, height)
+    }
+
+    fn is_index(&self, v: usize) -> bool {
+        self.scope().sequences().index_of(v).is_some()
+    }
+
+    /// Passes `b, n)` behind `pow(`.
+    pub(crate) fn power_call(&mut self) -> Result<Node, SyntaxError> {
+        self.advance();
+        let open = self.span();
+        self.expect(Token::OpenParen, "`(` after a function's name")?;
+        let whole = self.nested(|p| {
+            let base = p.node()?;
+            p.expect(Token::Comma, "`,` and an exponent")?;
+            let exponent = p.node()?;
+            let (at, exponent) = (exponent.span.clone(), p.number_of(exponent));
+            p.power_of_index(base, &exponent, at)
+        })?;
+        self.close(Token::CloseParen, '(', &open)?;
+        Ok(whole)
+    }
+
+    /// b^(n + 2) as b²·bⁿ: the power of an index is a symbol.
+    fn power_of_index(
+        &mut self,
+        base: Node,
+        exponent: &Expr,
+        at: Range<usize>,
+    ) -> Result<Node, SyntaxError> {
+        let span = base.span.start..at.end;
+        let at_base = base.span.clone();
+        let base = self.number_of(base);
+        let one = |p: &Self| p.build(Expr::int(1), span.clone(), 1);
+        let sum = self.scope().sequences().linear(exponent).and_then(|sum| {
+            let small = |n: &i64| i32::try_from(*n).ok().filter(|n| (0..=MAX_EXPONENT).contains(n));
+            let times = sum.times.iter().map(|(index, n)| Some((*index, small(n)?)));
+            Some((times.collect::<Option<Vec<_>>>()?, small(&sum.plus)?))
+        });
+        let Some((times, plus)) = sum else {
+            self.report(SyntaxErrorKind::PowerExponent, at);
+            return one(self);
+        };
+        let Some(name) = self.name_of_base(&base) else {
+            self.report(SyntaxErrorKind::PowerBase, at_base);
+            return one(self);
+        };
+        let mut whole = (plus > 0 || times.is_empty()).then(|| power(base, plus));
+        for (index, n) in times {
+            let Some(symbol) = self.scope().power(&name, index) else {
+                let vars = &self.scope().context().vars;
+                let index = vars.get(index).map_or_else(String::new, |var| var.name.clone());
+                self.report(SyntaxErrorKind::NoPower { base: name, index }, span.clone());
+                return one(self);
+            };
+            let factor = power(Expr::Var(symbol), n);
+            whole = Some(match whole {
+                None => factor,
+                Some(whole) => Expr::Mul(whole.into(), factor.into()),
+            });
+        }
+        let whole = whole.unwrap_or_else(|| Expr::int(1));
+        let height = self.scope().height(&whole);
+        self.build(whole, span, height)
+    }
+
+    /// The name of what may be the base of a power of an index.
+    fn name_of_base(&self, base: &Expr) -> Option<String> {
+        let context = self.scope().context();
+        let name = match base {
+            Expr::Num(q) if q.is_integer() && !q.is_negative() => return Some(q.to_string()),
+            Expr::Var(v) if !self.is_index(*v) => &context.vars.get(*v)?.name,
+            Expr::Let(i) => &context.lets.get(*i)?.name,
+            _ => return None,
+        };
+        self.scope().is_total(base, None).then(|| name.clone())
     }
 
     fn exponent(&mut self) -> Result<Node, SyntaxError> {

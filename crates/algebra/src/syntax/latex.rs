@@ -4,6 +4,7 @@ use kane_kernel::{Approach, Context, Expr, Limit, Rel, Relation, Target};
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::chain::{Hand, chained};
 use super::logic::Logic;
 use super::names::latex_name;
 use super::number::{decimal, literal};
@@ -31,42 +32,18 @@ pub(crate) fn relations(relations: &[Relation], context: &Context) -> String {
 
 /// Relations with `between` them, in which `or` and its like may have to stand in parentheses.
 fn joined(relations: &[Relation], context: &Context, between: &str, within: bool) -> String {
-    let mut out = String::new();
-    let mut last: Option<&Expr> = None;
-    for relation in relations {
-        let logic = Logic::of(relation);
-        if !out.is_empty() && (logic.is_some() || last != Some(&relation.lhs)) {
-            out.push_str(between);
-            last = None;
-        }
-        if let Some(logic) = logic {
-            let formula = formula(&logic, context);
-            out.push_str(&if within { format!("\\left({formula}\\right)") } else { formula });
-            continue;
-        }
-        if last != Some(&relation.lhs) {
-            out.push_str(&whole_expr(&relation.lhs, context));
-        }
-        out.push(' ');
-        out.push_str(comparison(relation.rel));
-        out.push(' ');
-        out.push_str(&whole_expr(&relation.rhs, context));
-        last = Some(&relation.rhs);
-    }
-    out
+    let formula = |logic: &Logic<'_>| {
+        let formula = formula(logic, context);
+        if within { parentheses(&formula) } else { formula }
+    };
+    let hand = Hand { side: &|e| whole_expr(e, context), sign: comparison, formula: &formula };
+    chained(relations, between, &hand)
 }
 
 /// A ∨ B, A ⇒ B, A ⇔ B
 fn formula(logic: &Logic<'_>, context: &Context) -> String {
     let part = |relations: &[Relation]| joined(relations, context, " \\land ", true);
-    match logic {
-        Logic::Or(parts) => {
-            let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
-            parts.join(" \\lor ")
-        }
-        Logic::Implies(a, b) => format!("{} \\Rightarrow {}", part(a), part(b)),
-        Logic::Iff(a, b) => format!("{} \\Leftrightarrow {}", part(a), part(b)),
-    }
+    logic.written(part, [" \\lor ", " \\Rightarrow ", " \\Leftrightarrow "])
 }
 
 /// `f \to L \text{ as } x \to a^{+}`
@@ -146,6 +123,17 @@ pub(super) fn is_function(symbol: usize, context: &Context) -> bool {
     context.vars.get(symbol).is_some_and(|var| var.of.is_some())
 }
 
+/// What is as high as a line stands in plain parentheses: TeX and browsers set those that grow apart from what they
+/// multiply.
+fn parentheses(inner: &str) -> String {
+    let is_high = ["\\frac", "\\begin", "\\sqrt"].iter().any(|high| inner.contains(high));
+    if is_high { format!("\\left({inner}\\right)") } else { format!("({inner})") }
+}
+
+fn is_parenthesised(formula: &str) -> bool {
+    formula.starts_with('(') || formula.starts_with("\\left(")
+}
+
 struct Writer<'a> {
     context: &'a Context,
     beyond: &'a dyn Fn(usize) -> Option<String>,
@@ -155,7 +143,7 @@ impl Writer<'_> {
     /// `e` where an operand of at least `least` is due.
     fn expr(&self, e: &Expr, least: Level) -> String {
         let bare = self.bare(e);
-        if is_loose(e, least) { format!("\\left({bare}\\right)") } else { bare }
+        if is_loose(e, least) { parentheses(&bare) } else { bare }
     }
 
     fn bare(&self, e: &Expr) -> String {
@@ -173,19 +161,19 @@ impl Writer<'_> {
             Expr::Pow(a, exponent) => {
                 let base = self.operand(a, Level::Atom);
                 if seems_shorter(a, &base) {
-                    format!("\\left({base}\\right)^{{{exponent}}}")
+                    format!("{}^{{{exponent}}}", parentheses(&base))
                 } else {
                     format!("{base}^{{{exponent}}}")
                 }
             }
             Expr::Abs(a) => format!("\\left|{}\\right|", self.free(a)),
             Expr::Sqrt(a) => format!("\\sqrt{{{}}}", self.free(a)),
-            Expr::Min(a, b) => format!("\\min\\left({}, {}\\right)", self.free(a), self.free(b)),
-            Expr::Max(a, b) => format!("\\max\\left({}, {}\\right)", self.free(a), self.free(b)),
+            Expr::Min(a, b) => format!("\\min{}", self.arguments(a, b)),
+            Expr::Max(a, b) => format!("\\max{}", self.arguments(a, b)),
             Expr::Deriv(f, x) => format!(
-                "\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}{}}}\\left({}\\right)",
+                "\\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}{}}}{}",
                 latex_name(var_name(*x, self.context)),
-                self.free(f)
+                parentheses(&self.free(f))
             ),
             Expr::Cases(branches, otherwise) => self.cases(branches, otherwise.as_deref()),
         }
@@ -195,6 +183,10 @@ impl Writer<'_> {
         self.expr(e, Level::Sum)
     }
 
+    fn arguments(&self, a: &Expr, b: &Expr) -> String {
+        parentheses(&format!("{}, {}", self.free(a), self.free(b)))
+    }
+
     fn pair(&self, a: &Expr, operator: &str, b: &Expr) -> String {
         format!("{} {operator} {}", self.operand(a, Level::Sum), self.operand(b, Level::Product))
     }
@@ -202,7 +194,7 @@ impl Writer<'_> {
     /// A part of a larger expression. What follows `cases` would seem to belong to its last row.
     fn operand(&self, e: &Expr, least: Level) -> String {
         match e {
-            Expr::Cases(..) => format!("\\left({}\\right)", self.bare(e)),
+            Expr::Cases(..) => parentheses(&self.bare(e)),
             _ => self.expr(e, least),
         }
     }
@@ -214,7 +206,7 @@ impl Writer<'_> {
             // what follows a derivative would seem to be differentiated, too
             Expr::Deriv(..) => true,
             // a function before parentheses would seem to be applied
-            Expr::Var(v) if is_function(*v, self.context) && right.starts_with("\\left(") => true,
+            Expr::Var(v) if is_function(*v, self.context) && is_parenthesised(&right) => true,
             // juxtaposed digits would read as one number, a difference of E as the product Δ·E
             _ => {
                 right.starts_with(|c: char| c.is_ascii_digit())

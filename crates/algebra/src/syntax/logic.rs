@@ -45,6 +45,19 @@ impl<'a> Logic<'a> {
             _ => None,
         }
     }
+
+    /// The parts as `part` writes them, with the words for `or`, `implies` and `iff` between.
+    pub fn written(
+        &self,
+        part: impl Fn(&[Relation]) -> String,
+        [or, implies, iff]: [&str; 3],
+    ) -> String {
+        match self {
+            Self::Or(parts) => parts.iter().map(|p| part(p)).collect::<Vec<_>>().join(or),
+            Self::Implies(a, b) => [part(a), part(b)].join(implies),
+            Self::Iff(a, b) => [part(a), part(b)].join(iff),
+        }
+    }
 }
 
 /// `A or B or …`

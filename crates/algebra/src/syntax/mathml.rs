@@ -9,7 +9,9 @@ use num_traits::Signed as _;
 
 use super::latex::{is_function, is_loose, last_factor};
 use super::logic::Logic;
-use super::names::{applied, canonical_name, greek_letter, greek_subscript, name_parts, rate};
+use super::names::{
+    applied, canonical_name, greek_letter, greek_subscript, name_parts, power, rate,
+};
 use super::number::decimal;
 use super::parser::Level;
 use super::plain::{let_name, var_name};
@@ -29,7 +31,18 @@ pub fn mathml_name(name: &str) -> String {
         let fraction = format!("<mfrac>{}{}</mfrac>", part(function), part(time));
         return in_parentheses(&fraction);
     }
+    if let Some((base, index)) = power(name) {
+        let base = match base.starts_with(|c: char| c.is_ascii_digit()) {
+            true => format!("<mn>{base}</mn>"),
+            false => mathml_name(base),
+        };
+        return in_parentheses(&format!("<msup>{base}{}</msup>", mathml_name(index)));
+    }
     if let Some((function, argument)) = applied(name) {
+        if !["cos", "sin"].contains(&function) {
+            let (function, argument) = (mathml_name(function), mathml_name(argument));
+            return format!("<mrow>{function}<mo>(</mo>{argument}<mo>)</mo></mrow>");
+        }
         let argument = match argument.split_once('/') {
             Some((angle, parts)) => format!("{}<mo>/</mo><mn>{parts}</mn>", mathml_name(angle)),
             None => mathml_name(argument),
@@ -196,12 +209,7 @@ impl Writer<'_> {
             parts.join("<mo>∧</mo>")
         };
         match Logic::of(r) {
-            Some(Logic::Or(parts)) => {
-                let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
-                parts.join("<mo>∨</mo>")
-            }
-            Some(Logic::Implies(a, b)) => format!("{}<mo>⇒</mo>{}", part(a), part(b)),
-            Some(Logic::Iff(a, b)) => format!("{}<mo>⇔</mo>{}", part(a), part(b)),
+            Some(logic) => logic.written(part, ["<mo>∨</mo>", "<mo>⇒</mo>", "<mo>⇔</mo>"]),
             None => format!("{}{}{}", self.free(&r.lhs), comparison(r.rel), self.free(&r.rhs)),
         }
     }

@@ -7,9 +7,11 @@
 //! product := operand { ("*" | "/") operand }             4/3*a is (4/3)·a
 //! operand := "-" operand | power                         a/-b*c is (a/(−b))·c
 //! power   := atom [ "^" exponent ]
-//! exponent:= a literal integer: 2, -2, (2), (-2), or a tower of them, 2^3
+//! exponent:= a literal integer: 2, -2, (2), (-2), or a tower of them, 2^3; or a sum of multiples of
+//!            indices, n, (n + 1), (2*n)
 //! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
 //!          | "|" sum "|" | sin(angle) | cos(angle) | tan(angle)
+//!          | pow(a, exponent)
 //!          | "[" sum { "," sum } "]" | dot(a, b) | cross(a, b) | norm(a)
 //!          | det(a) | transpose(a) | inverse(a) | name "(" sum { "," sum } ")"
 //!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
@@ -23,6 +25,7 @@
 mod angle;
 mod arrays;
 mod bounds;
+mod chain;
 mod coq;
 mod diagnostic;
 mod error;
@@ -46,6 +49,7 @@ mod plain;
 mod rate;
 mod rebuild;
 mod scope;
+mod sequence;
 mod suggest;
 mod template;
 mod value;
@@ -72,6 +76,7 @@ pub use plain::{comparison, moving};
 pub use rate::rate;
 pub use rebuild::rebuild;
 pub use scope::{Angle, DeclareError, Scope, Symbol};
+pub use sequence::{MAX_INDEX, Sequences};
 pub use suggest::nearest;
-pub use template::{MAX_PARAMETERS, placeholder};
+pub use template::{MAX_PARAMETERS, placeholder, put_in};
 pub use value::{Array, Shape, Value};

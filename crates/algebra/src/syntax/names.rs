@@ -133,7 +133,18 @@ pub fn latex_name(name: &str) -> String {
         let (function, time) = (latex_name(function), latex_name(time));
         return format!("\\left(\\frac{{d {function}}}{{d {time}}}\\right)");
     }
+    if let Some((base, index)) = power(name) {
+        let base = if base.starts_with(|c: char| c.is_ascii_digit()) {
+            base.to_owned()
+        } else {
+            latex_name(base)
+        };
+        return format!("\\left({base}^{{{}}}\\right)", latex_name(index));
+    }
     if let Some((function, argument)) = applied(name) {
+        if !["cos", "sin"].contains(&function) {
+            return format!("{}({})", latex_name(function), latex_name(argument));
+        }
         let argument = match argument.split_once('/') {
             Some((angle, parts)) => format!("{}/{parts}", latex_name(angle)),
             None => latex_name(argument),
@@ -171,6 +182,11 @@ pub fn latex_name(name: &str) -> String {
 /// `d(x, t)` as `x` and `t`; nothing if it is no derivative.
 pub(crate) fn rate(name: &str) -> Option<(&str, &str)> {
     name.strip_prefix("d(")?.strip_suffix(')')?.rsplit_once(", ")
+}
+
+/// `pow(e, n)` as `e` and `n`; nothing if it is no power.
+pub(crate) fn power(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix("pow(")?.strip_suffix(')')?.rsplit_once(", ")
 }
 
 /// `cos(theta/2)` as `cos` and `theta/2`; nothing if it is a plain name.
@@ -288,6 +304,9 @@ mod tests {
             ("d(x_1, t)", "\\left(\\frac{d x_1}{d t}\\right)"),
             ("cos(theta)", "\\cos(\\theta)"),
             ("sin(θ_1/2)", "\\sin(\\theta_1/2)"),
+            ("pow(e, n)", "\\left(e^{n}\\right)"),
+            ("pow(2, n)", "\\left(2^{n}\\right)"),
+            ("s_1(n)", "s_1(n)"),
         ] {
             assert_eq!(latex_name(name), latex, "name {name}");
         }

@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use super::bounds::{MAX_DIGITS, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::{self, Token};
-use super::names::RESERVED;
+use super::names::{RESERVED, canonical_name};
 use super::number::{parse_literal, written_out};
 use super::scope::Scope;
 use super::value::{Operator, Value};
@@ -52,6 +52,8 @@ pub struct Parser<'a> {
     pub(crate) in_angle: bool,
     /// names that stand for placeholders, in order: parameters, or what `exists` binds
     pub(crate) bound: Vec<String>,
+    /// the index of the sequence that is being defined: its name, the only one bound, takes it
+    pub(crate) recursion: Option<usize>,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
     errors: Vec<SyntaxError>,
@@ -102,6 +104,7 @@ impl<'a> Parser<'a> {
             nesting: 0,
             in_angle: false,
             bound: Vec::new(),
+            recursion: None,
             side_may_follow: false,
             errors: Vec::new(),
         }
@@ -245,6 +248,12 @@ impl<'a> Parser<'a> {
     /// Has these names stand for placeholders, in order, from here on.
     pub fn bind(&mut self, names: Vec<String>) {
         self.bound = names;
+    }
+
+    /// Has `name(n)` stand for a placeholder, n being this index, from here on.
+    pub fn bind_term(&mut self, name: &str, index: usize) {
+        self.bound = vec![canonical_name(name).into_owned()];
+        self.recursion = Some(index);
     }
 
     /// Makes sure that a list may have another item.

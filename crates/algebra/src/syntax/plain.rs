@@ -6,6 +6,7 @@ use kane_kernel::{Approach, Context, Expr, Limit, Rel, Relation, Target};
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::chain::{Hand, chained};
 use super::logic::Logic;
 use super::number::decimal;
 use super::parser::Level;
@@ -24,42 +25,18 @@ pub(super) fn chain(relations: &[Relation], context: &Context) -> String {
 
 /// Relations with `between` them, in which `or` and its like may have to stand in parentheses.
 fn joined(relations: &[Relation], context: &Context, between: &str, within: bool) -> String {
-    let mut out = String::new();
-    let mut last: Option<&Expr> = None;
-    for relation in relations {
-        let logic = Logic::of(relation);
-        if !out.is_empty() && (logic.is_some() || last != Some(&relation.lhs)) {
-            out.push_str(between);
-            last = None;
-        }
-        if let Some(logic) = logic {
-            let formula = formula(&logic, context);
-            out.push_str(&if within { format!("({formula})") } else { formula });
-            continue;
-        }
-        if last != Some(&relation.lhs) {
-            expr(&mut out, &relation.lhs, context, Level::Sum);
-        }
-        out.push(' ');
-        out.push_str(comparison(relation.rel));
-        out.push(' ');
-        expr(&mut out, &relation.rhs, context, Level::Sum);
-        last = Some(&relation.rhs);
-    }
-    out
+    let formula = |logic: &Logic<'_>| {
+        let formula = formula(logic, context);
+        if within { format!("({formula})") } else { formula }
+    };
+    let hand = Hand { side: &|e| whole_expr(e, context), sign: comparison, formula: &formula };
+    chained(relations, between, &hand)
 }
 
 /// `A or B`, `A implies B`, `A iff B`
 fn formula(logic: &Logic<'_>, context: &Context) -> String {
     let part = |relations: &[Relation]| joined(relations, context, " and ", true);
-    match logic {
-        Logic::Or(parts) => {
-            let parts: Vec<String> = parts.iter().map(|relations| part(relations)).collect();
-            parts.join(" or ")
-        }
-        Logic::Implies(a, b) => format!("{} implies {}", part(a), part(b)),
-        Logic::Iff(a, b) => format!("{} iff {}", part(a), part(b)),
-    }
+    logic.written(part, [" or ", " implies ", " iff "])
 }
 
 /// A comparison as it is typed.

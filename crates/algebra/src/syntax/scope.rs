@@ -3,11 +3,14 @@
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use kane_kernel::{Context, Definition, Expr, Var};
+use kane_kernel::{Bound, Context, Definition, Expr, Var};
+use num_rational::BigRational;
+use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
-use super::names::{RESERVED, applied, canonical_name, latex_name, rate};
-use super::template::Template;
+use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
+use super::sequence::{Sequences, bounds_of_power};
+use super::template::{Template, parameter};
 use super::value::{Array, Shape, Value};
 
 /// Nodes that all visits of a scope may see together. Definitions that share others can make
@@ -87,6 +90,12 @@ pub struct Scope {
     arrays: HashMap<String, (Shape, Vec<Symbol>)>,
     /// definitions with arguments
     functions: HashMap<String, Template>,
+    /// indices, and the symbols for powers and terms
+    sequences: Sequences,
+    /// by base as it is named and index, the symbol for a power
+    powers: BTreeMap<(String, usize), usize>,
+    /// sequences by name: the index, and the term at it
+    terms: HashMap<String, (usize, Expr)>,
     /// nodes visited so far
     effort: Cell<usize>,
     /// parts written out so far
@@ -129,6 +138,19 @@ impl Scope {
             if let Some(function) = symbol(function) {
                 self.rates.insert(function, index);
             }
+        } else if let Some((base, n)) = power_name(name) {
+            if let Some(n) = symbol(n) {
+                self.sequences.add_index(n);
+                self.powers.insert((canonical_name(base).into_owned(), n), index);
+            }
+        } else if let Some((sequence, n)) =
+            applied(name).filter(|(f, _)| !["cos", "sin"].contains(f))
+        {
+            if let Some(n) = symbol(n) {
+                self.sequences.add_index(n);
+                let name = canonical_name(sequence).into_owned();
+                self.terms.insert(name, (n, Expr::Var(index)));
+            }
         } else if let Some(("cos", part)) = applied(name) {
             let (angle, parts) = part.split_once('/').unwrap_or((part, "1"));
             if let (Some(angle), Ok(parts)) = (symbol(angle), parts.parse()) {
@@ -159,7 +181,7 @@ impl Scope {
     /// All names, in canonical spelling and no particular order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let names = self.names.keys().chain(self.arrays.keys()).chain(self.functions.keys());
-        names.map(String::as_str)
+        names.chain(self.terms.keys()).map(String::as_str)
     }
 
     fn check_free(&self, name: &str) -> Result<(), DeclareError> {
@@ -185,6 +207,7 @@ impl Scope {
         self.resolve(&name).is_none()
             && !self.arrays.contains_key(name.as_ref())
             && !self.functions.contains_key(name.as_ref())
+            && !self.terms.contains_key(name.as_ref())
     }
 
     /// Gives a name to symbols or definitions as the components of a vector or a matrix.
@@ -248,6 +271,162 @@ impl Scope {
         let written = self.written.get().saturating_add(parts);
         self.written.set(written);
         written <= MAX_WRITTEN
+    }
+
+    /// Declares an index, a natural number.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_index(&mut self, name: &str) -> Result<usize, DeclareError> {
+        let lower = Some(Bound { value: BigRational::zero(), strict: false });
+        let symbol = self.declare(Var { name: name.to_owned(), of: None, lower, upper: None })?;
+        self.sequences.add_index(symbol);
+        Ok(symbol)
+    }
+
+    /// Declares the symbol for the power of a base to an index: `base` is a number, a plain symbol or a
+    /// definition that is [total](Self::is_total), and goes by `name`.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_power(
+        &mut self,
+        name: &str,
+        base: Expr,
+        index: usize,
+    ) -> Result<(), DeclareError> {
+        let n = self.context.vars.get(index).map_or("?", |var| &var.name);
+        let whole = format!("pow({name}, {n})");
+        let end = |bound: &Option<Bound>| bound.as_ref().map(|b| (b.value.clone(), b.strict));
+        let ends = match &base {
+            Expr::Num(q) => [Some((q.clone(), false)), Some((q.clone(), false))],
+            Expr::Var(v) => {
+                let var = self.context.vars.get(*v);
+                var.map_or([None, None], |var| [end(&var.lower), end(&var.upper)])
+            }
+            _ => [None, None],
+        };
+        let bound = |(value, strict)| Bound { value, strict };
+        let [lower, upper] = bounds_of_power(ends).map(|end| end.map(bound));
+        let symbol = self.declare_compound(Var { name: whole, of: None, lower, upper })?;
+        self.sequences.add_power(symbol, base, index);
+        self.powers.insert((canonical_name(name).into_owned(), index), symbol);
+        Ok(())
+    }
+
+    /// Declares a symbol with a name that is put together, such as `s(n)`.
+    fn declare_compound(&mut self, var: Var) -> Result<usize, DeclareError> {
+        self.check_free(&spelled(&var.name))?;
+        self.typeset.entry(latex_name(&spelled(&var.name))).or_insert_with(|| var.name.clone());
+        self.declare(var)
+    }
+
+    /// Declares a sequence by its term at an index.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_sequence(
+        &mut self,
+        name: &str,
+        index: usize,
+        term: Expr,
+    ) -> Result<(), DeclareError> {
+        self.check_free(name)?;
+        self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
+        self.terms.insert(canonical_name(name).into_owned(), (index, term));
+        Ok(())
+    }
+
+    /// Declares a sequence by s(0), and by s(n + 1), in which a [placeholder](super::placeholder) stands
+    /// for s(n); both are [total](Self::is_total).
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_recursion(
+        &mut self,
+        name: &str,
+        index: usize,
+        first: Expr,
+        step: impl FnOnce(&Expr) -> Expr,
+    ) -> Result<(), DeclareError> {
+        self.check_free(name)?;
+        let n = self.context.vars.get(index).map_or("?", |var| &var.name);
+        let whole = format!("{name}({n})");
+        let symbol =
+            self.declare_compound(Var { name: whole, of: None, lower: None, upper: None })?;
+        let term = Expr::Var(symbol);
+        self.sequences.add_recursion(symbol, index, first, step(&term));
+        self.declare_sequence(name, index, term)
+    }
+
+    /// Indices, powers and terms.
+    #[must_use]
+    pub fn sequences(&self) -> &Sequences {
+        &self.sequences
+    }
+
+    /// The symbol for a power, by its base as it is named.
+    pub(crate) fn power(&self, base: &str, index: usize) -> Option<usize> {
+        self.powers.get(&(canonical_name(base).into_owned(), index)).copied()
+    }
+
+    /// Whether the power has its symbol.
+    #[must_use]
+    pub fn has_power(&self, base: &str, index: usize) -> bool {
+        self.power(base, index).is_some()
+    }
+
+    /// The index of a sequence, and its term at it.
+    pub(crate) fn term(&self, name: &str) -> Option<&(usize, Expr)> {
+        self.terms.get(canonical_name(name).as_ref())
+    }
+
+    /// Whether the name is one of a sequence.
+    #[must_use]
+    pub fn is_sequence(&self, name: &str) -> bool {
+        self.term(name).is_some()
+    }
+
+    /// Whether an expression has a value at all points of the declared domain, for reasons that are
+    /// seen at once: it is a polynomial in plain symbols, divided by products of numbers and of symbols
+    /// whose bounds exclude 0. Of indices it may speak of this one; of functions and angles of none.
+    #[must_use]
+    pub fn is_total(&self, e: &Expr, index: Option<usize>) -> bool {
+        let mut total = !self.is_exhausted();
+        self.visit(e, &mut |node| {
+            total &= match node {
+                Expr::Var(v) if parameter(*v).is_none() => {
+                    let plain = self.context.vars.get(*v).is_some_and(|var| var.of.is_none());
+                    let own = self.sequences.index_of(*v).is_none_or(|n| Some(n) == index);
+                    let angle = self.angle(*v).is_some() || self.angle_at(*v).is_some();
+                    plain && own && !angle
+                }
+                Expr::Num(_) | Expr::Var(_) | Expr::Let(_) | Expr::Neg(_) => true,
+                Expr::Add(..) | Expr::Sub(..) | Expr::Mul(..) => true,
+                Expr::Div(_, b) => self.never_vanishes(b),
+                Expr::Pow(_, n) => *n >= 0,
+                _ => false,
+            };
+        });
+        total && !self.is_exhausted()
+    }
+
+    /// Whether a product of numbers and symbols is not 0 by what is declared.
+    fn never_vanishes(&self, e: &Expr) -> bool {
+        match e {
+            Expr::Num(q) => !q.is_zero(),
+            Expr::Var(v) => self.context.vars.get(*v).is_some_and(|var| {
+                let beyond = |b: &Bound, sign: bool| match b.value.is_zero() {
+                    true => b.strict,
+                    false => b.value.is_negative() == sign,
+                };
+                var.lower.as_ref().is_some_and(|bound| beyond(bound, false))
+                    || var.upper.as_ref().is_some_and(|bound| beyond(bound, true))
+            }),
+            Expr::Neg(a) | Expr::Pow(a, _) => self.never_vanishes(a),
+            Expr::Mul(a, b) => self.never_vanishes(a) && self.never_vanishes(b),
+            _ => false,
+        }
     }
 
     /// Declares a symbol and returns its index.

@@ -58,6 +58,12 @@ pub(crate) fn substituted(e: &Expr, arguments: &[Expr]) -> Expr {
     }
 }
 
+/// The expression with arguments for its [placeholders](placeholder).
+#[must_use]
+pub fn put_in(e: &Expr, arguments: &[Expr]) -> Expr {
+    substituted(e, arguments)
+}
+
 /// How many parts [`substituted`] writes.
 pub(crate) fn written(e: &Expr, arguments: &[Expr]) -> usize {
     let sizes: Vec<usize> = arguments.iter().map(size).collect();

@@ -14,8 +14,9 @@ use super::names::canonical_name;
 use super::parser::{Node, Parser, excerpt};
 use super::rate::rate;
 use super::scope::{Angle, Scope, Symbol};
+use super::sequence::MAX_INDEX;
 use super::template::{parameter, placeholder, substituted, written};
-use super::value::Value;
+use super::value::{Value, size};
 
 /// Makes an expression of two.
 type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
@@ -53,6 +54,7 @@ impl Parser<'_> {
             word @ ("sin" | "cos" | "tan") if self.scope().is_unused(word) => {
                 self.call(|p| p.direction(word))
             }
+            "pow" if self.scope().is_unused("pow") => self.power_call(),
             word => match FUNCTIONS.into_iter().find(|function| *function == word) {
                 Some(function) if self.scope().is_unused(word) => self.function_of_arrays(function),
                 _ => self.named(),
@@ -64,10 +66,16 @@ impl Parser<'_> {
     fn named(&mut self) -> Result<Node, SyntaxError> {
         let (name, span) = self.name()?;
         if let Some(bound) = self.bound.iter().position(|b| *b == canonical_name(name)) {
+            if let Some(index) = self.recursion {
+                return self.last_term(index, span);
+            }
             return self.build(placeholder(bound), span, 1);
         }
         if self.scope().is_function(name) {
             return self.application(name, span);
+        }
+        if self.scope().is_sequence(name) {
+            return self.term(name, span);
         }
         if let Some(array) = self.scope().array(name) {
             let height = array.parts.iter().map(|e| self.scope().height(e)).max();
@@ -89,6 +97,74 @@ impl Parser<'_> {
             }
         };
         self.build(expr, span, height)
+    }
+
+    /// Passes `(n)` behind the name of the sequence that is being defined.
+    fn last_term(&mut self, index: usize, span: Range<usize>) -> Result<Node, SyntaxError> {
+        let (name, at) = (self.bound.first().cloned().unwrap_or_default(), self.span());
+        let vars = &self.scope().context().vars;
+        let n = vars.get(index).map_or_else(String::new, |var| var.name.clone());
+        if !self.accept(Token::OpenParen) {
+            self.report(SyntaxErrorKind::TermAlone(name), span.clone());
+            return self.build(placeholder(0), span, 1);
+        }
+        let argument = self.nested(Self::node)?;
+        let argument = self.number_of(argument);
+        let end = self.close(Token::CloseParen, '(', &at)?;
+        if argument != Expr::Var(index) {
+            self.report(SyntaxErrorKind::Term { name, index: n }, at.start..end);
+        }
+        self.build(placeholder(0), span.start..end, 1)
+    }
+
+    /// Passes `(n + 1)` or `(0)` behind the name of a sequence.
+    fn term(&mut self, name: &str, span: Range<usize>) -> Result<Node, SyntaxError> {
+        let scope = self.scope();
+        let Some((index, term)) = scope.term(name) else {
+            return self.build(Expr::int(1), span, 1);
+        };
+        let at = self.span();
+        if !self.accept(Token::OpenParen) {
+            self.report(SyntaxErrorKind::TermAlone(excerpt(name)), span.clone());
+            return self.build(Expr::int(1), span, 1);
+        }
+        let argument = self.nested(Self::node)?;
+        let argument = self.number_of(argument);
+        let end = self.close(Token::CloseParen, '(', &at)?;
+        let whole = span.start..end;
+        let sequences = scope.sequences();
+        let sum = sequences.linear(&argument).and_then(|sum| {
+            let plus = u32::try_from(sum.plus).ok()?;
+            let one = sum.times.get(index) == Some(&1) && sum.times.len() == 1;
+            (one || sum.times.is_empty()).then_some((one, plus))
+        });
+        let written = match sum {
+            None => {
+                let vars = &scope.context().vars;
+                let index = vars.get(*index).map_or_else(String::new, |var| var.name.clone());
+                Err(SyntaxErrorKind::Term { name: excerpt(name), index })
+            }
+            Some((_, plus)) if plus > MAX_INDEX => Err(SyntaxErrorKind::LongTerm),
+            Some((false, plus)) => {
+                sequences.at(term, *index, plus).ok_or(SyntaxErrorKind::LongTerm)
+            }
+            Some((true, plus)) => {
+                let further = |e: Expr| sequences.next(&e, *index);
+                let written = (0..plus).try_fold(term.clone(), |e, _| further(e));
+                written.ok_or(SyntaxErrorKind::LongTerm)
+            }
+        };
+        match written {
+            Ok(e) => {
+                self.charge(size(&e), &whole)?;
+                let height = scope.height(&e);
+                self.build(e, whole, height)
+            }
+            Err(kind) => {
+                self.report(kind, whole.clone());
+                self.build(Expr::int(1), whole, 1)
+            }
+        }
     }
 
     fn call(

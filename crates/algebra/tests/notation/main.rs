@@ -13,6 +13,8 @@ mod limits;
 mod parsing;
 /// syntax to text and back, and to LaTeX
 mod printing;
+/// powers with an index for exponent, and sequences
+mod sequences;
 
 /// x, y, mu, alpha, k(alpha); and f := x^2 + 1.
 fn scope() -> Scope {

@@ -20,6 +20,8 @@ use num_rational::BigRational;
 
 pub use expand::contradicts_bounds;
 pub(crate) use expand::{contradiction, expand, side_proof};
+pub use orthant::BoundedSum;
+pub(crate) use orthant::bounded_sum;
 pub use rules::Flaw;
 pub(crate) use rules::Rules;
 

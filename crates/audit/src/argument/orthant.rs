@@ -1,8 +1,9 @@
 //! Signs of coefficients as sums of products: after a map of bounds onto the orthant all
 //! coefficients have one sign, and each term is a product of the bounds.
 
-use kane_kernel::{Fuel, Poly, Sign};
+use kane_kernel::{Fuel, Poly, Sign, State};
 use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -346,6 +347,65 @@ impl Signs {
         }
         sum.close()
     }
+}
+
+/// scale · P = ± Σ weight · Π boundⁿ: what signs of coefficients say of an atom's polynomial, P, divided by its content.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoundedSum {
+    /// of the polynomial, positive
+    pub scale: BigInt,
+    /// whether the sum is that of the opposite
+    pub negative: bool,
+    /// positive weights and the powers of what the bounds say is not negative
+    pub terms: Vec<(BigInt, Vec<(Poly, u32)>)>,
+}
+
+/// An atom's polynomial as a sum of products of bounds of its variables, by the indices of their atoms.
+pub(crate) fn bounded_sum(
+    state: &State<'_, '_>,
+    atom: usize,
+    bounds: &[Bounds],
+) -> Option<BoundedSum> {
+    let known = |i: usize| {
+        let atom = state.atoms.get(i)?;
+        Some(Known::new(atom.poly.clone(), atom.sign, i))
+    };
+    let mut ranges = Vec::new();
+    for (var, lower, upper) in bounds {
+        let (lower, upper) = (lower.and_then(known), upper.and_then(known));
+        ranges.push(Range::new(*var, lower.as_ref(), upper.as_ref()).ok()?);
+    }
+    let (target, fuel) = (known(atom)?, &state.scope.fuel);
+    let signs = Signs::new(&target, (&[], &target.atom.poly), &ranges, fuel).ok()?;
+    let (content, primitive) = target.atom.poly.primitive();
+    let scale = &signs.scale * whole(content);
+    let weights = signs.summands.iter().map(|(w, _)| w);
+    let common = weights.chain([&scale]).fold(BigInt::one(), |l, w| l.lcm(w.denom()));
+    let whole = |w: &BigRational| w.numer() * (&common / w.denom());
+    let divisor = signs.summands.iter().fold(whole(&scale), |g, (w, _)| g.gcd(&whole(w)));
+    let term = |(w, powers): &(BigRational, Powers)| {
+        let factors = signs.ends.iter().zip(powers).filter(|(_, n)| **n > 0);
+        let factors = factors.map(|(end, n)| (end.known.atom.poly.clone(), *n));
+        (whole(w) / &divisor, factors.collect())
+    };
+    let told = BoundedSum {
+        scale: whole(&scale) / &divisor,
+        negative: signs.negative,
+        terms: signs.summands.iter().map(term).collect(),
+    };
+    // what is told is held against the polynomial once more
+    let mut rest = primitive.scale(&told.scale);
+    if told.negative {
+        rest = rest.neg();
+    }
+    for (weight, factors) in &told.terms {
+        let mut product = Poly::constant(weight.clone());
+        for (p, n) in factors {
+            product = product.mul(&p.pow(*n, fuel).ok()?, fuel).ok()?;
+        }
+        rest = rest.sub(&product);
+    }
+    rest.is_empty().then_some(told)
 }
 
 /// The value of an atom that bounds a variable, and whether it bounds it below.

@@ -2,7 +2,10 @@
 //!
 //! They are data, and made when something shows them; in which words is not decided here.
 
+mod leaf;
 mod names;
+mod prune;
+mod sides;
 mod step;
 mod summary;
 mod witness;
@@ -11,13 +14,14 @@ use kane_kernel::{
     Atom, Conclusion, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state, constants,
     scope,
 };
-use num_traits::One;
+use num_integer::Integer as _;
+use num_traits::Signed as _;
 
 use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
 
 pub use step::*;
 pub(crate) use summary::{reason, used};
-pub(crate) use witness::model;
+pub(crate) use witness::{mentions, model};
 
 /// Work that one explanation may take.
 const FUEL: u64 = 400_000_000;
@@ -41,14 +45,18 @@ pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
         return Proof { variables, steps: vec![witness::step(goal, finding, model)] };
     }
     let Ok(scope) = scope(goal, Fuel::new(FUEL)) else { return Proof::default() };
-    let mut teller = Teller { goal, count: 0 };
+    let mut teller = Teller { goal, finding, count: 0 };
     let steps = match grounds {
         Grounds::Model(_) => Vec::new(),
         Grounds::Contradiction(course) => match claim_state(&scope, goal, finding) {
             Ok(state) => {
                 teller.count += 1;
                 let hypotheses_alone = finding == Finding::Vacuous;
-                vec![Step::Suppose { hypotheses_alone, then: teller.course(&state, course) }]
+                // what is the same everywhere is said first; what is supposed then is that it has no meaning
+                let equal = sides::equal(goal, finding, &At::new(state.clone()));
+                let then = teller.course(&state, course);
+                let suppose = Step::Suppose { hypotheses_alone, then };
+                equal.into_iter().chain([suppose]).collect()
             }
             Err(_) => Vec::new(),
         },
@@ -60,8 +68,35 @@ pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
 /// Makes steps of arguments by taking them on the kernel's states.
 struct Teller<'a> {
     goal: &'a Goal,
+    finding: Finding,
     /// steps made so far
     count: usize,
+}
+
+/// Where an argument has got to.
+#[derive(Clone)]
+struct At<'s, 'g> {
+    state: State<'s, 'g>,
+    /// where the atoms come from, as far as the argument has assumed them
+    origins: Vec<Option<Source>>,
+    /// how many of the atoms are there from the first: ranges of symbols
+    ranges: usize,
+    /// what was replaced, by which quotient; nothing is known any more once powers were lowered
+    replaced: Option<Vec<(usize, (Poly, Poly))>>,
+}
+
+impl<'s, 'g> At<'s, 'g> {
+    fn new(state: State<'s, 'g>) -> Self {
+        let ranges = state.atoms.len();
+        Self { origins: vec![None; ranges], ranges, state, replaced: Some(Vec::new()) }
+    }
+
+    /// In a state that has further atoms, from one source.
+    fn into(&self, state: State<'s, 'g>, source: Option<Source>) -> Self {
+        let mut origins = self.origins.clone();
+        origins.resize(state.atoms.len(), source);
+        Self { state, origins, ..self.clone() }
+    }
 }
 
 impl Teller<'_> {
@@ -71,110 +106,123 @@ impl Teller<'_> {
         self.count <= MAX_STEPS + 1
     }
 
-    /// Takes back a step that says nothing.
-    fn says_nothing(&mut self) {
-        self.count -= 1;
+    fn argument(&mut self, state: &State<'_, '_>, argument: &Argument) -> Vec<Step> {
+        let lean = prune::pruned(state, argument);
+        self.steps(&At::new(state.clone()), &lean)
     }
 
-    fn argument(&mut self, state: &State<'_, '_>, argument: &Argument) -> Vec<Step> {
+    fn steps(&mut self, at: &At<'_, '_>, argument: &Argument) -> Vec<Step> {
         let mut steps = Vec::new();
-        self.walk(state, argument, &mut steps);
+        self.walk(at, argument, &mut steps);
         steps
     }
 
-    fn walk(&mut self, state: &State<'_, '_>, argument: &Argument, steps: &mut Vec<Step>) {
+    fn walk(&mut self, at: &At<'_, '_>, argument: &Argument, steps: &mut Vec<Step>) {
         if !self.goes_on() {
             return;
         }
-        let atom = |i: usize| state.atoms[i].clone();
         match argument {
-            Argument::Absurd(i) => steps.extend(state.atoms.get(*i).cloned().map(Step::Absurd)),
-            Argument::Assume { formula, cases } => {
-                self.assume(state, *formula, cases, steps);
-            }
+            Argument::Assume { formula, cases } => self.assume(at, *formula, cases, steps),
             Argument::Split { poly, zero, positive, negative } => {
-                let case = |atom| state.with(atom);
+                let case = |atom| at.into(at.state.with(atom), None);
                 let [is_zero, is_positive, is_negative] = signs(poly).map(case);
                 steps.push(Step::Split {
                     poly: poly.clone(),
-                    zero: self.argument(&is_zero, zero),
-                    positive: self.argument(&is_positive, positive),
-                    negative: self.argument(&is_negative, negative),
+                    zero: self.steps(&is_zero, zero),
+                    positive: self.steps(&is_positive, positive),
+                    negative: self.steps(&is_negative, negative),
                 });
+            }
+            Argument::Cancel { .. } if !prune::is_end(argument) => {
+                self.solve(at, argument, steps);
             }
             Argument::Substitute { equation, var, lead, then } => {
-                let Ok(next) = state.substitute(*equation, *var, lead) else {
-                    return;
-                };
-                let changed = next.atoms.iter().zip(&state.atoms);
-                let changed =
-                    changed.filter(|(new, old)| new != old && new.decided() != Some(true));
-                let leaves = changed.map(|(new, _)| new.clone()).collect();
-                let by = &state.atoms[*equation];
-                steps.push(match solved(&by.poly, *var) {
-                    Some(value) => Step::Substitute { variable: *var, value, leaves },
-                    None => Step::Reduce { variable: *var, by: by.clone(), leaves },
-                });
+                let Some(by) = at.state.atoms.get(*equation) else { return };
+                if by.poly.degree(*var) < 2 {
+                    return self.solve(at, argument, steps);
+                }
+                let Ok(next) = at.state.substitute(*equation, *var, lead) else { return };
+                let leaves = left(&at.state, &next, then);
+                steps.push(Step::Reduce { variable: *var, by: by.clone(), leaves });
+                let next = At { state: next, replaced: None, ..at.clone() };
                 self.walk(&next, then, steps);
             }
-            Argument::Cancel { atom: i, factors, quotient, then } => {
-                let Ok(next) = state.cancel(*i, factors, quotient) else {
-                    return;
-                };
-                let factor = |(i, n): &(usize, u32)| (state.atoms[*i].poly.clone(), *n);
-                let by = factors.iter().map(factor).collect();
-                steps.push(Step::Divide { atom: atom(*i), by, quotient: next.atoms[*i].clone() });
-                self.walk(&next, then, steps);
-            }
-            Argument::Positive { terms, cofactors } => {
-                let factor = |(i, n): &(usize, u32)| (state.atoms[*i].poly.clone(), *n);
-                let term = |t: &kane_kernel::Term| Summand {
-                    weight: t.weight.clone(),
-                    square: t.square.clone(),
-                    factors: t.factors.iter().map(factor).collect(),
-                };
-                let multiple = |(i, c): &(usize, Poly)| (c.clone(), state.atoms[*i].poly.clone());
-                steps.push(Step::Positive {
-                    terms: terms.iter().map(term).collect(),
-                    multiples: cofactors.iter().map(multiple).collect(),
-                });
-            }
-            Argument::Orthant { atom: i, bounds } => {
-                let bounds = bounds.iter().flat_map(|(_, l, u)| [*l, *u]).flatten();
-                let bounds = bounds.map(atom).collect();
-                steps.push(Step::SignsOfCoefficients { atom: atom(*i), bounds });
-            }
-            Argument::SignTable { var, roots, atoms, .. } => {
-                let atoms = atoms.iter().map(|(i, ..)| atom(*i)).collect();
-                let cuts = roots.iter().map(witness::tight).collect();
-                steps.push(Step::SignTable { variable: *var, cuts, atoms });
-            }
+            _ => steps.extend(leaf::step(self.goal, self.finding, at, argument)),
         }
     }
 
     fn assume(
         &mut self,
-        state: &State<'_, '_>,
+        at: &At<'_, '_>,
         formula: usize,
         cases: &[Argument],
         steps: &mut Vec<Step>,
     ) {
         let source = summary::source(self.goal, formula);
-        let Ok(states) = state.assume(formula) else {
+        let Ok(states) = at.state.assume(formula) else {
             return;
         };
-        let new = |s: &State<'_, '_>| s.atoms[state.atoms.len()..].to_vec();
+        let first = at.state.atoms.len();
+        let among = |s: &State<'_, '_>, indices: &std::collections::BTreeSet<usize>| {
+            let new = s.atoms.iter().enumerate().skip(first);
+            let new = new.filter(|(i, _)| indices.contains(i));
+            new.map(|(_, atom)| atom.clone()).collect::<Vec<_>>()
+        };
+        let new = |s: &State<'_, '_>, then: &Argument| among(s, &prune::shown(then, &s.atoms));
         if let ([next], [then]) = (&states[..], cases) {
-            let atoms = new(next);
+            let atoms = new(next, then);
             match atoms.is_empty() {
-                true => self.says_nothing(),
+                true => self.count -= 1,
                 false => steps.push(Step::Assume { source, atoms }),
             }
-            return self.walk(next, then, steps);
+            return self.walk(&at.into(next.clone(), Some(source)), then, steps);
         }
-        let cases = states.iter().zip(cases);
-        let cases = cases.map(|(next, then)| (new(next), self.argument(next, then)));
+        let cases = states.iter().zip(cases).map(|(next, then)| {
+            // a case has to be told from the others
+            let mut atoms = new(next, then);
+            if atoms.is_empty() {
+                atoms = among(next, &prune::needed(then));
+            }
+            (atoms, self.steps(&at.into(next.clone(), Some(source)), then))
+        });
         steps.push(Step::Cases { source, cases: cases.collect() });
+    }
+
+    /// All replacements and divisions up to what follows from them.
+    fn solve(&mut self, at: &At<'_, '_>, argument: &Argument, steps: &mut Vec<Step>) {
+        let (mut solved, mut divided) = (Vec::new(), Vec::new());
+        let (mut now, mut argument) = (at.clone(), argument);
+        loop {
+            let state = &now.state;
+            match argument {
+                Argument::Substitute { equation, var, lead, then } => {
+                    let by = state.atoms.get(*equation).and_then(|by| solved_for(&by.poly, *var));
+                    let (Some(value), Ok(next)) = (by, state.substitute(*equation, *var, lead))
+                    else {
+                        break;
+                    };
+                    let source = now.origins.get(*equation).copied().flatten();
+                    solved.push(Solved { variable: *var, value: value.clone(), source });
+                    now.state = next;
+                    now.replaced.iter_mut().for_each(|all| all.push((*var, value.clone())));
+                    argument = then;
+                }
+                Argument::Cancel { atom, factors, quotient, then } if !prune::is_end(argument) => {
+                    let Ok(next) = state.cancel(*atom, factors, quotient) else { break };
+                    for (i, _) in factors {
+                        let factor = state.atoms.get(*i).cloned();
+                        divided.extend(factor.filter(|f: &Atom| !divided.contains(f)));
+                    }
+                    now.state = next;
+                    argument = then;
+                }
+                _ => break,
+            }
+            self.count += 1;
+        }
+        let leaves = left(&at.state, &now.state, argument);
+        steps.push(Step::Solve { solved, divided, leaves });
+        self.walk(&now, argument, steps);
     }
 
     fn course(&mut self, state: &State<'_, '_>, course: &Course) -> Vec<Step> {
@@ -207,7 +255,7 @@ impl Teller<'_> {
         steps: &mut Vec<Step>,
     ) {
         let Some((Passage { germ, atom, along }, rest)) = passages.split_first() else {
-            return self.walk(state, then, steps);
+            return steps.extend(self.argument(state, then));
         };
         let (Ok(at), Ok(end)) = (state.along_unproved(germ), state.at_zero(germ, atom)) else {
             return;
@@ -265,13 +313,35 @@ fn signs(poly: &Poly) -> [Atom; 3] {
     ]
 }
 
-/// The quotient that an equation of the first degree in v says that v is; a denominator ±1 is 1.
-fn solved(equation: &Poly, v: usize) -> Option<(Poly, Poly)> {
+/// What is left of the atoms that were changed, as far as what follows speaks of them.
+fn left(before: &State<'_, '_>, after: &State<'_, '_>, then: &Argument) -> Vec<Atom> {
+    let shown = prune::shown(then, &after.atoms);
+    let changed = after.atoms.iter().zip(&before.atoms).enumerate();
+    let changed = changed.filter(|(i, (new, old))| shown.contains(i) && new != old);
+    let undecided = changed.filter(|(_, (new, _))| new.decided() != Some(true));
+    undecided.map(|(_, (new, _))| new.clone()).collect()
+}
+
+/// The quotient that an equation of the first degree in v says that v is, in lowest terms. What is divided out
+/// divides the coefficient of v, which does not vanish.
+fn solved_for(equation: &Poly, v: usize) -> Option<(Poly, Poly)> {
     let parts = equation.coefficients(v);
     let [rest, lead] = &parts[..] else { return None };
-    Some(match lead.as_constant() {
-        Some(c) if c.is_one() => (rest.neg(), Poly::one()),
-        Some(c) if (-&c).is_one() => (rest.clone(), Poly::one()),
-        _ => (rest.neg(), lead.clone()),
-    })
+    Some(lowest((rest.neg(), lead.clone())))
+}
+
+/// A quotient in lowest terms, below a polynomial that begins with a positive term where that can be.
+fn lowest((num, den): (Poly, Poly)) -> (Poly, Poly) {
+    if num.is_empty() {
+        return (num, Poly::one());
+    }
+    let (num, den) = kane_algebra::ring::cancelled(&num, &den);
+    let common = num.primitive().0.gcd(&den.primitive().0);
+    let part = |p: &Poly| {
+        let (content, rest) = p.primitive();
+        rest.scale(&(content / &common))
+    };
+    let (num, den) = (part(&num), part(&den));
+    let negative = |p: &Poly| p.terms().filter(|(_, c)| c.is_negative()).count() * 2 > p.len();
+    if negative(&den) { (num.neg(), den.neg()) } else { (num, den) }
 }

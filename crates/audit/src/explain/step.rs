@@ -10,6 +10,8 @@ use kane_kernel::{Atom, Expr, Finding, Poly, Relation, Root, Side, Target};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+use crate::argument::BoundedSum;
+
 /// A proof or a witness, step by step.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Proof {
@@ -82,13 +84,13 @@ pub enum Step {
         /// if it is < 0
         negative: Vec<Self>,
     },
-    /// A variable is replaced by a quotient of polynomials.
-    Substitute {
-        /// the variable
-        variable: usize,
-        /// numerator and denominator
-        value: (Poly, Poly),
-        /// what is left of the atoms that it changes
+    /// Variables are replaced one after the other, and conditions divided by what does not vanish.
+    Solve {
+        /// what is replaced, in order
+        solved: Vec<Solved>,
+        /// that these do not vanish, or are positive, is used
+        divided: Vec<Atom>,
+        /// what is left of the conditions that are used further on, where they changed
         leaves: Vec<Atom>,
     },
     /// Powers of a variable are lowered by an equation.
@@ -100,14 +102,28 @@ pub enum Step {
         /// what is left of the atoms that it changes
         leaves: Vec<Atom>,
     },
-    /// An atom is divided by factors that cannot vanish.
-    Divide {
+    /// An atom is a number times powers of what contradicts it.
+    Factors {
         /// the atom
         atom: Atom,
-        /// the factors with their powers
-        by: Vec<(Poly, u32)>,
-        /// what is left
-        quotient: Atom,
+        /// what is known of its factors, with their powers
+        factors: Vec<(Atom, u32)>,
+    },
+    /// Conditions on one polynomial cannot all hold.
+    Clash(Vec<Atom>),
+    /// A multiple of what is not 0 is a sum of multiples of what is 0.
+    Multiple {
+        /// what is not 0, and how often
+        atom: (BigInt, Poly),
+        /// the factor, and what vanishes
+        multiples: Vec<(Poly, Poly)>,
+    },
+    /// Both sides of the claim are the same quotient.
+    Equal {
+        /// the sides as the claim has them
+        sides: (Expr, Expr),
+        /// numerator and denominator
+        value: (Poly, Poly),
     },
     /// A sum that is zero identically has non-negative terms, one of them positive.
     Positive {
@@ -120,8 +136,13 @@ pub enum Step {
     SignsOfCoefficients {
         /// the atom
         atom: Atom,
-        /// the bounds
+        /// the bounds that were assumed
         bounds: Vec<Atom>,
+        /// whether declared ranges of symbols are bounds, too
+        ranges: bool,
+        /// a multiple of the atom's polynomial, or of its opposite, as a sum of products of the bounds; nothing where
+        /// they are the variables themselves, and it is the polynomial
+        sum: Option<BoundedSum>,
     },
     /// On no part of a line do all atoms hold.
     SignTable {
@@ -170,8 +191,10 @@ pub enum Step {
     Point {
         /// the symbols that are mentioned
         values: Vec<Assignment>,
-        /// the sides of relations there: of a hypothesis by its index, or of the claim
-        sides: Vec<(Option<usize>, Comparison)>,
+        /// the definitions that are mentioned, by their indices, with their values
+        definitions: Vec<(usize, Measured)>,
+        /// what the hypotheses, the condition and the claim say there
+        said: Vec<Said>,
     },
     /// Functions of one symbol, for which all hypotheses hold and the claim does not.
     Functions {
@@ -184,6 +207,17 @@ pub enum Step {
         /// how the claim fails
         end: End,
     },
+}
+
+/// A variable with what replaces it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Solved {
+    /// the variable
+    pub variable: usize,
+    /// numerator and denominator
+    pub value: (Poly, Poly),
+    /// what says so, if it is an assumption
+    pub source: Option<Source>,
 }
 
 /// weight · square² · Π factorⁿ
@@ -224,15 +258,50 @@ pub enum Value {
     Function(Expr),
 }
 
+/// A relation of a statement at a point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Said {
+    /// whose it is
+    pub of: Speaker,
+    /// the relation
+    pub relation: Relation,
+    /// what becomes of it
+    pub comparison: Comparison,
+    /// the relations that `or`, `implies` or `iff` joins, and what becomes of them
+    pub parts: Vec<(Relation, Comparison)>,
+}
+
+/// Whose relation it is that holds or fails at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Speaker {
+    /// the hypothesis with this index
+    Hypothesis(usize),
+    /// the `when` of the claim
+    Condition,
+    /// the claim
+    Claim,
+}
+
+/// A value at a point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// the value
+    Exact(BigRational),
+    /// a number near it: the point is irrational
+    Near(BigRational),
+    /// there is none
+    None(NoValue),
+}
+
 /// A relation at a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Comparison {
     /// the values of its sides
-    Sides(Result<BigRational, NoValue>, Result<BigRational, NoValue>),
+    Sides(Measured, Measured),
     /// whether `or`, `implies` or `iff` of relations holds
     Truth(bool),
-    /// the relation, and why it has no meaning
-    Undefined(Relation, NoValue),
+    /// the relation, why it has no meaning, and what it divides by though it is 0
+    Undefined(Relation, NoValue, Option<Expr>),
 }
 
 /// Why a hypothesis holds for functions.

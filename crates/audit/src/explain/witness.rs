@@ -1,14 +1,18 @@
 //! Models as data: points and functions, with what becomes of each statement there.
 
+use std::collections::BTreeSet;
+
+use kane_algebra::point::Partial;
+use kane_algebra::rational_function::RationalFunction;
 use kane_algebra::syntax::{Evaluator, Logic, NoValue};
 use kane_kernel::{
-    Conclusion, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Proof, Root,
-    expressions,
+    Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Proof,
+    Relation, Root, Sentence, expressions,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::{Assignment, Comparison, End, Held, Reason, Step, Value};
+use super::{Assignment, Comparison, End, Held, Measured, Reason, Said, Speaker, Step, Value};
 
 type Q = BigRational;
 
@@ -38,19 +42,23 @@ pub(super) fn reason(goal: &Goal, finding: Finding, model: &Model) -> Reason {
 pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
     match model {
         Model::Point(point) => {
-            let mut sides = Vec::new();
-            if let Some(values) = coordinates(goal, point) {
-                let mut at = Evaluator::new(&goal.context, &values);
-                for (h, hypothesis) in goal.hypotheses.iter().enumerate() {
-                    // premises are defined; it is the claim that may not be
-                    let links = hypothesis.sentence.links.iter();
-                    let compared = links.filter_map(|link| compared(&mut at, link, false));
-                    sides.extend(compared.map(|comparison| (Some(h), comparison)));
-                }
+            let mut said = Vec::new();
+            let coordinates = Coordinates::of(goal, point);
+            let mut at = Evaluator::new(&goal.context, &coordinates.at);
+            for (h, hypothesis) in goal.hypotheses.iter().enumerate() {
+                // premises are defined; it is the claim that may not be
+                let of = Speaker::Hypothesis(h);
+                said.extend(coordinates.said(&mut at, of, &hypothesis.sentence.links, false));
             }
-            let claim = conclusion(goal, finding, point).into_iter();
-            sides.extend(claim.map(|comparison| (None, comparison)));
-            Step::Point { values: values(point, &mentioned(goal, true)), sides }
+            let when: Vec<Link> = goal.when.iter().cloned().map(Link::Relation).collect();
+            said.extend(coordinates.said(&mut at, Speaker::Condition, &when, false));
+            let undefined = finding == Finding::IllDefined;
+            let links = goal.conclusion.links();
+            said.extend(coordinates.said(&mut at, Speaker::Claim, links, undefined));
+            let value = |i| (i, coordinates.value(&mut at, &Expr::Let(i)));
+            let definitions = defined(goal).into_iter().map(value).collect();
+            let values = values(point, &mentioned(goal, true));
+            Step::Point { values, definitions, said }
         }
         Model::Functions(f) => {
             let held = |(proof, limits): &(Proof, Vec<_>)| Held {
@@ -67,40 +75,147 @@ pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
     }
 }
 
-/// The symbols at a point; `None` if it is irrational.
-fn coordinates(goal: &Goal, point: &Point) -> Option<Vec<Q>> {
-    let value = |v: usize| {
-        let known = point.values.iter().find(|x| x.0 == v);
-        known.and_then(|x| x.1.first().cloned()).unwrap_or_else(Q::zero)
-    };
-    let symbols = 0..goal.context.vars.len();
-    point.generator.is_none().then(|| symbols.map(value).collect())
+/// The coordinates of a point, or numbers near them.
+struct Coordinates<'g> {
+    context: &'g Context,
+    at: Vec<Q>,
+    is_exact: bool,
+    exact: Partial,
 }
 
-/// Both sides of a relation at a point; of one that may be undefined, why it is.
-fn compared(at: &mut Evaluator<'_>, link: &Link, undefined: bool) -> Option<Comparison> {
-    let Link::Relation(r) = link else {
-        return None;
-    };
-    let (a, b) = (at.value(&r.lhs), at.value(&r.rhs));
-    let tells = |why: &NoValue| undefined && !matches!(why, NoValue::Irrational);
-    let why = [&a, &b].into_iter().filter_map(|side| side.as_ref().err().copied()).find(tells);
-    Some(match (why, &a, &b) {
-        (Some(why), ..) => Comparison::Undefined(r.clone(), why),
-        (None, Ok(a), Ok(b)) if Logic::of(r).is_some() => Comparison::Truth(a == b),
-        (None, ..) => Comparison::Sides(a, b),
-    })
+impl<'g> Coordinates<'g> {
+    /// The coordinates; of an irrational point, numbers near them.
+    fn of(goal: &'g Goal, point: &Point) -> Self {
+        let root = point.generator.as_ref().map(tight);
+        let near = root.as_ref().map(|root| (&root.lo + &root.hi) / Q::from_integer(2.into()));
+        let value = |v: usize| {
+            let known = point.values.iter().find(|x| x.0 == v);
+            let coefficients = known.map_or(&[][..], |x| &x.1[..]);
+            let horner = |sum: Q, c: &Q| sum * near.clone().unwrap_or_else(Q::zero) + c;
+            coefficients.iter().rev().fold(Q::zero(), horner)
+        };
+        let at = (0..goal.context.vars.len()).map(value).collect();
+        let is_exact = root.is_none_or(|root| root.is_exact());
+        Self { context: &goal.context, at, is_exact, exact: point.into() }
+    }
+
+    /// The value of an expression. Near an irrational point, guards are not decided.
+    fn value(&self, at: &mut Evaluator<'_>, e: &Expr) -> Measured {
+        if !self.is_exact && self.has_guards(e) {
+            return Measured::None(NoValue::Irrational);
+        }
+        match at.value(e) {
+            Ok(value) if self.is_exact => Measured::Exact(value),
+            Ok(value) => self.rational(e).map_or(Measured::Near(value), Measured::Exact),
+            Err(why) => Measured::None(why),
+        }
+    }
+
+    /// The value at an irrational point, if it is rational: the square of a root of two is two, and not near it.
+    fn rational(&self, e: &Expr) -> Option<Q> {
+        let (num, den) = RationalFunction::from_expr(e, self.context).ok()?.fraction();
+        self.exact.rational(&num, &den, &Fuel::new(OPERATIONS))
+    }
+
+    /// Whether an expression or a definition in it has cases, a derivative or a root.
+    fn has_guards(&self, e: &Expr) -> bool {
+        let mut todo = vec![e];
+        while let Some(e) = todo.pop() {
+            match e {
+                Expr::Cases(..) | Expr::Deriv(..) | Expr::Sqrt(_) => return true,
+                Expr::Let(i) => todo.extend(self.context.lets.get(*i).map(|known| &known.body)),
+                _ => {}
+            }
+            todo.extend(e.children());
+        }
+        false
+    }
+
+    /// What becomes of links at the point.
+    fn said(
+        &self,
+        at: &mut Evaluator<'_>,
+        of: Speaker,
+        links: &[Link],
+        undefined: bool,
+    ) -> Vec<Said> {
+        let relations = links.iter().filter_map(|link| match link {
+            Link::Relation(r) => Some(r),
+            Link::Limit(_) => None,
+        });
+        let mut one = |r: &Relation| {
+            let comparison = self.compared(at, r, undefined);
+            let parts = Logic::of(r).map(|logic| joined(&logic)).unwrap_or_default();
+            let parts = parts.into_iter();
+            let parts = parts.map(|r| (r.clone(), self.compared(at, r, true))).collect();
+            Said { of, relation: r.clone(), comparison, parts }
+        };
+        relations.map(&mut one).collect()
+    }
+
+    /// Both sides of a relation at the point; of one that may be undefined, why it is.
+    fn compared(&self, at: &mut Evaluator<'_>, r: &Relation, undefined: bool) -> Comparison {
+        let (a, b) = (self.value(at, &r.lhs), self.value(at, &r.rhs));
+        let undefined = undefined && self.is_exact;
+        let why = [&a, &b].into_iter().find_map(|side| match side {
+            Measured::None(why) if undefined && *why != NoValue::Irrational => Some(*why),
+            _ => None,
+        });
+        match (why, &a, &b) {
+            (Some(why), ..) => {
+                let by = why == NoValue::DivisionByZero;
+                let by = by.then(|| vanishing(at, self.context, r)).flatten();
+                Comparison::Undefined(r.clone(), why, by)
+            }
+            (None, Measured::Exact(a), Measured::Exact(b)) if Logic::of(r).is_some() => {
+                Comparison::Truth(a == b)
+            }
+            (None, ..) => Comparison::Sides(a, b),
+        }
+    }
 }
+
+/// All relations that a formula joins.
+fn joined<'r>(logic: &Logic<'r>) -> Vec<&'r Relation> {
+    match logic {
+        Logic::Or(parts) => parts.iter().flat_map(|part| part.iter()).collect(),
+        Logic::Implies(a, b) | Logic::Iff(a, b) => a.iter().chain(b.iter()).collect(),
+    }
+}
+
+/// What a relation divides by though it is 0, as it is written or in a definition.
+fn vanishing(at: &mut Evaluator<'_>, context: &Context, r: &Relation) -> Option<Expr> {
+    let mut todo: Vec<Expr> = vec![r.rhs.clone(), r.lhs.clone()];
+    for _ in 0..MOST_PARTS {
+        let e = todo.pop()?;
+        match &e {
+            Expr::Div(_, by) if at.value(by).is_ok_and(|value| value.is_zero()) => {
+                return Some((**by).clone());
+            }
+            Expr::Pow(base, n) if *n < 0 && at.value(base).is_ok_and(|value| value.is_zero()) => {
+                return Some((**base).clone());
+            }
+            Expr::Let(i) => todo.extend(context.lets.get(*i).map(|known| known.body.clone())),
+            _ => {}
+        }
+        todo.extend(e.children().into_iter().cloned());
+    }
+    None
+}
+
+/// Operations that the exact value of a side may take.
+const OPERATIONS: u64 = 1_000_000;
+/// Parts of a relation among which the one that vanishes is looked for.
+const MOST_PARTS: usize = 10_000;
 
 /// What becomes of the claim at a point.
 fn conclusion(goal: &Goal, finding: Finding, point: &Point) -> Vec<Comparison> {
-    let Some(values) = coordinates(goal, point) else {
-        return Vec::new();
-    };
-    let mut at = Evaluator::new(&goal.context, &values);
+    let values = Coordinates::of(goal, point);
+    let mut at = Evaluator::new(&goal.context, &values.at);
     let undefined = finding == Finding::IllDefined;
-    let links = goal.conclusion.links().iter();
-    links.filter_map(|link| compared(&mut at, link, undefined)).collect()
+    let links = goal.conclusion.links();
+    let said = values.said(&mut at, Speaker::Claim, links, undefined);
+    said.into_iter().map(|said| said.comparison).collect()
 }
 
 /// Values of these symbols.
@@ -129,25 +244,37 @@ fn end(f: &Functions) -> End {
 /// Symbols that the conclusion and `when` mention, and with `all` also the hypotheses, in order of
 /// declaration.
 fn mentioned(goal: &Goal, all: bool) -> Vec<usize> {
+    spoken_of(goal, all).0.into_iter().collect()
+}
+
+/// Definitions that anything in the goal mentions as it is written, in order.
+fn defined(goal: &Goal) -> Vec<usize> {
+    spoken_of(goal, true).1
+}
+
+/// Symbols and definitions that are mentioned, the latter also within each other.
+fn spoken_of(goal: &Goal, all: bool) -> (BTreeSet<usize>, Vec<usize>) {
     let mut todo: Vec<&Expr> = goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]).collect();
-    fn links<'g>(links: &'g [Link], todo: &mut Vec<&'g Expr>) {
-        todo.extend(expressions(&[], links));
-    }
     match &goal.conclusion {
-        Conclusion::Link(l) => links(std::slice::from_ref(l), &mut todo),
-        Conclusion::NotImplied(s) => {
-            todo.extend(s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-            links(&s.links, &mut todo);
-        }
+        Conclusion::Link(l) => todo.extend(expressions(&[], std::slice::from_ref(l))),
+        Conclusion::NotImplied(s) => todo.extend(expressions(&s.when, &s.links)),
         Conclusion::Contradiction => {}
     }
     if all {
-        for h in &goal.hypotheses {
-            todo.extend(h.sentence.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-            links(&h.sentence.links, &mut todo);
-        }
+        let sentences = goal.hypotheses.iter().map(|h| &h.sentence);
+        todo.extend(sentences.flat_map(|s| expressions(&s.when, &s.links)));
     }
-    let (mut out, mut lets) = (std::collections::BTreeSet::new(), Vec::new());
+    within(&goal.context, todo)
+}
+
+/// Symbols that a sentence mentions, also in definitions.
+pub(crate) fn mentions(context: &Context, sentence: &Sentence) -> BTreeSet<usize> {
+    within(context, expressions(&sentence.when, &sentence.links).collect()).0
+}
+
+/// Symbols and definitions within expressions.
+fn within<'e>(context: &'e Context, mut todo: Vec<&'e Expr>) -> (BTreeSet<usize>, Vec<usize>) {
+    let (mut out, mut lets) = (BTreeSet::new(), Vec::new());
     while let Some(e) = todo.pop() {
         match e {
             Expr::Var(v) => {
@@ -155,13 +282,14 @@ fn mentioned(goal: &Goal, all: bool) -> Vec<usize> {
             }
             Expr::Let(i) if !lets.contains(i) => {
                 lets.push(*i);
-                todo.extend(goal.context.lets.get(*i).map(|d| &d.body));
+                todo.extend(context.lets.get(*i).map(|d| &d.body));
             }
             _ => {}
         }
         todo.extend(e.children());
     }
-    out.into_iter().collect()
+    lets.sort_unstable();
+    (out, lets)
 }
 
 /// A value at a point.

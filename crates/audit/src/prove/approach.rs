@@ -47,7 +47,7 @@ impl Search<'_> {
         let fits = (2..=VARIABLES).contains(&vars.len())
             && live.len() <= CONDITIONS
             && live.iter().all(|a| a.poly.bits() <= BITS);
-        if !fits || equations > 2 || equations >= vars.len() || !self.spend() {
+        if !fits || equations > 2 || equations >= vars.len() || !self.step(state) {
             return None;
         }
         let slopes = |a: &Atom| {

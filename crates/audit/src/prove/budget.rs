@@ -1,7 +1,13 @@
 //! How much a search may do, and which ways it goes.
 
+/// What a document may take in all. Operations are counted so that there are fifty to a hundred million in a
+/// second on one core where variables are few: five to ten seconds.
+const DOCUMENT: u64 = 480_000_000;
+/// One part in so many of a document's budget is kept for the claims to come, in equal shares.
+const KEPT: u64 = 4;
+
 /// How much work one link may take. All numbers count steps, none of them time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Budget {
     /// states that one search may visit
     pub steps: u64,
@@ -19,6 +25,8 @@ pub struct Budget {
     pub squares: u64,
     /// coefficient operations of one search among cells
     pub cells: u64,
+    /// coefficient operations of all claims of a document together, or of a goal judged on its own
+    pub document: u64,
 }
 
 impl Default for Budget {
@@ -32,11 +40,37 @@ impl Default for Budget {
             products: true,
             squares: 200_000_000,
             cells: 10_000_000,
+            document: DOCUMENT,
         }
     }
 }
 
 impl Budget {
+    /// Such a part of the work.
+    #[must_use]
+    pub(crate) fn share(self, part: u64) -> Self {
+        Self {
+            steps: self.steps / part,
+            fuel: self.fuel / part,
+            squares: self.squares / part,
+            cells: self.cells / part,
+            ..self
+        }
+    }
+
+    /// What a claim may spend of what is `left` for a document of `claims` claims, `after` of them
+    /// still to come: all but their shares. So a hard claim leaves something for each that follows,
+    /// and what a document says further down changes nothing above it but those shares.
+    ///
+    /// It comes in eighths of the document's budget, as long as there is one: so what a claim is given
+    /// seldom changes with what those above it spent, and what was judged before can be used again.
+    pub(crate) fn of_claim(self, left: u64, claims: u64, after: u64) -> u64 {
+        let share = self.document / KEPT / claims.max(1);
+        let most = left.saturating_sub(share.saturating_mul(after));
+        let eighth = (self.document / 8).max(1);
+        if most < eighth { most } else { most - most % eighth }
+    }
+
     /// As many times the work.
     #[must_use]
     pub fn times(self, factor: u64) -> Self {
@@ -48,6 +82,7 @@ impl Budget {
             functions: self.functions.saturating_mul(functions),
             squares: self.squares.saturating_mul(factor),
             cells: self.cells.saturating_mul(factor),
+            document: self.document.saturating_mul(factor),
             ..self
         }
     }

@@ -62,7 +62,7 @@ impl Search<'_> {
             let others: Vec<usize> = order.iter().copied().filter(|u| !plane.contains(u)).collect();
             let lists: Vec<Vec<Q>> = others.iter().map(|&u| candidates(state, u)).collect();
             for values in diagonal(&lists, VALUES) {
-                if !self.spend() {
+                if !self.step(state) {
                     return None;
                 }
                 let values: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();

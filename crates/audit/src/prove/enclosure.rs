@@ -64,7 +64,7 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
     ) -> Option<Self> {
         let radius = (germ.radius.0 == Poly::one()).then(|| germ.radius.1.as_constant())??;
         let [t_atom, near_atom, binding_atom] = [before.checked_sub(3)?, before - 2, before - 1];
-        let (fuel, t) = (Fuel::new(FUEL), state.scope.germ());
+        let (fuel, t) = (state.scope.fuel.beside(FUEL), state.scope.germ());
         let enclosed = Vec::new();
         Some(Self { state, along, fuel, t, t_atom, near_atom, binding_atom, radius, enclosed })
     }

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
+use kane_algebra::rational_function::{signed_sum, term};
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
@@ -10,7 +11,7 @@ use kane_kernel::{
     constants, on_functions, point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed as _, Zero};
 
 use super::elimination::Elimination;
 use super::limits;
@@ -20,11 +21,19 @@ use crate::argument::{expand, side_proof};
 type Q = BigRational;
 
 /// Sizes of the search.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Effort {
     pub(crate) steps: u64,
     pub(crate) fuel: u64,
     pub(crate) candidates: usize,
+    /// of which all is a part
+    pub(crate) work: Fuel,
+}
+
+impl Effort {
+    fn fuel(&self) -> Fuel {
+        self.work.within(self.fuel)
+    }
 }
 
 /// Functions that satisfy the premises and against which the conclusion fails as `finding` says.
@@ -33,9 +42,9 @@ pub(crate) fn model(
     finding: Finding,
     x: usize,
     by: &[(usize, Expr)],
-    effort: Effort,
+    effort: &Effort,
 ) -> Option<Functions> {
-    let scope = scope(goal, Fuel::new(effort.fuel)).ok()?;
+    let scope = scope(goal, effort.fuel()).ok()?;
     // What the premises determine, off the limits.
     let formulas = premises(&scope, goal, Place::Point).ok()?;
     let count = goal.hypotheses.len();
@@ -208,34 +217,7 @@ pub fn expression(p: &Poly) -> Expr {
 
 /// A polynomial as an expression in what stands for its variables.
 fn expression_in(p: &Poly, symbol: &dyn Fn(usize) -> Expr) -> Expr {
-    let mut sum: Option<Expr> = None;
-    for (m, c) in p.terms() {
-        let mut product: Option<Expr> = None;
-        let negative = num_traits::Signed::is_negative(c);
-        let size = num_traits::Signed::abs(c);
-        if !size.is_one() || m.is_empty() {
-            product = Some(Expr::Num(Q::from_integer(size)));
-        }
-        for &(v, n) in m {
-            let power = if n == 1 {
-                symbol(v)
-            } else {
-                Expr::Pow(symbol(v).into(), i32::try_from(n).unwrap_or(i32::MAX))
-            };
-            product = Some(match product {
-                Some(p) => Expr::Mul(p.into(), power.into()),
-                None => power,
-            });
-        }
-        let term = product.unwrap_or_else(|| rational(1, 1));
-        sum = Some(match (sum, negative) {
-            (None, false) => term,
-            (None, true) => Expr::Neg(term.into()),
-            (Some(s), false) => Expr::Add(s.into(), term.into()),
-            (Some(s), true) => Expr::Sub(s.into(), term.into()),
-        });
-    }
-    sum.unwrap_or_else(|| rational(0, 1))
+    signed_sum(p.terms().map(|(m, c)| (term(m, c, symbol), c.is_negative())))
 }
 
 /// num/den as an expression.
@@ -333,19 +315,19 @@ fn certified(
     finding: Finding,
     x: usize,
     values: Vec<(usize, Expr)>,
-    effort: Effort,
+    effort: &Effort,
 ) -> Option<Functions> {
     let constant = |v: usize, e: &Expr| goal.context.vars[v].of == Some(x) || !mentions(e, x);
     if !values.iter().all(|(v, e)| constant(*v, e)) {
         return None;
     }
-    let outer = scope(goal, Fuel::new(effort.fuel)).ok()?;
+    let outer = scope(goal, effort.fuel()).ok()?;
     let domain = on_functions(&outer, goal, x, &values);
     let bare = |conclusion, when| Goal { conclusion, when, ..domain.clone() };
     let any = |_: usize, _: &Poly| true;
     let premise = |h: &Hypothesis| -> Option<Proof> {
         let goal = bare(Conclusion::NotImplied(h.sentence.clone()), Vec::new());
-        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let scope = scope(&goal, effort.fuel()).ok()?;
         let fails = scope.premise(&h.sentence, h.given, false).ok()?;
         let state = point_state(&scope, &goal, Some(fails)).ok()?;
         match Search::new(effort.steps, &any, false).solve(&state) {
@@ -355,8 +337,8 @@ fn certified(
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel)?;
-        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel())?;
+        let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, l.var).ok()?;
         arguments.iter().map(|a| side_proof(&state, l, a).ok()).collect::<Option<Vec<_>>>()
     };
@@ -398,7 +380,7 @@ fn failure(
     finding: Finding,
     x: usize,
     bare: &dyn Fn(Conclusion, Vec<kane_kernel::Relation>) -> Goal,
-    effort: Effort,
+    effort: &Effort,
 ) -> Option<Failure> {
     let links: &[Link] = match &goal.conclusion {
         Conclusion::Link(l) => std::slice::from_ref(l),
@@ -411,7 +393,7 @@ fn failure(
             return None;
         };
         let goal = bare(Conclusion::Link(Link::Limit(claimed.clone())), Vec::new());
-        let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+        let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, claimed.var).ok()?;
         for side in sides(&scope, claimed) {
             let Some(target) = limits::value(&state, claimed, &side, effort.steps) else {
@@ -422,7 +404,7 @@ fn failure(
             }
             let found = Limit { to: target.clone(), at: side.approach(), ..claimed.clone() };
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
-            let scope = kane_kernel::scope(&goal, Fuel::new(effort.fuel)).ok()?;
+            let scope = kane_kernel::scope(&goal, effort.fuel()).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
             let argument = limits::one_side(&state, &found, &side, effort.steps)?;
             let proof = side_proof(&state, &found, &argument).ok()?;
@@ -432,11 +414,11 @@ fn failure(
     }
     if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &goal.conclusion) {
         let zero = Limit { expr: rational(0, 1), to: Target::Finite(rational(0, 1)), ..l.clone() };
-        let outer = scope(goal, Fuel::new(effort.fuel)).ok()?;
+        let outer = scope(goal, effort.fuel()).ok()?;
         let reaches = |side: kane_kernel::Side| {
             let trivial = Limit { at: side.approach(), ..zero.clone() };
             let goal = bare(Conclusion::Link(Link::Limit(trivial.clone())), goal.when.clone());
-            let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+            let scope = scope(&goal, effort.fuel()).ok()?;
             let state = constants(&scope, &goal, l.var).ok()?;
             let argument = limits::one_side(&state, &trivial, &side, effort.steps)?;
             side_proof(&state, &trivial, &argument).ok()
@@ -449,7 +431,7 @@ fn failure(
         _ => goal.conclusion.clone(),
     };
     let goal = bare(conclusion, goal.when.clone());
-    let scope = scope(&goal, Fuel::new(effort.fuel)).ok()?;
+    let scope = scope(&goal, effort.fuel()).ok()?;
     let state = claim_state(&scope, &goal, finding).ok()?;
     let any = |_: usize, _: &Poly| true;
     match Search::new(effort.steps, &any, true).solve(&state) {

@@ -202,7 +202,7 @@ impl Search<'_> {
         if let Some(proof) = tactics::quick(state) {
             return Some(proof);
         }
-        if depth == 0 || vars.len() > 4 || !self.spend() || self.left() < 50 {
+        if depth == 0 || vars.len() > 4 || !self.step(state) || self.left() < 50 {
             return None;
         }
         // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.

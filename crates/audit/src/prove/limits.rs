@@ -258,9 +258,9 @@ pub(crate) fn prove(
     goal: &Goal,
     limit: &Limit,
     steps: u64,
-    fuel: u64,
+    fuel: Fuel,
 ) -> Option<Vec<SideArgument>> {
-    let scope = kane_kernel::scope(goal, kane_kernel::Fuel::new(fuel)).ok()?;
+    let scope = kane_kernel::scope(goal, fuel).ok()?;
     let state = constants(&scope, goal, limit.var).ok()?;
     let sides = sides(&scope, limit);
     if sides.is_empty() {

@@ -205,7 +205,7 @@ impl Search<'_> {
         let free: Vec<usize> = vars.iter().copied().filter(|v| !fixed.contains(v)).collect();
         let lists: Vec<Vec<Q>> = fixed.iter().map(|&v| candidates(state, v)).collect();
         diagonal(&lists, FIXED.1).into_iter().find_map(|values| {
-            if !self.spend() {
+            if !self.step(state) {
                 return None;
             }
             let values: Vec<(usize, Q)> = fixed.iter().copied().zip(values).collect();

@@ -40,6 +40,8 @@ use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
 
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
+/// Models of earlier claims that are tried again.
+pub(crate) const REMEMBERED: usize = 4;
 /// Bits of a coefficient beyond which the ways that take long are not gone.
 const WIDE: u64 = 256;
 
@@ -84,6 +86,8 @@ pub(crate) struct Verdicts {
 /// A question to the search and the budget for it.
 pub(crate) struct Prover<'a> {
     pub(crate) budget: Budget,
+    /// what is left for the claim of its document's budget; every other budget is a part of it
+    pub(crate) work: Fuel,
     /// expressions whose squares and products are to be tried, without definitions
     pub(crate) using: &'a [Expr],
     /// proposed values or functions
@@ -98,11 +102,18 @@ pub(crate) struct Prover<'a> {
 
 impl Prover<'_> {
     fn fuel(&self) -> Fuel {
-        Fuel::new(self.budget.fuel)
+        self.work.within(self.budget.fuel)
     }
 
-    fn effort(&self, candidates: usize) -> Effort {
-        Effort { steps: self.budget.steps, fuel: self.budget.fuel, candidates }
+    /// A quarter of what is left for the claim: what a search gets that only guides to better points.
+    fn quarter(&self) -> Fuel {
+        self.work.within(self.work.left() / 4)
+    }
+
+    fn effort(&self, candidates: usize, guide: bool) -> Effort {
+        let (steps, fuel) = (self.budget.steps, self.budget.fuel);
+        let work = if guide { self.quarter() } else { self.work.clone() };
+        Effort { steps, fuel, candidates, work }
     }
 
     /// Accepts a finding only through the kernel.
@@ -114,7 +125,7 @@ impl Prover<'_> {
     ) -> Result<Certificate, Open> {
         let evidence = self.evidence(goal, finding, grounds).map_err(Open::Unwritten)?;
         let certificate = Certificate { goal: digest(goal), finding, evidence };
-        match check(goal, &certificate, Fuel::new(self.budget.check)) {
+        match check(goal, &certificate, self.work.within(self.budget.check)) {
             Ok(()) => Ok(certificate),
             Err(why) => Err(Open::Rejected(why)),
         }
@@ -122,7 +133,7 @@ impl Prover<'_> {
 
     /// Grounds written out in the rules of the kernel.
     fn evidence(&self, goal: &Goal, finding: Finding, grounds: &Grounds) -> Result<Evidence, Flaw> {
-        let fuel = Fuel::new(self.budget.check);
+        let fuel = self.work.within(self.budget.check);
         Ok(match (grounds, &goal.conclusion) {
             (Grounds::Model(model), _) => Evidence::Model(model.clone()),
             (Grounds::Contradiction(course), _) => {
@@ -143,13 +154,15 @@ impl Prover<'_> {
     /// Judges a goal; with `doubt`, also whether its hypotheses can hold at all.
     pub(crate) fn judge(&self, goal: &Goal, doubt: bool) -> Verdicts {
         let mut out = Verdicts::default();
-        if let Err(why) = scope(goal, self.fuel()) {
-            out.open = Some(Open::Unfit(why));
-            return out;
+        match scope(goal, self.fuel()) {
+            Err(why) => out.open = Some(Open::Unfit(why)),
+            Ok(_) => match &goal.conclusion {
+                Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, doubt, &mut out),
+                _ => self.judge_pointwise(goal, doubt, &mut out),
+            },
         }
-        match &goal.conclusion {
-            Conclusion::Link(Link::Limit(l)) => self.judge_limit(goal, l, doubt, &mut out),
-            _ => self.judge_pointwise(goal, doubt, &mut out),
+        if out.decided.is_none() && self.work.left() == 0 {
+            out.open = Some(Open::Document(out.cost));
         }
         if out.decided.is_none() && out.open.is_none() {
             // Along limits steps are not all counted.
@@ -205,7 +218,8 @@ impl Prover<'_> {
         };
         // What the near ways have tried in full is tried again on cases alone.
         let steps = if ways == Ways::Far { steps / 4 } else { steps };
-        let Ok(scope) = scope(goal, Fuel::new(fuel)) else {
+        let work = if guide { self.quarter() } else { self.work.clone() };
+        let Ok(scope) = scope(goal, work.within(fuel)) else {
             return open;
         };
         let state = match claim_state(&scope, goal, finding) {
@@ -232,11 +246,12 @@ impl Prover<'_> {
         let mut search = Search::new(steps, &any, models && germs.is_empty());
         search.ideals = self.budget.ideals;
         search.products = self.budget.products;
-        search.squares = Fuel::new(self.budget.squares);
-        search.cells = Fuel::new(if guide { self.budget.cells / 16 } else { self.budget.cells });
+        search.squares = work.within(self.budget.squares);
+        let cells = if guide { self.budget.cells / 16 } else { self.budget.cells };
+        search.cells = work.within(cells);
         if ways == Ways::Far {
             search.far = true;
-            search.squares = Fuel::new(self.budget.squares / 16);
+            search.squares = work.within(self.budget.squares / 16);
         }
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
@@ -310,8 +325,14 @@ impl Prover<'_> {
                 _ => None,
             },
             Some(_) if ways == Ways::Far => None,
-            Some(x) => functions::model(goal, finding, x, self.by, self.effort(candidates))
-                .map(|f: Functions| Model::Functions(Box::new(f))),
+            Some(x) => functions::model(
+                goal,
+                finding,
+                x,
+                self.by,
+                &self.effort(candidates, goal.hypotheses.len() > self.cited),
+            )
+            .map(|f: Functions| Model::Functions(Box::new(f))),
         }
     }
 
@@ -359,7 +380,7 @@ impl Prover<'_> {
             let grounds = Grounds::Model((*model).clone());
             self.accept(goal, Finding::Consistent, &grounds).is_ok()
         };
-        earlier.iter().rev().take(4).filter(fits).find(holds).cloned()
+        earlier.iter().rev().take(REMEMBERED).filter(fits).find(holds).cloned()
     }
 
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.
@@ -449,7 +470,7 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(arguments) = limits::prove(goal, limit, self.budget.steps, self.budget.fuel)
+        if let Some(arguments) = limits::prove(goal, limit, self.budget.steps, self.fuel())
             && self.decide(goal, Finding::Proved, Grounds::Limit(arguments), out)
         {
             return;

@@ -28,7 +28,7 @@ impl<'s, 'g> Parametrised<'s, 'g> {
             state: state.clone(),
             eliminations: Vec::new(),
             parameters: Vec::new(),
-            fuel: Fuel::new(STEPS),
+            fuel: state.scope.fuel.beside(STEPS),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The sample: a point that satisfies what the search leaves, from simple values.
 
-use kane_algebra::point::{Partial, specialised, theta};
+use kane_algebra::field::theta;
+use kane_algebra::point::{Partial, specialised};
 use kane_algebra::sign_table::Cell as LineCell;
 use kane_kernel::{Atom, Point, Sign, State};
 use num_rational::BigRational;
@@ -89,7 +90,7 @@ impl Search<'_> {
             let others: Vec<usize> = all.iter().copied().filter(|v| *v != last).collect();
             let lists: Vec<Vec<Q>> = others.iter().map(|&v| candidates(state, v)).collect();
             for values in diagonal(&lists, tries) {
-                if !self.spend() {
+                if !self.step(state) {
                     return None;
                 }
                 let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
@@ -257,7 +258,7 @@ pub(super) fn complete(
         partial.set(v, value);
     }
     for e in trail.iter().rev() {
-        let value = partial.quotient(&e.e, &e.d)?;
+        let value = partial.quotient(&e.e, &e.d, &state.scope.fuel)?;
         partial.values.insert(e.var, value);
     }
     Some(partial.finish())

@@ -79,6 +79,8 @@ pub(crate) struct Search<'a> {
     pub(crate) attempt: RefCell<Attempt>,
 }
 
+/// What a look at a state costs, in coefficient operations: what it does there is not all counted.
+const STEP: u64 = 5_000;
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
 const MAX_DEPTH: u32 = 160;
 /// Case distinctions on the sign of a polynomial along one branch.
@@ -128,6 +130,11 @@ impl<'a> Search<'a> {
         left > 0
     }
 
+    /// Takes a step that looks at a state; `false` where no step is left, or no work for one.
+    pub(super) fn step(&self, state: &State<'_, '_>) -> bool {
+        self.spend() && state.scope.fuel.spend_beyond(STEP).is_ok()
+    }
+
     /// Searches from a state with all its formulas still to be assumed.
     pub(crate) fn solve(&self, state: &State<'_, '_>) -> Outcome {
         let pending = (0..state.formulas.len()).collect();
@@ -143,7 +150,7 @@ impl<'a> Search<'a> {
         for formula in 0..state.formulas.len() {
             let fresh = state.atoms.len();
             let mut open: Vec<State<'s, 'g>> = state.assume(formula).ok()?;
-            open.retain(|s| self.spend() && tactics::quick_among(s, &since(s, fresh)).is_none());
+            open.retain(|s| self.step(s) && tactics::quick_among(s, &since(s, fresh)).is_none());
             if open.len() > 1 {
                 // Which case it is may take more than a look.
                 let refuted = |s: &State<'s, 'g>| {
@@ -165,7 +172,7 @@ impl<'a> Search<'a> {
         while let Some((_, next, elimination)) =
             self.simplify(&state).or_else(|| self.assumed(&state))
         {
-            if !self.spend() || next.atoms.iter().any(|a| a.decided() == Some(false)) {
+            if !self.step(&next) || next.atoms.iter().any(|a| a.decided() == Some(false)) {
                 return None;
             }
             trail.extend(elimination);
@@ -183,7 +190,7 @@ impl<'a> Search<'a> {
         splits: u32,
     ) -> Outcome {
         let wide = state.atoms.iter().any(|a| a.poly.len() > self.widest);
-        if !self.spend() || wide || self.depth.get() > MAX_DEPTH {
+        if !self.step(state) || wide || self.depth.get() > MAX_DEPTH {
             return Outcome::Open;
         }
         self.depth.set(self.depth.get() + 1);

@@ -14,12 +14,17 @@ pub(super) struct Blocks {
     pub(super) code: String,
     /// where each statement stands
     pub(super) statements: Vec<Range<usize>>,
+    /// the blocks, with their fences
+    pub(super) ranges: Vec<Range<usize>>,
     /// the first level-one heading
     pub(super) title: Option<String>,
+    /// what is wrong with the blocks themselves
+    pub(super) faults: Vec<Fault>,
 }
 
 /// Finds the blocks tagged `kane` and divides them into statements.
-pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
+pub(super) fn find(text: &str) -> Blocks {
+    let mut faults = Vec::new();
     let mut title: Option<String> = None;
     let mut in_title = false;
     let mut in_block = false;
@@ -27,6 +32,7 @@ pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
     let mut code: Vec<u8> =
         text.bytes().map(|byte| if byte == b'\n' { b'\n' } else { b' ' }).collect();
     let mut statements = Vec::new();
+    let mut ranges = Vec::new();
     for (event, range) in Parser::new_ext(text, Options::empty()).into_offset_iter() {
         match event {
             Event::Start(Tag::Heading { level: HeadingLevel::H1, .. }) if title.is_none() => {
@@ -46,8 +52,9 @@ pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
                 for piece in &pieces {
                     unmask(&mut code, text, piece);
                 }
+                ranges.push(range.clone());
                 let block = Block { text, range, lines: lines(text, &pieces) };
-                block.divide(&mut statements, faults);
+                block.divide(&mut statements, &mut faults);
                 pieces.clear();
             }
             _ => {}
@@ -56,7 +63,9 @@ pub(super) fn find(text: &str, faults: &mut Vec<Fault>) -> Blocks {
     Blocks {
         code: String::from_utf8(code).expect("whole characters are blanked or copied"),
         statements,
+        ranges,
         title: title.filter(|title| !title.trim().is_empty()),
+        faults,
     }
 }
 

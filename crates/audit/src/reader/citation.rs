@@ -7,7 +7,7 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 
 use super::tie::{self, Ties};
 use super::{Fault, MAX_FAULTS, Reader, label};
-use crate::{Body, Claim, Content, Parts, Statement, Verdict};
+use crate::{Body, Claim, Content, Induction, Parts, Statement, Verdict};
 
 /// A statement before its citations are resolved.
 #[derive(Debug)]
@@ -36,6 +36,7 @@ pub(super) struct DraftClaim {
     /// whether it says that something exists, for which a witness is put in
     pub(super) exists: bool,
     pub(super) when: Vec<Relation>,
+    pub(super) induction: Option<Induction>,
     pub(super) from: Vec<Cited>,
     pub(super) using: Vec<Expr>,
     pub(super) by: Vec<(usize, Expr)>,
@@ -123,6 +124,9 @@ impl Reader {
         faults.extend(ties.find(index, &cites, resolved.target));
         let spoken =
             [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
+        let spoken: Vec<usize> = spoken.collect();
+        faults.extend(self.index_beside_variation(index, &spoken));
+        let spoken = spoken.into_iter();
         let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
         let circles = self.circles_of(sides);
         resolved.from.extend(circles.into_iter().filter(|circle| seen.insert(*circle)));
@@ -196,6 +200,7 @@ impl Draft {
                 },
                 exists: claim.exists,
                 when: claim.when,
+                induction: claim.induction,
                 from: resolved.from,
                 using: claim.using,
                 by: claim.by,

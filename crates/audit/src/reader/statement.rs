@@ -11,6 +11,7 @@ use num_rational::BigRational;
 
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
 use super::label::CLAUSES;
+use super::sequence::{self, Recursion};
 use super::{Fault, Reader, existence, label, symbol};
 use crate::{Parts, Verdict};
 
@@ -37,6 +38,7 @@ impl Reader {
             self.faults.extend(faults);
             self.scope = scope;
             self.declare(vars);
+            self.declare_powers(span.start);
             return;
         }
         let head = match keyword {
@@ -55,6 +57,14 @@ impl Reader {
         let mut parts = Parts { label: head.label_span, ..Parts::default() };
         let outcome =
             match keyword {
+                "let" if head.recursive => {
+                    let parts = sequence::recursion(&mut parser, &head.name);
+                    finish(parser, parts).map(|(parts, end)| (Parsed::Recursion(parts), end))
+                }
+                "let" if sequence::index(&scope, &head.parameters).is_some() => {
+                    let term = parser.expr();
+                    finish(parser, term).map(|(term, end)| (Parsed::Term(term), end))
+                }
                 "let" => body_of_let(parser, &head.parameters)
                     .map(|(body, end)| (Parsed::Let(body), end)),
                 "given" => given(parser, &mut parts, &mut faults)
@@ -81,15 +91,24 @@ impl Reader {
         }
         // a broken statement keeps its label and its name, lest every use of them be a fault too
         let takes = head.parameters.len();
+        let index = sequence::index(&self.scope, &head.parameters);
         let body = match (parsed, head.name) {
             (Parsed::Let(body), Some((name, site))) => self.define(&name, site, takes, body),
+            (Parsed::Term(term), Some((name, site))) => self.define_term(&name, site, index, term),
+            (Parsed::Recursion(parts), Some((name, site))) => {
+                self.define_recursion(&name, site, parts)
+            }
             (Parsed::Broken, Some((name, site))) => {
                 let one = Expr::Num(BigRational::from_integer(1.into()));
                 self.define(&name, site, takes, Value::Number(one))
             }
             (Parsed::Body(body), _) => body,
-            (Parsed::Broken | Parsed::Let(_), _) => DraftBody::Broken,
+            (Parsed::Broken | Parsed::Let(_) | Parsed::Term(_) | Parsed::Recursion(_), _) => {
+                DraftBody::Broken
+            }
         };
+        self.refuse_indices(&body, &parts);
+        self.declare_powers(span.start);
         self.enter(Draft { label: head.label, parts, body, span: span.start..end, line });
     }
 
@@ -121,6 +140,9 @@ impl Reader {
     }
 
     fn define(&mut self, name: &str, site: Range<usize>, takes: usize, body: Value) -> DraftBody {
+        if takes == 0 && !self.is_free_of_indices(name, &site, body.parts()) {
+            return DraftBody::Broken;
+        }
         let defined = match body {
             body if takes > 0 => {
                 self.scope.define_function(name, takes, body).map(|()| DraftBody::Defined(vec![]))
@@ -158,6 +180,9 @@ impl Reader {
 
 enum Parsed {
     Let(Value),
+    /// the term of a sequence at its index
+    Term(Expr),
+    Recursion(Recursion),
     Body(DraftBody),
     Broken,
 }
@@ -170,13 +195,21 @@ struct Head {
     name: Option<(String, Range<usize>)>,
     /// the names of its arguments
     parameters: Vec<(String, Range<usize>)>,
+    /// whether it defines the first term of a sequence, and then the others
+    recursive: bool,
 }
 
 /// `LABEL:`
 fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label::take(p)?;
     p.expect(Token::Colon, "`:` after the label")?;
-    Ok(Head { label: label.to_owned(), label_span, name: None, parameters: Vec::new() })
+    Ok(Head {
+        label: label.to_owned(),
+        label_span,
+        name: None,
+        parameters: Vec::new(),
+        recursive: false,
+    })
 }
 
 /// `[LABEL] NAME[(x, …)] :=`
@@ -189,15 +222,20 @@ fn let_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
             .is_some_and(|after| !after.trim_start().starts_with(char::is_alphabetic));
     let label = if is_name { None } else { Some(label::take(p)?) };
     let (name, site) = p.name()?;
-    let mut parameters = Vec::new();
+    let (mut parameters, mut recursive) = (Vec::new(), false);
     if p.accept(Token::OpenParen) {
-        parameters = bound_names(p)?;
+        if p.token() == Token::Number {
+            recursive = true;
+            sequence::zero(p)?;
+        } else {
+            parameters = bound_names(p)?;
+        }
         p.expect(Token::CloseParen, "`)` after the names of the arguments")?;
     }
     p.expect(Token::Define, "`:=` after the name")?;
     let (label, label_span) = label.unwrap_or((name, site.clone()));
     let name = Some((name.to_owned(), site));
-    Ok(Head { label: label.to_owned(), label_span, name, parameters })
+    Ok(Head { label: label.to_owned(), label_span, name, parameters, recursive })
 }
 
 /// Citations of derivatives in one statement that are looked into.
@@ -299,6 +337,7 @@ fn given(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
 fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outcome<DraftBody> {
     let claim = (|| {
         let (mut content, mut by, when, from, using, expect);
+        let mut induction = None;
         let mut bound = Vec::new();
         (content, parts.content) = placed(&mut p, |p| content_of_claim(p, &mut bound))?;
         p.bind(Vec::new());
@@ -306,7 +345,14 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             DraftContent::Links(links) => links.as_slice(),
             _ => &[],
         };
+        let start = p.span().start;
+        let range = sequence::range(&mut p, &content)?;
         (when, parts.when) = clause(&mut p, "when", |p| conditions(p, links, faults))?;
+        let mut when: Vec<Relation> = when;
+        if let Some(range) = &range {
+            when.insert(0, range.condition());
+            parts.when = Some(start..p.last_end());
+        }
         (from, parts.from) = clause(&mut p, "from", |p| {
             let mut from = vec![cited(p)?];
             while p.next_item(from.len())? {
@@ -334,6 +380,10 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             let values;
             (values, parts.by) = clause(&mut p, "by", |p| existence::witnesses(p, &bound))?;
             existence::put_in(&mut p, &bound, values, &mut content)?;
+        } else if matches!(content, DraftContent::Links(_)) && at_points {
+            let shown;
+            (shown, parts.by) = clause(&mut p, "by", |p| sequence::induction(p, range).map(Some))?;
+            induction = shown;
         } else if matches!(content, DraftContent::NotImplied(_)) {
             allowed.push("by");
             (by, parts.by) = clause(&mut p, "by", |p| witness(p, faults))?;
@@ -341,7 +391,8 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
         (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
         let exists = !bound.is_empty();
-        Ok(DraftBody::Claim(DraftClaim { content, exists, when, from, using, by, expect }))
+        let claim = DraftClaim { content, exists, when, induction, from, using, by, expect };
+        Ok(DraftBody::Claim(claim))
     })();
     finish(p, claim)
 }
@@ -377,7 +428,7 @@ fn refuse_clauses(p: &Parser<'_>, allowed: &[&str]) -> Result<(), SyntaxError> {
     Err(p.unexpected(if allowed.contains(&word) {
         "the clauses once each and in the order `as`, `when`, `from`, `using`, `by`, `expect`"
     } else if word == "by" {
-        "the end (only `exists` and `not implied` take `by`)"
+        "the end (only `exists` and `not implied` take `by`, and relations `by induction`)"
     } else if word == "using" {
         "the end (only a claim about points takes `using`, not a limit and not `not implied`)"
     } else if word == "as" {

@@ -56,6 +56,10 @@ impl Reader {
             self.faults.push(Fault::new(item.span, message));
             return;
         }
+        if item.natural {
+            self.declare_index(&item);
+            return;
+        }
         let of = item.of.clone().and_then(|(name, span)| self.argument(&name, span));
         if let Some(parts) = self.wanted.parts(&item.name) {
             self.declare_angle(item, of, parts);
@@ -97,6 +101,10 @@ impl Reader {
                 Fault::new(span, format!("`{name}` is an angle"))
                     .with_note("a function varies with a plain `var`")
             }
+            Some(Symbol::Var(x)) if self.scope.sequences().index_of(x).is_some() => {
+                Fault::new(span, format!("`{name}` is an index"))
+                    .with_note("a sequence is defined by `let s(0) := …, s(n + 1) := …`")
+            }
             Some(Symbol::Var(x)) => {
                 let is_plain = |var: &Var| var.of.is_none();
                 if self.scope.context().vars.get(x).is_some_and(is_plain) {
@@ -125,9 +133,11 @@ pub(super) struct Item {
     pub(super) span: Range<usize>,
     /// name and bounds
     pub(super) whole: Range<usize>,
-    of: Option<(String, Range<usize>)>,
+    pub(super) of: Option<(String, Range<usize>)>,
     /// of a vector or a matrix
     shape: Option<Shape>,
+    /// whether it is an index
+    natural: bool,
     unit: Option<Dimension>,
     pub(super) lower: Option<Bound>,
     pub(super) upper: Option<Bound>,
@@ -192,6 +202,7 @@ fn item(
         whole: start..p.last_end(),
         of,
         shape: None,
+        natural: false,
         unit: None,
         lower: None,
         upper: None,
@@ -203,9 +214,11 @@ fn item(
     } else {
         None
     };
-    let shape = if p.accept_word("in") { Some(space(p)?) } else { None };
+    let within = p.accept_word("in");
+    let natural = within && p.accept_word("N");
+    let shape = if within && !natural { Some(space(p)?) } else { None };
     let item = items.last_mut().expect("an item was pushed just now");
-    item.shape = shape;
+    (item.shape, item.natural) = (shape, natural);
     item.whole.end = p.last_end();
     let unit = if p.token() == Token::OpenBracket { Some(unit::unit(p)?) } else { None };
     let item = items.last_mut().expect("an item was pushed just now");
@@ -220,7 +233,7 @@ fn item(
 
 /// `R^2`, `R^3`, `R^2x2` or `R^3x3`
 fn space(p: &mut Parser<'_>) -> Result<Shape, SyntaxError> {
-    const SPACES: &str = "`R^2`, `R^3`, `R^2x2` or `R^3x3`";
+    const SPACES: &str = "`R^2`, `R^3`, `R^2x2` or `R^3x3`, or `N` of an index";
     if !p.accept_word("R") {
         return Err(p.unexpected(SPACES));
     }

@@ -366,6 +366,15 @@ fn relations(body: &DraftBody) -> Vec<&Relation> {
     said.chain(when_of(body).unwrap_or_default()).collect()
 }
 
+/// The variables of the limits in a statement.
+pub(super) fn limits(body: &DraftBody) -> Vec<usize> {
+    let variable = |link: &Link| match link {
+        Link::Limit(limit) => Some(limit.var),
+        Link::Relation(_) => None,
+    };
+    links(body).into_iter().filter_map(variable).collect()
+}
+
 /// All expressions of a statement.
 pub(super) fn sides(body: &DraftBody) -> Vec<&Expr> {
     let mut sides = Vec::new();

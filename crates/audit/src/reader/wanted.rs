@@ -1,11 +1,15 @@
-//! What a document has that is seen only where it is used: angles, and derivatives of functions.
+//! What a document has that is seen only where it is used: angles, derivatives of functions, and powers
+//! with an index for exponent.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane_algebra::syntax::{SyntaxErrorKind, canonical_name};
 
 /// The highest derivative of a function.
 const MAX_ORDER: u32 = 6;
+
+/// Powers with an index for exponent.
+const MAX_POWERS: usize = 100;
 
 /// The angles and the derivatives of a document, by the names of their symbols.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,6 +18,8 @@ pub(super) struct Wanted {
     parts: BTreeMap<String, u32>,
     /// how often a function is differentiated
     orders: BTreeMap<String, u32>,
+    /// bases of powers, and their indices
+    powers: BTreeSet<(String, String)>,
 }
 
 impl Wanted {
@@ -27,12 +33,23 @@ impl Wanted {
         self.orders.get(canonical_name(name).as_ref()).copied().unwrap_or(0)
     }
 
+    /// The bases of powers and their indices, in the order in which they are declared.
+    pub(super) fn powers(&self) -> impl Iterator<Item = &(String, String)> {
+        self.powers.iter()
+    }
+
     /// Takes in what a fault asks for.
     pub(super) fn learn(&mut self, kind: &SyntaxErrorKind) {
         match kind {
             SyntaxErrorKind::NoAngle { name, parts } => {
                 let known = self.parts.entry(canonical_name(name).into_owned()).or_insert(1);
                 *known = num_integer::lcm(*known, *parts);
+            }
+            SyntaxErrorKind::NoPower { base, index } => {
+                let name = |name: &String| canonical_name(name).into_owned();
+                if self.powers.len() < MAX_POWERS {
+                    self.powers.insert((name(base), name(index)));
+                }
             }
             // d(d(x, t), t) asks for the third derivative of x
             SyntaxErrorKind::NoRate(name) => {

@@ -74,18 +74,7 @@ fn range(name: &str, lower: Option<&Bound>, upper: Option<&Bound>) -> Option<Str
 fn body(core: &Core) -> (Vec<String>, String) {
     let operations = core.program.operations();
     let needed = core.program.needed(core.root);
-    let mut uses = vec![0_usize; operations.len()];
-    for (operation, _) in operations.iter().zip(&needed).filter(|(_, needed)| **needed) {
-        let mut taken = operation.operands();
-        if let Operation::If(test, ..) = operation {
-            taken.extend(test.compared().into_iter().flat_map(|(_, a, b)| [a, b]));
-        }
-        for index in taken {
-            if let Some(uses) = uses.get_mut(index) {
-                *uses += 1;
-            }
-        }
-    }
+    let uses = core.program.uses(core.root);
     let mut writer = Writer { core, bound: vec![None; operations.len()] };
     let mut bindings = Vec::new();
     for (index, operation) in operations.iter().enumerate() {

@@ -9,6 +9,7 @@
     reason = "forms are ranked by float errors; nothing rests on it"
 )]
 
+mod fused;
 mod rules;
 mod tree;
 
@@ -21,6 +22,8 @@ use crate::exact::{Enclosure, value};
 use crate::machine::{Machine, Runner, compares};
 use crate::rigor::{Cell, Inputs, upward};
 use tree::Tree;
+
+pub use fused::fused;
 
 /// A form that may be better, with what it loses at the points that were tried.
 #[derive(Clone, Debug)]

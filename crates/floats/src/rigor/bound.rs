@@ -67,10 +67,10 @@ pub struct Bounded {
 }
 
 /// A box that waits, by its bound.
-struct Waiting {
-    bound: f64,
-    cell: Cell,
-    split: Option<usize>,
+pub(super) struct Waiting {
+    pub(super) bound: f64,
+    pub(super) cell: Cell,
+    pub(super) split: Option<usize>,
     pole: Option<(usize, FaultKind)>,
 }
 
@@ -108,28 +108,29 @@ pub fn bounded<M: Machine>(
     budget: Budget,
 ) -> Result<Bounded, String> {
     let whole = Cell::whole::<M>(core, inputs)?;
-    let constants: Vec<Option<Known>> = core
-        .program
-        .operations()
-        .iter()
-        .map(|operation| match operation {
-            Operation::Number(number) => Some(constant::<M>(number)),
-            _ => None,
-        })
-        .collect();
-    let search = Search::<M> { core, inputs, goal, constants, runner: Runner::new(&core.program) };
-    Ok(search.run(whole, budget))
+    Ok(Search::<M>::of(core, inputs, goal).run(whole, budget))
 }
 
-struct Search<'a, M> {
+/// A formula with what every box needs.
+pub(super) struct Search<'a, M> {
     core: &'a Core,
-    inputs: Inputs,
+    pub(super) inputs: Inputs,
     goal: Goal,
     constants: Vec<Option<Known>>,
     runner: Runner<'a, M>,
 }
 
-impl<M: Machine> Search<'_, M> {
+impl<'a, M: Machine> Search<'a, M> {
+    pub(super) fn of(core: &'a Core, inputs: Inputs, goal: Goal) -> Self {
+        let constant = |operation: &Operation| match operation {
+            Operation::Number(number) => Some(constant::<M>(number)),
+            _ => None,
+        };
+        let constants: Vec<Option<Known>> =
+            core.program.operations().iter().map(constant).collect();
+        Self { core, inputs, goal, constants, runner: Runner::new(&core.program) }
+    }
+
     fn run(&self, whole: Cell, budget: Budget) -> Bounded {
         let mut heap = BinaryHeap::new();
         let mut done: Vec<Waiting> = Vec::new();
@@ -184,7 +185,7 @@ impl<M: Machine> Search<'_, M> {
     }
 
     /// The bound over a box; `None` if nothing in it is in the domain.
-    fn look(&self, cell: Cell) -> Option<Waiting> {
+    pub(super) fn look(&self, cell: Cell) -> Option<Waiting> {
         let (program, root) = (&self.core.program, self.core.root);
         let pass = Pass::over::<M>(program, &self.constants, &cell, self.inputs);
         if self.core.assumed.iter().any(|test| pass.test(test).0 == Some(false)) {

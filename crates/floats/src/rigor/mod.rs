@@ -10,10 +10,12 @@
 mod bound;
 mod domain;
 mod form;
+mod lossy;
 mod pass;
 mod slopes;
 pub(crate) mod upward;
 
 pub use bound::{Bounded, Budget, Goal, Pole, bounded};
 pub use domain::{Cell, Inputs};
+pub use lossy::lossy;
 pub use pass::FaultKind;

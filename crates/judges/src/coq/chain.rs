@@ -104,6 +104,10 @@ impl Place<'_> {
         let Body::Claim(claim) = &self.document.statements[self.statement].body else {
             return Err(NotEmitted::Symbol.into());
         };
+        // base and step have lemmas; that they make a claim for all n is not said to Coq
+        if claim.induction.is_some() {
+            return Err(NotEmitted::Step("an induction").into());
+        }
         let mut all: Vec<usize> = Vec::new();
         for i in claim.from.iter().chain(self.rests_on).copied() {
             if said(self.document, i).is_some() && !all.contains(&i) {

@@ -265,6 +265,32 @@ fn a_budget_is_spent_and_ends() {
     assert!(matches!(scope.all(&atoms), Err(Rejection::Budget)), "joining regions is paid for");
 }
 
+#[test]
+fn a_budget_within_another_is_spent_of_both_and_ends_with_either() {
+    let whole = Fuel::new(10);
+    let (part, other) = (whole.within(6), whole.within(100));
+    assert_eq!(part.spend(4), Ok(()));
+    assert_eq!((part.left(), other.left(), whole.left()), (2, 6, 6));
+    // What a part does not have, it does not take of the whole.
+    assert_eq!(part.spend(50), Err(Rejection::Budget));
+    assert_eq!((part.left(), whole.left()), (0, 4));
+    assert_eq!(other.spend(5), Err(Rejection::Budget), "the whole has less");
+    assert_eq!((other.left(), whole.left()), (0, 0));
+}
+
+#[test]
+fn work_beyond_a_budget_is_taken_of_the_whole_alone() {
+    let whole = Fuel::new(10);
+    let part = whole.within(6);
+    assert_eq!(part.spend_beyond(3), Ok(()));
+    assert_eq!((part.left(), whole.left()), (6, 7));
+    assert_eq!(part.beside(2).spend(2), Ok(()), "what is beside a part is of the same whole");
+    assert_eq!((part.left(), whole.left()), (5, 5));
+    assert_eq!(part.spend_beyond(6), Err(Rejection::Budget));
+    assert_eq!(Fuel::new(1).spend_beyond(9), Ok(()), "what is no part has nothing beyond it");
+    assert_eq!(Fuel::new(1).beside(4).left(), 4);
+}
+
 /// −(−(… x))
 fn deep(depth: usize) -> kane_kernel::Expr {
     (0..depth).fold(kane_kernel::Expr::Var(0), |e, _| kane_kernel::Expr::Neg(e.into()))

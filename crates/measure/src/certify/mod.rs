@@ -4,13 +4,16 @@
 //! repair is equal, and the document says over what.
 
 mod core;
+mod decided;
 mod equal;
 
 use kane_audit::Verdict;
-use kane_floats::rigor::{Bounded, Budget, Goal, Inputs, bounded};
+use kane_floats::rigor::{Bounded, Budget, Cell, Goal, Inputs, bounded, lossy};
 use kane_floats::{Core, Effort, Machine, Operation, Precision, Proposal, Worst, repairs, worst};
 
 use crate::{Formula, Ranges};
+
+pub use decided::Decided;
 
 /// How much work to spend on a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +75,10 @@ pub struct Certified {
     pub worst: Option<Found>,
     /// the same for the error in ulps
     pub worst_in_ulps: Option<Found>,
+    /// boxes outside of which no input loses more than half of the bits; none if none does. Rigorous
+    pub half_lost: Vec<Cell>,
+    /// the comparisons on which the value depends, and how often plain floats decide them wrongly
+    pub decided: Vec<Decided>,
     /// equal forms with smaller errors, the best first
     pub repairs: Vec<Repair>,
     /// forms that looked better and that the auditor did not prove equal
@@ -152,6 +159,7 @@ pub fn account(label: &str, core: &Core, work: Work) -> Account {
 fn certified<M: Machine>(core: &Core, work: Work) -> Result<Certified, String> {
     let absolute = bounded::<M>(core, work.inputs, Goal::Absolute, work.budget)?;
     let ulps = bounded::<M>(core, work.inputs, Goal::Ulps, work.budget)?;
+    let half_lost = lossy::<M>(core, work.inputs, work.budget.cells / 4)?;
     let found = worst::<M>(core, &absolute.worst, Goal::Absolute, work.effort);
     let found_in_ulps = worst::<M>(core, &ulps.worst, Goal::Ulps, work.effort);
     let points: Vec<Vec<M>> =
@@ -178,15 +186,15 @@ fn certified<M: Machine>(core: &Core, work: Work) -> Result<Certified, String> {
         ulps,
         worst: found.map(|worst| told(&worst, Goal::Absolute)),
         worst_in_ulps: found_in_ulps.map(|worst| told(&worst, Goal::Ulps)),
+        half_lost,
+        decided: decided::decided::<M>(core),
         repairs: kept,
         unproved,
     })
 }
 
 fn told<M: Machine>(worst: &Worst<M>, goal: Goal) -> Found {
-    let text = |float: M| {
-        if float.magnitude_bits() == 0 { "0".to_owned() } else { format!("{float:e}") }
-    };
+    let text = decided::shortest::<M>;
     let exact = worst.compared.exact.middle();
     Found {
         at: worst.at.iter().map(|float| text(*float)).collect(),

@@ -55,13 +55,27 @@ pub fn clock(
     effort: Effort,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Vec<Time> {
-    let (rounds, least) = effort.plan();
-    let mut prepared = Vec::new();
-    for method in methods {
+    let prepared = |method: &&Method| {
         let all = inputs(method);
         let step = (all.len() / INPUTS).max(1);
         let some: Vec<f64> = all.into_iter().step_by(step).take(INPUTS).collect();
-        let run = method.prepare(&some);
+        (method.prepare(&some), some.len())
+    };
+    timed(methods.iter().map(prepared).collect(), effort, progress)
+}
+
+/// Something to be timed, and of how many evaluations it is made.
+pub(crate) type Run<'a> = (Box<dyn Fn() + 'a>, usize);
+
+/// Times runs in the same way.
+pub(crate) fn timed(
+    runs: Vec<Run<'_>>,
+    effort: Effort,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Vec<Time> {
+    let (rounds, least) = effort.plan();
+    let mut prepared = Vec::new();
+    for (run, inputs) in runs {
         // the warm-up, which also says how often a turn repeats
         let start = Instant::now();
         let mut warm = 0_u64;
@@ -69,7 +83,7 @@ pub fn clock(
             run();
             warm += 1;
         }
-        prepared.push((run, warm, u64::try_from(some.len()).unwrap_or(1), Vec::new()));
+        prepared.push((run, warm, u64::try_from(inputs).unwrap_or(1), Vec::new()));
     }
     for round in 0..rounds {
         progress(round, rounds);

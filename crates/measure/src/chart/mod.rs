@@ -10,6 +10,7 @@ mod registry;
 pub(crate) use accuracy::right;
 pub use accuracy::{Accuracy, accuracy};
 pub use clock::{Effort, Time, clock};
+pub(crate) use clock::{Run, timed};
 pub use cost::cost;
 pub use method::{Answer, FormNumber, Method};
 pub use proved::Proved;

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any, Iterator, Union
 
 from . import _kane
+from ._report import Report
 from ._table import code, coloured, table
 
 
@@ -94,7 +95,7 @@ class Statement:
         return next((link.witness for link in self.links if link.witness is not None), None)
 
 
-class Audit:
+class Audit(Report):
     """A judged document. Iterates over its statements; `audit["(9)"]` and `audit["9"]` are that statement."""
 
     def __init__(self, text: str, name: str, effort: int) -> None:
@@ -144,14 +145,6 @@ class Audit:
     def explain(self, label: str) -> str:
         """The proof or the witness of one statement, step by step, for a person with paper."""
         return _kane.explain(self._source, self.name, self._effort, self._place(label))
-
-    def json(self) -> str:
-        """The report as `kane audit --format json` prints it; see docs/report-schema.md."""
-        return self._json
-
-    def html(self) -> str:
-        """The report as a page of its own."""
-        return self._html
 
     def markdown(self) -> str:
         """The report in Markdown."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Mapping, Union
 
 from . import _kane
+from ._report import Report
 from ._table import code, coloured, table
 
 
@@ -30,7 +31,7 @@ class Checked:
     worst: Union[dict[str, Any], None]
 
 
-class Check:
+class Check(Report):
     """What a log of impacts follows. `check["id"]` is one check."""
 
     def __init__(self, name: str, report: str, html: str, text: str, as_expected: bool) -> None:
@@ -68,14 +69,6 @@ class Check:
             if checked.check == id:
                 return checked
         raise KeyError(f"there is no check {id!r}")
-
-    def json(self) -> str:
-        """The report as `kane check --format json` prints it."""
-        return self._json
-
-    def html(self) -> str:
-        """The report as a page of its own."""
-        return self._html
 
     def __str__(self) -> str:
         return self._text

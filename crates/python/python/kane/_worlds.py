@@ -10,6 +10,7 @@ from numbers import Real
 from typing import Any, Mapping, Sequence, Union
 
 from . import _kane
+from ._report import Report
 from ._table import code, table
 
 #: An exact number: 0.092 and "0.092" are 23/250, as they are written; "1/3" and Fraction(1, 3) are a third.
@@ -51,7 +52,7 @@ class LawAnswer:
         return self.quantities[symbol]
 
 
-class Collision:
+class Collision(Report):
     """A collision, put to laws. `collision["smith-1991"]["k"].exact` is a fraction."""
 
     def __init__(self, report: str, html: str) -> None:
@@ -68,14 +69,6 @@ class Collision:
 
     def __getitem__(self, law: str) -> LawAnswer:
         return self.laws[law]
-
-    def json(self) -> str:
-        """The report as `kane collide --format json` prints it."""
-        return self._json
-
-    def html(self) -> str:
-        """The report as a page of its own."""
-        return self._html
 
     def __repr__(self) -> str:
         return f"<kane.Collision: {self.title}; {self.headline}>"
@@ -97,7 +90,7 @@ class Collision:
         return table(f"{self.title}: {self.headline}", ["law", *known, "regime"], rows)
 
 
-class Scene:
+class Scene(Report):
     """The answer to a scene by the least model that is good enough."""
 
     def __init__(self, report: str, html: str, meets: bool) -> None:
@@ -106,14 +99,6 @@ class Scene:
         self._json, self._html = report, html
         #: whether the model shown is good enough: by a bound, as documented, or by an estimate
         self.good_enough: bool = meets
-
-    def json(self) -> str:
-        """The report as `kane scene --format json` prints it."""
-        return self._json
-
-    def html(self) -> str:
-        """The report as a page of its own."""
-        return self._html
 
     def __repr__(self) -> str:
         return f"<kane.Scene: {self.data.get('headline', self.data.get('title'))}>"

@@ -5,7 +5,7 @@ mod overview;
 mod picture;
 mod sheet;
 
-use kane_measure::chart::{DOMAIN, Measured, Method, Proved, contradictions};
+use kane_measure::chart::{DOMAIN, Measured, Method, Proved, Time, contradictions};
 use kane_number::Rational;
 use num_bigint::BigInt;
 
@@ -14,8 +14,8 @@ pub(crate) use data::schema;
 pub use data::{committed, csv, json, times};
 pub use overview::speed_accuracy;
 pub(crate) use overview::{Reading, readings, timed};
-pub(crate) use picture::ink;
 pub use picture::picture;
+pub(crate) use picture::{Spot, ink, panels, spot};
 pub use sheet::sheet;
 
 /// The methods with their errors, their times if they were taken, and where that was.
@@ -44,6 +44,12 @@ pub(crate) fn nanoseconds(picoseconds: u64) -> String {
         10_000..100_000 => format!("{}.{}", picoseconds / 1000, picoseconds % 1000 / 100),
         _ => (picoseconds / 1000).to_string(),
     }
+}
+
+/// The quartiles of a time, in nanoseconds.
+pub(crate) fn quartiles(time: &Time) -> String {
+    let (low, high) = time.quartiles;
+    format!("{} .. {}", nanoseconds(low), nanoseconds(high))
 }
 
 /// An error in hundredths of log₂ ulps, as ulps.

@@ -1,7 +1,7 @@
 //! The picture of speed against accuracy: one panel for each quantity of each law.
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
-use kane_measure::chart::{Measured, front};
+use kane_measure::chart::{Measured, Time, front};
 use kane_number::System;
 
 use super::{ChartReport, reach};
@@ -30,7 +30,7 @@ pub(crate) const fn ink(system: System) -> Ink {
 }
 
 /// The shape of its marks.
-pub(super) const fn shape(system: System) -> Shape {
+pub(crate) const fn shape(system: System) -> Shape {
     match system {
         System::F32 => Shape::Triangle,
         System::F64 => Shape::Disc,
@@ -40,12 +40,41 @@ pub(super) const fn shape(system: System) -> Shape {
     }
 }
 
-/// A method, where it is drawn, and whether nothing else is both cheaper and better.
-struct Drawn<'a> {
-    measured: &'a Measured,
+/// A way to compute, where it is drawn, and whether nothing else is both cheaper and better.
+pub(crate) struct Spot {
+    system: System,
     /// picoseconds and digits
     at: Point,
+    /// the quartiles of the time
+    bar: Option<(f64, f64)>,
     on_front: bool,
+    /// what it is called, if it is on the front
+    name: String,
+}
+
+/// Where a way is drawn, by hundredths of digits and its time.
+pub(crate) fn spot(
+    system: System,
+    worst: i64,
+    time: Option<&Time>,
+    on_front: bool,
+    name: String,
+) -> Spot {
+    let bar = time.map(|time| (float(time.quartiles.0), float(time.quartiles.1)));
+    let median = time.map_or(1, |time| time.median.max(1));
+    Spot { system, at: (float(median), height(worst)), bar, on_front, name }
+}
+
+fn float(n: u64) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+/// Hundredths of digits on the axis.
+fn height(worst: i64) -> f64 {
+    match worst {
+        i64::MAX => EXACT,
+        worst => f64::from(i32::try_from(worst).unwrap_or(0)) / 100.0,
+    }
 }
 
 /// Every quantity with more than one method, as SVG: decimal digits that are right at the worst input, against the
@@ -53,22 +82,18 @@ struct Drawn<'a> {
 #[must_use]
 pub fn picture(report: &ChartReport<'_>) -> String {
     let on_front = front(report.all);
-    let mut groups: Vec<(String, Vec<Drawn<'_>>)> = Vec::new();
+    let mut groups: Vec<(String, Vec<Spot>)> = Vec::new();
     for ((law, quantity), group) in report.groups() {
         let drawn = |index: &usize| {
             let measured = report.all.get(*index)?;
-            Some(Drawn { measured, at: place(measured), on_front: *on_front.get(*index)? })
+            let (system, worst) = (measured.method.system, measured.accuracy.worst);
+            let on_front = *on_front.get(*index)?;
+            Some(spot(system, worst, measured.time.as_ref(), on_front, name(measured)))
         };
         if group.len() > 1 {
             groups.push((format!("{law}: {quantity}"), group.iter().filter_map(drawn).collect()));
         }
     }
-    // one axis of time for all, so that panels can be compared
-    let times = || groups.iter().flat_map(|(_, group)| group.iter().map(|drawn| drawn.at.0));
-    let least = times().fold(f64::INFINITY, f64::min).min(1000.0);
-    let most = times().fold(least * 10.0, f64::max);
-    let rows = groups.len().div_ceil(COLUMNS);
-    let size = (PANEL.0 * count(COLUMNS), LEGEND + PANEL.1 * count(rows));
     let notes = [
         "Digits right at the worst input, by the time of one evaluation; the line is the Pareto front: nothing else is \
          both cheaper and better. A bar is from the first to the third quartile. Quantities with one method alone are \
@@ -77,18 +102,30 @@ pub fn picture(report: &ChartReport<'_>) -> String {
         report.machine.clone(),
         format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
     ];
-    let mut canvas = Canvas::new(size, "What does the next digit cost?", &notes);
+    panels(&groups, &notes, "Pareto front")
+}
+
+/// A panel for each group under its caption, with one axis of time for all, so that they can be compared; `front` says in
+/// the legend what the staircase is.
+pub(crate) fn panels(groups: &[(String, Vec<Spot>)], notes: &[String], front: &str) -> String {
+    let times = || groups.iter().flat_map(|(_, group)| group.iter().map(|drawn| drawn.at.0));
+    let least = times().fold(f64::INFINITY, f64::min).min(1000.0);
+    let most = times().fold(least * 10.0, f64::max);
+    let columns = COLUMNS.min(groups.len().max(1));
+    let rows = groups.len().div_ceil(columns);
+    let size = (PANEL.0 * count(columns), LEGEND + PANEL.1 * count(rows));
+    let mut canvas = Canvas::new(size, "What does the next digit cost?", notes);
     let names = System::ALL.map(|system| (system, system.to_string()));
     let mut keys: Vec<(Key, &str)> = names
         .iter()
         .map(|(system, name)| (Key::Mark(shape(*system), ink(*system)), name.as_str()))
         .collect();
-    keys.push((Key::Line(FRONT), "Pareto front"));
+    keys.push((Key::Line(FRONT), front));
     legend(&mut canvas, (12.0, 2.0), size.0, &keys);
     for (index, (caption, group)) in groups.iter().enumerate() {
-        let (column, row) = (index % COLUMNS, index / COLUMNS);
+        let (column, row) = (index % columns, index / columns);
         let at = (PANEL.0 * count(column), LEGEND + PANEL.1 * count(row));
-        draw(&mut canvas, at, caption, group, (least / 2.0, most * 2.0));
+        panel(&mut canvas, (at, PANEL), caption, group, (least / 2.0, most * 2.0));
     }
     canvas.finish()
 }
@@ -97,21 +134,23 @@ const FRONT: Pen = Pen::new(Ink::GREY, 2.0);
 
 /// Picoseconds and digits of a method.
 pub(super) fn place(measured: &Measured) -> Point {
-    let float = |n: u64| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     let time = measured.time.as_ref().map_or(1, |time| time.median.max(1));
-    let digits = match measured.accuracy.worst {
-        i64::MAX => EXACT,
-        worst => f64::from(i32::try_from(worst).unwrap_or(0)) / 100.0,
-    };
-    (float(time), digits)
+    (float(time), height(measured.accuracy.worst))
 }
 
-fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], range: Point) {
+/// A panel at a place, of a size: the ways, and the front as a staircase.
+fn panel(
+    canvas: &mut Canvas,
+    (at, size): (Point, Point),
+    caption: &str,
+    group: &[Spot],
+    range: Point,
+) {
     let time = Axis::logarithmic("time, ns", range, |picoseconds| {
         let nanoseconds = picoseconds / 1000.0;
         if nanoseconds < 1e4 { nanoseconds.to_string() } else { format!("{nanoseconds:e}") }
     });
-    let frame = Frame { at, size: PANEL, head: 28.0, beside: 14.0 };
+    let frame = Frame { at, size, head: 28.0, beside: 14.0 };
     let panel = Panel::new(canvas, frame, (time, digits_axis()), caption);
     let mut steps: Vec<Point> = group.iter().filter(|d| d.on_front).map(|d| d.at).collect();
     steps.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -120,19 +159,18 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
     let mut taken: Vec<(f64, f64, f64)> = Vec::new();
     for drawn in group {
         let Some((x, y)) = panel.at(drawn.at) else { continue };
-        let system = drawn.measured.method.system;
+        let system = drawn.system;
         mark(canvas, (x, y), shape(system), ink(system));
-        if let Some(time) = &drawn.measured.time {
-            let quartile = |t: u64| (f64::from(u32::try_from(t).unwrap_or(u32::MAX)), drawn.at.1);
-            let ends = [time.quartiles.0, time.quartiles.1].map(quartile);
+        if let Some((low, high)) = drawn.bar {
+            let ends = [low, high].map(|time| (time, drawn.at.1));
             panel.line(canvas, ends, Pen::new(ink(system), 1.0));
         }
         taken.push((x - 6.0, x + 6.0, y));
     }
     for drawn in group.iter().filter(|drawn| drawn.on_front) {
         let Some((x, y)) = panel.at(drawn.at) else { continue };
-        let name = name(drawn.measured);
-        let wide = length(&name, NUMBERS);
+        let name = drawn.name.as_str();
+        let wide = length(name, NUMBERS);
         // below the line of the front, inside of the panel; names give way downward
         let window = panel.window;
         let left = (x + 4.0).min(window.right - wide).max(window.left + 2.0);
@@ -141,7 +179,7 @@ fn draw(canvas: &mut Canvas, at: Point, caption: &str, group: &[Drawn<'_>], rang
             at += 4.0;
         }
         taken.push((left, left + wide, at));
-        canvas.words((left, at), &name, NUMBERS, Anchor::Start);
+        canvas.words((left, at), name, NUMBERS, Anchor::Start);
     }
 }
 

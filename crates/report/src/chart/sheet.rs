@@ -3,7 +3,8 @@
 use kane_measure::chart::{Measured, front};
 
 use super::{
-    ChartReport, daggered, digits, form_of, nanoseconds, picture, speed_accuracy, timed, ulps,
+    ChartReport, daggered, digits, form_of, nanoseconds, picture, quartiles, speed_accuracy, timed,
+    ulps,
 };
 use crate::sheet::{Column, Row, Sheet, Table, Tone, Words, row};
 
@@ -57,16 +58,16 @@ fn methods(group: &[(&Measured, bool)]) -> Table {
         Column::long("form", 20),
     ];
     let row = |(measured, on_front): &(&Measured, bool)| -> Row {
-        let (time, quartiles) = measured.time.as_ref().map_or_else(Default::default, |time| {
-            let (low, high) = time.quartiles;
-            (nanoseconds(time.median), format!("{} .. {}", nanoseconds(low), nanoseconds(high)))
-        });
+        let (time, spread) = measured
+            .time
+            .as_ref()
+            .map_or_else(Default::default, |time| (nanoseconds(time.median), quartiles(time)));
         let accuracy = &measured.accuracy;
         let exact = accuracy.worst == i64::MAX;
         row![
             if *on_front { "*" } else { "" },
             time,
-            quartiles,
+            spread,
             digits(accuracy.worst),
             digits(accuracy.median),
             if exact { String::new() } else { ulps(accuracy.ulps) },

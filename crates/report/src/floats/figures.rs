@@ -53,7 +53,7 @@ fn bits(ulps: f64, precision: Precision) -> f64 {
 }
 
 /// Bits lost at most, in tenths, rounded up.
-pub(super) fn bits_at_most(ulps: f64, precision: Precision) -> String {
+pub(crate) fn bits_at_most(ulps: f64, precision: Precision) -> String {
     tenths((ulps.log2() * 10.0 + LOGARITHM).ceil(), precision)
 }
 
@@ -70,6 +70,18 @@ fn tenths(tenths: f64, precision: Precision) -> String {
     let all = f64::from(precision.bits());
     let bits = (tenths / 10.0).max(0.0);
     if bits >= all { "all".to_owned() } else { format!("{bits:.1}") }
+}
+
+/// The shortest decimal that names a float of a format.
+#[allow(clippy::cast_possible_truncation, reason = "floats of f32 are held as f64")]
+pub(super) fn shortest(x: f64, precision: Precision) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    match precision {
+        Precision::F32 => format!("{:e}", x as f32),
+        Precision::F64 => format!("{x:e}"),
+    }
 }
 
 /// How many times the error that was found the bound is.

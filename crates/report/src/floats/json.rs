@@ -2,10 +2,13 @@
 
 use serde::Serialize;
 
-use kane_floats::rigor::Bounded;
-use kane_floats::{Core, Language, emit, fpcore};
-use kane_measure::certify::{Account, Certified, Found, price};
+use kane_floats::rigor::{Bounded, Cell};
+use kane_floats::text::sign;
+use kane_floats::{Argument, Core, Language, Precision, emit, fpcore};
+use kane_measure::certify::{Account, Certified, Decided, Found, price};
 
+use super::figures::shortest;
+use super::source::function;
 use super::{FloatsReport, best, told};
 use crate::envelope::{Schema, enveloped};
 
@@ -41,6 +44,10 @@ struct FormatJson<'a> {
     ulps_at_most: Option<f64>,
     ulps_found: Option<FoundJson<'a>>,
     pole: Option<PoleJson>,
+    /// outside of these boxes no input loses more than half of the bits
+    half_lost: Vec<Vec<RangeJson<'a>>>,
+    /// the comparisons on which the value depends
+    decisions: Vec<DecisionJson<'a>>,
     repairs: Vec<RepairJson<'a>>,
     unproved: usize,
 }
@@ -54,12 +61,48 @@ struct FoundJson<'a> {
     exact: &'a str,
 }
 
+/// Floats from the first to the last, both included, by their shortest decimals.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct RangeJson<'a> {
+    argument: &'a str,
+    from: String,
+    to: String,
+}
+
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct PoleJson {
     operation: String,
     what: String,
     certain: bool,
+}
+
+/// A comparison. Inputs were drawn next to where it turns, and over the domain.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct DecisionJson<'a> {
+    text: String,
+    /// both sides, as FPCore
+    left: String,
+    relation: &'static str,
+    right: String,
+    /// what the certified version is called in the sources, if there is one
+    function: Option<String>,
+    drawn: usize,
+    wrong: usize,
+    drawn_near_ties: usize,
+    wrong_near_ties: usize,
+    example: Option<ExampleJson<'a>>,
+}
+
+/// Inputs at which plain floats decide wrongly.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct ExampleJson<'a> {
+    at: &'a [String],
+    /// whether the comparison of exact values holds
+    holds: bool,
 }
 
 #[derive(Serialize)]
@@ -96,10 +139,10 @@ pub fn json(report: &FloatsReport<'_>) -> String {
 
 /// The formulas for programs.
 pub(crate) fn accounts_json(accounts: &[Account]) -> Vec<AccountJson<'_>> {
-    accounts.iter().map(account).collect()
+    accounts.iter().enumerate().map(|(index, one)| account(index, one)).collect()
 }
 
-fn account(account: &Account) -> AccountJson<'_> {
+fn account(index: usize, account: &Account) -> AccountJson<'_> {
     let (form, precision) = best(account);
     let source = |language: Language| SourceJson {
         language: language.name(),
@@ -109,7 +152,7 @@ fn account(account: &Account) -> AccountJson<'_> {
         label: &account.label,
         text: account.core.text(),
         fpcore: fpcore::write(&account.core),
-        formats: account.formats.iter().flatten().map(|f| format(&account.core, f)).collect(),
+        formats: account.formats.iter().flatten().map(|f| format(account, index, f)).collect(),
         source: Language::ALL.into_iter().map(source).collect(),
     }
 }
@@ -132,7 +175,51 @@ fn found(found: Option<&Found>) -> Option<FoundJson<'_>> {
     })
 }
 
-fn format<'a>(core: &Core, certified: &'a Certified) -> FormatJson<'a> {
+/// A box, an argument at a time.
+fn ranges<'a>(core: &'a Core, precision: Precision, cell: &Cell) -> Vec<RangeJson<'a>> {
+    let arguments = core.arguments.iter().zip(&cell.ends);
+    let range = |(argument, (from, to)): (&'a Argument, &(f64, f64))| RangeJson {
+        argument: &argument.name,
+        from: shortest(*from, precision),
+        to: shortest(*to, precision),
+    };
+    arguments.map(range).collect()
+}
+
+/// A comparison, of the formula of this index.
+fn decision<'a>(
+    account: &Account,
+    index: usize,
+    number: usize,
+    of: &'a Decided,
+) -> DecisionJson<'a> {
+    let core = &account.core;
+    let side = |root: usize| {
+        fpcore::write(&Core {
+            root,
+            name: None,
+            assumed: vec![],
+            properties: vec![],
+            ..core.clone()
+        })
+    };
+    let (left, right) = of.decision.operands;
+    DecisionJson {
+        text: of.decision.text(core),
+        left: side(left),
+        relation: sign(of.decision.rel),
+        right: side(right),
+        function: of.decision.is_certifiable(core).then(|| function(account, index, number)),
+        drawn: of.drawn,
+        wrong: of.wrong,
+        drawn_near_ties: of.near,
+        wrong_near_ties: of.wrong_near,
+        example: of.example.as_ref().map(|(at, holds)| ExampleJson { at, holds: *holds }),
+    }
+}
+
+fn format<'a>(account: &'a Account, index: usize, certified: &'a Certified) -> FormatJson<'a> {
+    let core = &account.core;
     let pole = certified.absolute.pole.as_ref().map(|pole| PoleJson {
         operation: kane_floats::text::infix(core, pole.operation),
         what: told(core, pole),
@@ -157,6 +244,17 @@ fn format<'a>(core: &Core, certified: &'a Certified) -> FormatJson<'a> {
         ulps_at_most: bound(&certified.ulps),
         ulps_found: found(certified.worst_in_ulps.as_ref()),
         pole,
+        half_lost: certified
+            .half_lost
+            .iter()
+            .map(|cell| ranges(core, certified.precision, cell))
+            .collect(),
+        decisions: certified
+            .decided
+            .iter()
+            .enumerate()
+            .map(|(number, of)| decision(account, index, number, of))
+            .collect(),
         repairs: certified.repairs.iter().map(repair).collect(),
         unproved: certified.unproved,
     }

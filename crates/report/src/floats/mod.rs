@@ -8,16 +8,17 @@ mod source;
 use kane_floats::rigor::{Bounded, Pole};
 use kane_floats::text::{decimal, infix};
 use kane_floats::{Core, Precision};
-use kane_measure::certify::{Account, Certified, Found, Repair, price};
+use kane_measure::certify::{Account, Certified, Decided, Found, Repair, price};
 
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
-use figures::{at_least, at_most, bits_at_least, bits_at_most, ratio};
+use figures::{at_least, at_most, bits_at_least, ratio, shortest};
 
+pub(crate) use figures::bits_at_most;
 pub use json::json;
 #[cfg(feature = "schema")]
 pub(crate) use json::schema;
 pub(crate) use json::{AccountJson, accounts_json};
-pub use source::sources;
+pub use source::{questions, sources};
 
 /// What was found of some formulas, and the command that shows it again.
 #[derive(Clone, Debug)]
@@ -76,10 +77,14 @@ pub(crate) fn blocks(sheet: &mut Sheet<'_>, accounts: &[Account]) {
                 Err(name) => {
                     notes.push(Entry::new("empty", format!("no float is in the range of {name}")));
                 }
-                Ok(found) => notes.extend(poles(&account.core, found)),
+                Ok(found) => {
+                    notes.extend(poles(&account.core, found));
+                    notes.push(half_lost(&account.core, found));
+                }
             }
         }
         sheet.labelled(notes);
+        sheet.table(decisions(account));
         let repairs: Vec<Row> =
             account.formats.iter().flatten().flat_map(|found| repairs(account, found)).collect();
         let columns = vec![
@@ -99,6 +104,38 @@ pub(crate) fn blocks(sheet: &mut Sheet<'_>, accounts: &[Account]) {
             sheet.labelled(vec![Entry::new("unproved", note)]);
         }
     }
+}
+
+/// The comparisons, and on how many of the inputs that were drawn plain floats decide them wrongly.
+fn decisions(account: &Account) -> Table {
+    let columns = vec![
+        Column::left(""),
+        Column::long("comparison", 20),
+        Column::left("wrong near ties"),
+        Column::left("wrong elsewhere"),
+        Column::left("exact"),
+        Column::long("wrong at", 20),
+    ];
+    let one = |found: &Certified, of: &Decided| {
+        let example = of.example.as_ref().map(|(at, holds)| {
+            let named = account.core.arguments.iter().zip(at);
+            let named: Vec<String> =
+                named.map(|(argument, at)| format!("{} = {at}", argument.name)).collect();
+            format!("{}, where it {}", named.join(", "), if *holds { "holds" } else { "fails" })
+        });
+        row![
+            found.precision.name(),
+            Words::code(of.decision.text(&account.core)),
+            format!("{} of {}", of.wrong_near, of.near),
+            format!("{} of {}", of.wrong, of.drawn),
+            if of.decision.is_certifiable(&account.core) { "emitted" } else { "too large" },
+            example.unwrap_or_default(),
+        ]
+        .toned(if of.wrong_near + of.wrong > 0 { Tone::Bad } else { Tone::Plain })
+    };
+    let formats = account.formats.iter().flatten();
+    let rows = formats.flat_map(|found| found.decided.iter().map(move |of| one(found, of)));
+    Table::new(columns, rows.collect())
 }
 
 /// Every argument with its range.
@@ -166,6 +203,36 @@ fn poles(core: &Core, found: &Certified) -> Option<Entry> {
         + Words::code(infix(core, pole.operation))
         + format!(" {}", told(core, pole));
     Some(Entry::new("pole", words))
+}
+
+/// Where more than half of the bits may be lost: what is said of the rest is proved.
+fn half_lost(core: &Core, found: &Certified) -> Entry {
+    let format = found.precision.name();
+    let range = |(argument, (from, to)): (&kane_floats::Argument, &(f64, f64))| {
+        let (from, to) = (shortest(*from, found.precision), shortest(*to, found.precision));
+        if from == to {
+            format!("{} = {from}", argument.name)
+        } else {
+            format!("{} in [{from}, {to}]", argument.name)
+        }
+    };
+    let cells: Vec<String> = found
+        .half_lost
+        .iter()
+        .map(|cell| {
+            let ranges: Vec<String> = core.arguments.iter().zip(&cell.ends).map(range).collect();
+            ranges.join(", ")
+        })
+        .collect();
+    let words = match cells.as_slice() {
+        [] => Words::from(format!("in {format} no input loses more than half of the bits")),
+        cells => {
+            Words::from(format!("in {format} more than half of the bits may be lost for "))
+                + Words::code(cells.join(" or "))
+                + ", and nowhere else"
+        }
+    };
+    Entry::new("half", words)
 }
 
 pub(crate) fn told(core: &Core, pole: &Pole) -> String {

@@ -1,4 +1,4 @@
-//! How cost grows with size: a sheet, its data, and a picture.
+//! How cost grows with size: a sheet, its data, and three pictures.
 
 mod data;
 mod picture;
@@ -12,7 +12,7 @@ use crate::chart::nanoseconds;
 #[cfg(feature = "schema")]
 pub(crate) use data::schema;
 pub use data::{csv, json};
-pub use picture::picture;
+pub use picture::{Question, picture};
 pub use sheet::sheet;
 
 /// The curves, and where they were measured.

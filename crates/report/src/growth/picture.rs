@@ -1,8 +1,8 @@
-//! The curves as a picture: batches, exact states, digits under each law, and the audit.
+//! The curves as three pictures, one for each question: batches, chains of bounces with their digits, and the audit.
 #![allow(clippy::float_arithmetic, reason = "a picture has a scale")]
 
 use kane_audit::Verdict;
-use kane_measure::growth::{Asked, Chain, Family};
+use kane_measure::growth::{Asked, Chain, Family, Growth};
 use kane_number::System;
 
 use super::{FLOATING, GrowthReport};
@@ -34,33 +34,76 @@ struct Plot {
     curves: Vec<Curve>,
 }
 
-/// All curves, as SVG.
+/// What a picture asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Question {
+    /// What a row costs in batches of many sizes.
+    Batch,
+    /// How large exact states become, what a bounce costs, and which digits are kept.
+    Chain,
+    /// What the audit spends on claims of more variables or a higher degree.
+    Audit,
+}
+
+impl Question {
+    /// In words.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Batch => "What does a row cost in a batch?",
+            Self::Chain => "What does a chain of bounces cost, and what does it keep?",
+            Self::Audit => "What does the audit of a larger claim cost?",
+        }
+    }
+
+    /// Whether something was measured that answers it.
+    pub(super) fn is_answered(self, growth: &Growth) -> bool {
+        match self {
+            Self::Batch => growth.batches.iter().any(|batch| !batch.points.is_empty()),
+            Self::Chain => !growth.chains.is_empty(),
+            Self::Audit => growth.families.iter().any(|family| !family.asked.is_empty()),
+        }
+    }
+}
+
+/// The curves that answer a question, as SVG; `None` where nothing was measured of it.
 #[must_use]
-pub fn picture(report: &GrowthReport<'_>) -> String {
-    let growth = report.growth;
-    let plots: Vec<Plot> =
-        costs(report).into_iter().filter(|plot| !plot.curves.is_empty()).collect();
-    let rows = (plots.len() + growth.chains.len()).div_ceil(COLUMNS);
-    let size = (PANEL.0 * count(COLUMNS), PANEL.1 * count(rows));
-    let notes = [
-        "A cross is undecided. Digits: a full line is what is right, a dashed one what the width of the interval is \
-         certain of."
-            .to_owned(),
-        report.machine.clone(),
-        format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command),
-    ];
-    let mut canvas = Canvas::new(size, "How does cost grow with size?", &notes);
+pub fn picture(report: &GrowthReport<'_>, question: Question) -> Option<String> {
+    if !question.is_answered(report.growth) {
+        return None;
+    }
+    let mut plots = match question {
+        Question::Batch => vec![batches(report)],
+        Question::Chain => chains(report).into(),
+        Question::Audit => audits(report).into(),
+    };
+    plots.retain(|plot| !plot.curves.is_empty());
+    let chains: &[Chain] = if question == Question::Chain { &report.growth.chains } else { &[] };
+    let panels = plots.len() + chains.len();
+    let columns = COLUMNS.min(panels);
+    let size = (PANEL.0 * count(columns), PANEL.1 * count(panels.div_ceil(columns)));
+    let mut notes = match question {
+        Question::Batch => vec![],
+        Question::Chain => vec![
+            "Digits of the slip: a full line is what is right, a dashed one what the width of the interval is certain of."
+                .to_owned(),
+        ],
+        Question::Audit => vec!["A cross is undecided.".to_owned()],
+    };
+    notes.push(report.machine.clone());
+    notes.push(format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command));
+    let mut canvas = Canvas::new(size, question.text(), &notes);
     let frame = |index: usize| {
-        let at = (PANEL.0 * count(index % COLUMNS), PANEL.1 * count(index / COLUMNS));
+        let at = (PANEL.0 * count(index % columns), PANEL.1 * count(index / columns));
         Frame { at, size: PANEL, head: 30.0, beside: NAMES }
     };
     for (index, plot) in plots.iter().enumerate() {
         log_log(&mut canvas, frame(index), plot);
     }
-    for (index, chain) in growth.chains.iter().enumerate() {
+    for (index, chain) in chains.iter().enumerate() {
         digits(&mut canvas, frame(plots.len() + index), chain);
     }
-    canvas.finish()
+    Some(canvas.finish())
 }
 
 fn float(n: u64) -> f64 {
@@ -73,20 +116,35 @@ fn curve(index: usize, name: impl Into<String>, points: Vec<Point>) -> Curve {
     Curve { name: name.into(), points, pen: Pen::new(ink, 2.0), undecided: None }
 }
 
-/// The curves of cost.
-fn costs(report: &GrowthReport<'_>) -> [Plot; 5] {
-    let growth = report.growth;
-    let batches = growth.batches.iter().enumerate().map(|(index, batch)| {
+fn plot(
+    caption: &str,
+    x: &'static str,
+    y: &'static str,
+    curves: impl Iterator<Item = Curve>,
+) -> Plot {
+    let curves = curves.filter(|curve| !curve.points.is_empty()).collect();
+    Plot { caption: caption.to_owned(), x, y, curves }
+}
+
+/// The time of a row, over rows.
+fn batches(report: &GrowthReport<'_>) -> Plot {
+    let batches = report.growth.batches.iter().enumerate().map(|(index, batch)| {
         let points = batch.points.iter().map(|p| (count(p.rows), float(p.time.median) / 1000.0));
         curve(index, batch.name, points.collect())
     });
-    let bits = growth.chains.iter().enumerate().map(|(index, chain)| {
+    plot("Rows in a batch", "rows", "ns a row", batches)
+}
+
+/// Size and time of a bounce, over bounces.
+fn chains(report: &GrowthReport<'_>) -> [Plot; 2] {
+    let chains = &report.growth.chains;
+    let bits = chains.iter().enumerate().map(|(index, chain)| {
         let point = |b: &kane_measure::growth::Bounce| Some((count(b.n), float(b.bits?)));
         curve(index, chain.law, chain.bounces.iter().filter_map(point).collect())
     });
     // floats take the same time at every bounce: one law stands for all
     let systems = [System::Rational, System::F64, System::DoubleDouble, System::Interval];
-    let times = growth.chains.iter().enumerate().flat_map(|(index, chain)| {
+    let times = chains.iter().enumerate().flat_map(|(index, chain)| {
         let shown = if index == 0 { systems.len() } else { 1 };
         systems.into_iter().take(shown).map(move |system| {
             let points = chain.bounces.iter().filter_map(|bounce| {
@@ -98,27 +156,26 @@ fn costs(report: &GrowthReport<'_>) -> [Plot; 5] {
     });
     let times = times.filter(|(_, points)| !points.is_empty()).enumerate();
     let times = times.map(|(index, (name, points))| curve(index, name, points));
-    let audit = |cost: fn(&Asked) -> Option<u64>| -> Vec<Curve> {
+    [
+        plot("An exact chain of bounces: its size", "bounces", "bits", bits),
+        plot("A chain of bounces: time of one", "bounces", "ns", times),
+    ]
+}
+
+/// Steps and time of a claim, over its size.
+fn audits(report: &GrowthReport<'_>) -> [Plot; 2] {
+    let audit = |caption: &str, y, cost: fn(&Asked) -> Option<u64>| {
         let of = |(index, family): (usize, &Family)| {
             let at = |asked: &Asked| Some((count(asked.size), float(cost(asked)?).max(1.0)));
             let points: Vec<Point> = family.asked.iter().filter_map(at).collect();
             let open = family.asked.iter().find(|a| a.verdict == Verdict::Undecided);
             Curve { undecided: open.and_then(at), ..curve(index, family.name, points) }
         };
-        let drawn = growth.families.iter().enumerate().map(of);
-        drawn.filter(|curve| !curve.points.is_empty()).collect()
-    };
-    let size = "variables or degree";
-    let plot = |caption: &str, x, y, curves: Vec<Curve>| {
-        let curves = curves.into_iter().filter(|curve| !curve.points.is_empty()).collect();
-        Plot { caption: caption.to_owned(), x, y, curves }
+        plot(caption, "variables or degree", y, report.growth.families.iter().enumerate().map(of))
     };
     [
-        plot("Rows in a batch", "rows", "ns a row", batches.collect()),
-        plot("An exact chain of bounces: its size", "bounces", "bits", bits.collect()),
-        plot("A chain of bounces: time of one", "bounces", "ns", times.collect()),
-        plot("The audit: steps of search", size, "steps", audit(|asked| Some(asked.steps))),
-        plot("The audit: time", size, "us", audit(|a| a.time.map(|time| time / 1_000_000))),
+        audit("The audit: steps of search", "steps", |asked| Some(asked.steps)),
+        audit("The audit: time", "us", |asked| asked.time.map(|time| time / 1_000_000)),
     ]
 }
 

@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use kane_measure::growth::{Batch, Bounce, Chain, Family};
 use kane_number::System;
 
-use super::{FLOATING, GrowthReport, chain_reading, family_reading, power_of_ten, shown};
+use super::{
+    FLOATING, GrowthReport, Question, chain_reading, family_reading, picture, power_of_ten, shown,
+};
 use crate::chart::{digits, nanoseconds};
 use crate::markdown::capitalised;
 use crate::sheet::{Column, Row, Sheet, Table, Words, row};
@@ -20,9 +22,17 @@ pub fn sheet<'a>(report: &'a GrowthReport<'a>) -> Sheet<'a> {
     let growth = report.growth;
     let mut sheet = Sheet::new("Growth", "How does cost grow with size?", "", &report.command);
     sheet.machine = Some(report.machine.clone());
-    sheet.figure("growth", "The curves", || super::picture(report));
+    for (name, question) in
+        [("batch", Question::Batch), ("chain", Question::Chain), ("audit", Question::Audit)]
+    {
+        if question.is_answered(growth) {
+            sheet.figure(name, question.text(), move || {
+                picture(report, question).unwrap_or_default()
+            });
+        }
+    }
     if let Some(reading) = report.rows_reading() {
-        sheet.heading("batch", "Rows in a batch");
+        sheet.heading("rows", "Rows in a batch");
         sheet.prose(reading);
         sheet.table(batches(&growth.batches));
     }

@@ -11,6 +11,9 @@ use crate::report::Entry;
 use crate::wording::{evidence, mark};
 use crate::words::{Form, Line, equations, example};
 
+/// A formula of more LaTeX than this may be wider than its column: it scrolls, by keys too.
+const LONG: usize = 120;
+
 impl Page<'_> {
     /// The statement, under a heading of this level.
     pub(super) fn statement(&self, index: usize, entry: &Entry<'_>, level: u8) -> Markup {
@@ -26,7 +29,8 @@ impl Page<'_> {
                         a href={ "#" (anchor) } { (entry.statement.label) }
                         span.quiet { ", " (kind) ", " (judgement.verdict) }
                     }
-                    div.formula { (self.formula(entry)) (self.cites(entry)) }
+                    @let scrolls = entry.formula().is_some_and(|latex| latex.len() > LONG);
+                    div.formula tabindex=[scrolls.then_some("0")] { (self.formula(entry)) (self.cites(entry)) }
                 }
                 div.note { (self.note(index, entry)) }
                 @if entry.is_claim() { (self.evidence(entry)) }
@@ -161,8 +165,16 @@ pub(crate) fn lines(lines: &[Line]) -> Markup {
     html! {
         @if !lines.is_empty() {
             ol.steps {
-                @for Line { depth, text } in lines {
-                    li class={ "d" (depth.min(&9)) } { (PreEscaped(text)) }
+                @for Line { depth, text, folded } in lines {
+                    li class={ "d" (depth.min(&9)) } {
+                        @if *folded {
+                            @let (name, told) = text.split_once(": ").unwrap_or(("", text));
+                            details.long {
+                                summary { "where " (PreEscaped(name)) " is" }
+                                (PreEscaped(told))
+                            }
+                        } @else { (PreEscaped(text)) }
+                    }
                 }
             }
         }

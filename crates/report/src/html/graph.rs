@@ -61,7 +61,7 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
                 "A node leads to its statement."
             }
             (legend())
-            div.scroll tabindex="0" role="region" aria-label="Graph of the derivation" {
+            div.scroll tabindex="0" role="region" aria-label="The graph, which scrolls" {
                 svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
                     role="group" aria-label="Statements and what they cite" {
                     (bands(titles, &layout))

@@ -149,7 +149,7 @@ impl<'a> Page<'a> {
 
     /// The document: its words, and the statements where they stand in it.
     fn body(&self, parts: &[Part], contents: &mut Vec<(String, Markup)>) -> Markup {
-        let mut level = 2;
+        let mut level = 1;
         let mut shown = self.report.shown.iter().copied().peekable();
         let whole = self.report.shown.len() == self.report.audit.document.statements.len();
         let mut pieces = Vec::new();

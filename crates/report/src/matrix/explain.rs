@@ -35,7 +35,7 @@ pub fn explain(row: &Row, property: &Property, cell: &Cell) -> String {
 }
 
 fn write_lines(out: &mut String, lines: impl IntoIterator<Item = Line>) {
-    for Line { depth, text } in lines {
+    for Line { depth, text, .. } in lines {
         let indent = 2 * depth;
         let _ = writeln!(out, "{:indent$}{text}", "");
     }
@@ -48,7 +48,7 @@ pub(super) struct Telling {
 }
 
 fn line(depth: usize, text: String) -> Line {
-    Line { depth, text }
+    Line { depth, text, folded: false }
 }
 
 impl Telling {

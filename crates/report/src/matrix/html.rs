@@ -196,7 +196,7 @@ fn in_full(telling: &Telling, parts: &[Part], most: usize) -> Option<Vec<Line>> 
         if own.is_empty() || own != known {
             lines.extend(own.iter().cloned());
         } else {
-            lines.push(Line { depth: 1, text: "from the same premises".to_owned() });
+            lines.push(Line { depth: 1, text: "from the same premises".to_owned(), folded: false });
         }
         known = own;
         lines.extend(telling.decided(part));
@@ -231,10 +231,10 @@ fn in_outline(telling: &Telling, parts: &[Part]) -> Vec<Line> {
         }
         let regimes = html! { (format!("\"{}\"", regimes.join("\", \""))) }.into_string();
         let text = format!("{}, {regimes}", telling.formula(setting));
-        lines.push(Line { depth: 0, text });
+        lines.push(Line { depth: 0, text, folded: false });
         lines.extend(grounds.into_iter().map(|(ground, count)| {
             let goals = if count == 1 { "goal" } else { "goals" };
-            Line { depth: 1, text: format!("{count} {goals} {ground}") }
+            Line { depth: 1, text: format!("{count} {goals} {ground}"), folded: false }
         }));
     }
     lines

@@ -12,6 +12,8 @@ use crate::sheet::csv;
 #[must_use]
 pub fn states_csv(report: &SceneReport<'_>) -> String {
     let answer = report.answer;
+    let in_air = answer.bounces.iter().any(|bounce| bounce.air.is_some());
+    let turns = answer.bounces.iter().any(|bounce| bounce.corner.is_some());
     let mut rows = Vec::new();
     let state = |body: &Round<Shown>| {
         let [x, y] = &body.position;
@@ -22,7 +24,8 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
         let mut row = [when, time, "", ""].map(str::to_owned).to_vec();
         row.push(body_id(index));
         row.extend(state);
-        row.extend(std::iter::repeat_n(String::new(), 4));
+        let more = usize::from(in_air) + 2 * usize::from(turns);
+        row.extend(std::iter::repeat_n(String::new(), 4 + more));
         row
     };
     if let Setup::Bodies(world) = &answer.stated {
@@ -39,7 +42,10 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
             let what = [ids(bounce.encounter).join(" "), bounce.regime.to_owned(), body_id(body)];
             let mut row = [&impact[..], &what].concat();
             row.extend(state(after));
-            row.extend(energy.map(|number| number.text.clone()));
+            row.extend(energy.into_iter().chain(&bounce.air).map(|number| number.text.clone()));
+            if let Some((corner, angle)) = &bounce.corner {
+                row.extend([(corner + 1).to_string(), angle.text.clone()]);
+            }
             rows.push(row);
         }
     }
@@ -49,7 +55,9 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
         }
     }
     let names = "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s,dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j";
-    csv(names, rows)
+    let of_air = if in_air { ",air_j" } else { "" };
+    let of_corners = if turns { ",corner,turned_rad" } else { "" };
+    csv(&[names, of_air, of_corners].concat(), rows)
 }
 
 /// A row for each model that was tried.

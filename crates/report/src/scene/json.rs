@@ -56,6 +56,9 @@ struct Tried {
 struct Impact<'a> {
     who: Vec<String>,
     regime: &'a str,
+    /// which one struck, from 1, of a body that has corners
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corner: Option<usize>,
     #[serde(flatten)]
     numbers: Numbers<'a>,
     after: Vec<State<'a>>,
@@ -89,6 +92,9 @@ struct Stated<'a> {
     /// only where something is stated of single contacts
     #[serde(skip_serializing_if = "Vec::is_empty")]
     contacts: Vec<Contact<'a>>,
+    /// of a body that is not round, from its centre of mass at the start
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    corners: Vec<Numbers<'a>>,
     bodies: Vec<State<'a>>,
 }
 
@@ -211,6 +217,7 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
         coefficients: of(vec![]),
         walls: Vec::new(),
         contacts: Vec::new(),
+        corners: Vec::new(),
         bodies: Vec::new(),
     };
     let body = |index: usize, pairs| State { id: body_id(index), numbers: of(pairs) };
@@ -252,12 +259,16 @@ fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
             stated.bodies = bodies
                 .map(|(index, round)| {
                     let Round { mass, inertia, radius, .. } = round;
-                    let mut pairs =
-                        vec![("mass_kg", mass), ("radius_m", radius), ("inertia_kg_m2", inertia)];
+                    let mut pairs = vec![("mass_kg", mass), ("inertia_kg_m2", inertia)];
+                    if world.corners.is_none() {
+                        pairs.insert(1, ("radius_m", radius));
+                    }
                     pairs.extend(motion(round));
                     body(index, pairs)
                 })
                 .collect();
+            let corners = world.corners.iter().flat_map(|corners| &corners.0);
+            stated.corners = corners.map(|[x, y]| of(vec![("x_m", x), ("y_m", y)])).collect();
         }
         Setup::Tip(tip) => {
             stated.coefficients =
@@ -342,21 +353,26 @@ pub fn json(report: &SceneReport<'_>) -> String {
             .map(|bounce| {
                 let who = ids(bounce.encounter);
                 let struck = std::iter::once(&bounce.after.0).chain(&bounce.after.1);
+                let mut numbers = of(vec![
+                    ("time_s", &bounce.time),
+                    ("v_t_before_m_s", &bounce.slip[0]),
+                    ("v_t_after_m_s", &bounce.slip[1]),
+                    ("approach_m_s", &bounce.approach),
+                    ("separation_m_s", &bounce.separation),
+                    ("p_t_n_s", &bounce.impulse.tangential),
+                    ("p_n_n_s", &bounce.impulse.normal),
+                    ("normal_j", &bounce.ledger.normal),
+                    ("tangential_j", &bounce.ledger.tangential),
+                    ("rotational_j", &bounce.ledger.rotational),
+                    ("gravity_j", &bounce.gravity),
+                ]);
+                numbers.pairs.extend(bounce.air.iter().map(|air| ("air_j", air)));
+                let turned = bounce.corner.iter().map(|(_, angle)| ("turned_rad", angle));
+                numbers.pairs.extend(turned);
                 Impact {
                     regime: bounce.regime,
-                    numbers: of(vec![
-                        ("time_s", &bounce.time),
-                        ("v_t_before_m_s", &bounce.slip[0]),
-                        ("v_t_after_m_s", &bounce.slip[1]),
-                        ("approach_m_s", &bounce.approach),
-                        ("separation_m_s", &bounce.separation),
-                        ("p_t_n_s", &bounce.impulse.tangential),
-                        ("p_n_n_s", &bounce.impulse.normal),
-                        ("normal_j", &bounce.ledger.normal),
-                        ("tangential_j", &bounce.ledger.tangential),
-                        ("rotational_j", &bounce.ledger.rotational),
-                        ("gravity_j", &bounce.gravity),
-                    ]),
+                    corner: bounce.corner.as_ref().map(|(corner, _)| corner + 1),
+                    numbers,
                     after: bounce
                         .bodies()
                         .zip(struck)
@@ -368,7 +384,9 @@ pub fn json(report: &SceneReport<'_>) -> String {
             .collect(),
         end: answer.end.as_ref().map(|end| End {
             impacts: end.impacts,
-            numbers: of(vec![("time_s", &end.time)]),
+            numbers: of(std::iter::once(("time_s", &end.time))
+                .chain(end.turned.iter().map(|angle| ("turned_rad", angle)))
+                .collect()),
             bodies: end
                 .bodies
                 .iter()

@@ -7,15 +7,16 @@ use super::{SceneReport, WIDTH, brief, notes};
 use crate::picture::{Axis, Canvas, Frame, Ink, Panel, Pen, Point, staircase};
 
 const HEIGHT: f64 = 400.0;
-const PARTS: [(&str, Pen); 4] = [
+const PARTS: [(&str, Pen); 5] = [
     ("normal", Pen::new(Ink::BLUE, 2.0)),
     ("tangential", Pen::new(Ink::VERMILION, 2.0).dashed("9 4")),
     ("rotational", Pen::new(Ink::GREEN, 2.0).dashed("3 3")),
     ("gravity", Pen::new(Ink::GREY, 2.0)),
+    ("air", Pen::new(Ink::PURPLE, 2.0).dashed("1 3")),
 ];
 const KINETIC: Pen = Pen::new(Ink::Text, 1.5);
 
-/// The ledger as SVG: what impacts have done to the energy so far, by part, what gravity has, and the sum, which is
+/// The ledger as SVG: what impacts have done to the energy so far, by part, what gravity and the air have, and the sum, which is
 /// the change of the kinetic energy; `None` without impacts to show.
 #[must_use]
 pub fn ledger_picture(report: &SceneReport<'_>) -> Option<String> {
@@ -28,7 +29,8 @@ pub fn ledger_picture(report: &SceneReport<'_>) -> Option<String> {
         let last = steps.last().map_or(0.0, |step| step.1);
         (name.to_owned(), staircase(&[&steps[..], &[(end, last)]].concat()), pen)
     };
-    let parts = PARTS.iter().enumerate();
+    let in_air = report.answer.bounces.iter().any(|bounce| bounce.air.is_some());
+    let parts = PARTS.iter().take(if in_air { 5 } else { 4 }).enumerate();
     let mut curves: Vec<(String, Vec<Point>, Pen)> =
         parts.map(|(part, (name, pen))| curve(name, *pen, &|sum| sum.parts[part])).collect();
     curves.push(curve("all: kinetic", KINETIC, &|sum| sum.parts.iter().sum()));

@@ -138,6 +138,12 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
             let (centre, angle) = body;
             let middle = scale.at(*centre);
             let ink = Ink::Series(index);
+            if !strobe.corners.is_empty() {
+                let outline = outline(&strobe.corners, *centre, *angle);
+                let outline: Vec<Point> = outline.into_iter().map(|at| scale.at(at)).collect();
+                canvas.line(&outline, Pen::new(ink, 2.0).faint(strength));
+                continue;
+            }
             canvas.ring(middle, (radius * scale.by).max(2.0), Pen::new(ink, 2.0).faint(strength));
             let rim = [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()];
             canvas.line(&[middle, scale.at(rim)], Pen::new(ink, 1.0).faint(strength));
@@ -147,6 +153,13 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
     canvas.finish()
 }
 
+/// The corners of a body that is turned, and the first again.
+fn outline(corners: &[[f64; 2]], [x, y]: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
+    let (sin, cos) = angle.sin_cos();
+    let at = |[a, b]: &[f64; 2]| [x + a * cos - b * sin, y + a * sin + b * cos];
+    corners.iter().chain(corners.first()).map(at).collect()
+}
+
 fn caption(strobe: &Strobe) -> String {
     let apart = match &strobe.frames[..] {
         [first, second, ..] => second.time - first.time,
@@ -154,6 +167,12 @@ fn caption(strobe: &Strobe) -> String {
     };
     match strobe.radii.len() > FEW {
         true => "First and last position (full), and the ways between.".to_owned(),
+        false if !strobe.corners.is_empty() => {
+            format!(
+                "Every {} s, later is stronger; the line is the way of the centre.",
+                brief(apart)
+            )
+        }
         false => {
             format!("Every {} s, later is stronger; the spoke turns with the body.", brief(apart))
         }

@@ -98,7 +98,7 @@ fn impacts(report: &SceneReport<'_>) -> Table {
     let answer = report.answer;
     let energy = |part: &str| Column::right(part).unit("J");
     let mut columns = vec![Column::right("t").unit("s"), Column::left("who"), Column::left("what")];
-    columns.extend(["normal", "tangential", "rotational", "gravity"].map(energy));
+    columns.extend(["normal", "tangential", "rotational", "gravity", "air"].map(energy));
     let bodies = answer.end.as_ref().map_or(1, |end| end.bodies.len());
     let row = |(index, bounce): (usize, &Bounce<Shown>)| -> Row {
         row![
@@ -109,10 +109,12 @@ fn impacts(report: &SceneReport<'_>) -> Table {
             number(bounce.ledger.tangential.value),
             number(bounce.ledger.rotational.value),
             number(bounce.gravity.value),
+            bounce.air.as_ref().map(|air| number(air.value)).unwrap_or_default(),
         ]
         .detail(index >= IN_TEXT)
     };
-    let mut table = Table::new(columns, answer.bounces.iter().enumerate().map(row).collect());
+    let rows = answer.bounces.iter().enumerate().map(row).collect();
+    let mut table = Table::new(columns, rows).without_empty_columns();
     table.most = ON_PAGE;
     table.counted = Some("impacts");
     table

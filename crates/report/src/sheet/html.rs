@@ -67,21 +67,25 @@ fn labelled(entries: &[Entry]) -> Markup {
     }
 }
 
+/// From so many columns on a table may be wider than the page: it scrolls, by keys too.
+const SCROLLING: usize = 5;
+
 fn rows(table: &Table) -> Markup {
     let all = table.rows.len();
     html! {
         @if all > table.most { p { "The first " (table.most) " of " (all) "." } }
-        table {
+        table tabindex=[(table.columns.len() >= SCROLLING).then_some("0")] {
             thead { tr {
                 @for column in &table.columns {
-                    th scope="col" class=[number(column)] { (column.head()) }
+                    @let head = column.head();
+                    @if head.is_empty() { td {} } @else { th scope="col" class=[number(column)] { (head) } }
                 }
             } }
             tbody {
                 @for row in table.rows.iter().take(table.most) {
                     tr class=[class(row.tone)] {
                         @for (index, (cell, column)) in row.cells.iter().zip(&table.columns).enumerate() {
-                            @if index == 0 {
+                            @if index == 0 && !cell.plain().is_empty() {
                                 th scope="row" class=[number(column)] { (cell.html()) }
                             } @else {
                                 (data(cell, column))

@@ -7,9 +7,9 @@ use super::formula::Formulas;
 use super::{Form, words};
 
 /// Conditions that are shown.
-const MOST: usize = 6;
+const MOST: usize = 2;
 /// Terms of a condition that is shown.
-const LONGEST: usize = 12;
+const LONGEST: usize = 6;
 
 /// After what says why a link is undecided.
 pub(super) fn remark(attempt: &Attempt, context: &Context, form: Form) -> String {

@@ -1,11 +1,13 @@
 //! Formulas within sentences: text, MathML that may be broken between its terms, or math mode.
 
 use kane_algebra::syntax::{Logic, Notation as _, comparison, latex_with, literal, mathml};
-use kane_audit::{Variable, expression};
+use kane_audit::{Summand, Variable, expression};
 use kane_kernel::{Approach, Atom, Context, Expr, Poly, Rel, Relation, Side, Sign, Target, Var};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
+use super::shape::{Shapes, sum};
 use super::{Form, words};
 
 /// Terms of a polynomial that are written out; of a longer one only their number is.
@@ -14,6 +16,16 @@ const MOST_TERMS: usize = 40;
 const MOST_IN_FRACTION: usize = 4;
 /// Digits of a number that is set as mathematics; a longer one may be broken.
 const MOST_DIGITS: usize = 12;
+/// Bits of a coefficient that is set as mathematics in LaTeX.
+const MOST_BITS: u64 = 60;
+/// Digits before the point of a decimal.
+const MOST_BEFORE_POINT: usize = 20;
+/// Letters of a polynomial that is written out where long ones have names.
+const MOST_LETTERS: usize = 90;
+/// Letters of a factor, likewise.
+const MOST_OF_FACTOR: usize = 60;
+/// Letters of both sides of an atom, likewise.
+const MOST_OF_ATOM: usize = 120;
 
 /// How formulas of a goal are written in one form.
 pub(crate) struct Formulas {
@@ -25,14 +37,22 @@ pub(crate) struct Formulas {
     /// how the further variables are set in MathML or LaTeX
     further: Vec<String>,
     germ: usize,
+    /// how polynomials are written, and names of long ones, if they may have some
+    shapes: Shapes,
 }
 
 impl Formulas {
     /// Formulas in these symbols, and in polynomials of these variables.
     pub(crate) fn new(form: Form, context: &Context, variables: &[Variable]) -> Self {
         let symbols = context.vars.len();
-        let mut all =
-            Self { form, context: context.clone(), symbols, further: Vec::new(), germ: symbols };
+        let mut all = Self {
+            form,
+            context: context.clone(),
+            symbols,
+            further: Vec::new(),
+            germ: symbols,
+            shapes: Shapes::default(),
+        };
         for (v, variable) in variables.iter().enumerate().skip(symbols) {
             let (name, set) = match variable {
                 Variable::Root(root) => (root.plain(context), all.bare(root)),
@@ -61,6 +81,14 @@ impl Formulas {
     pub(super) fn of_letter(form: Form, name: &str) -> Self {
         let var = Var { name: name.to_owned(), of: None, lower: None, upper: None };
         Self::new(form, &Context { vars: vec![var], ..Context::default() }, &[])
+    }
+
+    /// The first of these letters that is no symbol and no definition, or one that never is.
+    pub(super) fn unused_letter(&self, letters: &[&'static str]) -> &'static str {
+        let lets = self.context.lets.iter().map(|definition| &definition.name);
+        let names = || self.context.vars.iter().map(|var| &var.name).chain(lets.clone());
+        let is_free = |letter: &&&str| !names().any(|name| name == **letter);
+        letters.iter().find(is_free).copied().unwrap_or("root")
     }
 
     fn letter(&self, name: &str) -> String {
@@ -118,21 +146,67 @@ impl Formulas {
         self.expr(&Expr::Var(v))
     }
 
+    /// The same formulas, where long polynomials have names, shared with others of the same goal.
+    pub(super) fn named(mut self, shapes: &Shapes) -> Self {
+        self.shapes = shapes.clone();
+        self
+    }
+
     /// A polynomial.
     pub(super) fn poly(&self, p: &Poly) -> String {
-        match p.len() > MOST_TERMS {
-            true => self.words(&format!("(a polynomial with {} terms)", p.len())),
-            false => self.expr(&expression(p)),
+        self.poly_within(p, MOST_LETTERS)
+    }
+
+    /// A polynomial, by its name if it has more letters than these.
+    pub(super) fn poly_within(&self, p: &Poly, letters: usize) -> String {
+        if !self.shapes.are_named() {
+            return match p.len() > MOST_TERMS {
+                true => self.words(&format!("(a polynomial with {} terms)", p.len())),
+                false => self.expr(&expression(p)),
+            };
         }
+        let (shaped, length) = self.shapes.shaped(p, &self.context);
+        match length > letters {
+            true => self.name(self.shapes.name(p)),
+            false => self.expr(&shaped),
+        }
+    }
+
+    /// The name of a polynomial.
+    fn name(&self, number: usize) -> String {
+        let name = self.shapes.written(number, &self.context);
+        match self.form {
+            Form::Plain => name,
+            Form::Html => math(&self.letter(&name)),
+            Form::Latex => format!("${}$", self.letter(&name)),
+        }
+    }
+
+    /// What the names of long polynomials stand for, as text: the name, the number of terms, and the polynomial.
+    pub(super) fn legend(&self) -> Vec<(String, usize, String)> {
+        let told = |(number, p): (usize, Poly)| {
+            let (shaped, _) = self.shapes.shaped(&p, &self.context);
+            let told = match self.form {
+                // what stands in parentheses, and a long number, is not broken there
+                Form::Latex if p.bits() > MOST_BITS => self.words(&sum(&p).plain(&self.context)),
+                Form::Latex => self.expr(&sum(&p)),
+                Form::Plain | Form::Html => self.expr(&shaped),
+            };
+            (self.name(number), p.len(), told)
+        };
+        self.shapes.all().into_iter().enumerate().map(told).collect()
     }
 
     /// A polynomial that is a factor or has a power.
     pub(super) fn in_parentheses(&self, p: &Poly) -> String {
         let is_letter = matches!(p.vars()[..], [v] if *p == Poly::var(v));
-        if self.form != Form::Plain && is_letter {
+        if is_letter && (self.form != Form::Plain || self.shapes.are_named()) {
             return self.poly(p);
         }
-        format!("({})", self.poly(p))
+        let told = self.poly_within(p, MOST_OF_FACTOR);
+        let named =
+            self.shapes.are_named() && self.shapes.shaped(p, &self.context).1 > MOST_OF_FACTOR;
+        if named { told } else { format!("({told})") }
     }
 
     /// A power behind parentheses.
@@ -143,6 +217,25 @@ impl Formulas {
             (n, Form::Html) => format!("<sup>{n}</sup>"),
             (n, Form::Latex) => format!("$^{{{n}}}$"),
         }
+    }
+
+    /// weight · square² · Π factorⁿ
+    pub(super) fn summand(&self, summand: &Summand) -> String {
+        let mut factors = summand.factors.clone();
+        if summand.square != Poly::one() {
+            factors.insert(0, (summand.square.clone(), 2));
+        }
+        self.product(&summand.weight, &factors)
+    }
+
+    /// weight · Π factorⁿ
+    pub(super) fn product(&self, weight: &BigInt, factors: &[(Poly, u32)]) -> String {
+        let power = |(p, n): &(Poly, u32)| format!("{}{}", self.in_parentheses(p), self.power(*n));
+        let mut told: Vec<String> = factors.iter().map(power).collect();
+        if !weight.is_one() || told.is_empty() {
+            told.insert(0, self.number(&weight.clone().into()));
+        }
+        told.join(self.times())
     }
 
     /// The sign between factors.
@@ -156,6 +249,9 @@ impl Formulas {
 
     /// What an atom says; one side each for the positive and the negative terms reads best.
     pub(super) fn atom(&self, a: &Atom) -> String {
+        if self.shapes.are_named() {
+            return self.shaped_atom(a);
+        }
         let side = |negative: bool| {
             let terms = a.poly.terms().filter(|(_, c)| c.is_negative() == negative);
             Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.abs())))
@@ -170,12 +266,32 @@ impl Formulas {
         self.compared(&self.poly(&left), relation, &self.poly(&right))
     }
 
-    /// What all of these say.
-    pub(super) fn atoms(&self, atoms: &[Atom]) -> String {
-        if atoms.is_empty() {
-            return self.words("nothing more");
-        }
-        atoms.iter().map(|a| self.atom(a)).collect::<Vec<_>>().join(", ")
+    /// What an atom says, with factors apart where that is shorter, and a name for what is long.
+    fn shaped_atom(&self, a: &Atom) -> String {
+        let p = a.poly.primitive().1;
+        let side = |negative: bool| {
+            let terms = p.terms().filter(|(_, c)| c.is_negative() == negative);
+            Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.abs())))
+        };
+        let (left, right) = (side(false), side(true));
+        let length = |p: &Poly| self.shapes.shaped(p, &self.context).1;
+        let apart = length(&left) + length(&right);
+        let (opposite, whole) = (p.neg(), length(&p));
+        let whole_is_shorter =
+            !left.is_empty() && !right.is_empty() && whole + 3 < apart || apart > MOST_OF_ATOM;
+        let (left, right) = match whole_is_shorter {
+            false => (left, right),
+            true if length(&opposite) < whole => (Poly::default(), opposite),
+            true => (p, Poly::default()),
+        };
+        let relation = match a.sign {
+            Sign::Zero => "=",
+            Sign::NonZero => "!=",
+            Sign::NonNegative => ">=",
+            Sign::Positive => ">",
+        };
+        let side = |p: &Poly| self.poly_within(p, MOST_OF_ATOM);
+        self.compared(&side(&left), relation, &side(&right))
     }
 
     /// A polynomial compared with 0.
@@ -205,13 +321,7 @@ impl Formulas {
         };
         let part =
             |relations: &[Relation]| relations.iter().map(one).collect::<Vec<_>>().join(" and ");
-        match logic {
-            Logic::Or(parts) => {
-                parts.iter().map(|relations| part(relations)).collect::<Vec<_>>().join(" or ")
-            }
-            Logic::Implies(a, b) => format!("{} implies {}", part(a), part(b)),
-            Logic::Iff(a, b) => format!("{} iff {}", part(a), part(b)),
-        }
+        logic.written(part, [" or ", " implies ", " iff "])
     }
 
     /// Relations with commas between; those that share a side become a chain.
@@ -239,6 +349,9 @@ impl Formulas {
 
     /// A quotient in parentheses, even where its parts would not need them.
     pub(super) fn quotient(&self, (num, den): &(Poly, Poly)) -> String {
+        if self.shapes.are_named() && self.form == Form::Plain {
+            return self.divided(num, den);
+        }
         let is_small = num.len() <= MOST_IN_FRACTION && den.len() <= MOST_IN_FRACTION;
         if self.form != Form::Plain && *den == Poly::one() {
             return self.poly(num);
@@ -247,6 +360,27 @@ impl Formulas {
             return self.expr(&Expr::Div(expression(num).into(), expression(den).into()));
         }
         format!("{}/{}", self.in_parentheses(num), self.in_parentheses(den))
+    }
+
+    /// A quotient as text, with no parentheses but those that it needs.
+    fn divided(&self, num: &Poly, den: &Poly) -> String {
+        let is_product = |p: &Poly| {
+            let (shaped, length) = self.shapes.shaped(p, &self.context);
+            length > MOST_OF_FACTOR
+                || !matches!(shaped, Expr::Add(..) | Expr::Sub(..) | Expr::Neg(..))
+        };
+        let is_one = |p: &Poly| {
+            let (shaped, length) = self.shapes.shaped(p, &self.context);
+            length > MOST_OF_FACTOR || matches!(shaped, Expr::Var(_) | Expr::Num(_) | Expr::Pow(..))
+        };
+        let part = |p: &Poly, bare: bool| {
+            let told = self.poly_within(p, MOST_OF_FACTOR);
+            if bare { told } else { format!("({told})") }
+        };
+        if *den == Poly::one() {
+            return self.poly(num);
+        }
+        format!("{}/{}", part(num, is_product(num)), part(den, is_one(den)))
     }
 
     /// A quotient, or the numerator alone if the denominator is 1.
@@ -323,7 +457,7 @@ impl Formulas {
         format!("{tends} as {}", self.moving(l.var, &l.at))
     }
 
-    fn minus(&self) -> &'static str {
+    pub(super) fn minus(&self) -> &'static str {
         match self.form {
             Form::Plain => "-",
             Form::Html => "−",
@@ -362,8 +496,13 @@ fn bare_integer(q: &BigRational) -> String {
     q.to_string().replace('-', "−")
 }
 
-/// Four digits after the point, rounded down.
+/// Four digits after the point, rounded down; of a very large number its first digits and a power of ten.
 pub(super) fn decimal(q: &BigRational) -> String {
+    let whole = q.abs().to_integer().to_string();
+    if whole.len() > MOST_BEFORE_POINT {
+        let sign = if q.is_negative() { "-" } else { "" };
+        return format!("{sign}{}.{}e{}", &whole[..1], &whole[1..5], whole.len() - 1);
+    }
     let scaled = (q * BigRational::from_integer(10_000.into())).floor().to_integer();
     let sign = if scaled.is_negative() { "-" } else { "" };
     let size = scaled.abs();

@@ -4,14 +4,20 @@
 //! their expressions: as text, as MathML, or in math mode of LaTeX.
 
 mod attempt;
+mod branch;
 mod formula;
+mod lines;
+mod point;
 mod prose;
 mod reason;
+mod shape;
 mod step;
+mod teller;
 mod value;
 
+use kane_algebra::syntax::Notation as _;
 use kane_audit::{Judgement, LinkJudgement, Proof};
-use kane_kernel::{Context, Goal};
+use kane_kernel::{Context, Expr, Goal};
 
 pub(crate) use formula::{Formulas, escaped};
 pub(crate) use prose::Prose;
@@ -35,6 +41,8 @@ const MAX_LINES: usize = kane_audit::MAX_STEPS;
 pub(crate) struct Line {
     pub(crate) depth: usize,
     pub(crate) text: String,
+    /// whether a reader looks it up, and does not follow it
+    pub(crate) folded: bool,
 }
 
 /// What sentences about a goal take their names from.
@@ -48,12 +56,11 @@ pub(crate) struct Subject<'a> {
 impl Subject<'_> {
     /// A proof or a witness, line by line.
     pub(crate) fn steps(self, proof: &Proof, form: Form) -> Vec<Line> {
-        let formulas = Formulas::new(form, &self.goal.context, &proof.variables);
-        let mut lines = step::lines(self.labels, &formulas, &proof.steps);
+        let mut lines = step::lines(self.labels, (form, &self.goal.context), proof);
         if lines.len() > MAX_LINES {
             lines.truncate(MAX_LINES);
-            let text = formulas.words("(the rest of this proof is left out here)");
-            lines.push(Line { depth: 0, text });
+            let text = words("(the rest of this proof is left out here)", form);
+            lines.push(Line { depth: 0, text, folded: false });
         }
         lines
     }
@@ -96,8 +103,16 @@ pub(crate) fn reason(
 ) -> String {
     if let (Some(accepted), Some(reason)) = (link.accepted.as_deref(), link.reason()) {
         let told = Subject { goal: &accepted.goal, labels: &[] }.reason(&reason, form);
-        let remark = link.behind.map_or("", reason::behind);
-        return format!("{told}{}", words(remark, form));
+        let name = |(v, value): &(usize, u32)| {
+            let n = Expr::Var(*v);
+            let n = match form {
+                Form::Latex => format!("${}={value}$", n.latex(context)),
+                _ => words(&format!("{} = {value}", n.plain(context)), form),
+            };
+            format!("for {n}, ")
+        };
+        let at: String = link.at.iter().map(name).collect();
+        return at + &told + &reason::behind(link, label, form);
     }
     match (&link.unreached, &link.open) {
         (Some(unreached), _) => reason::unreached(unreached, context, label, form),

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use kane_audit::{Behind, Means, Reason, Unreached, Variable};
+use kane_audit::{Behind, LinkJudgement, Means, Reason, Unreached, Variable};
 use kane_kernel::{Context, Finding, Goal};
 
 use super::formula::Formulas;
@@ -108,14 +108,32 @@ fn listed(goal: &Goal, variables: &[Variable], form: Form) -> String {
 }
 
 /// What is to be said of a witness beyond what is cited.
-pub(super) fn behind(behind: Behind) -> &'static str {
-    match behind {
-        Behind::NotMet => {
-            " (it does not follow from what is cited; the givens behind it are not all met there)"
+pub(super) fn behind(link: &LinkJudgement, label: &dyn Fn(usize) -> String, form: Form) -> String {
+    let named = |indices: &[usize]| {
+        let labels: Vec<String> = indices.iter().map(|i| label(*i)).collect();
+        labels.join(", ")
+    };
+    let mut told = match &link.behind {
+        None => Vec::new(),
+        Some(Behind::NotMet(failing)) => {
+            let which = match &failing[..] {
+                [] => "the givens behind it are not all met there".to_owned(),
+                [one] => format!("{} behind it is not met there", named(&[*one])),
+                more => format!("{} behind it are not met there", named(more)),
+            };
+            vec!["it does not follow from what is cited".to_owned(), which]
         }
-        Behind::NotShown => {
-            " (it does not follow from what is cited; whether these meet the givens behind it was not shown)"
-        }
+        Some(Behind::NotShown) => vec![
+            "it does not follow from what is cited".to_owned(),
+            "whether these meet the givens behind it was not shown".to_owned(),
+        ],
+    };
+    if let Some(given) = link.would_do {
+        told.push(format!("with {} cited too, it would follow", named(&[given])));
+    }
+    match told.is_empty() {
+        true => String::new(),
+        false => words(&format!(" ({})", told.join("; ")), form),
     }
 }
 

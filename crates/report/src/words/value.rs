@@ -1,11 +1,12 @@
 //! Values of witnesses: numbers, roots, functions.
 
-use kane_audit::{Comparison, End, Value, expression};
-use kane_kernel::{Context, Poly, Root, Target};
+use kane_algebra::syntax::NoValue;
+use kane_audit::{Comparison, End, Measured, Value, expression};
+use kane_kernel::{Context, Expr, Poly, Relation, Root, Target};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
-use num_traits::One as _;
+use num_traits::{One as _, Zero as _};
 
 use super::formula::{Formulas, decimal};
 
@@ -19,7 +20,8 @@ pub(super) fn value(formulas: &Formulas, value: &Value) -> String {
             let common = coefficients.iter().fold(BigInt::one(), |l, q| l.lcm(q.denom()));
             let whole = |q: &BigRational| q.numer() * (&common / q.denom());
             let whole: Vec<BigInt> = coefficients.iter().map(whole).collect();
-            let letter = Formulas::of_letter(formulas.form, "r");
+            let letter =
+                Formulas::of_letter(formulas.form, formulas.unused_letter(&["r", "q", "w"]));
             let text = letter.expr(&expression(&Poly::in_variable(0, &whole)));
             let scaled = match common.is_one() {
                 true => text,
@@ -36,7 +38,7 @@ pub(super) fn root(formulas: &Formulas, root: &Root) -> String {
     if root.is_exact() {
         return formulas.number(&root.lo);
     }
-    let letter = Formulas::of_letter(formulas.form, "x");
+    let letter = Formulas::of_letter(formulas.form, formulas.unused_letter(&["x", "z", "y"]));
     let poly = letter.expr(&expression(&Poly::in_variable(0, &root.poly)));
     let (the, near) = (formulas.words("the root of"), formulas.words("near"));
     format!("{the} {poly} {near} {}", formulas.words(&decimal(&root.lo)))
@@ -55,18 +57,52 @@ pub(super) fn assigned(formulas: &Formulas, values: &[kane_audit::Assignment]) -
 pub(super) fn comparison(formulas: &Formulas, comparison: &Comparison) -> String {
     match comparison {
         Comparison::Sides(left, right) => {
-            let shown = |side: &Result<BigRational, kane_algebra::syntax::NoValue>| match side {
-                Ok(value) => formulas.number(value),
-                Err(why) => formulas.words(&why.to_string()),
-            };
-            format!("left side {}, right side {}", shown(left), shown(right))
+            let (left, right) = (measured(formulas, left), measured(formulas, right));
+            format!("left side {left}, right side {right}")
         }
         Comparison::Truth(true) => "it is true".to_owned(),
         Comparison::Truth(false) => "it is false".to_owned(),
-        Comparison::Undefined(relation, why) => {
+        Comparison::Undefined(relation, why, by) => {
             let relation = formulas.relation(relation);
-            format!("{relation} is undefined ({})", formulas.words(&why.to_string()))
+            format!("{relation} is undefined ({})", undefined(formulas, *why, by.as_ref()))
         }
+    }
+}
+
+/// A value at a point.
+pub(super) fn measured(formulas: &Formulas, value: &Measured) -> String {
+    match value {
+        Measured::Exact(value) => formulas.number(value),
+        Measured::Near(value) => formulas.words(&format!("about {}", decimal(value))),
+        Measured::None(why) => formulas.words(&why.to_string()),
+    }
+}
+
+/// Why a relation has no meaning, and what it divides by though it is 0.
+fn undefined(formulas: &Formulas, why: NoValue, by: Option<&Expr>) -> String {
+    let zero = formulas.number(&BigRational::zero());
+    let why = formulas.words(&why.to_string());
+    match by {
+        Some(by) => format!("{why}: {}", formulas.compared(&formulas.expr(by), "=", &zero)),
+        None => why,
+    }
+}
+
+/// What a relation says at a point, in numbers: `1 = 1`, or `-1 = 1 is false`.
+pub(super) fn in_numbers(formulas: &Formulas, relation: &Relation, told: &Comparison) -> String {
+    match told {
+        Comparison::Sides(Measured::Exact(a), Measured::Exact(b)) => {
+            let sign = kane_algebra::syntax::comparison(relation.rel);
+            let says = formulas.compared(&formulas.number(a), sign, &formulas.number(b));
+            match kane_algebra::syntax::compares(relation.rel, a.cmp(b)) {
+                true => says,
+                false => format!("{says} is false"),
+            }
+        }
+        Comparison::Undefined(_, why, by) => {
+            format!("undefined ({})", undefined(formulas, *why, by.as_ref()))
+        }
+        told => comparison(formulas, told),
     }
 }
 

@@ -13,6 +13,7 @@ use crate::round::Round;
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{
     Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run, run_in_air,
+    run_tumbling,
 };
 use crate::tip::Tip;
 use crate::world::World;
@@ -177,18 +178,23 @@ fn bodies<N: Coordinate>(
     let mut alpha = None;
     let until = scene.until.map(N::from_rational);
     let budget = Budget { shown, impacts: most_impacts(N::SYSTEM, &until) };
-    let end = run(world, resolver, &until, budget, &mut |bounce: &Bounce<N>| {
-        let none = bounce.slip[0].sign().is_equal() == Some(true);
+    let mut observe = |bounce: &Bounce<N>| {
+        // where a contact couples there may be friction without slip
+        let none = bounce.slip[0].sign().is_equal() == Some(true) && bounce.corner.is_none();
         no_slip &= none;
         slides &= none || bounce.regime.starts_with("slide");
         estimated |= bounce.regime == COMPLIANT;
-        if bounces.is_empty() {
+        if bounces.is_empty() && bounce.corner.is_none() {
             alpha = world.alpha(bounce);
         }
         if bounces.len() < kept.max(1) {
             bounces.push(bounce.clone());
         }
-    })?;
+    };
+    let end = match &world.corners {
+        Some(corners) => run_tumbling(world, corners, resolver, &until, budget, &mut observe)?,
+        None => run(world, resolver, &until, budget, &mut observe)?,
+    };
     let start_energy = world.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
     let values = scene.asked.iter().map(|asked| {
         let value = asked.quantity.of(world, bounces.first(), &end);

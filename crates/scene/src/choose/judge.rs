@@ -160,7 +160,7 @@ fn verdict(
     // part by part
     let whole = Part::whole(scene);
     let mut left = whole.halves(whole.widest(&whole)).to_vec();
-    for _ in 0..affordable(reference.mechanics, &reference.at) / 4 {
+    for _ in 0..affordable(scene, reference.mechanics, &reference.at) / 4 {
         let Some(part) = left.pop() else { return Verdict::Meets };
         if !alike(&part.enclosed(scene)).is_some_and(|(equal, within)| equal || within) {
             left.extend(part.halves(part.widest(&whole)));

@@ -91,7 +91,7 @@ pub struct Answer {
     pub reasons: Vec<String>,
     /// The impacts, up to some thousand.
     pub bounces: Vec<Bounce<Shown>>,
-    /// What impacts and gravity have done to the energy up to each of them.
+    /// What impacts, gravity and the air have done to the energy up to each of them.
     pub sums: Vec<Bounced>,
     /// The state at the end; `None` for one impact of a tip and for a chain.
     pub end: Option<End<Shown>>,
@@ -106,17 +106,18 @@ pub struct Answer {
 pub struct Bounced {
     /// s
     pub time: f64,
-    /// By the normal, tangential and rotational part of impacts, and by gravity; J.
-    pub parts: [f64; 4],
+    /// By the normal, tangential and rotational part of impacts, by gravity, and by the air, which is 0
+    /// where there is none; J.
+    pub parts: [f64; 5],
 }
 
 /// The running sums of a ledger.
 fn sums(bounces: &[Bounce<Shown>]) -> Vec<Bounced> {
-    let mut parts = [0.0; 4];
+    let mut parts = [0.0; 5];
     let after = |bounce: &Bounce<Shown>| {
         let Bounce { ledger, gravity, .. } = bounce;
         let added = [&ledger.normal, &ledger.tangential, &ledger.rotational, gravity];
-        for (part, added) in parts.iter_mut().zip(added) {
+        for (part, added) in parts.iter_mut().zip(added.into_iter().chain(&bounce.air)) {
             *part += added.value;
         }
         Bounced { time: bounce.time.value, parts }

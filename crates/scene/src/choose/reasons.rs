@@ -99,6 +99,9 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
         Setup::Tip(_) => Some(
             "The tip is off the normal through the centre of mass, so that the contact couples and neither direction can be left out.".to_owned(),
         ),
+        Setup::Bodies(world) if world.corners.is_some() => Some(
+            "A corner is off the normal through the centre of mass, so that its contact couples and neither direction can be left out.".to_owned(),
+        ),
         Setup::Bodies(_) => {
             let found = match &reference.over {
                 Some(Ok(found)) => found,

@@ -8,6 +8,7 @@ use super::spread::{Spread, affordable, spread};
 use crate::coordinate::Coordinate;
 use crate::read::Stated;
 use crate::scene::{Scene, Setup, Tangential};
+use crate::world::World;
 
 /// How the reference's values are known, and with them every error against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,7 +113,7 @@ impl Reference {
         let over =
             (scene.uncertain() > 0).then(|| evaluate(scene, &scene.enclosed(), mechanics, 1));
         let spread =
-            over.as_ref().and_then(|_| spread(scene, mechanics, affordable(mechanics, &at)));
+            over.as_ref().and_then(|_| spread(scene, mechanics, affordable(scene, mechanics, &at)));
         Self { mechanics, values, known, over, spread, at }
     }
 }
@@ -151,7 +152,9 @@ pub(super) fn mechanics(scene: &Scene) -> Mechanics {
         _ if frictionless => Mechanics::NormalOnly,
         (Tangential::Grip(_), _) => Mechanics::Law(&GRIP),
         (Tangential::Elastic(_) | Tangential::Springs(_), _) => Mechanics::Compliant,
-        (Tangential::Rigid, Setup::Tip(_)) => Mechanics::Law(&ENERGETIC),
+        (Tangential::Rigid, Setup::Tip(_) | Setup::Bodies(World { corners: Some(_), .. })) => {
+            Mechanics::Law(&ENERGETIC)
+        }
         (Tangential::Rigid, Setup::Bodies(_)) => Mechanics::Law(&COULOMB),
     }
 }

@@ -5,6 +5,7 @@ use kane_number::{Interval, Lane as _, Number as _, Rational};
 use super::evaluate::{Failed, Found, at, evaluate};
 use super::model::Mechanics;
 use crate::scene::{Scene, Setup};
+use crate::world::World;
 
 /// How far the stated uncertainty moves an answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,13 +97,24 @@ const MOST_PARTS: usize = 400;
 const FEWEST_PARTS: usize = 8;
 
 /// How many parts of a scene with so many impacts may be looked at.
-pub(super) fn affordable(mechanics: Mechanics, found: &Result<Found<Interval>, Failed>) -> usize {
+pub(super) fn affordable(
+    scene: &Scene,
+    mechanics: Mechanics,
+    found: &Result<Found<Interval>, Failed>,
+) -> usize {
     if !mechanics.is_counted() {
         return FEWEST_PARTS;
     }
     let impacts = found.as_ref().ok().and_then(|found| found.end.as_ref()).map_or(1, |e| e.impacts);
     let impacts = usize::try_from(impacts).unwrap_or(usize::MAX);
-    (MOST_IMPACTS / impacts.max(1)).clamp(FEWEST_PARTS, MOST_PARTS)
+    // a corner is looked for among all corners and walls, each in steps
+    let looks = match &scene.setup {
+        Setup::Bodies(World { corners: Some(corners), walls, planes, .. }) => {
+            8 * corners.0.len() * (walls.len() + planes.len()).max(1)
+        }
+        _ => 1,
+    };
+    (MOST_IMPACTS / impacts.max(1) / looks).clamp(FEWEST_PARTS, MOST_PARTS)
 }
 
 /// What is enclosed has come near enough to what was measured.

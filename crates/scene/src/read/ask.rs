@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use super::number::Domain;
 use super::source::{Fault, Number, Source};
-use crate::quantity::Quantity;
+use crate::quantity::{Kind, Quantity};
 use crate::scene::{Asked, Setup};
 use crate::simulate::Until;
 
@@ -66,6 +66,9 @@ pub(super) fn asked<N>(
             Setup::Bodies(world) if quantity.body >= world.bodies.len() => {
                 let count = world.bodies.len();
                 return Err(source.fault(key.span(), format!("there are {count} bodies")));
+            }
+            Setup::Bodies(world) if quantity.kind == Kind::Turned && world.corners.is_none() => {
+                return Err(source.fault(key.span(), "turned_rad is of a [polygon] or a [rod]"));
             }
             Setup::Tip(_) if !quantity.kind.is_of_a_tip() => {
                 return Err(source.fault(

@@ -17,6 +17,7 @@ use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
 use super::stated::{Stated, stated};
+use super::tumbling::{FlyingRod, Polygon, outside, polygon, rod};
 use crate::round::Round;
 use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
 use crate::side::Side;
@@ -58,6 +59,8 @@ struct File {
     contact: Vec<Spanned<ContactTable>>,
     body: Option<Vec<Body>>,
     discs: Option<Spanned<Discs>>,
+    polygon: Option<Polygon>,
+    rod: Option<FlyingRod>,
     rod_tip: Option<Rod>,
     double_pendulum: Option<Pendulum>,
     until: Option<Spanned<UntilTable>>,
@@ -200,29 +203,34 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     let kinds = [
         file.body.is_some(),
         file.discs.is_some(),
+        file.polygon.is_some(),
+        file.rod.is_some(),
         file.rod_tip.is_some(),
         file.double_pendulum.is_some(),
     ];
     if kinds.iter().filter(|given| **given).count() != 1 {
         return Err(source.fault(
             0..0,
-            "exactly one of [[body]], [discs], [rod-tip] and [double-pendulum] must be there",
+            "exactly one of [[body]], [discs], [polygon], [rod], [rod-tip] and [double-pendulum] must be there",
         ));
     }
     let friction = stated(source, &file.friction, "friction", Domain::NotNegative)?;
     let restitution = stated(source, &file.restitution, "restitution", Domain::Fraction)?;
     let mut reader = Reader::of_uncertain(source);
-    let flies = file.body.is_some() || file.discs.is_some();
+    let (is_round, has_corners) =
+        (file.body.is_some() || file.discs.is_some(), file.polygon.is_some() || file.rod.is_some());
+    let of_flights = if has_corners { 2 } else { 4 };
     let stray = [
         file.rolling.as_ref().map(Spanned::span),
         file.air.as_ref().map(Spanned::span),
         file.wall.first().map(Spanned::span),
         file.contact.first().map(Spanned::span),
     ];
-    if let (false, Some(place)) = (flies, stray.into_iter().flatten().next()) {
+    let mut stray = stray.into_iter().take(of_flights).flatten();
+    if let (false, Some(place)) = (is_round, stray.next()) {
         return Err(source.fault(
             place,
-            "rolling_resistance, [air], [[wall]] and [[contact]] are for round bodies",
+            "rolling_resistance and [air] are for round bodies, [[wall]] and [[contact]] for what flies",
         ));
     }
     if let Some(rod) = &file.rod_tip {
@@ -246,12 +254,18 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
             walls.push(Wall { side, at: source.number(number, key, Domain::Any)?.into() });
         }
     }
+    let tumbling = match (&file.polygon, &file.rod) {
+        (Some(table), _) => Some(polygon(source, &mut reader, table)?),
+        (None, Some(table)) => Some(rod(source, &mut reader, table)?),
+        (None, None) => None,
+    };
+    let (centre, corners) = tumbling.unzip();
     let bodies = match (&file.body, &file.discs) {
         (Some(bodies), _) => {
             bodies.iter().map(|body| round(&mut reader, body)).collect::<Result<Vec<_>, _>>()?
         }
         (None, Some(table)) => discs(source, table.get_ref())?,
-        (None, None) => Vec::new(),
+        (None, None) => centre.into_iter().collect(),
     };
     let planes = planes(source, &mut reader, &file.wall)?;
     let terms = terms(source, &file.contact, &walls, planes.len(), bodies.len())?;
@@ -261,9 +275,20 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
         Some(number) => stated(source, number, "rolling_resistance", Domain::NotNegative)?,
         None => Stated::default(),
     };
-    let world =
-        World { gravity, air, walls, planes, bodies, friction, restitution, terms, rolling };
+    let world = World {
+        gravity,
+        air,
+        walls,
+        planes,
+        bodies,
+        corners,
+        friction,
+        restitution,
+        terms,
+        rolling,
+    };
     apart(source, &world, file)?;
+    outside(source, &world)?;
     Ok(Setup::Bodies(world))
 }
 

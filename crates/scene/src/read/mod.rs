@@ -12,6 +12,7 @@ mod number;
 mod reader;
 mod source;
 mod stated;
+mod tumbling;
 
 pub use collision::{TURNED, collision, of_the_paper};
 pub use file::scene;

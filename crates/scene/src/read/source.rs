@@ -32,7 +32,10 @@ pub fn load(path: &Path) -> Result<String, String> {
     if u64::try_from(bytes.len()).is_ok_and(|length| length > MAX_BYTES) {
         return Err(format!("it has more than {MAX_BYTES} bytes"));
     }
-    String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())
+    String::from_utf8(bytes).map_err(|error| {
+        let Diagnostic { line, column, .. } = Diagnostic::not_utf8("", error.as_bytes());
+        format!("it is not UTF-8 at line {line}, column {column}")
+    })
 }
 
 /// A file's name, as faults show it, and its text.

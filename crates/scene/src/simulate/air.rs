@@ -25,12 +25,23 @@ struct Flight<'a> {
     last: Vec<Option<Encounter>>,
     /// the heights of the last impacts
     heights: Vec<f64>,
+    /// the work of the air since then
+    taken: Vec<f64>,
 }
 
 impl Flight<'_> {
     fn flown(&self, step: f64) -> Vec<Round<f64>> {
         let gravity = self.world.gravity;
-        self.bodies.iter().map(|body| self.air.stepped(body, gravity, step)).collect()
+        self.bodies.iter().map(|body| self.air.stepped(body, gravity, step).0).collect()
+    }
+
+    /// Flies on.
+    fn fly(&mut self, step: f64) {
+        for (body, taken) in self.bodies.iter_mut().zip(&mut self.taken) {
+            let (after, work) = self.air.stepped(body, self.world.gravity, step);
+            *body = after;
+            *taken += work;
+        }
     }
 
     /// All that may meet.
@@ -132,13 +143,14 @@ pub(crate) fn run_in_air(
         bodies: world.bodies.clone(),
         last: vec![None; count],
         heights: world.bodies.iter().map(|body| body.position[1]).collect(),
+        taken: vec![0.0; count],
     };
     let encounters = flight.encounters();
     let mut impacts = 0;
     for _ in 0..MOST_STEPS {
         let end = |ending| {
             let (time, bodies) = (flight.time, flight.bodies.clone());
-            Ok(End { time, bodies, impacts, ending })
+            Ok(End { time, bodies, impacts, ending, turned: None })
         };
         match until {
             Until::Impacts(asked) if *asked <= impacts => return end(Ending::Impacts),
@@ -161,13 +173,15 @@ pub(crate) fn run_in_air(
             }
         }
         let Some((part, encounter)) = first else {
-            (flight.bodies, flight.time) = (flight.flown(step), over.unwrap_or(flight.time + step));
+            flight.fly(step);
+            flight.time = over.unwrap_or(flight.time + step);
             continue;
         };
         if impacts == budget.impacts {
             break;
         }
-        (flight.bodies, flight.time) = (flight.flown(part), flight.time + part);
+        flight.fly(part);
+        flight.time += part;
         impacts += 1;
         let bounce = meet(&mut flight, resolver, encounter, impacts)?;
         observer(&bounce);
@@ -201,10 +215,12 @@ fn meet(
         body.mass * world.gravity * (flight.heights[index] - body.position[1])
     };
     let gravity = fallen(first) + second.map_or(0.0, fallen);
-    let bounce = struck.at(time, encounter, gravity);
+    let taken = flight.taken[first] + second.map_or(0.0, |second| flight.taken[second]);
+    let bounce = Bounce { air: Some(taken), ..struck.at(time, encounter, gravity) };
     let after = std::iter::once(Some(&bounce.after.0)).chain([bounce.after.1.as_ref()]);
     for (index, body) in bounce.bodies().zip(after.flatten()) {
         flight.heights[index] = body.position[1];
+        flight.taken[index] = 0.0;
         flight.bodies[index] = body.clone();
         flight.last[index] = Some(encounter);
     }

@@ -31,6 +31,10 @@ pub struct Bounce<N> {
     pub ledger: Ledger<N>,
     /// The work of gravity on these bodies since the impact before of each; J.
     pub gravity: N,
+    /// The work of the air on these bodies since then; `None` where there is no air; J.
+    pub air: Option<N>,
+    /// Of a body with corners: which one struck, from 0, and by what the body has turned since the start; rad.
+    pub corner: Option<(usize, N)>,
     /// The bodies afterwards; the second is absent at a wall.
     pub after: (Round<N>, Option<Round<N>>),
 }
@@ -64,6 +68,8 @@ impl<N> Bounce<N> {
                 rotational: to(&self.ledger.rotational),
             },
             gravity: to(&self.gravity),
+            air: self.air.as_ref().map(&mut to),
+            corner: self.corner.as_ref().map(|(corner, angle)| (*corner, to(angle))),
             after: (self.after.0.map(&mut to), self.after.1.as_ref().map(|body| body.map(&mut to))),
         }
     }
@@ -97,14 +103,14 @@ pub(super) fn normal_of<N: Coordinate>(world: &World<N>, side: Side) -> [N; 2] {
 }
 
 /// Tangential and normal component of a vector, for the normal n: the tangent is (`n_y`, −`n_x`).
-fn turned<N: Coordinate>([x, y]: [&N; 2], [nx, ny]: &[N; 2]) -> [N; 2] {
+pub(super) fn turned<N: Coordinate>([x, y]: [&N; 2], [nx, ny]: &[N; 2]) -> [N; 2] {
     let along = x.clone() * ny - y.clone() * nx;
     let out = x.clone() * nx + y.clone() * ny;
     [along, out]
 }
 
 /// The vector of these components.
-fn turned_back<N: Coordinate>([t, n]: [N; 2], [nx, ny]: &[N; 2]) -> [N; 2] {
+pub(super) fn turned_back<N: Coordinate>([t, n]: [N; 2], [nx, ny]: &[N; 2]) -> [N; 2] {
     [t.clone() * ny + n.clone() * nx, n * ny - t * nx]
 }
 
@@ -135,6 +141,8 @@ impl<N> Struck<N> {
             impulse,
             ledger,
             gravity,
+            air: None,
+            corner: None,
             after,
         }
     }

@@ -65,17 +65,26 @@ pub(super) fn to_wall<N: Coordinate>(
     }
 }
 
+/// The time until a body that leaves a plane at this speed is back, if it comes back.
+pub(super) fn again<N: Coordinate>(
+    plane: &Plane<N>,
+    speed: &N,
+    gravity: &N,
+) -> Result<Option<N>, Unknown> {
+    let parting = [speed.clone(), plane.pull(gravity)];
+    Plane::closes(&N::zero(), &parting, true).map_err(|()| Unknown)
+}
+
 /// The time until a body reaches a plane, if it does, both given at the time `now`.
 pub(super) fn to_plane<N: Coordinate>(
     body: &Round<N>,
     plane: &Plane<N>,
     gravity: &N,
     now: &N,
-    touching: bool,
 ) -> Result<Option<N>, Unknown> {
-    let gap = if touching { N::zero() } else { not_before(plane.gap(body, now)) };
+    let gap = not_before(plane.gap(body, now));
     let parting = plane.parting(body, gravity);
-    Plane::closes(&gap, &parting, touching).map_err(|()| Unknown)
+    Plane::closes(&gap, &parting, false).map_err(|()| Unknown)
 }
 
 /// Without acceleration: a gap that closes with −`speed`.

@@ -3,12 +3,14 @@
 mod air;
 mod bounce;
 mod chain;
+mod corner_path;
 mod flight;
 mod penalty;
 mod rest;
 mod rolling;
 mod run;
 mod state;
+mod tumble;
 
 pub use crate::encounter::Encounter;
 pub(crate) use air::run_in_air;
@@ -16,3 +18,4 @@ pub use bounce::Bounce;
 pub use chain::{Chain, ChainError, ContactTime, Moment, collide_chain, watch_chain};
 pub use penalty::{Penalty, energy_by_penalty};
 pub use run::{Budget, End, Ending, Stopped, Until, run};
+pub(crate) use tumble::run_tumbling;

@@ -9,8 +9,10 @@ use crate::round::Round;
 /// How the slip goes on through the impacts that are left.
 #[derive(Clone, Debug)]
 pub(super) enum Tail<N> {
-    /// No friction acts: the model has none, μ = 0, or the slip is zero and stays so.
+    /// The model has no friction.
     Free,
+    /// The slip is zero, and stays so: what lies on the floor rolls.
+    Rolling,
     /// What friction is left is too little for the number system to notice. How the ball slides on
     /// when it lies on the floor, the model does not tell.
     Unnoticed,
@@ -80,7 +82,10 @@ pub(super) fn tail<N: Coordinate>(
     let lasting = resolver.lasting(&next);
     let sign = slip.sign();
     let none = sign.is_equal() == Some(true);
-    if none || matches!(lasting, Lasting::Without) {
+    if none {
+        return Some(Tail::Rolling);
+    }
+    if matches!(lasting, Lasting::Without) {
         return Some(Tail::Free);
     }
     let forward = match (sign.is_greater(), sign.is_less()) {
@@ -135,7 +140,7 @@ pub(super) fn rest<N: Coordinate>(
     let vx = &body.motion.vx;
     let [x, _] = &body.position;
     match tail {
-        Tail::Free | Tail::Unnoticed => after.position[0] = vx.mul_add(&time, x),
+        Tail::Free | Tail::Rolling | Tail::Unnoticed => after.position[0] = vx.mul_add(&time, x),
         Tail::Sliding(sign) => {
             let step = friction.clone() * sign * (one.clone() + restitution) * up;
             let change = step.clone() / &lost;

@@ -17,7 +17,8 @@ pub(super) fn crept<N: Coordinate>(
     let mut after = body.clone();
     let mut left = time.clone();
     let slip = body.motion.omega.mul_add(&body.radius, &body.motion.vx);
-    let mut rolls = matches!(tail, Tail::Gripping { .. }) || slip.sign().is_equal() == Some(true);
+    // by what the impacts say: formed anew the slip is not zero in floats and on intervals
+    let mut rolls = matches!(tail, Tail::Gripping { .. } | Tail::Rolling);
     if let Tail::Sliding(sign) = tail {
         let slowing = friction.clone() * gravity * sign;
         let ratio = N::one() + body.mass.clone() * body.rotational_mobility();

@@ -3,7 +3,6 @@
 use kane_impact::NoImpulse;
 
 use super::bounce::Bounce;
-use super::flight::Unknown;
 use super::state::State;
 use crate::coordinate::Coordinate;
 use crate::resolver::Resolver;
@@ -72,6 +71,8 @@ pub struct End<N> {
     pub impacts: u64,
     /// Why it ended.
     pub ending: Ending,
+    /// By what a body with corners has turned since the start; rad.
+    pub turned: Option<N>,
 }
 
 impl<N> End<N> {
@@ -82,6 +83,7 @@ impl<N> End<N> {
             bodies: self.bodies.iter().map(|body| body.map(&mut to)).collect(),
             impacts: self.impacts,
             ending: self.ending,
+            turned: self.turned.as_ref().map(to),
         }
     }
 }
@@ -144,6 +146,26 @@ pub enum Stopped {
         "`rest` needs a restitution that does not depend on the speed; give `impacts` or `duration_s`"
     )]
     BySpeed,
+    /// What lies on a wall is pressed against it from then on.
+    #[error(
+        "after impact {impact} at {time} s a body lies on a wall; what lies on something is followed for one ball on a floor without other walls alone"
+    )]
+    Lies {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
+    /// A side lands flat.
+    #[error(
+        "impact {impact} at {time} s: two corners meet walls at once; one contact at a time is described"
+    )]
+    Flat {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
     /// The ball has come to rest and still slips.
     #[error(
         "the ball lies on the floor and slips, and the model does not say how that goes on; give `rest` or `impacts`"
@@ -177,7 +199,7 @@ pub fn run<N: Coordinate>(
         state.can_rest()?;
     }
     for index in 0..world.bodies.len() {
-        state.predict(index).map_err(|Unknown| state.undecided())?;
+        state.predict(index)?;
     }
     loop {
         if matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
@@ -209,6 +231,10 @@ pub fn run<N: Coordinate>(
         if let Some(end) = state.rests(resolver, until, budget, &bounce)? {
             return Ok(end);
         }
-        state.refresh(encounter).map_err(|Unknown| state.undecided())?;
+        let looked = state.refresh(encounter);
+        // what would come after the last impact is no matter
+        if !matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
+            looked?;
+        }
     }
 }

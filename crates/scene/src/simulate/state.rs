@@ -1,7 +1,7 @@
 //! Where all bodies are between two events, and what they meet next.
 
 use super::bounce::{Bounce, normal_of, strike};
-use super::flight::{Unknown, to_body, to_plane, to_wall};
+use super::flight::{Unknown, again, to_body, to_plane, to_wall};
 use super::rest::{Tail, rest, tail};
 use super::rolling::crept;
 use super::run::{Budget, End, Ending, Stopped, Until};
@@ -24,6 +24,8 @@ pub(super) struct State<'a, N> {
     last: Vec<Option<Encounter>>,
     /// the slip after the last impact, where that was with a floor or a ceiling
     held: Vec<Option<N>>,
+    /// how fast it left the wall of its last impact, where that was a wall
+    leaving: Vec<Option<N>>,
     next: Vec<Option<(N, Encounter)>>,
 }
 
@@ -39,6 +41,7 @@ impl<'a, N: Coordinate> State<'a, N> {
             settled: vec![0; count],
             last: vec![None; count],
             held: vec![None; count],
+            leaving: vec![None; count],
             next: vec![None; count],
         }
     }
@@ -58,14 +61,44 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     /// Looks for what the body meets next, and tells those that it would meet before all else.
-    pub(super) fn predict(&mut self, index: usize) -> Result<(), Unknown> {
+    ///
+    /// # Errors
+    /// [`Stopped::Undecided`], and [`Stopped::Lies`] where nothing but the wall that it has met holds it.
+    pub(super) fn predict(&mut self, index: usize) -> Result<(), Stopped> {
+        if self.lies(index) {
+            return Err(Stopped::Lies { impact: self.impacts, time: self.now.to_f64() });
+        }
+        self.look(index).map_err(|Unknown| self.undecided())
+    }
+
+    /// Whether a body has met a wall, does not leave it, and gravity presses it against it.
+    fn lies(&self, index: usize) -> bool {
+        let (Some(Encounter::Wall(_, side)), Some(speed)) =
+            (self.last[index], &self.leaving[index])
+        else {
+            return false;
+        };
+        let [_, up] = normal_of(self.world, side);
+        let is = |sign: Option<bool>| sign == Some(true);
+        is(speed.sign().is_equal())
+            && is(up.sign().is_greater())
+            && is(self.world.gravity.sign().is_greater())
+    }
+
+    fn look(&mut self, index: usize) -> Result<(), Unknown> {
         let body = self.here(index);
         let mut best: Option<(N, Encounter)> = None;
         for wall in &self.world.walls {
             let encounter = Encounter::Wall(index, wall.side);
             let touching = self.last[index] == Some(encounter);
-            if let Some(time) = to_wall(&body, wall, &self.world.gravity, touching)? {
-                let time = self.now.clone() + time;
+            // up and down again counts from where it left
+            let (from, start) = if touching {
+                (&self.bodies[index], &self.since[index])
+            } else {
+                (&body, &self.now)
+            };
+            if let Some(time) = to_wall(from, wall, &self.world.gravity, touching)? {
+                let time = start.clone() + time;
                 if earlier((&time, encounter), best.as_ref())? {
                     best = Some((time, encounter));
                 }
@@ -73,10 +106,15 @@ impl<'a, N: Coordinate> State<'a, N> {
         }
         for (plane, number) in self.world.planes.iter().zip(0..) {
             let encounter = Encounter::Wall(index, Side::Plane(number));
-            let touching = self.last[index] == Some(encounter);
-            let found = to_plane(&body, plane, &self.world.gravity, &self.now, touching)?;
+            let gravity = &self.world.gravity;
+            let (found, start) = match &self.leaving[index] {
+                Some(speed) if self.last[index] == Some(encounter) => {
+                    (again(plane, speed, gravity)?, &self.since[index])
+                }
+                _ => (to_plane(&body, plane, gravity, &self.now)?, &self.now),
+            };
             if let Some(time) = found {
-                let time = self.now.clone() + time;
+                let time = start.clone() + time;
                 if earlier((&time, encounter), best.as_ref())? {
                     best = Some((time, encounter));
                 }
@@ -168,12 +206,15 @@ impl<'a, N: Coordinate> State<'a, N> {
         match encounter {
             Encounter::Wall(i, side) => {
                 let level = matches!(side, Side::Floor | Side::Ceiling);
+                self.leaving[i] = Some(bounce.separation.clone());
                 self.held[i] = level.then(|| bounce.slip[1].clone());
                 self.settle(i, encounter, bounce.after.0.clone());
             }
             Encounter::Pair(i, j) => {
-                self.held[i] = None;
-                self.held[j] = None;
+                for index in [i, j] {
+                    self.held[index] = None;
+                    self.leaving[index] = None;
+                }
                 self.settle(i, encounter, bounce.after.0.clone());
                 if let Some(second) = &bounce.after.1 {
                     self.settle(j, encounter, second.clone());
@@ -193,7 +234,10 @@ impl<'a, N: Coordinate> State<'a, N> {
     }
 
     /// Looks again for all whose next impact has changed.
-    pub(super) fn refresh(&mut self, encounter: Encounter) -> Result<(), Unknown> {
+    ///
+    /// # Errors
+    /// As [`predict`](Self::predict).
+    pub(super) fn refresh(&mut self, encounter: Encounter) -> Result<(), Stopped> {
         let (i, j) = match encounter {
             Encounter::Wall(i, _) => (i, i),
             Encounter::Pair(i, j) => (i, j),
@@ -217,7 +261,7 @@ impl<'a, N: Coordinate> State<'a, N> {
     /// The end here and now.
     pub(super) fn end(&self, ending: Ending) -> End<N> {
         let bodies = (0..self.bodies.len()).map(|index| self.here(index)).collect();
-        End { time: self.now.clone(), bodies, impacts: self.impacts, ending }
+        End { time: self.now.clone(), bodies, impacts: self.impacts, ending, turned: None }
     }
 
     /// The end at a later time.
@@ -226,7 +270,8 @@ impl<'a, N: Coordinate> State<'a, N> {
         let flown = states
             .map(|(body, since)| body.flown(&(time.clone() - since), &self.world.gravity))
             .collect();
-        End { time, bodies: flown, impacts: self.impacts, ending: Ending::Duration }
+        let (impacts, ending) = (self.impacts, Ending::Duration);
+        End { time, bodies: flown, impacts, ending, turned: None }
     }
 
     /// Whether this is one ball above a floor.
@@ -284,8 +329,13 @@ impl<'a, N: Coordinate> State<'a, N> {
         };
         let rest = rest(body, &tail, gravity, friction, restitution);
         let time = self.now.clone() + &rest.time;
-        let end =
-            |time, body, ending| End { time, bodies: vec![body], impacts: self.impacts, ending };
+        let end = |time, body, ending| End {
+            time,
+            bodies: vec![body],
+            impacts: self.impacts,
+            ending,
+            turned: None,
+        };
         Ok(match until {
             Until::Duration(end_time) => {
                 if end_time.compare(&time).is_less() != Some(false) {

@@ -108,6 +108,7 @@ fn spheres() -> Contrast {
             friction,
             restitution,
             terms: Vec::new(),
+            corners: None,
             rolling: 0.0,
         },
         stiffness: 1e5,

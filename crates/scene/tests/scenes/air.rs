@@ -1,12 +1,8 @@
 //! Flights in air, against closed forms and another integrator.
 
-use kane_impact::laws;
-use kane_scene::{Answer, Effort, Known, Scene, answer, read};
+use kane_scene::{Answer, Known, read};
 
-fn answered(text: &str) -> Answer {
-    let scene: Scene = read::scene("air.toml", text).expect("the scene is well formed");
-    answer(&scene, laws(), None, Effort::Chosen, &mut |_, _| {}).expect("there is an answer")
-}
+use crate::{answered, tried};
 
 /// What was asked is as near to these as is said, and that is near.
 #[track_caller]
@@ -156,8 +152,7 @@ fn by_midpoints(step: f64) -> [f64; 5] {
 fn what_does_not_go_in_air_says_so() {
     let text = include_str!("../../../../docs/scenes/table-tennis.toml");
     let rest = text.replace("impacts = 2", "rest = true");
-    let scene = read::scene("air.toml", &rest).expect("the scene is well formed");
-    let refused = answer(&scene, laws(), None, Effort::Chosen, &mut |_, _| {});
+    let refused = tried(&rest);
     let refused = refused.expect_err("it has no closed form").to_string();
     assert!(refused.contains("a flight in air is followed in floats"), "{refused}");
     for (change, with, message) in [
@@ -169,4 +164,20 @@ fn what_does_not_go_in_air_says_so() {
         let fault = read::scene("bad.toml", &bad).expect_err(with);
         assert!(fault.message.contains(message), "{}", fault.message);
     }
+}
+
+/// The parts of the ledger, the work of the air among them, are the change of the kinetic energy.
+#[test]
+fn the_ledger_in_air_adds_up() {
+    let answer = answered(include_str!("../../../../docs/scenes/table-tennis.toml"));
+    let sums = answer.sums.last().expect("there are impacts");
+    let [_, _, _, gravity, air] = sums.parts;
+    assert!(air < -1e-3 && gravity > 0.0, "{:?}", sums.parts);
+    let body = &answer.bounces.last().expect("there are impacts").after.0;
+    let n = |shown: &kane_scene::Shown| shown.value;
+    let [mass, inertia] = [n(&body.mass), n(&body.inertia)];
+    let (vx, vy, omega) = (n(&body.motion.vx), n(&body.motion.vy), n(&body.motion.omega));
+    let after = (mass * (vx * vx + vy * vy) + inertia * omega * omega) / 2.0;
+    let parts: f64 = sums.parts.iter().sum();
+    assert!((answer.start_energy + parts - after).abs() < 1e-9, "{parts} {after}");
 }

@@ -5,7 +5,7 @@ use kane_impact::laws;
 use kane_scene::{Answer, Effort, Known, Model, Place, Scene, Verdict, answer, read};
 
 /// The shipped scenes, and the model that each is answered by.
-const SHIPPED: [(&str, &str, &str); 16] = [
+const SHIPPED: [(&str, &str, &str); 18] = [
     (
         "paper-sphere",
         include_str!("../../../../docs/scenes/paper-sphere.toml"),
@@ -25,6 +25,12 @@ const SHIPPED: [(&str, &str, &str); 16] = [
     ("cradle-touching", include_str!("../../../../docs/scenes/cradle-touching.toml"), "chain/f64"),
     ("alumina", include_str!("../../../../docs/scenes/alumina.toml"), "compliant/f64"),
     ("discs", include_str!("../../../../docs/scenes/discs.toml"), "routh-newton/f64"),
+    ("dropped-rod", include_str!("../../../../docs/scenes/dropped-rod.toml"), "stronge-1990/f64"),
+    (
+        "tumbling-brick",
+        include_str!("../../../../docs/scenes/tumbling-brick.toml"),
+        "routh-newton/rational",
+    ),
     ("squeezed", include_str!("../../../../docs/scenes/squeezed.toml"), "normal-only/rational"),
     ("tennis-clay", include_str!("../../../../docs/scenes/tennis-clay.toml"), "routh-newton/f64"),
     ("putt", include_str!("../../../../docs/scenes/putt.toml"), "whittaker-uncapped/f64"),

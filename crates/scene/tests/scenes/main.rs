@@ -9,11 +9,33 @@ mod picture; // what pictures show
 mod rest; // every model to the end of infinitely many impacts, its own way
 mod rolling; // what lies on the floor skids, rolls, stops
 mod stress; // drift, reversal, Zeno, grazing, penalty steps
+mod tumbling; // bodies with corners, against closed forms and what no law may change
 mod walls; // walls at an angle or in motion, terms of single contacts
 
 use kane_impact::bodies::Motion;
+use kane_impact::laws;
 use kane_number::{Rational, parse};
-use kane_scene::{Coordinate, Round, Side, Wall, World};
+use kane_scene::{Answer, Coordinate, Effort, NoAnswer, Round, Side, Wall, World, answer, read};
+
+/// The answer to a scene, or why there is none.
+fn tried(text: &str) -> Result<Answer, NoAnswer> {
+    let scene = read::scene("scene.toml", text).expect("the scene is well formed");
+    answer(&scene, laws(), None, Effort::Chosen, &mut |_, _| {})
+}
+
+/// The answer to a scene.
+fn answered(text: &str) -> Answer {
+    tried(text).expect("there is an answer")
+}
+
+/// Every value that was asked for is so near to these.
+#[track_caller]
+fn assert_values(answer: &Answer, expected: &[f64], near: f64) {
+    for (line, expected) in answer.lines.iter().zip(expected) {
+        let off = (line.value - expected).abs();
+        assert!(off < near, "{}: {} {expected}", line.quantity, line.value);
+    }
+}
 
 /// A literal.
 fn n(text: &str) -> Rational {
@@ -47,6 +69,7 @@ fn above_floor(
         air: None,
         planes: vec![],
         terms: vec![],
+        corners: None,
         rolling: n("0"),
         bodies,
         friction: n(friction),

@@ -5,11 +5,10 @@ use kane_impact::laws::RouthNewton;
 use kane_number::{Interval, Lane as _, Number as _, Rational};
 use kane_scene::simulate::{Bounce, Budget, Encounter, End, Until, run};
 use kane_scene::{
-    Answer, Coordinate, Effort, NormalOnly, Plane, Resolver, Restitution, Side, Terms, World,
-    answer, read,
+    Answer, Coordinate, NormalOnly, Plane, Resolver, Restitution, Side, Terms, World,
 };
 
-use crate::{above_floor, ball, n, of};
+use crate::{above_floor, answered, ball, n, of, tried};
 
 fn followed<N: Coordinate>(
     world: &World<N>,
@@ -22,11 +21,6 @@ fn followed<N: Coordinate>(
         seen.push(bounce.clone());
     });
     (end.expect("it comes to its end"), seen)
-}
-
-fn shipped(name: &str, text: &str) -> Answer {
-    let scene = read::scene(name, text).expect("the scene is well formed");
-    answer(&scene, kane_impact::laws(), None, Effort::Chosen, &mut |_, _| {}).expect("an answer")
 }
 
 /// What was asked is within its tolerance of these, in their order.
@@ -112,7 +106,7 @@ fn a_belt_takes_the_ball_along() {
 /// Between walls at 0 and at 2 − t/10, radius 1/10, speed 1 at first: by hand, in fractions.
 #[test]
 fn a_ball_between_closing_walls_gains_twice_the_walls_speed() {
-    let answer = shipped("squeezed", include_str!("../../../../docs/scenes/squeezed.toml"));
+    let answer = answered(include_str!("../../../../docs/scenes/squeezed.toml"));
     let (mut time, mut x, mut v) = (n("0"), n("1"), n("1"));
     let (r, u, zero) = (n("1/10"), n("1/10"), n("0"));
     for _ in 0..7 {
@@ -131,7 +125,7 @@ fn a_ball_between_closing_walls_gains_twice_the_walls_speed() {
 /// By the speeds alone: what comes down is what went up.
 #[test]
 fn a_tennis_ball_keeps_less_of_a_faster_impact() {
-    let answer = shipped("tennis-clay", include_str!("../../../../docs/scenes/tennis-clay.toml"));
+    let answer = answered(include_str!("../../../../docs/scenes/tennis-clay.toml"));
     let e = |a: f64| match a {
         a if a <= 2.0 => 0.85,
         a if a <= 7.0 => 0.85 - 0.1 * (a - 2.0) / 5.0,
@@ -163,7 +157,7 @@ fn a_tennis_ball_keeps_less_of_a_faster_impact() {
 #[test]
 fn a_superball_jumps_between_two_sloping_walls() {
     let text = include_str!("../../../../docs/scenes/superball-groove.toml");
-    let answer = shipped("superball-groove", text);
+    let answer = answered(text);
     let (g, r) = (9.81, 0.025);
     let normals = [[-0.8, 0.6], [0.8, 0.6]];
     let (mut p, mut v, mut omega, mut last) = ([0.1, 0.8], [0.5, 0.0], 0.0, None);
@@ -226,4 +220,51 @@ fn restitution_falls_with_the_fourth_root_of_the_speed() {
     let e = wide.at(&Interval::from_rational(&n("100"))).expect("it is told");
     assert!(e.contains(&n("0.3162277660168379")) || e.width() < 1e-15, "{e}");
     assert!(wide.at(&Interval::between(0.5, 2.0)).is_err());
+}
+
+/// A ball that has left the floor, whose way to another ball is then no longer barred, comes back to the floor
+/// when it would have without the others.
+#[test]
+fn a_ball_that_is_looked_at_again_in_flight_comes_down_when_it_should() {
+    let jumper = ball("1", "1/10", ["0", "1/5"], ["0", "-1", "0"]);
+    let above = ball("1", "1/10", ["0", "3"], ["0", "0", "0"]);
+    let striker = ball("1", "1/10", ["-3", "3"], ["10", "0", "0"]);
+    let alone = above_floor(vec![jumper.clone()], "10", "0", "1");
+    let (_, seen) = followed(&of::<f64>(&alone), &NormalOnly, 2);
+    let world = above_floor(vec![jumper, above, striker], "10", "0", "1");
+    let (_, all) = followed(&of::<f64>(&world), &NormalOnly, 3);
+    assert_eq!(all[1].encounter, Encounter::Pair(1, 2));
+    assert_eq!(all[2].encounter, Encounter::Wall(0, Side::Floor));
+    assert!((all[2].time - seen[1].time).abs() < 1e-12, "{} {}", all[2].time, seen[1].time);
+    // and on a floor that is a plane
+    let mut sloping = of::<f64>(&world);
+    sloping.walls.clear();
+    sloping.planes.push(level().map(|x| x.to_f64()));
+    let (_, again) = followed(&sloping, &NormalOnly, 3);
+    assert!((again[2].time - seen[1].time).abs() < 1e-12, "{} {}", again[2].time, seen[1].time);
+}
+
+/// What gravity presses against a wall does not go through it.
+#[test]
+fn what_lies_on_a_wall_has_no_answer_after_that() {
+    let body = "[[body]]
+mass_kg = 1
+radius_m = 0.1
+position_m = [0, 2]
+velocity_m_s = [0, 0]
+";
+    let end = "[until]\nduration_s = 3\n[ask]\ny_m = 0.1\n";
+    let slope = "[[wall]]\nthrough_m = [0, 0]\nangle_deg = 20\n";
+    let two_walls = "floor_m = 0\nleft_m = -1\n";
+    for (walls, tables) in [("", slope), (two_walls, "")] {
+        let top = "friction = 0.3\nrestitution = 0\ngravity_m_s2 = 9.81\n";
+        let text = format!("{top}{walls}{tables}{body}{end}");
+        let none = tried(&text);
+        let why = none.expect_err("it lies on the wall").to_string();
+        assert!(why.contains("lies on a wall"), "{why}");
+        // the impact itself has an answer
+        let text = text.replace("duration_s = 3", "impacts = 1").replace("\ny_m", "\nv_y_m_s");
+        let first = tried(&text);
+        assert_eq!(first.expect("there is an answer").bounces.len(), 1);
+    }
 }

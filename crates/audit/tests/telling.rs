@@ -1,0 +1,200 @@
+//! What is told of proofs is true: the sums, products and sides of steps are evaluated at points.
+
+use kane_algebra::syntax::Evaluator;
+use kane_audit::{Audit, Options, Proof, Step, audit, read};
+use kane_kernel::{Poly, Sign};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+type Q = BigRational;
+
+const SHORT: &str = "\
+var x, y, a > 0, b > 0, 0 <= e <= 1
+let s := (x + y)^2
+given g: a*x = b*y
+given h: x != 0
+claim sides: 1/(2*a)*(1 - (a - b)/(a + b)) = b/(a*(a + b))
+claim solved: a*x + b*y = 2*b*y from g
+claim bounds: (1 - e)*(1 + e)*a >= 0
+claim corner: (a + 1)*(b + 2) > 2
+claim factor: b*y != 0 from g, h
+claim square: s >= 4*x*y
+claim wrong: y < 0 from g expect refuted
+claim cases: abs(x) >= x";
+
+fn audited(name: &str, text: &str) -> Audit {
+    let document = read(name, text.as_bytes()).expect("it is well formed");
+    audit(document, &Options::default(), &mut |_, _| {})
+}
+
+fn proofs(audit: &Audit) -> Vec<(&Audit, Proof)> {
+    let links = audit.judgements.iter().flat_map(|judgement| &judgement.links);
+    links.map(|link| (audit, link.steps())).collect()
+}
+
+/// All steps, those inside others too.
+fn all<'s>(steps: &'s [Step], out: &mut Vec<&'s Step>) {
+    for step in steps {
+        out.push(step);
+        match step {
+            Step::Suppose { then, .. } => all(then, out),
+            Step::Cases { cases, .. } => cases.iter().for_each(|(_, then)| all(then, out)),
+            Step::Split { zero, positive, negative, .. } => {
+                [zero, positive, negative].into_iter().for_each(|then| all(then, out));
+            }
+            Step::Pass { otherwise, .. } | Step::LimitFrom { otherwise, .. } => all(otherwise, out),
+            _ => {}
+        }
+    }
+}
+
+/// A point with no pattern in it: the powers of 3 modulo 101, less 50.
+fn point(seed: u32) -> impl Fn(usize) -> BigInt {
+    move |v| {
+        let power = 3u32.pow(4).wrapping_mul(seed + 7) + u32::try_from(v).expect("small") * 31;
+        BigInt::from(power * power % 101) - 50
+    }
+}
+
+fn value(p: &Poly, at: &dyn Fn(usize) -> BigInt) -> BigInt {
+    let power = |(v, n): &(usize, u32)| num_traits::pow(at(*v), *n as usize);
+    p.terms().map(|(m, c)| m.iter().map(power).fold(c.clone(), |a, b| a * b)).sum()
+}
+
+/// Checks one step at one point, and says of which kind it was.
+fn holds(step: &Step, at: &dyn Fn(usize) -> BigInt) -> Option<&'static str> {
+    match step {
+        Step::Multiple { atom: (weight, p), multiples } => {
+            let sum: BigInt = multiples.iter().map(|(c, e)| value(c, at) * value(e, at)).sum();
+            assert!(weight.is_positive());
+            assert_eq!(weight * value(p, at), sum, "{step:?}");
+            Some("multiple")
+        }
+        Step::SignsOfCoefficients { atom, sum: Some(sum), .. } => {
+            let term = |(w, factors): &(BigInt, Vec<(Poly, u32)>)| {
+                assert!(w.is_positive(), "{step:?}");
+                let power = |(p, n): &(Poly, u32)| num_traits::pow(value(p, at), *n as usize);
+                factors.iter().map(power).fold(w.clone(), |a, b| a * b)
+            };
+            let total: BigInt = sum.terms.iter().map(term).sum();
+            let sign = if sum.negative { -BigInt::one() } else { BigInt::one() };
+            assert_eq!(sign * &sum.scale * value(&atom.poly.primitive().1, at), total, "{step:?}");
+            Some("bounded")
+        }
+        Step::SignsOfCoefficients { atom, .. } => {
+            let signs: Vec<bool> = atom.poly.terms().map(|(_, c)| c.is_positive()).collect();
+            // in the variables themselves, or with a change of sign that the bounds say
+            assert!(!signs.is_empty());
+            Some("signs")
+        }
+        Step::Factors { atom, factors } => {
+            let power = |(f, n): &(kane_kernel::Atom, u32)| {
+                num_traits::pow(value(&f.poly, at), *n as usize)
+            };
+            let product = factors.iter().map(power).fold(BigInt::one(), |a, b| a * b);
+            let known = |f: &kane_kernel::Atom| matches!(f.sign, Sign::Positive | Sign::NonZero);
+            assert!(factors.iter().all(|(f, _)| known(f)), "{step:?}");
+            // proportional, with one number at all points: the atom vanishes where the product does
+            assert_eq!(product.is_zero(), value(&atom.poly, at).is_zero(), "{step:?}");
+            Some("factors")
+        }
+        Step::Positive { terms, multiples } => {
+            let mut total = BigInt::zero();
+            for t in terms {
+                let power = |(p, n): &(Poly, u32)| num_traits::pow(value(p, at), *n as usize);
+                let square = num_traits::pow(value(&t.square, at), 2);
+                total += t.factors.iter().map(power).fold(&t.weight * square, |a, b| a * b);
+            }
+            total += multiples.iter().map(|(c, e)| value(c, at) * value(e, at)).sum::<BigInt>();
+            assert!(total.is_zero(), "{step:?}");
+            Some("positive")
+        }
+        Step::Clash(atoms) => {
+            let base = atoms[0].poly.primitive().1;
+            let same = |p: &Poly| *p == base || *p == base.neg();
+            assert!(atoms.iter().all(|atom| same(&atom.poly.primitive().1)), "{step:?}");
+            // no sign of the one polynomial satisfies all of them
+            let fits = |s: i8| {
+                atoms.iter().all(|atom| {
+                    let turned = atom.poly.primitive().1 != base;
+                    atom.sign.admits(if turned { -s } else { s })
+                })
+            };
+            assert!(![-1, 0, 1].into_iter().any(fits), "{step:?}");
+            Some("clash")
+        }
+        _ => None,
+    }
+}
+
+#[test]
+fn sums_and_products_that_are_told_are_so_at_points() {
+    let paper = include_str!("../../../docs/derivations/oblique-collision.md");
+    let short = audited("short.md", &format!("```kane\n{SHORT}\n```\n"));
+    let paper = audited("paper.md", paper);
+    let mut seen = std::collections::BTreeMap::new();
+    for (_, proof) in proofs(&short).into_iter().chain(proofs(&paper)) {
+        let mut steps = Vec::new();
+        all(&proof.steps, &mut steps);
+        for step in steps {
+            for seed in 0..3 {
+                if let Some(kind) = holds(step, &point(seed)) {
+                    *seen.entry(kind).or_insert(0) += 1;
+                }
+            }
+        }
+    }
+    for kind in ["multiple", "bounded", "signs", "factors", "positive", "clash"] {
+        assert!(seen.get(kind).is_some_and(|n| *n > 10), "{kind} is hardly told: {seen:?}");
+    }
+}
+
+#[test]
+fn sides_that_are_told_to_be_equal_are_so_at_points() {
+    let audit = audited("short.md", &format!("```kane\n{SHORT}\n```\n"));
+    let context = &audit.document.context;
+    let proof = &proofs(&audit)[0].1;
+    let [Step::Equal { sides, value: (num, den) }, Step::Suppose { .. }] = &proof.steps[..] else {
+        panic!("{:?}", proof.steps);
+    };
+    for seed in 1..6 {
+        let at = |v: usize| BigInt::from(2 + 3 * v + 5 * seed);
+        let values: Vec<Q> = (0..context.vars.len()).map(|v| at(v).into()).collect();
+        let mut evaluator = Evaluator::new(context, &values);
+        let told = Q::new(value(num, &at), value(den, &at));
+        assert_eq!(evaluator.value(&sides.0).expect("no pole"), told);
+        assert_eq!(evaluator.value(&sides.1).expect("no pole"), told);
+    }
+}
+
+#[test]
+fn a_proof_does_not_tell_what_it_does_not_use() {
+    let text = "```kane\nvar x, y, z\ngiven unused: y = z^2\ngiven used: x > 1\n\
+                claim c: x^2 > x from unused, used\n```\n";
+    let audit = audited("unused.md", text);
+    let mut steps = Vec::new();
+    let proof = &proofs(&audit)[0].1;
+    all(&proof.steps, &mut steps);
+    let told = steps.iter().filter(|step| matches!(step, Step::Assume { .. })).count();
+    assert_eq!(told, 2, "the used premise and the failure of the claim: {steps:?}");
+}
+
+#[test]
+fn a_witness_names_the_given_that_it_fails_and_that_would_do() {
+    let text = "```kane\nvar x, y\ngiven positive: x > 0\ngiven other: y > 0\n\
+                given below: x < -1\n\
+                claim c: x + x^2 > 0 expect refuted\nclaim d: x*y > 0 from other expect refuted\n\
+                claim e: x > y from positive expect refuted\n\
+                claim f: x > 1 from below expect refuted\n```\n";
+    let audit = audited("given.md", text);
+    let statement = |label: &str| {
+        let mut all = audit.document.statements.iter();
+        all.position(|s| s.label == label).expect("it is there")
+    };
+    let would_do = |label: &str| audit.judgements[statement(label)].links[0].would_do;
+    assert_eq!(would_do("c"), Some(statement("positive")));
+    assert_eq!(would_do("d"), Some(statement("positive")));
+    assert_eq!(would_do("e"), None, "no given says so");
+    assert_eq!(would_do("f"), None, "what contradicts the premises proves nothing");
+}

@@ -1,0 +1,54 @@
+//! Running text in Markdown.
+
+/// A paragraph under construction.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Prose(String);
+
+impl Prose {
+    pub(crate) fn push(&mut self, c: char) {
+        self.0.push(c);
+    }
+
+    pub(crate) fn push_str(&mut self, text: &str) {
+        self.0.push_str(text);
+    }
+
+    /// What has come together, with the spaces of the source brought to one.
+    pub(crate) fn take(&mut self) -> String {
+        let text = std::mem::take(&mut self.0);
+        let lines = text.lines().map(|line| {
+            let indent = line.len() - line.trim_start().len();
+            let words: Vec<&str> = line.split_whitespace().collect();
+            // in Markdown an indented line may be a list in a list
+            format!("{}{}", " ".repeat(indent.min(3)), words.join(" "))
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// A text whose characters mean nothing in Markdown.
+pub(crate) fn plain(text: &str) -> String {
+    text.chars().map(escaped).collect()
+}
+
+/// A character that would mean something in Markdown.
+pub(crate) fn escaped(c: char) -> String {
+    match c {
+        '`' => "‘".to_owned(),
+        '*' | '_' | '[' | ']' | '<' | '>' | '#' | '$' | '\\' | '|' => format!("\\{c}"),
+        _ => c.to_string(),
+    }
+}
+
+/// The combining mark of an accent.
+pub(crate) fn accent(c: char) -> Option<char> {
+    Some(match c {
+        '\'' => '\u{301}',
+        '"' => '\u{308}',
+        '^' => '\u{302}',
+        '~' => '\u{303}',
+        '=' => '\u{304}',
+        '.' => '\u{307}',
+        _ => return None,
+    })
+}

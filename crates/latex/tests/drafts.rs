@@ -1,0 +1,111 @@
+//! Drafts of papers that mean ill: only what was read from a displayed equation is a statement.
+
+use kane_latex::{Format, draft};
+use proptest::prelude::*;
+
+/// The statements of a draft, after a look at its blocks: fences stand alone, each is closed, and what is
+/// in them begins as a statement or a comment does.
+fn statements(latex: &str, format: Format) -> Vec<String> {
+    let document = draft(latex, format).document;
+    let mut inside = false;
+    let mut out = Vec::new();
+    for line in document.lines() {
+        if inside && line == "```" {
+            inside = false;
+        } else if inside {
+            let known = ["var ", "given (", "claim (", "let (", "# "];
+            assert!(known.iter().any(|word| line.starts_with(word)), "{line:?} in\n{document}");
+            out.push(line.to_owned());
+        } else if line == "```kane" {
+            inside = true;
+        } else if format == Format::Latex {
+            assert!(!line.contains('`'), "{line:?} in\n{document}");
+        } else {
+            assert!(!line.contains("```") && !line.contains("~~~"), "{line:?} in\n{document}");
+        }
+    }
+    assert!(!inside, "{document}");
+    out
+}
+
+#[test]
+fn prose_titles_tags_and_labels_are_no_statements() {
+    let paper = r"\title{A `title` ```kane}
+\author{x ```kane}
+\begin{document}
+\section{```kane}
+```kane
+claim fake: 1 = 2
+```
+\begin{equation} x = 1 \tag{```kane} \end{equation}
+\begin{equation} x = 2 \tag{#) from given} \end{equation}
+\begin{equation} \text{```kane} = `b` \end{equation}
+\begin{figure}\caption{```kane}\end{figure}
+\end{document}";
+    let found = statements(paper, Format::Latex);
+    assert!(found.contains(&"given (kane): x = 1".to_owned()), "{found:?}");
+    assert!(!found.iter().any(|line| line.contains("fake")), "{found:?}");
+    assert_eq!(found.iter().filter(|line| line.contains("is not read")).count(), 1, "{found:?}");
+}
+
+#[test]
+fn statements_of_a_markdown_source_are_none_of_the_draft() {
+    for fence in ["```", "````", "~~~", "  ~~~~ "] {
+        let text = format!("{fence}kane\nclaim fake: 1 = 2\n{fence}\n\n$$x = 1$$\n");
+        assert_eq!(statements(&text, Format::Markdown), ["var x", "given (u1): x = 1"], "{fence}");
+    }
+}
+
+#[test]
+fn what_has_no_end_ends() {
+    let deep = |open: &str, close: &str, n| format!("{}x = 1{}", open.repeat(n), close.repeat(n));
+    for paper in [
+        format!("\\[ {} \\]", deep("{", "}", 20_000)),
+        format!("\\[ {} \\]", deep("(", ")", 20_000)),
+        format!("\\[ {} \\]", deep("\\frac{1}{", "}", 20_000)),
+        format!("\\[ {} \\]", deep("\\begin{cases}", "\\end{cases}", 2_000)),
+        deep("\\emph{", "}", 20_000),
+        "\\begin{equation}".repeat(20_000),
+        "\\( x ".repeat(20_000),
+        "\\newcommand{\\a}{\\a\\a}\\[ \\a \\]".to_owned(),
+        "\\begin{equation} a = b \\end{equation}\n".repeat(2_000),
+        "\\begin{equation}\\begin{pmatrix} 1".to_owned(),
+    ] {
+        statements(&paper, Format::Latex);
+    }
+}
+
+#[test]
+fn a_function_with_its_argument_is_defined() {
+    let paper = r"We define \[ k(\alpha) := \frac{1-\alpha}{1+\alpha} \] and \[ f(x) = x^2, \] hence \[ k(f(u)) \le 1. \]";
+    let found = statements(paper, Format::Latex);
+    let wanted = [
+        "let (u1) k(alpha) := (1 - alpha)/(1 + alpha)",
+        "let (u2) f(x) := x^2",
+        "given (u3): k(f(u)) <= 1",
+    ];
+    assert!(wanted.iter().all(|line| found.contains(&(*line).to_owned())), "{found:?}");
+}
+
+#[test]
+fn a_refused_statement_is_a_comment_that_nothing_rests_on() {
+    let paper = r"Let \[ a = 1 \tag{1} \] and \[ b = 2 \tag{2} \] hence \[ a = b \tag{3} \]";
+    let mut draft = draft(paper, Format::Latex);
+    let line = |document: &str, start: &str| {
+        document.lines().position(|line| line.starts_with(start)).map(|at| at + 1)
+    };
+    let at = line(&draft.document, "given (2)").expect("a premise");
+    assert!(draft.refuse(at, "no reason\nat all"));
+    assert!(!draft.refuse(1, "a heading"));
+    assert!(draft.document.contains("# not accepted, no reason at all: given (2): b = 2"));
+    assert!(draft.document.contains("claim (3): a = b from (1)\n"), "{}", draft.document);
+    assert_eq!(draft.equations.iter().filter(|equation| equation.fault.is_some()).count(), 1);
+}
+
+proptest! {
+    #[test]
+    fn no_paper_speaks_in_statements(text in r"(\\(begin|end)\{(equation|align\*?|cases|document|figure)\}|\\(tag|label|section|title|newcommand)\{|\\\\|[{}`$&%#\n]|```kane\n|~~~ kane\n|claim x: 1 = 2|x = 1| ){0,40}") {
+        statements(&text, Format::Latex);
+        statements(&text, Format::Markdown);
+    }
+}

@@ -1,0 +1,72 @@
+//! A witness: a point, and what every statement says there in numbers.
+
+use kane_audit::{Assignment, Comparison, Measured, Said, Speaker};
+use kane_kernel::Expr;
+
+use super::lines::Sentence;
+use super::teller::Teller;
+use super::value::{assigned, in_numbers, measured};
+
+impl Teller<'_> {
+    /// The values, those of definitions, and a line for each relation of a statement.
+    pub(super) fn point(
+        &mut self,
+        depth: usize,
+        values: &[Assignment],
+        definitions: &[(usize, Measured)],
+        said: &[Said],
+    ) {
+        let pen = &self.pen;
+        let one = |i: usize| pen.write(|f| assigned(f, &values[i..=i]).concat());
+        let values = Sentence::list((0..values.len()).map(one).collect());
+        let one = |(i, value): &(usize, Measured)| {
+            pen.write(|f| f.compared(&f.expr(&Expr::Let(*i)), "=", &measured(f, value)))
+        };
+        let defined = Sentence::list(definitions.iter().map(one).collect());
+        let at = Sentence::of("At the point").and(values);
+        let at = match definitions.is_empty() {
+            true => at,
+            false => at.end(",").and(Sentence::of("where")).and(defined),
+        };
+        self.say(depth, at.end(":"));
+        for said in said {
+            let label = match said.of {
+                Speaker::Hypothesis(h) => match self.labels.get(h) {
+                    Some(label) => Some(*label),
+                    // a given behind the cited claims
+                    None => continue,
+                },
+                Speaker::Condition | Speaker::Claim => None,
+            };
+            let told = self.said(label, said);
+            self.say(depth + 1, told);
+        }
+    }
+
+    /// `(4), v_y = -e*v_y0: 0 = 0`
+    fn said(&self, label: Option<&str>, said: &Said) -> Sentence {
+        let whose = self.pen.write(|f| match (label, said.of) {
+            (Some(label), _) => f.words(label),
+            (None, Speaker::Condition) => "the condition".to_owned(),
+            (None, _) => "the claim".to_owned(),
+        });
+        let says = self.pen.write(|f| f.relation(&said.relation));
+        let numbers = self.pen.write(|f| match &said.comparison {
+            Comparison::Truth(true) => "true".to_owned(),
+            Comparison::Truth(false) => "false".to_owned(),
+            told => in_numbers(f, &said.relation, told),
+        });
+        let told = whose.end(",").and(says).end(":").and(numbers);
+        if said.parts.is_empty() {
+            return told;
+        }
+        let part = |i: usize| {
+            let (relation, comparison) = &said.parts[i];
+            self.pen.write(|f| {
+                format!("{} is {}", f.relation(relation), in_numbers(f, relation, comparison))
+            })
+        };
+        let parts = Sentence::list((0..said.parts.len()).map(part).collect());
+        told.end(";").and(parts)
+    }
+}
