@@ -91,6 +91,28 @@ pub(crate) fn power(a: Expr, n: i32) -> Expr {
     }
 }
 
+/// The expression with others in the place of symbols, which `other` gives with the parts that they count
+/// for; nothing if that comes to too many, or if `other` fails.
+fn written_out(
+    e: &Expr,
+    mut other: impl FnMut(usize) -> Result<Option<(Expr, usize)>, ()>,
+) -> Option<Expr> {
+    let mut parts = 0_usize;
+    let mut replace = |part: &Expr| {
+        parts += 1;
+        if parts > MAX_PARTS {
+            return Err(());
+        }
+        let Expr::Var(v) = part else { return Ok(None) };
+        let found = other(*v)?;
+        Ok(found.map(|(e, more)| {
+            parts += more;
+            e
+        }))
+    };
+    rebuild(e, &mut replace).ok()
+}
+
 impl Sequences {
     /// Whether nothing of the kind is declared.
     #[must_use]
@@ -143,28 +165,20 @@ impl Sequences {
     /// The expression with n + 1 in the place of the index n; nothing if it comes to too much.
     #[must_use]
     pub fn next(&self, e: &Expr, n: usize) -> Option<Expr> {
-        let mut parts = 0_usize;
-        let mut replace = |part: &Expr| {
-            parts += 1;
-            if parts > MAX_PARTS {
-                return Err(());
+        let done = written_out(e, |v| {
+            if v == n {
+                return Ok(Some((Expr::Add(Expr::Var(v).into(), Expr::int(1).into()), 0)));
             }
-            let Expr::Var(v) = part else { return Ok(None) };
-            if *v == n {
-                return Ok(Some(Expr::Add(part.clone().into(), Expr::int(1).into())));
-            }
-            Ok(match self.sources.get(v) {
+            Ok(match self.sources.get(&v) {
                 Some((index, Source::Power(base))) if *index == n => {
-                    Some(Expr::Mul(base.clone().into(), part.clone().into()))
+                    Some((Expr::Mul(base.clone().into(), Expr::Var(v).into()), 0))
                 }
                 Some((index, Source::Recursion(_, next))) if *index == n => {
-                    parts += size(next);
-                    Some(next.clone())
+                    Some((next.clone(), size(next)))
                 }
                 _ => None,
             })
-        };
-        let done = rebuild(e, &mut replace).ok()?;
+        })?;
         (height(&done) <= MAX_DEPTH).then_some(done)
     }
 
@@ -200,29 +214,22 @@ impl Sequences {
         value: u32,
         terms: &mut HashMap<(usize, u32), Expr>,
     ) -> Option<Expr> {
-        let mut parts = 0_usize;
-        let mut replace = |part: &Expr| {
-            parts += 1;
-            if parts > MAX_PARTS {
-                return Err(());
+        written_out(e, |v| {
+            if v == n {
+                return Ok(Some((number(value), 0)));
             }
-            let Expr::Var(v) = part else { return Ok(None) };
-            if *v == n {
-                return Ok(Some(number(value)));
-            }
-            let Some((_, source)) = self.sources.get(v).filter(|(index, _)| *index == n) else {
+            let Some((_, source)) = self.sources.get(&v).filter(|(index, _)| *index == n) else {
                 return Ok(None);
             };
             let done = match source {
                 Source::Power(base) => {
                     Expr::Pow(base.clone().into(), i32::try_from(value).map_err(|_| ())?)
                 }
-                Source::Recursion(..) => self.term(*v, n, value, terms).ok_or(())?,
+                Source::Recursion(..) => self.term(v, n, value, terms).ok_or(())?,
             };
-            parts += size(&done);
-            Ok(Some(done))
-        };
-        rebuild(e, &mut replace).ok()
+            let parts = size(&done);
+            Ok(Some((done, parts)))
+        })
     }
 
     /// The term of a sequence at a number.
