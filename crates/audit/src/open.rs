@@ -96,6 +96,8 @@ pub enum Method {
     Squares,
     /// the ideal of the equations
     Ideals,
+    /// a cone of linear conditions, cut until coefficients have one sign on each part
+    Differences,
     /// boxes on which the signs of coefficients tell
     Boxes,
     /// points: simple values, boundaries and where they meet

@@ -5,10 +5,11 @@ use kane_kernel::{Atom, Point, Poly, Sign, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::differences::differences;
 use super::elimination::{Elimination, open_vars};
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
-use super::search::{MAX_SPLITS, Outcome, Search, Step, since};
+use super::search::{MAX_SPLITS, Outcome, Search, Step, positive_factor, since};
 use super::squares::{Reach, squares};
 use super::{cases, expansion, tactics};
 use crate::argument::{Argument, Rules as _};
@@ -24,6 +25,8 @@ const STARTS: usize = 4;
 const CASE: u32 = 2;
 /// What it costs, of the budget for squares or for cells, to tell a case.
 const ORDER: u64 = 1_000_000;
+/// Of the budget for squares, what cuts by successive differences may take at one leaf.
+const DIFFERENCES: u64 = 10_000_000;
 
 impl Search<'_> {
     pub(super) fn leaf(
@@ -56,6 +59,13 @@ impl Search<'_> {
                 tactics::division_by_premise(state).or_else(|| expansion::expansion(state))
         {
             return Outcome::Closed(proof);
+        }
+        // one of three signs is left, so that this is no case distinction
+        if self.proofs
+            && vars.len() > 1
+            && let Some(factor) = positive_factor(state)
+        {
+            return self.split(state, factor, trail, splits);
         }
         if self.models {
             self.note(Method::Points);
@@ -101,6 +111,10 @@ impl Search<'_> {
                 let tried = self.ideals.then(|| self.note(Method::Ideals));
                 tried.and_then(|()| tactics::ideal(state))
             };
+            let differences = || {
+                self.note(Method::Differences);
+                differences(state, &self.squares.within(DIFFERENCES))
+            };
             let boxes = || {
                 self.note(Method::Boxes);
                 self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits))
@@ -127,6 +141,7 @@ impl Search<'_> {
                 }
             }
             let proof = combined
+                .or_else(differences)
                 .or_else(|| products(1))
                 .or_else(|| squares(Reach::Atoms))
                 .or_else(|| squares(Reach::Pairs))

@@ -9,6 +9,7 @@ mod cases;
 mod cells;
 mod circle;
 mod combination;
+mod differences;
 mod elimination;
 mod enclosure;
 mod expansion;

@@ -488,6 +488,22 @@ fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
     common_sign(&rest).is_some() && tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
 }
 
+/// A polynomial that is said not to vanish, is seen to be positive, and divides a condition.
+pub(super) fn positive_factor(state: &State<'_, '_>) -> Option<Poly> {
+    let divides = |p: &Poly| {
+        let mut order = state.atoms.iter().filter(|a| a.sign.is_order());
+        order.any(|a| may_divide(p, &a.poly) && exact_quotient(&a.poly, p).is_some())
+    };
+    let positive = |p: &Poly| {
+        let trial = state.with(Atom::new(p.neg(), Sign::Positive));
+        tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
+    };
+    let told = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Positive && a.poly == *p);
+    let said = state.atoms.iter().filter(|a| a.sign == Sign::NonZero && a.decided().is_none());
+    let parts = said.map(|a| a.poly.primitive().1).filter(divides);
+    parts.flat_map(|p| [p.neg(), p]).find(|p| !told(p) && positive(p))
+}
+
 /// An atom with factors that are known not to vanish, and what is left of it.
 fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Poly)> {
     let known: Vec<usize> = (0..state.atoms.len())

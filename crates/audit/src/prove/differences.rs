@@ -1,0 +1,322 @@
+//! Successive differences: a polynomial on a cone, which is cut until it has one sign on each part.
+//!
+//! Where as many linear conditions l₁ ≥ 0, …, lₙ ≥ 0 as there are variables are independent, a polynomial q
+//! is one in l₁, …, lₙ, and in 1 if it is not homogeneous in them. If none of its coefficients is positive,
+//! neither is q. If some are, the cone is cut where two of these forms are equal, one of which may be 1: on
+//! the part lᵢ ≥ lⱼ the difference lᵢ − lⱼ takes the place of lᵢ. What has its only zeros at the corners of
+//! a part, as symmetric inequalities do where all variables are equal, ends after few cuts.
+//!
+//! After L. Yang, Solving harder problems with lesser mathematics (2005), who cuts by all orders of the
+//! variables at a time.
+
+use kane_algebra::squares::total_degree as total;
+use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::elimination::open_vars;
+use super::tactics;
+use crate::argument::{Argument, Rules as _};
+
+type Q = BigRational;
+
+/// Of a polynomial that is tried.
+const VARIABLES: usize = 5;
+const TERMS: usize = 300;
+const DEGREE: u32 = 20;
+/// Cuts along one branch.
+const DEPTH: u32 = 14;
+/// Parts in all.
+const PARTS: u32 = 300;
+
+/// A linear condition that is a coordinate, with the index of its atom; the number 1 has none.
+#[derive(Clone, Debug)]
+struct Form {
+    poly: Poly,
+    atom: Option<usize>,
+}
+
+/// scale·(the atom `target`) = q(forms), in variables 0, 1, … for the forms.
+#[derive(Clone, Debug)]
+struct Part {
+    target: usize,
+    scale: BigInt,
+    q: Poly,
+    forms: Vec<Form>,
+}
+
+/// A contradiction between one polynomial of a state and its linear conditions.
+pub(super) fn differences(state: &State<'_, '_>, fuel: &Fuel) -> Option<Argument> {
+    let hard = |i: &usize| {
+        let a = &state.atoms[*i];
+        let (vars, terms) = (a.poly.vars().len(), a.poly.len());
+        let degree = 2..=DEGREE;
+        let fits = (2..=VARIABLES).contains(&vars) && terms > 2 && terms <= TERMS;
+        a.sign.is_order() && fits && degree.contains(&total(&a.poly))
+    };
+    let mut parts = PARTS;
+    (0..state.atoms.len()).rev().filter(hard).find_map(|i| on_cones(state, i, fuel, &mut parts))
+}
+
+/// The same for one atom.
+fn on_cones(
+    state: &State<'_, '_>,
+    target: usize,
+    fuel: &Fuel,
+    parts: &mut u32,
+) -> Option<Argument> {
+    let vars = state.atoms[target].poly.vars();
+    let linear = |i: &usize| {
+        let a = &state.atoms[*i];
+        let known = a.sign.is_order() && a.decided().is_none() && total(&a.poly) == 1;
+        known && a.poly.vars().iter().all(|v| vars.contains(v))
+    };
+    let last: Vec<usize> = (0..state.atoms.len()).rev().filter(linear).collect();
+    let own: Option<Vec<usize>> = vars.iter().map(|&v| tactics::bounds(state, v).0).collect();
+    let mut tried: Vec<Vec<usize>> = Vec::new();
+    for cone in [own, independent(state, &vars, &last)].into_iter().flatten() {
+        if tried.contains(&cone) {
+            continue;
+        }
+        let mut left = *parts;
+        let whole = Part::new(state, target, &vars, &cone, fuel);
+        if let Some(found) = whole.and_then(|p| p.closed(state, fuel, DEPTH, &mut left)) {
+            *parts = left;
+            return Some(found);
+        }
+        tried.push(cone);
+    }
+    None
+}
+
+/// The first of these conditions that are independent, as many as there are variables.
+fn independent(state: &State<'_, '_>, vars: &[usize], from: &[usize]) -> Option<Vec<usize>> {
+    let mut chosen: Vec<usize> = Vec::new();
+    for &i in from {
+        let rows: Vec<usize> = chosen.iter().copied().chain([i]).collect();
+        if rank(rows.iter().map(|&i| row(&state.atoms[i].poly, vars).0).collect()) == rows.len() {
+            chosen = rows;
+        }
+        if chosen.len() == vars.len() {
+            return Some(chosen);
+        }
+    }
+    None
+}
+
+/// The coefficients of a linear polynomial, and its constant.
+fn row(p: &Poly, vars: &[usize]) -> (Vec<Q>, Q) {
+    let of = |m: &[(usize, u32)]| {
+        let found = p.terms().find(|(n, _)| *n == m);
+        found.map_or_else(Q::zero, |(_, c)| Q::from_integer(c.clone()))
+    };
+    (vars.iter().map(|&v| of(&[(v, 1)])).collect(), of(&[]))
+}
+
+/// Brings rows to reduced echelon form by their first columns, and returns how many are not zero there.
+fn reduce(rows: &mut [Vec<Q>], columns: usize) -> usize {
+    let mut done = 0;
+    for column in 0..columns {
+        let Some(pivot) = (done..rows.len()).find(|&r| !rows[r][column].is_zero()) else {
+            continue;
+        };
+        rows.swap(done, pivot);
+        let lead = rows[done][column].clone();
+        for x in &mut rows[done] {
+            *x /= &lead;
+        }
+        let by = rows[done].clone();
+        for (r, other) in rows.iter_mut().enumerate() {
+            if r != done {
+                let factor = other[column].clone();
+                for (x, y) in other.iter_mut().zip(&by) {
+                    *x -= &factor * y;
+                }
+            }
+        }
+        done += 1;
+    }
+    done
+}
+
+fn rank(mut rows: Vec<Vec<Q>>) -> usize {
+    let columns = rows.first().map_or(0, Vec::len);
+    reduce(&mut rows, columns)
+}
+
+impl Part {
+    /// The whole cone.
+    fn new(
+        state: &State<'_, '_>,
+        target: usize,
+        vars: &[usize],
+        cone: &[usize],
+        fuel: &Fuel,
+    ) -> Option<Self> {
+        let n = vars.len();
+        if cone.len() != n {
+            return None;
+        }
+        let poly = &state.atoms[target].poly;
+        // l = A·x + b, so x = A⁻¹·l − A⁻¹·b: the rows (A | 1 | b), reduced
+        let mut system: Vec<Vec<Q>> = Vec::new();
+        for (i, &atom) in cone.iter().enumerate() {
+            let (mut line, constant) = row(&state.atoms[atom].poly, vars);
+            line.extend((0..n).map(|j| if i == j { Q::one() } else { Q::zero() }));
+            line.push(constant);
+            system.push(line);
+        }
+        if reduce(&mut system, n) < n {
+            return None;
+        }
+        let common = system.iter().flatten().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+        let whole = |x: &Q| (x * Q::from_integer(common.clone())).to_integer();
+        // common·x by the forms, the number 1 being the last of them
+        let values: Vec<Poly> = system
+            .iter()
+            .map(|line| {
+                let by_forms = (0..n).map(|j| (vec![(j, 1)], whole(&line[n + j])));
+                Poly::sum(by_forms.chain([(vec![(n, 1)], -whole(&line[2 * n]))]))
+            })
+            .collect();
+        let degree = total(poly);
+        let one = Poly::term(vec![(n, 1)], common.clone());
+        let mut q = Poly::default();
+        for (m, c) in poly.terms() {
+            let mut term = Poly::constant(c.clone());
+            let mut missing = degree;
+            for (v, power) in m {
+                let at = vars.iter().position(|w| w == v)?;
+                term = term.mul(&values[at].pow(*power, fuel).ok()?, fuel).ok()?;
+                missing -= power;
+            }
+            term = term.mul(&one.pow(missing, fuel).ok()?, fuel).ok()?;
+            q.add_all(&term);
+        }
+        let form = |&i: &usize| Form { poly: state.atoms[i].poly.clone(), atom: Some(i) };
+        let mut forms: Vec<Form> = cone.iter().map(form).collect();
+        forms.push(Form { poly: Poly::one(), atom: None });
+        Some(Self { target, scale: common.pow(degree), q, forms })
+    }
+
+    /// Coefficients of the wrong sign; nothing if q is positive at a corner, so that no cut helps.
+    fn wrong(&self) -> Option<usize> {
+        let positive = || self.q.terms().filter(|(_, c)| c.is_positive());
+        let corner = positive().any(|(m, _)| m.len() < 2);
+        (!corner).then(|| positive().count())
+    }
+
+    /// The part where form i is at least form j, with their difference, whose atom has the index `atom`,
+    /// in the place of form i.
+    fn above(
+        &self,
+        (i, j): (usize, usize),
+        difference: &(BigInt, Poly),
+        atom: usize,
+        fuel: &Fuel,
+    ) -> Option<Self> {
+        let (content, poly) = difference;
+        // lᵢ = content·d + lⱼ
+        let value = Poly::sum([(vec![(i, 1)], content.clone()), (vec![(j, 1)], BigInt::one())]);
+        let mut q = Poly::default();
+        for c in self.q.coefficients(i).iter().rev() {
+            q = q.mul(&value, fuel).ok()?.add(c);
+        }
+        let mut forms = self.forms.clone();
+        forms[i] = Form { poly: poly.clone(), atom: Some(atom) };
+        Some(Self { q, forms, ..self.clone() })
+    }
+
+    /// Two forms of which a wrong coefficient is a multiple, and the parts where one is above the other,
+    /// so that the fewest wrong coefficients are left.
+    fn cut(&self, atom: usize, fuel: &Fuel) -> Option<((BigInt, Poly), [Self; 2])> {
+        let mut best: Option<(usize, (BigInt, Poly), [Self; 2])> = None;
+        for i in 0..self.forms.len() {
+            for j in 0..i {
+                let both = |m: &[(usize, u32)]| [i, j].iter().all(|k| m.iter().any(|x| x.0 == *k));
+                if !self.q.terms().any(|(m, c)| c.is_positive() && both(m)) {
+                    continue;
+                }
+                let (content, d) = self.forms[i].poly.sub(&self.forms[j].poly).primitive();
+                let above = self.above((i, j), &(content.clone(), d.clone()), atom, fuel)?;
+                let below = self.above((j, i), &(content.clone(), d.neg()), atom, fuel)?;
+                let left = above.wrong()? + below.wrong()?;
+                if best.as_ref().is_none_or(|b| left < b.0) {
+                    best = Some((left, (content, d), [above, below]));
+                }
+            }
+        }
+        best.map(|(_, d, parts)| (d, parts))
+    }
+
+    /// The contradiction on this part.
+    fn closed(
+        &self,
+        state: &State<'_, '_>,
+        fuel: &Fuel,
+        depth: u32,
+        parts: &mut u32,
+    ) -> Option<Argument> {
+        *parts = parts.checked_sub(1)?;
+        if self.wrong()? == 0 {
+            return self.by_signs(state);
+        }
+        let next = depth.checked_sub(1)?;
+        let ((_, d), [above, below]) = self.cut(state.atoms.len(), fuel)?;
+        let on = |sign, d: &Poly| state.with(Atom::new(d.clone(), sign));
+        let positive = above.closed(&on(Sign::Positive, &d), fuel, next, parts)?;
+        let negative = below.closed(&on(Sign::Positive, &d.neg()), fuel, next, parts)?;
+        let zero = above.where_equal(&on(Sign::Zero, &d), fuel, next, parts)?;
+        Some(Argument::Split {
+            poly: d,
+            zero: Box::new(zero),
+            positive: Box::new(positive),
+            negative: Box::new(negative),
+        })
+    }
+
+    /// The contradiction by the signs of coefficients.
+    fn by_signs(&self, state: &State<'_, '_>) -> Option<Argument> {
+        let target = vec![(self.target, 1)];
+        let mut terms =
+            vec![Term { weight: self.scale.clone(), square: Poly::one(), factors: target }];
+        for (m, c) in self.q.terms() {
+            let mut factors: Vec<(usize, u32)> =
+                m.iter().filter_map(|(i, n)| Some((self.forms[*i].atom?, *n))).collect();
+            factors.sort_unstable();
+            terms.push(Term { weight: -c, square: Poly::one(), factors });
+        }
+        let proof = Argument::Positive { terms, cofactors: Vec::new() };
+        state.closes(&proof).is_ok().then_some(proof)
+    }
+
+    /// The contradiction where the last atom of a state, a linear equation, holds: on the face of this part
+    /// where its latest form is zero, or else on any cone.
+    fn where_equal(
+        &self,
+        state: &State<'_, '_>,
+        fuel: &Fuel,
+        depth: u32,
+        parts: &mut u32,
+    ) -> Option<Argument> {
+        let equation = state.atoms.len() - 1;
+        let var = *state.atoms[equation].poly.vars().last()?;
+        let next = state.substitute(equation, var, &[]).ok()?;
+        let on_face = |parts: &mut u32| {
+            let others = self.forms.iter().filter_map(|f| f.atom).filter(|&i| i != equation);
+            let vars = next.atoms[self.target].poly.vars();
+            let face = Self::new(&next, self.target, &vars, &others.collect::<Vec<_>>(), fuel)?;
+            face.closed(&next, fuel, depth, parts)
+        };
+        let then = tactics::quick(&next)
+            .or_else(|| match open_vars(&next)[..] {
+                [v] => tactics::sign_table(&next, v),
+                _ => None,
+            })
+            .or_else(|| on_face(parts))
+            .or_else(|| on_cones(&next, self.target, fuel, parts))?;
+        Some(Argument::Substitute { equation, var, lead: Vec::new(), then: Box::new(then) })
+    }
+}

@@ -1,0 +1,36 @@
+//! Inequalities in positive numbers, with equality where all of them are equal: what textbooks have, and
+//! nothing but an order of the variables proves.
+
+use kane_audit::{Options, Verdict, audit, read};
+
+fn verdict(claim: &str) -> Verdict {
+    let text = format!("```kane\nvar a > 0, b > 0, c > 0, e > 0\nclaim a: {claim}\n```\n");
+    let document = read("inequality.md", text.as_bytes()).expect("it can be read");
+    audit(document, &Options::default(), &mut |_, _| {}).judgements.remove(0).verdict
+}
+
+#[test]
+fn inequalities_of_positive_numbers_are_proved_by_successive_differences() {
+    for claim in [
+        // Schur's inequality of degree five
+        "a^3*(a - b)*(a - c) + b^3*(b - a)*(b - c) + c^3*(c - a)*(c - b) >= 0",
+        // equal at a = b = c, and at a = b for c = 0, which no sum of squares of low degree shows
+        "(a*b + b*c + c*a)*(1/(a + b)^2 + 1/(b + c)^2 + 1/(c + a)^2) >= 9/4",
+        "a^3/(a^2 + a*b + b^2) + b^3/(b^2 + b*c + c^2) + c^3/(c^2 + c*a + a^2) >= (a + b + c)/3",
+        "a^2/(b + c) + b^2/(c + e) + c^2/(e + a) + e^2/(a + b) >= (a + b + c + e)/2",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
+    }
+}
+
+#[test]
+fn a_little_more_than_they_say_is_refuted() {
+    for claim in [
+        "a^3*(a - b)*(a - c) + b^3*(b - a)*(b - c) + c^3*(c - a)*(c - b) > 0",
+        "(a*b + b*c + c*a)*(1/(a + b)^2 + 1/(b + c)^2 + 1/(c + a)^2) >= 2251/1000",
+        "a^3/(a^2 + a*b + b^2) + b^3/(b^2 + b*c + c^2) + c^3/(c^2 + c*a + a^2) >= 1001*(a + b + c)/3000",
+        "a^2/(b + c) + b^2/(c + e) + c^2/(e + a) + e^2/(a + b) >= 1001*(a + b + c + e)/2000",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
+    }
+}
