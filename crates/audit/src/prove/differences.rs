@@ -26,6 +26,8 @@ type Q = BigRational;
 const VARIABLES: usize = 5;
 const TERMS: usize = 300;
 const DEGREE: u32 = 20;
+/// Conditions that are looked at on a part.
+const TARGETS: usize = 6;
 /// Cuts along one branch.
 const DEPTH: u32 = 14;
 /// Parts in all.
@@ -38,36 +40,48 @@ struct Form {
     atom: Option<usize>,
 }
 
-/// scale·(the atom `target`) = q(forms), in variables 0, 1, … for the forms.
+/// A condition that may fail: scale·(its polynomial) = q(forms), in variables 0, 1, … for the forms.
 #[derive(Clone, Debug)]
-struct Part {
-    target: usize,
+struct Target {
+    atom: usize,
+    /// negative for the opposite of an equation
     scale: BigInt,
     q: Poly,
+}
+
+/// A part of a cone, and the conditions of which it is not known that they hold somewhere on it.
+#[derive(Clone, Debug)]
+struct Part {
+    targets: Vec<Target>,
     forms: Vec<Form>,
 }
 
-/// A contradiction between one polynomial of a state and its linear conditions.
+/// A contradiction between polynomials of a state and its linear conditions.
 pub(super) fn differences(state: &State<'_, '_>, fuel: &Fuel) -> Option<Argument> {
     let hard = |i: &usize| {
         let a = &state.atoms[*i];
         let (vars, terms) = (a.poly.vars().len(), a.poly.len());
-        let degree = 2..=DEGREE;
         let fits = (2..=VARIABLES).contains(&vars) && terms > 2 && terms <= TERMS;
-        a.sign.is_order() && fits && degree.contains(&total(&a.poly))
+        a.sign.is_order() && fits && (2..=DEGREE).contains(&total(&a.poly))
     };
-    let mut parts = PARTS;
-    (0..state.atoms.len()).rev().filter(hard).find_map(|i| on_cones(state, i, fuel, &mut parts))
+    let mut tried: Vec<Vec<usize>> = Vec::new();
+    (0..state.atoms.len()).rev().filter(hard).find_map(|i| {
+        let vars = state.atoms[i].poly.vars();
+        if tried.contains(&vars) {
+            return None;
+        }
+        tried.push(vars.clone());
+        on_cones(state, &vars, fuel, &mut PARTS.clone())
+    })
 }
 
-/// The same for one atom.
+/// The same for the conditions in some variables.
 fn on_cones(
     state: &State<'_, '_>,
-    target: usize,
+    vars: &[usize],
     fuel: &Fuel,
     parts: &mut u32,
 ) -> Option<Argument> {
-    let vars = state.atoms[target].poly.vars();
     let linear = |i: &usize| {
         let a = &state.atoms[*i];
         let known = a.sign.is_order() && a.decided().is_none() && total(&a.poly) == 1;
@@ -76,12 +90,12 @@ fn on_cones(
     let last: Vec<usize> = (0..state.atoms.len()).rev().filter(linear).collect();
     let own: Option<Vec<usize>> = vars.iter().map(|&v| tactics::bounds(state, v).0).collect();
     let mut tried: Vec<Vec<usize>> = Vec::new();
-    for cone in [own, independent(state, &vars, &last)].into_iter().flatten() {
+    for cone in [own, independent(state, vars, &last)].into_iter().flatten() {
         if tried.contains(&cone) {
             continue;
         }
         let mut left = *parts;
-        let whole = Part::new(state, target, &vars, &cone, fuel);
+        let whole = Part::new(state, vars, &cone, fuel);
         if let Some(found) = whole.and_then(|p| p.closed(state, fuel, DEPTH, &mut left)) {
             *parts = left;
             return Some(found);
@@ -146,20 +160,31 @@ fn rank(mut rows: Vec<Vec<Q>>) -> usize {
     reduce(&mut rows, columns)
 }
 
+impl Target {
+    /// How many coefficients have the wrong sign.
+    fn wrong(&self) -> usize {
+        self.q.terms().filter(|(_, c)| c.is_positive()).count()
+    }
+
+    /// Whether some have the right one, so that the condition may fail somewhere.
+    fn may_fail(&self) -> bool {
+        self.q.is_empty() || self.q.terms().any(|(_, c)| c.is_negative())
+    }
+
+    /// Whether the condition holds at the corner where only form i is not zero.
+    fn holds_at(&self, i: usize) -> bool {
+        let alone = |m: &[(usize, u32)]| m.iter().all(|x| x.0 == i);
+        self.q.terms().any(|(m, c)| alone(m) && c.is_positive())
+    }
+}
+
 impl Part {
     /// The whole cone.
-    fn new(
-        state: &State<'_, '_>,
-        target: usize,
-        vars: &[usize],
-        cone: &[usize],
-        fuel: &Fuel,
-    ) -> Option<Self> {
+    fn new(state: &State<'_, '_>, vars: &[usize], cone: &[usize], fuel: &Fuel) -> Option<Self> {
         let n = vars.len();
         if cone.len() != n {
             return None;
         }
-        let poly = &state.atoms[target].poly;
         // l = A·x + b, so x = A⁻¹·l − A⁻¹·b: the rows (A | 1 | b), reduced
         let mut system: Vec<Vec<Q>> = Vec::new();
         for (i, &atom) in cone.iter().enumerate() {
@@ -181,31 +206,39 @@ impl Part {
                 Poly::sum(by_forms.chain([(vec![(n, 1)], -whole(&line[2 * n]))]))
             })
             .collect();
-        let degree = total(poly);
         let one = Poly::term(vec![(n, 1)], common.clone());
-        let mut q = Poly::default();
-        for (m, c) in poly.terms() {
-            let mut term = Poly::constant(c.clone());
-            let mut missing = degree;
-            for (v, power) in m {
-                let at = vars.iter().position(|w| w == v)?;
-                term = term.mul(&values[at].pow(*power, fuel).ok()?, fuel).ok()?;
-                missing -= power;
+        let mut targets = Vec::new();
+        for (i, a) in state.atoms.iter().enumerate() {
+            let inside = a.poly.vars().iter().all(|v| vars.contains(v));
+            let small = a.poly.len() <= TERMS && total(&a.poly) <= DEGREE;
+            if a.decided().is_some() || !inside || !small || cone.contains(&i) {
+                continue;
             }
-            term = term.mul(&one.pow(missing, fuel).ok()?, fuel).ok()?;
-            q.add_all(&term);
+            let signs: &[i32] = match a.sign {
+                Sign::NonZero => &[],
+                Sign::Zero => &[1, -1],
+                Sign::Positive | Sign::NonNegative => &[1],
+            };
+            let scale = common.pow(total(&a.poly));
+            let q = by_forms(&a.poly, vars, &values, &one, fuel)?;
+            let target = |s: &i32| Target { atom: i, scale: &scale * s, q: q.scale(&(*s).into()) };
+            targets.extend(signs.iter().map(target));
         }
+        targets.reverse();
+        targets.retain(Target::may_fail);
+        targets.truncate(TARGETS);
         let form = |&i: &usize| Form { poly: state.atoms[i].poly.clone(), atom: Some(i) };
         let mut forms: Vec<Form> = cone.iter().map(form).collect();
         forms.push(Form { poly: Poly::one(), atom: None });
-        Some(Self { target, scale: common.pow(degree), q, forms })
+        (!targets.is_empty()).then_some(Self { targets, forms })
     }
 
-    /// Coefficients of the wrong sign; nothing if q is positive at a corner, so that no cut helps.
+    /// The fewest coefficients of the wrong sign that a condition has; nothing if all hold at a corner, so
+    /// that no cut helps.
     fn wrong(&self) -> Option<usize> {
-        let positive = || self.q.terms().filter(|(_, c)| c.is_positive());
-        let corner = positive().any(|(m, _)| m.len() < 2);
-        (!corner).then(|| positive().count())
+        let open = |i: usize| self.targets.iter().all(|t| t.holds_at(i));
+        let fewest = self.targets.iter().map(Target::wrong).min();
+        fewest.filter(|_| !(0..self.forms.len()).any(open))
     }
 
     /// The part where form i is at least form j, with their difference, whose atom has the index `atom`,
@@ -220,13 +253,18 @@ impl Part {
         let (content, poly) = difference;
         // lᵢ = content·d + lⱼ
         let value = Poly::sum([(vec![(i, 1)], content.clone()), (vec![(j, 1)], BigInt::one())]);
-        let mut q = Poly::default();
-        for c in self.q.coefficients(i).iter().rev() {
-            q = q.mul(&value, fuel).ok()?.add(c);
+        let mut targets = Vec::new();
+        for target in &self.targets {
+            let mut q = Poly::default();
+            for c in target.q.coefficients(i).iter().rev() {
+                q = q.mul(&value, fuel).ok()?.add(c);
+            }
+            targets.push(Target { q, ..target.clone() });
         }
+        targets.retain(Target::may_fail);
         let mut forms = self.forms.clone();
         forms[i] = Form { poly: poly.clone(), atom: Some(atom) };
-        Some(Self { q, forms, ..self.clone() })
+        (!targets.is_empty()).then_some(Self { targets, forms })
     }
 
     /// Two forms of which a wrong coefficient is a multiple, and the parts where one is above the other,
@@ -236,7 +274,8 @@ impl Part {
         for i in 0..self.forms.len() {
             for j in 0..i {
                 let both = |m: &[(usize, u32)]| [i, j].iter().all(|k| m.iter().any(|x| x.0 == *k));
-                if !self.q.terms().any(|(m, c)| c.is_positive() && both(m)) {
+                let helps = |t: &Target| t.q.terms().any(|(m, c)| c.is_positive() && both(m));
+                if !self.targets.iter().any(helps) {
                     continue;
                 }
                 let (content, d) = self.forms[i].poly.sub(&self.forms[j].poly).primitive();
@@ -261,7 +300,10 @@ impl Part {
     ) -> Option<Argument> {
         *parts = parts.checked_sub(1)?;
         if self.wrong()? == 0 {
-            return self.by_signs(state);
+            let mut sure = self.targets.iter().filter(|t| t.wrong() == 0);
+            if let Some(proof) = sure.find_map(|t| self.by_signs(state, t)) {
+                return Some(proof);
+            }
         }
         let next = depth.checked_sub(1)?;
         let ((_, d), [above, below]) = self.cut(state.atoms.len(), fuel)?;
@@ -278,17 +320,22 @@ impl Part {
     }
 
     /// The contradiction by the signs of coefficients.
-    fn by_signs(&self, state: &State<'_, '_>) -> Option<Argument> {
-        let target = vec![(self.target, 1)];
-        let mut terms =
-            vec![Term { weight: self.scale.clone(), square: Poly::one(), factors: target }];
-        for (m, c) in self.q.terms() {
+    fn by_signs(&self, state: &State<'_, '_>, target: &Target) -> Option<Argument> {
+        let one = Poly::one();
+        let (mut terms, mut cofactors) = (Vec::new(), Vec::new());
+        if state.atoms[target.atom].sign == Sign::Zero {
+            cofactors.push((target.atom, Poly::constant(target.scale.clone())));
+        } else {
+            let factors = vec![(target.atom, 1)];
+            terms.push(Term { weight: target.scale.clone(), square: one.clone(), factors });
+        }
+        for (m, c) in target.q.terms() {
             let mut factors: Vec<(usize, u32)> =
                 m.iter().filter_map(|(i, n)| Some((self.forms[*i].atom?, *n))).collect();
             factors.sort_unstable();
-            terms.push(Term { weight: -c, square: Poly::one(), factors });
+            terms.push(Term { weight: -c, square: one.clone(), factors });
         }
-        let proof = Argument::Positive { terms, cofactors: Vec::new() };
+        let proof = Argument::Positive { terms, cofactors };
         state.closes(&proof).is_ok().then_some(proof)
     }
 
@@ -304,10 +351,13 @@ impl Part {
         let equation = state.atoms.len() - 1;
         let var = *state.atoms[equation].poly.vars().last()?;
         let next = state.substitute(equation, var, &[]).ok()?;
+        let mut vars: Vec<usize> =
+            self.targets.iter().flat_map(|t| next.atoms[t.atom].poly.vars()).collect();
+        vars.sort_unstable();
+        vars.dedup();
         let on_face = |parts: &mut u32| {
             let others = self.forms.iter().filter_map(|f| f.atom).filter(|&i| i != equation);
-            let vars = next.atoms[self.target].poly.vars();
-            let face = Self::new(&next, self.target, &vars, &others.collect::<Vec<_>>(), fuel)?;
+            let face = Self::new(&next, &vars, &others.collect::<Vec<_>>(), fuel)?;
             face.closed(&next, fuel, depth, parts)
         };
         let then = tactics::quick(&next)
@@ -316,7 +366,26 @@ impl Part {
                 _ => None,
             })
             .or_else(|| on_face(parts))
-            .or_else(|| on_cones(&next, self.target, fuel, parts))?;
+            .or_else(|| on_cones(&next, &vars, fuel, parts))?;
         Some(Argument::Substitute { equation, var, lead: Vec::new(), then: Box::new(then) })
     }
+}
+
+/// A polynomial by the forms that give its variables, each a common multiple of them; homogeneous, with that
+/// multiple of 1 as a power.
+fn by_forms(p: &Poly, vars: &[usize], values: &[Poly], one: &Poly, fuel: &Fuel) -> Option<Poly> {
+    let degree = total(p);
+    let mut q = Poly::default();
+    for (m, c) in p.terms() {
+        let mut term = Poly::constant(c.clone());
+        let mut missing = degree;
+        for (v, power) in m {
+            let at = vars.iter().position(|w| w == v)?;
+            term = term.mul(&values[at].pow(*power, fuel).ok()?, fuel).ok()?;
+            missing -= power;
+        }
+        term = term.mul(&one.pow(missing, fuel).ok()?, fuel).ok()?;
+        q.add_all(&term);
+    }
+    Some(q)
 }
