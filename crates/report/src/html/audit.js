@@ -34,7 +34,7 @@
   reveal();
 
   const button = form.querySelector("button");
-  const proofs = all("article details");
+  const proofs = all("article details:not(.more)");
   button.addEventListener("click", () => {
     const open = proofs.some((proof) => !proof.open);
     for (const proof of proofs) proof.open = open;
