@@ -109,7 +109,7 @@ mod tests {
     fn what_fits_stays_and_what_is_wider_than_a_line_can_be_broken() {
         let fits = r"\left(\frac{a + b}{c}\right) = \frac{1}{2}\{x\}";
         assert_eq!(breakable(fits), fits);
-        let sum = vec!["a_{xy} b^{2}"; 30].join(" + ");
+        let sum = ["a_{xy} b^{2}"; 30].join(" + ");
         let wide = format!(r"\frac{{{sum}}}{{2}} \cdot \left(\frac{{d y}}{{d t}}\right)");
         let broken = breakable(&wide);
         assert_eq!(broken, format!(r"(({sum})/(2)) \cdot \left(\frac{{d y}}{{d t}}\right)"));
