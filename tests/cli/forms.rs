@@ -40,6 +40,7 @@ fn there_is_no_colour_in_a_pipe() {
 #[test]
 fn json_follows_its_documented_schema() {
     let run = kane(&["audit", "--format", "json"]);
+    crate::schemas::assert_valid("audit", &run.stdout);
     let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
     assert_eq!(report["schema"]["name"], "kane-audit");
     assert_eq!(report["schema"]["version"], 1);

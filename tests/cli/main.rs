@@ -18,6 +18,8 @@ mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
 mod remarks; // verdicts beside lines: SARIF and workflow commands
 mod scene; // scenes: models, files, exit codes
+#[path = "../schemas/mod.rs"]
+mod schemas; // that reports are as their JSON Schemas say
 mod shell; // colours, completions, manual pages, near names
 mod site; // the site
 mod stability; // stability and chart
@@ -34,8 +36,20 @@ struct Run {
 }
 
 /// The program with these arguments, in the root of the checkout.
+///
+/// Every report for programs that it prints, or leaves in the directory behind `--out`, is held against its schema.
 fn kane(arguments: &[&str]) -> Run {
-    finish(command().args(arguments).output().expect("the program starts"))
+    let run = finish(command().args(arguments).output().expect("the program starts"));
+    schemas::assert_valid_if_ours(&run.stdout);
+    let out = arguments.iter().skip_while(|argument| **argument != "--out").nth(1);
+    let written = out.and_then(|out| std::fs::read_dir(out).ok()).into_iter().flatten().flatten();
+    for path in written.map(|entry| entry.path()) {
+        if path.extension().is_some_and(|ending| ending == "json") {
+            let text = std::fs::read_to_string(&path);
+            schemas::assert_valid_if_ours(&text.unwrap_or_default());
+        }
+    }
+    run
 }
 
 /// The program, with nothing in its environment that changes what it prints.

@@ -10,6 +10,8 @@ use kane::number::parse;
 use kane::report::Page;
 use kane::report::collision::sheet;
 
+use crate::schemas::assert_valid;
+
 const EXAMPLE: &str = "--sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98";
 
 /// What the program prints.
@@ -40,7 +42,9 @@ fn one_law_with_an_irrational_root() {
 
 #[test]
 fn one_law_as_json() {
-    assert_shown("json", &printed(&format!("{EXAMPLE} --law walton --format json")));
+    let json = printed(&format!("{EXAMPLE} --law walton --format json"));
+    assert_valid("collide", &json);
+    assert_shown("json", &json);
 }
 
 #[test]

@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use kane::audit::{
     Accepted, Assignment, Audit, Body, Comparison, Content, Document, Judgement, LinkJudgement,
-    Means, Measured, Open, Proof, Reason, Said, Solved, Source, Speaker, Step, Value, Variable,
-    Verdict,
+    Means, Measured, Open, Proof, Reason, Said, Solved, Source, Speaker, Standing, Step, Value,
+    Variable, Verdict,
 };
 use kane::kernel::{
     Atom, Certificate, Conclusion, Evidence, Expr, Finding, Goal, Link, Model, Point, Poly, Rel,
@@ -164,11 +164,16 @@ fn link(document: &Document, label: &str, number: usize, verdict: Verdict) -> Li
         work: 3_400,
         accepted: decided.then(|| Rc::new(accepted(goal, finding, Evidence::Limit(Vec::new())))),
         explanation: if decided { told.into() } else { kane::audit::Explanation::default() },
-        behind: None,
+        standing: match (verdict, label) {
+            (Verdict::Refuted, "half") => Some(Standing::Unmet(vec![1])),
+            (Verdict::Refuted, _) => Some(Standing::AllMet),
+            (Verdict::IllDefined, _) => Some(Standing::NotShown),
+            _ => None,
+        },
         attempt: None,
         open: (!decided).then_some(Open::Steps(10_000)),
         unreached: None,
-        would_do: None,
+        would_do: (verdict == Verdict::Refuted && label == "half").then_some(1),
         at: Vec::new(),
     }
 }

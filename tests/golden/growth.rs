@@ -5,6 +5,7 @@ use kane::measure::growth::{Growth, counted};
 use kane::report::Page;
 use kane::report::growth::{GrowthReport, Question, csv, json, picture, sheet};
 
+use crate::schemas::assert_valid;
 use crate::settings;
 
 fn report(growth: &Growth) -> GrowthReport<'_> {
@@ -27,6 +28,7 @@ fn the_curves_without_a_clock() {
     }
 
     // the other forms tell the same
+    assert_valid("growth", &json(&report));
     let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
     let points = value["points"].as_array().expect("a list");
     assert_eq!(points.len() + 1, table.lines().count());

@@ -15,7 +15,9 @@ mod puzzle; // Kane's double pendulum, as numbers and as a map
 mod reports; // the report of a small audit, in every format
 mod rounding; // the scripts that bound rounding errors
 mod scene; // the shipped scenes, and where methods fail
-mod schema; // the JSON Schemas, and that reports are as they say
+mod schema; // the JSON Schemas
+#[path = "../schemas/mod.rs"]
+mod schemas; // that reports are as they say
 mod site; // the site: its index, its links
 mod stability; // where the formulas of the paper fail
 

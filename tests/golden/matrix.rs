@@ -5,6 +5,7 @@ use kane::matrix::{Cell, Finding, Matrix, PROPERTIES, Row, Selection, matrix};
 use kane::report::Page;
 use kane::report::matrix::{MatrixReport, csv, explain, html, json, picture, properties, sheet};
 
+use crate::schemas::assert_valid;
 use crate::{assert_kept, settings};
 
 /// In every form, by one test: making the matrix takes longest.
@@ -38,6 +39,7 @@ fn as_markdown(matrix: &Matrix) {
 
 /// Of three laws: all of them are more than a snapshot may hold.
 fn as_json(matrix: &Matrix) {
+    assert_valid("laws", &json(&report(matrix)));
     let value: serde_json::Value =
         serde_json::from_str(&json(&report(matrix))).expect("it is JSON");
     assert_eq!(value["laws"].as_array().expect("a list").len(), matrix.rows.len());

@@ -2,9 +2,10 @@
 
 use kane::audit::Options;
 use kane::judges::{Answer, Judge};
-use kane::report::{Page, Report, explain, html, json, latex, markdown, text};
+use kane::report::{Page, Report, certificates, explain, html, json, latex, markdown, text};
 
 use crate::fixture::audit;
+use crate::schemas::assert_valid;
 use crate::settings;
 
 /// Compares with `snapshots/reports/NAME.snap`.
@@ -56,7 +57,11 @@ fn markdown_of_every_verdict() {
 #[test]
 fn json_of_every_verdict() {
     let audit = audit();
-    assert_report("json", &json(&[Report::new(&audit, "kane audit wall.md")]));
+    let report = Report::new(&audit, "kane audit wall.md");
+    assert_valid("certificate", &certificates(&report));
+    let json = json(&[report]);
+    assert_valid("audit", &json);
+    assert_report("json", &json);
 }
 
 #[test]

@@ -10,6 +10,7 @@ use kane::report::scene::{
 };
 use kane::scene::{Effort, answer, read, stress};
 
+use crate::schemas::assert_valid;
 use crate::{assert_kept, settings};
 
 fn shipped(name: &str, effort: Effort, check: impl FnOnce(&SceneReport<'_>)) {
@@ -90,8 +91,8 @@ fn every_shipped_scene_is_answered_and_drawn() {
 #[test]
 fn all_forms_of_a_report_tell_the_same() {
     shipped("backspin", Effort::All, |report| {
+        assert_valid("scene", &json(report));
         let value: serde_json::Value = serde_json::from_str(&json(report)).expect("it is JSON");
-        assert_eq!(value["schema"]["name"], "kane-scene");
         assert_eq!(value["chosen"], "routh-newton/f32");
         let models = value["models"].as_array().expect("a list");
         assert_eq!(models_csv(report).lines().count(), models.len() + 1);

@@ -4,6 +4,7 @@ use kane::measure::{Stability, examine};
 use kane::report::Page;
 use kane::report::stability::{StabilityReport, csv, json, picture, sheet, strips_picture};
 
+use crate::schemas::assert_valid;
 use crate::{assert_kept, settings};
 
 fn paper() -> Stability {
@@ -26,6 +27,7 @@ fn the_table_of_the_paper() {
     // the other forms tell the same
     let ranges: usize = stability.lines.iter().map(|line| line.ranges.len()).sum();
     assert_eq!(csv(&report).lines().count(), ranges + 1);
+    assert_valid("stability", &json(&report));
     let value: serde_json::Value = serde_json::from_str(&json(&report)).expect("it is JSON");
     let formulas = value["formulas"].as_array().expect("a list").len();
     assert_eq!(formulas, stability.subject.examined);

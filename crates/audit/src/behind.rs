@@ -1,49 +1,174 @@
-//! A witness and the givens that are not cited: which of them fail there, and which one would do if it were cited.
+//! A witness and the givens that are not cited: whether all of them hold there too, which of them fail, and which one would
+//! do if it were cited.
 
 use std::cell::RefCell;
 
 use kane_algebra::syntax::{Evaluator, compares};
 use kane_kernel::{
-    Certificate, Conclusion, Evidence, Finding, Fuel, Goal, Hypothesis, Link, Model, Point,
+    Conclusion, Evidence, Expr, Finding, Fuel, Goal, Hypothesis, Link, Model, Point, Rel, Relation,
     Sentence,
 };
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
 use crate::explain::mentions;
-use crate::prove::{Budget, Decided, Prover};
-use crate::{Behind, Body, Document};
+use crate::prove::{Budget, Decided, Prover, Verdicts};
+use crate::{Body, Document, Standing};
 
 /// Givens that are tried as a further premise.
 const MOST_TRIED: usize = 4;
-/// What one such attempt has of the work that a claim may take.
+/// What one such attempt, and the search for a point at which all givens hold, has of the work that a claim may take.
 const SHARE: u64 = 8;
 
-/// The givens above a claim, not cited by it, that fail at the point of a witness.
-///
-/// Only those are asked whose symbols all have a value there.
-pub(crate) fn failing(
-    document: &Document,
-    above: usize,
-    cited: &[usize],
-    certificate: &Certificate,
-) -> Vec<usize> {
-    let Evidence::Model(Model::Point(point)) = &certificate.evidence else { return Vec::new() };
-    if point.generator.is_some() {
-        return Vec::new();
+/// A goal that was decided by a witness, and where in the document its claim stands.
+pub(crate) struct Witnessed<'a> {
+    pub(crate) document: &'a Document,
+    /// the number of statements above the claim
+    pub(crate) above: usize,
+    pub(crate) goal: &'a Goal,
+    /// what the hypotheses of the goal are, as far as they are statements
+    pub(crate) cited: &'a [usize],
+    /// the givens on which the claim rests through what it cites
+    pub(crate) further: &'a [usize],
+    pub(crate) budget: Budget,
+    pub(crate) work: &'a Fuel,
+}
+
+impl Witnessed<'_> {
+    /// How the witness of a finding stands to the givens above; `None` where nothing was refuted by one.
+    ///
+    /// The witness is continued to a point at which all of them hold. Where that cannot be, another witness is looked for
+    /// that can, and takes its place.
+    pub(crate) fn standing(&self, found: &mut Verdicts) -> Option<Standing> {
+        let certificate = &found.decided.as_ref()?.certificate;
+        let Evidence::Model(model) = &certificate.evidence else { return None };
+        if !matches!(certificate.finding, Finding::Refuted | Finding::IllDefined) {
+            return None;
+        }
+        let others = self.others();
+        if others.is_empty() {
+            return Some(Standing::AllMet);
+        }
+        let Model::Point(point) = model else { return Some(Standing::NotShown) };
+        let failing = self.failing(&others, point);
+        let finding = certificate.finding;
+        let pins = if failing.is_empty() { self.pins(point) } else { Vec::new() };
+        let stays = if pins.is_empty() { None } else { self.everywhere(&others, pins, finding) };
+        let all_met = stays.or_else(|| self.everywhere(&others, Vec::new(), finding));
+        if let Some(decided) = all_met {
+            found.decided = Some(decided);
+            return Some(Standing::AllMet);
+        }
+        Some(if failing.is_empty() { Standing::NotShown } else { Standing::Unmet(failing) })
     }
-    let values = coordinates(document, point);
-    let mut at = Evaluator::new(&document.context, &values);
-    let mut failing = Vec::new();
-    for (i, statement) in document.statements.iter().enumerate().take(above) {
-        let Body::Given(sentence) = &statement.body else { continue };
-        let known = |v: &usize| point.values.iter().any(|known| known.0 == *v);
-        let is_known = mentions(&document.context, sentence).iter().all(known);
-        if is_known && !cited.contains(&i) && fails(&mut at, sentence) {
-            failing.push(i);
+
+    /// The givens above that are not cited, those first on which the claim rests.
+    fn others(&self) -> Vec<usize> {
+        let statements = &self.document.statements[..self.above];
+        let is_other =
+            |i: &usize| matches!(statements[*i].body, Body::Given(_)) && !self.cited.contains(i);
+        let mut others: Vec<usize> = (0..self.above).filter(is_other).collect();
+        others.sort_by_key(|i| !self.further.contains(i));
+        others
+    }
+
+    /// What a given says.
+    fn said(&self, index: usize) -> Option<Hypothesis> {
+        match &self.document.statements[index].body {
+            Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
+            _ => None,
         }
     }
-    failing
+
+    /// Those of the givens that fail at a point. Only those are asked whose symbols all have a value there.
+    fn failing(&self, others: &[usize], point: &Point) -> Vec<usize> {
+        if point.generator.is_some() {
+            return Vec::new();
+        }
+        let document = self.document;
+        let values = coordinates(document, point);
+        let mut at = Evaluator::new(&document.context, &values);
+        let known = |v: &usize| point.values.iter().any(|known| known.0 == *v);
+        let mut fails_there = |i: &usize| {
+            let Body::Given(sentence) = &document.statements[*i].body else { return false };
+            mentions(&document.context, sentence).iter().all(known) && fails(&mut at, sentence)
+        };
+        others.iter().copied().filter(|i| fails_there(i)).collect()
+    }
+
+    /// That the symbols of the goal have the values of a point, if these are rational.
+    fn pins(&self, point: &Point) -> Vec<Hypothesis> {
+        let symbols = self.document.context.vars.len();
+        let values = point.values.iter().filter(|(v, _)| *v < symbols);
+        let pin = |(v, value): &(usize, Vec<BigRational>)| {
+            let value = value.first().cloned().unwrap_or_else(BigRational::zero);
+            let equation = Relation { lhs: Expr::Var(*v), rel: Rel::Eq, rhs: Expr::Num(value) };
+            let sentence = Sentence { when: Vec::new(), links: vec![Link::Relation(equation)] };
+            Hypothesis { sentence, given: true }
+        };
+        if point.generator.is_some() { Vec::new() } else { values.map(pin).collect() }
+    }
+
+    /// A witness of the goal at which these givens and these pins hold too.
+    fn everywhere(
+        &self,
+        others: &[usize],
+        pins: Vec<Hypothesis>,
+        finding: Finding,
+    ) -> Option<Decided> {
+        let given: Vec<Hypothesis> = others.iter().filter_map(|i| self.said(*i)).collect();
+        let is_limit = |link: &Link| matches!(link, Link::Limit(_));
+        // a point cannot be held against a limit
+        if given.iter().any(|h| h.sentence.links.iter().any(is_limit)) {
+            return None;
+        }
+        let mut all = self.goal.clone();
+        all.context.lets.clone_from(&self.document.context.lets);
+        all.hypotheses.extend(given);
+        let mut pinned = all.clone();
+        pinned.hypotheses.extend(pins);
+        let earlier = RefCell::default();
+        let prover = self.prover(&all, &earlier);
+        let (decided, model) = prover.witness_within(&pinned, self.goal, finding)?;
+        let ids: Vec<usize> = self.cited.iter().chain(others).copied().collect();
+        let motion = &self.document.motion;
+        let moves = !motion.concerns(&all)
+            || ids.len() == all.hypotheses.len()
+                && motion.is_met(&all, &ids, &Evidence::Model(model));
+        moves.then_some(decided)
+    }
+
+    fn prover<'p>(&self, resting: &'p Goal, earlier: &'p RefCell<Vec<Model>>) -> Prover<'p> {
+        Prover {
+            budget: self.budget.share(SHARE),
+            work: self.work.clone(),
+            using: &[],
+            by: &[],
+            earlier,
+            cited: resting.hypotheses.len(),
+            resting,
+        }
+    }
+
+    /// The first of the givens that fail at a witness with which the claim is proved.
+    pub(crate) fn would_do(&self, standing: Option<&Standing>) -> Option<usize> {
+        let Some(Standing::Unmet(failing)) = standing else { return None };
+        if !matches!(self.goal.conclusion, Conclusion::Link(Link::Relation(_))) {
+            return None;
+        }
+        let proves = |i: &usize| {
+            let Some(given) = self.said(*i) else { return false };
+            let mut goal = self.goal.clone();
+            goal.hypotheses.push(given);
+            goal.context.lets.clone_from(&self.document.context.lets);
+            let earlier = RefCell::default();
+            // of premises that contradict each other anything would follow
+            let found = self.prover(&goal, &earlier).judge(&goal, true);
+            let proved = |decided: &Decided| decided.certificate.finding == Finding::Proved;
+            found.model.is_some() && found.decided.as_ref().is_some_and(proved)
+        };
+        failing.iter().take(MOST_TRIED).copied().find(proves)
+    }
 }
 
 fn coordinates(document: &Document, point: &Point) -> Vec<BigRational> {
@@ -67,59 +192,4 @@ fn fails(at: &mut Evaluator<'_>, sentence: &Sentence) -> bool {
         },
         Link::Limit(_) => false,
     })
-}
-
-/// The first of the givens that fail at a witness with which the claim is proved.
-pub(crate) fn would_do(
-    document: &Document,
-    goal: &Goal,
-    failing: &[usize],
-    (budget, work): (Budget, &Fuel),
-) -> Option<usize> {
-    if !matches!(goal.conclusion, Conclusion::Link(Link::Relation(_))) {
-        return None;
-    }
-    let proves = |i: &usize| {
-        let Body::Given(sentence) = &document.statements[*i].body else { return false };
-        let mut goal = goal.clone();
-        goal.hypotheses.push(Hypothesis { sentence: sentence.clone(), given: true });
-        goal.context.lets.clone_from(&document.context.lets);
-        let earlier = RefCell::default();
-        let prover = Prover {
-            budget: budget.share(SHARE),
-            work: work.clone(),
-            using: &[],
-            by: &[],
-            earlier: &earlier,
-            cited: goal.hypotheses.len(),
-            resting: &goal,
-        };
-        // of premises that contradict each other anything would follow
-        let found = prover.judge(&goal, true);
-        let proved = |decided: &Decided| decided.certificate.finding == Finding::Proved;
-        found.model.is_some() && found.decided.as_ref().is_some_and(proved)
-    };
-    failing.iter().take(MOST_TRIED).copied().find(proves)
-}
-
-/// What is to be said of a witness and the givens behind what is cited, if anything.
-pub(crate) fn behind(
-    goal: &Goal,
-    resting: &Goal,
-    certificate: &Certificate,
-    failing: Vec<usize>,
-) -> Option<Behind> {
-    if goal.hypotheses.len() == resting.hypotheses.len() {
-        return None;
-    }
-    match &certificate.evidence {
-        Evidence::Model(Model::Point(_)) => {
-            let goal = kane_kernel::digest(resting);
-            let again = Certificate { goal, ..certificate.clone() };
-            let met = kane_kernel::check(resting, &again, kane_kernel::Fuel::new(10_000_000));
-            met.is_err().then_some(Behind::NotMet(failing))
-        }
-        Evidence::Model(Model::Functions(_)) => Some(Behind::NotShown),
-        Evidence::Contradiction(_) | Evidence::Limit(_) => None,
-    }
 }

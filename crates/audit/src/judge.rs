@@ -8,11 +8,12 @@ use kane_kernel::{
     Sentence, Side, Target,
 };
 
+use crate::behind::Witnessed;
 use crate::memo::{self, Memo, Read};
 use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
     Accepted, Audit, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement, Open,
-    Unreached, Verdict, behind, explain, index,
+    Unreached, Verdict, explain, index,
 };
 
 /// What the search for one number in the place of an index has of the work that a claim may take.
@@ -370,7 +371,7 @@ fn judge(
             hypotheses.len().min(from_text),
             &ask,
         );
-        let index::Asked { goal, resting, found, met: model, at } = asked;
+        let index::Asked { goal, resting, mut found, met: model, at } = asked;
         let unreached = found.unreached.as_ref();
         let unreached =
             unreached.map(|(side, given)| unreached_by(document, claim, done, side, given));
@@ -378,16 +379,21 @@ fn judge(
         if met.is_none() {
             met = model.as_ref().map(|(goal, model)| Rc::new(accepted_model(goal, model)));
         }
-        let point = found.decided.as_ref().filter(|d| d.certificate.finding == Finding::Refuted);
-        read_above |= point.is_some();
-        let failing = point.map_or_else(Vec::new, |decided| {
-            behind::failing(document, done.len(), &cited, &decided.certificate)
-        });
-        let would_do = behind::would_do(document, &goal, &failing, (budget, work));
-        let resting_on = failing.into_iter().filter(|i| further.contains(i)).collect();
-        let judged = link_judgement((&goal, &resting), &cited, found, resting_on);
+        let witnessed = Witnessed {
+            document,
+            above: done.len(),
+            goal: &goal,
+            cited: &cited,
+            further: &further,
+            budget,
+            work,
+        };
+        let standing = witnessed.standing(&mut found);
+        read_above |= standing.is_some();
+        let would_do = witnessed.would_do(standing.as_ref());
+        let judged = link_judgement((&goal, &resting), &cited, found);
         let work = before.saturating_sub(work.left());
-        links.push(LinkJudgement { work, unreached, would_do, at, ..judged });
+        links.push(LinkJudgement { work, unreached, standing, would_do, at, ..judged });
     }
     let worst = links.iter().map(|l| rank(l.verdict)).max().map_or(Verdict::Undecided, |r| r.1);
     let judgement = Judgement {
@@ -482,7 +488,6 @@ fn link_judgement(
     (goal, resting): (&Goal, &Goal),
     cited: &[usize],
     found: Verdicts,
-    failing: Vec<usize>,
 ) -> LinkJudgement {
     let verdict = match found.decided.as_ref().map(|d| d.certificate.finding) {
         Some(Finding::Proved) => Verdict::Proved,
@@ -499,7 +504,7 @@ fn link_judgement(
         work: 0,
         accepted: None,
         explanation: Explanation::default(),
-        behind: None,
+        standing: None,
         open: None,
         attempt: None,
         unreached: None,
@@ -512,14 +517,11 @@ fn link_judgement(
     };
     let whose = if certificate.goal == kane_kernel::digest(goal) { goal } else { resting };
     let used = explain::used(whose, &grounds, cited.len());
-    let behind = !found.behind_met;
-    let behind = behind.then(|| behind::behind(goal, resting, &certificate, failing)).flatten();
     LinkJudgement {
         certificate: Some(format!("{:032x}", kane_kernel::digest(&certificate))),
         used: used.into_iter().filter_map(|i| cited.get(i).copied()).collect(),
         accepted: Some(Rc::new(Accepted { goal: whose.clone(), certificate })),
         explanation: Explanation::of(grounds),
-        behind,
         ..undecided
     }
 }

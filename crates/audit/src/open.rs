@@ -133,11 +133,15 @@ pub struct Unreached {
     pub at: Approach,
 }
 
-/// What is to be said of a witness and the givens behind what is cited.
+/// How a witness stands to the givens above the claim: whether the claim is false, or only does not follow.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Behind {
-    /// they are not all met there; those that are seen to fail, by their indices
-    NotMet(Vec<usize>),
-    /// whether they are was not shown
+pub enum Standing {
+    /// the witness goes on to a point at which every given above holds, as the kernel accepted it: the claim is
+    /// false under all that was assumed
+    AllMet,
+    /// the claim does not follow from what is cited, and these givens above, by their indices, fail at the witness;
+    /// those come first on which it rests through what it cites
+    Unmet(Vec<usize>),
+    /// the claim does not follow from what is cited; whether every given above can hold at the witness was not shown
     NotShown,
 }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
-use crate::{Assignment, Attempt, Behind, Open, Proof, Reason, Unreached, explain};
+use crate::{Assignment, Attempt, Open, Proof, Reason, Standing, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -93,8 +93,8 @@ pub struct LinkJudgement {
     pub accepted: Option<Rc<Accepted>>,
     /// what can be told of what was accepted
     pub explanation: Explanation,
-    /// what is to be said of a witness beyond what is cited
-    pub behind: Option<Behind>,
+    /// how a witness against it stands to the givens above; `None` where there is no such witness
+    pub standing: Option<Standing>,
     /// why the search ended, when undecided
     pub open: Option<Open>,
     /// what was tried in vain, when undecided

@@ -1,7 +1,7 @@
 //! What is told of proofs is true: the sums, products and sides of steps are evaluated at points.
 
 use kane_algebra::syntax::Evaluator;
-use kane_audit::{Audit, Options, Proof, Step, audit, read};
+use kane_audit::{Audit, Options, Proof, Standing, Step, audit, read};
 use kane_kernel::{Poly, Sign};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -197,4 +197,34 @@ fn a_witness_names_the_given_that_it_fails_and_that_would_do() {
     assert_eq!(would_do("d"), Some(statement("positive")));
     assert_eq!(would_do("e"), None, "no given says so");
     assert_eq!(would_do("f"), None, "what contradicts the premises proves nothing");
+}
+
+#[test]
+fn what_is_false_and_what_only_does_not_follow_are_told_apart() {
+    let text = "```kane\nvar x, y, z, w >= 0\ngiven positive: x > 0\ngiven tied: z = y + 1\n\
+                given root: y = sqrt(w)\n\
+                claim false: x > 1 expect refuted\n\
+                claim open: x > -1 expect refuted\n\
+                claim tied-false: x = z from tied expect refuted\n\
+                claim undefined: 1/x = 1/x from tied expect ill-defined\n\
+                given near: y -> 0 as w -> 0+\n\
+                claim below-a-limit: x > 1 expect refuted\n```\n";
+    let audit = audited("standing.md", text);
+    let statement = |label: &str| {
+        let mut all = audit.document.statements.iter();
+        all.position(|s| s.label == label).expect("it is there")
+    };
+    let link = |label: &str| audit.judgements[statement(label)].links[0].clone();
+    // `positive` is not cited, and a point is found at which it holds as well
+    assert_eq!(link("false").standing, Some(Standing::AllMet));
+    // no point with x > 0 is at most -1: without `positive` it does not follow, with it it does
+    assert_eq!(link("open").standing, Some(Standing::Unmet(vec![statement("positive")])));
+    assert_eq!(link("open").would_do, Some(statement("positive")));
+    assert_eq!(link("tied-false").standing, Some(Standing::AllMet));
+    assert_eq!(
+        link("undefined").standing,
+        Some(Standing::Unmet(vec![statement("positive")])),
+        "1/x has a value wherever x > 0"
+    );
+    assert_eq!(link("below-a-limit").standing, Some(Standing::NotShown));
 }

@@ -19,6 +19,12 @@ use crate::Report;
 /// The version of the format.
 const FORMAT: u32 = 1;
 
+/// What the file is, as a JSON Schema. It is written by hand, since evidence is told value by value.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> Value {
+    serde_json::from_str(include_str!("certificate.json")).expect("the schema is JSON")
+}
+
 /// The certificates of all claims of a document, ended by a line feed; one link a line.
 #[must_use]
 pub fn certificates(report: &Report<'_>) -> String {

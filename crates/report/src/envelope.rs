@@ -52,6 +52,31 @@ pub(crate) fn written(report: &impl Serialize) -> String {
     out
 }
 
+/// The same JSON with one line for each item at the top, and within an item no space between what it is made of but behind
+/// a colon near the top, where this program looks for its name.
+pub(crate) fn folded(json: &str) -> String {
+    let mut out = String::with_capacity(json.len());
+    let (mut depth, mut quoted, mut escaped) = (0_usize, false, false);
+    for c in json.chars() {
+        if quoted {
+            out.push(c);
+            quoted = c != '"' || escaped;
+            escaped = c == '\\' && !escaped;
+            continue;
+        }
+        match c {
+            '"' => quoted = true,
+            '{' | '[' => depth += 1,
+            '}' | ']' => depth = depth.saturating_sub(1),
+            '\n' if depth > 1 => continue,
+            ' ' if depth > 2 || !out.ends_with(':') => continue,
+            _ => {}
+        }
+        out.push(c);
+    }
+    out
+}
+
 /// The schema of a report's data in the envelope of all reports.
 #[cfg(feature = "schema")]
 pub(crate) fn schema_enveloped<T: schemars::JsonSchema>(title: &str) -> serde_json::Value {
@@ -70,4 +95,25 @@ pub(crate) fn schema_of<T: schemars::JsonSchema>(title: &str) -> serde_json::Val
 impl Program {
     /// This program.
     pub(crate) const THIS: Self = Self { name: "kane", version: env!("CARGO_PKG_VERSION") };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folding_leaves_the_data_as_they_are() {
+        let value = serde_json::json!({
+            "schema": { "name": "kane-x", "version": 1 },
+            "a": [[1, { "b": "two  words: \"{ [ \\" }], [], {}],
+            "c": " \\\\\" \n",
+        });
+        let pretty = written(&value);
+        let short = folded(&pretty);
+        let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+        assert_eq!(read(&short), value);
+        assert!(short.len() < pretty.len() && short.ends_with("}\n"), "{short}");
+        assert!(short.contains("\"name\": \"kane-x\""), "{short}");
+        assert_eq!(folded(&short), short);
+    }
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use kane_audit::LinkJudgement;
+use kane_audit::{LinkJudgement, Standing};
 use serde::Serialize;
 
 use crate::envelope::{Program, Schema, written};
@@ -107,6 +107,9 @@ struct Link<'a> {
     reason: String,
     certificate: Option<&'a str>,
     used: Vec<&'a str>,
+    standing: Option<&'static str>,
+    unmet: Vec<&'a str>,
+    would_do: Option<&'a str>,
     cost: u64,
     steps: Vec<Step>,
 }
@@ -184,6 +187,15 @@ impl<'a> Link<'a> {
             reason: entry.reason(link, Form::Plain),
             certificate: link.certificate.as_deref(),
             used: entry.labels(&link.used),
+            standing: link.standing.as_ref().map(|standing| match standing {
+                Standing::AllMet => "false",
+                Standing::Unmet(_) | Standing::NotShown => "does not follow",
+            }),
+            unmet: match &link.standing {
+                Some(Standing::Unmet(failing)) => entry.labels(failing),
+                Some(Standing::AllMet | Standing::NotShown) | None => Vec::new(),
+            },
+            would_do: entry.labels(link.would_do.as_slice()).first().copied(),
             cost: link.cost,
             steps: steps.map(|Line { depth, text, .. }| Step { depth, text }).collect(),
         }

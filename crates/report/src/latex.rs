@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_audit::{LinkJudgement, Verdict};
 use kane_judges::Judge;
 
+use crate::breakable::breakable;
 use crate::judges;
 use crate::markdown::capitalised;
 use crate::outline::headings;
@@ -92,7 +93,7 @@ pub fn latex(report: &Report<'_>) -> String {
         document.text.len(),
         document.sha256()
     );
-    out
+    breakable(&out)
 }
 
 /// References to the statements at these indices.

@@ -9,6 +9,7 @@
 //! strings whose bytes depend on their arguments alone.
 #![deny(clippy::float_arithmetic)]
 
+mod breakable;
 mod certificate;
 pub mod chart;
 pub mod collision;
@@ -29,6 +30,7 @@ mod outline;
 mod picture;
 mod place;
 pub mod prices;
+mod reach;
 pub mod records;
 pub mod remarks;
 mod report;

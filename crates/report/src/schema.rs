@@ -3,15 +3,17 @@
 use serde_json::Value;
 
 use crate::{
-    chart, collision, floats, growth, json, matrix, prices, records, scene, site, stability,
+    certificate, chart, collision, floats, growth, json, matrix, prices, records, scene, site,
+    stability,
 };
 
-/// The schemas by the verb of their report, JSON Schema 2020-12. A reader should let pass what a schema does not name,
+/// The schemas by the name of their report, JSON Schema 2020-12: of `kane-NAME`, and of certificates. A reader should let pass what a schema does not name,
 /// since a report may tell more without a new version.
 #[must_use]
 pub fn schemas() -> Vec<(&'static str, Value)> {
     vec![
         ("audit", json::schema()),
+        ("certificate", certificate::schema()),
         ("laws", matrix::schema()),
         ("collide", collision::schema()),
         ("scene", scene::schema()),
@@ -21,6 +23,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         ("prices", prices::schema()),
         ("growth", growth::schema()),
         ("check", records::report_schema()),
+        ("check-baseline", records::baseline_schema()),
         ("site", site::schema()),
     ]
 }

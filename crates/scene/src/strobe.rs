@@ -15,11 +15,15 @@ pub struct Frame {
     pub bodies: Vec<([f64; 2], f64)>,
 }
 
-/// Pictures at equal intervals, and the ways between.
+/// Pictures at equal intervals and, of few impacts, at these; and the ways between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strobe {
     /// From the start to the end.
     pub frames: Vec<Frame>,
+    /// From one picture to the next, those at impacts left out; s.
+    pub apart: f64,
+    /// Whether every impact has a picture of its own.
+    pub shows_impacts: bool,
     /// The way of each body's centre, finely.
     pub paths: Vec<Vec<[f64; 2]>>,
     /// r of each body, or how far its corners reach; m.
@@ -36,6 +40,8 @@ pub struct Strobe {
 const FRAMES: u32 = 24;
 const FEWEST: u32 = 4;
 const POINTS: u32 = 288;
+/// The most impacts that each have a picture.
+const FEW_IMPACTS: usize = 6;
 
 /// So many that a body moves by about 5/4 of its radius from one to the next: more would hide each
 /// other.
@@ -120,14 +126,20 @@ impl Strobe {
         let reach = corners.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
         let radii: Vec<f64> = world.bodies.iter().map(|body| body.radius.max(reach)).collect();
         let count = frames(&paths, &radii);
-        let frames = (0..=count)
-            .map(|n| Frame {
-                time: moment(n, count),
-                bodies: (0..bodies).map(|index| at(index, moment(n, count))).collect(),
-            })
-            .collect();
+        let shows_impacts = (1..=FEW_IMPACTS).contains(&bounces.len());
+        let mut moments: Vec<f64> = (0..=count).map(|n| moment(n, count)).collect();
+        if shows_impacts {
+            moments.extend(bounces.iter().map(|bounce| bounce.time));
+        }
+        moments.sort_by(f64::total_cmp);
+        moments.dedup();
+        let frame =
+            |time: f64| Frame { time, bodies: (0..bodies).map(|index| at(index, time)).collect() };
+        let frames = moments.into_iter().map(frame).collect();
         Some(Self {
             frames,
+            apart: moment(1, count),
+            shows_impacts,
             paths,
             radii,
             corners,

@@ -356,6 +356,23 @@ impl Prover<'_> {
         false
     }
 
+    /// A witness of the goal found as a model of a source with further hypotheses, and the whole model.
+    pub(crate) fn witness_within(
+        &self,
+        source: &Goal,
+        goal: &Goal,
+        finding: Finding,
+    ) -> Option<(Decided, Model)> {
+        let mut out = Verdicts::default();
+        let candidates = self.candidates(source, goal);
+        let model = self.model(source, finding, candidates, Ways::Near, &mut out)?;
+        let whole = Grounds::Model(model.clone());
+        self.accept(source, finding, &whole).ok()?;
+        let grounds = Grounds::Model(restricted(model.clone(), goal, source));
+        self.decide(goal, finding, grounds, &mut out);
+        Some((out.decided?, model))
+    }
+
     /// How many functions to try: few where more premises than the cited ones only guide.
     fn candidates(&self, source: &Goal, goal: &Goal) -> usize {
         if source == goal { self.budget.functions } else { self.budget.functions / 20 }

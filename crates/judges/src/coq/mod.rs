@@ -35,6 +35,26 @@ pub use chain::{Theorem, Unchained};
 use reify::OWN;
 use theory::{Part, has_word, theory};
 
+/// The name of the library that [`shared_theory`] is.
+pub const THEORY: &str = "kane_theory";
+
+/// What a file begins with that shares its theory.
+const SHARED: &str = "\
+(* Proofs of a derivation, checked by Coq and its standard library alone. The theory, which the files of a site share, is
+   in kane_theory.v: compile that first, and then this file in the same directory. *)
+
+From Coq Require Import Reals Lra List ZArith Bool Arith.
+Import ListNotations.
+Open Scope R_scope.
+Require Import kane_theory.
+";
+
+/// The whole theory as a library of its own, for files by [`File::beside_theory`].
+#[must_use]
+pub fn shared_theory() -> String {
+    theory::whole()
+}
+
 /// A file's stem as the name of a library, which is all that Coq compiles: letters, digits, underscores.
 #[must_use]
 pub fn library(stem: &str) -> String {
@@ -96,10 +116,21 @@ impl File {
         theory(&self.lemmas.iter().flat_map(|l| l.parts.clone()).collect::<Vec<_>>())
     }
 
+    /// The file for a directory that has [`shared_theory`]: the same lemmas behind a line that loads it.
+    #[must_use]
+    pub fn beside_theory(&self) -> String {
+        self.behind(SHARED, &[])
+    }
+
     /// The file without the lemmas of these names.
     #[must_use]
     pub fn without(&self, names: &[&str]) -> String {
-        let mut text = format!("{}\n(** * {} *)\n", self.theory(), self.title);
+        self.behind(&self.theory(), names)
+    }
+
+    /// The lemmas but those of these names behind what the file begins with.
+    fn behind(&self, head: &str, names: &[&str]) -> String {
+        let mut text = format!("{head}\n(** * {} *)\n", self.title);
         let mut kept = Vec::new();
         let theorems = self.theorems(names);
         for lemma in &self.lemmas {

@@ -53,6 +53,11 @@ pub(super) fn theory(needed: &[Part]) -> String {
     texts.join("\n")
 }
 
+/// All of it.
+pub(super) fn whole() -> String {
+    theory(&[Part::Witnesses, Part::Limits, Part::Functions])
+}
+
 /// Whether the theory, in any of its parts, uses this word. Words of one letter are names of what it
 /// binds for itself.
 pub(super) fn has_word(word: &str) -> bool {

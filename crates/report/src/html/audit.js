@@ -34,7 +34,7 @@
   reveal();
 
   const button = form.querySelector("button");
-  const proofs = all("article details");
+  const proofs = all("article details:not(.more)");
   button.addEventListener("click", () => {
     const open = proofs.some((proof) => !proof.open);
     for (const proof of proofs) proof.open = open;
@@ -44,6 +44,18 @@
   // what a node of the graph rests on, and what rests on it
   const picture = document.querySelector(".scroll svg");
   picture.classList.add("live");
+  const zoom = document.querySelector(".zoom");
+  const [natural, tall] = [picture.width.baseVal.value, picture.height.baseVal.value];
+  let scale = 1;
+  zoom.hidden = false;
+  zoom.addEventListener("click", (event) => {
+    const by = event.target.dataset.zoom;
+    if (by === undefined) return;
+    const box = picture.parentElement;
+    scale = Number(by) ? scale * Number(by) : Math.min(box.clientWidth / natural, 1);
+    picture.setAttribute("width", Math.round(natural * scale));
+    picture.setAttribute("height", Math.round(tall * scale));
+  });
   const nodes = all("a.n", picture);
   const edges = all("path.e", picture).map((line) => {
     const [from, to] = line.dataset.e.split(" ").map(Number);

@@ -11,6 +11,8 @@ use crate::report::Entry;
 use crate::wording::{evidence, mark};
 use crate::words::{Form, Line, equations, example};
 
+/// Places where a statement is used that its note names at once.
+const MOST_USED: usize = 10;
 /// A formula of more LaTeX than this may be wider than its column: it scrolls, by keys too.
 const LONG: usize = 120;
 
@@ -84,7 +86,26 @@ impl Page<'_> {
                 p { "No model of its hypotheses was found." }
             }
             @if entry.is_claim() { (self.judges(index, judgement.links.len())) }
-            @if !dependents.is_empty() { p.used { "used in " (self.anchors.links(dependents)) } }
+            (self.used(dependents))
+        }
+    }
+
+    /// Where it is used; of many places some, and the others folded away.
+    fn used(&self, dependents: &[usize]) -> Markup {
+        let shown = if dependents.len() > MOST_USED + 2 { MOST_USED } else { dependents.len() };
+        let (first, others) = dependents.split_at(shown);
+        html! {
+            @if !first.is_empty() {
+                div.used {
+                    "used in " (self.anchors.links(first))
+                    @if !others.is_empty() {
+                        details.more {
+                            summary { "and in " (others.len()) " more" }
+                            (self.anchors.links(others))
+                        }
+                    }
+                }
+            }
         }
     }
 

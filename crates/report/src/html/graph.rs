@@ -12,6 +12,7 @@ use unicode_width::UnicodeWidthStr as _;
 use super::{Page, verdict_class};
 use crate::layers::{Layout, Measures, Node, Place, layout};
 use crate::outline::headings;
+use crate::reach::Reach;
 use crate::report::Entry;
 use crate::wording::mark;
 
@@ -49,6 +50,9 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
             }
         })
         .collect();
+    let reach = Reach::of(nodes.iter().map(|node| node.cites.as_slice()));
+    let weights = reach.weights();
+    let heaviest = weights.iter().copied().max().unwrap_or(0).max(1);
     let layout = layout(&nodes, sections.len() + 1, &MEASURES);
     let height = layout.tops.last().copied().unwrap_or(0);
     let titles = std::iter::once("").chain(sections.iter().map(|section| section.title.as_str()));
@@ -57,19 +61,26 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
             h2 id="graph" { "Graph of the derivation" }
             p {
                 "A line leads from a premise to a claim that cites it; within a section it leads to the right. "
+                "A citation that others imply has no line. "
+                "The longer the bar below a node, the more statements rest on it. "
                 "Lines between sections are faint; where scripts run, they show for the node that is pointed at. "
                 "A node leads to its statement."
             }
             (legend())
+            p.zoom hidden {
+                button type="button" data-zoom="0.8" { "Smaller" } " "
+                button type="button" data-zoom="1.25" { "Larger" } " "
+                button type="button" data-zoom="0" { "Whole" }
+            }
             div.scroll tabindex="0" role="region" aria-label="The graph, which scrolls" {
                 svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
                     role="group" aria-label="Statements and what they cite" {
                     (bands(titles, &layout))
-                    (PreEscaped(lines(&nodes, &layout)))
+                    (PreEscaped(lines(&nodes, &reach, &layout)))
                     @for ((index, entry), (number, place)) in
                         shown.iter().zip(layout.places.iter().enumerate())
                     {
-                        (node(page, *index, number, entry, *place))
+                        (node(page, (*index, number), entry, *place, (weights[number], heaviest)))
                     }
                 }
             }
@@ -127,11 +138,11 @@ fn bands<'t>(titles: impl Iterator<Item = &'t str>, layout: &Layout) -> Markup {
     }
 }
 
-/// One line a citation: curves to the right within a section, downwards between two.
-fn lines(nodes: &[Node], layout: &Layout) -> String {
+/// One line a citation that others do not imply: curves to the right within a section, downwards between two.
+fn lines(nodes: &[Node], reach: &Reach, layout: &Layout) -> String {
     let mut out = String::new();
     for (to, node) in nodes.iter().enumerate() {
-        for &from in &node.cites {
+        for &from in node.cites.iter().filter(|cited| reach.is_direct(**cited, &node.cites)) {
             let (Some(a), Some(b)) = (layout.places.get(from), layout.places.get(to)) else {
                 continue;
             };
@@ -162,7 +173,14 @@ fn lines(nodes: &[Node], layout: &Layout) -> String {
     out
 }
 
-fn node(page: &Page<'_>, index: usize, number: usize, entry: &Entry<'_>, place: Place) -> Markup {
+/// A statement, and a bar for how many of the others rest on it.
+fn node(
+    page: &Page<'_>,
+    (index, number): (usize, usize),
+    entry: &Entry<'_>,
+    place: Place,
+    (weight, heaviest): (usize, usize),
+) -> Markup {
     let judgement = entry.judgement;
     let verdict = judgement.verdict;
     let mut class = format!("n {} {}", entry.kind(), verdict_class(verdict));
@@ -177,11 +195,18 @@ fn node(page: &Page<'_>, index: usize, number: usize, entry: &Entry<'_>, place: 
     if let Some(remark) = entry.expectation() {
         let _ = write!(told, ", {remark}");
     }
+    if weight > 0 {
+        let _ = write!(told, ", {weight} rest on it");
+    }
+    let share = u32::try_from(100 * weight / heaviest).unwrap_or(100);
     let corner = if entry.is_claim() { 9 } else { 0 };
     html! {
         a class=(class) href={ "#" (page.anchors.name(index)) } data-n=(number) aria-label=(told) {
             title { (told) ": " (entry.saying()) }
             rect x=(place.x) y=(place.y) width=(place.width) height=(HEIGHT) rx=(corner) {}
+            @if share > 0 {
+                rect.w x=(place.x) y=(place.y + HEIGHT + 1) width=(place.width * share / 100) height="3" {}
+            }
             text x=(place.x + 7) y=(place.y + 14) { (mark(verdict)) " " (label) }
         }
     }

@@ -2,13 +2,14 @@
 
 use std::fmt::Write as _;
 
-use kane_records::comparison::Comparison;
+use kane_records::comparison::{self, Comparison};
+use kane_records::friction::FrictionLaw;
 use kane_records::restitution::NormalLaw;
 use kane_records::statistics::percent;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::wording::{asks, brief, friction_name};
-use crate::envelope::written;
+use crate::envelope::{Program, Schema, written};
 
 /// What changed, for people; the names are those of the older and the newer log.
 #[must_use]
@@ -42,31 +43,57 @@ pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> Strin
 }
 
 /// What changed, for programs.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct File<'a> {
+    schema: Schema,
+    program: Program,
+    old: &'a str,
+    new: &'a str,
+    worse: bool,
+    checks: Vec<Change>,
+    friction: [Option<&'static str>; 2],
+    friction_close: [f64; 2],
+    restitution: [Option<&'static str>; 2],
+    restitution_close: [f64; 2],
+    rejected: [u64; 2],
+}
+
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Change {
+    check: &'static str,
+    failing: [f64; 2],
+    worst: [f64; 2],
+    worse: bool,
+}
+
+/// What the report is, as a JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn baseline_schema() -> serde_json::Value {
+    crate::envelope::schema_of::<File<'static>>("kane check --baseline")
+}
+
+/// What changed as JSON, ended by a line feed; what was before comes first in every pair.
 #[must_use]
 pub fn compared_json(comparison: &Comparison, [old, new]: &[String; 2]) -> String {
-    let changes: Vec<Value> = comparison
-        .changes
-        .iter()
-        .map(|change| {
-            json!({
-                "check": change.check.id(),
-                "failing": change.failing,
-                "worst": change.worst,
-                "worse": change.worse,
-            })
-        })
-        .collect();
-    written(&json!({
-        "schema": { "name": "kane-check-baseline", "version": 1 },
-        "program": { "name": "kane", "version": env!("CARGO_PKG_VERSION") },
-        "old": old,
-        "new": new,
-        "worse": comparison.is_worse(),
-        "checks": changes,
-        "friction": comparison.friction.map(|law| law.map(|law| law.id())),
-        "friction_close": comparison.friction_close,
-        "restitution": comparison.normal.map(|law| law.as_ref().map(NormalLaw::id)),
-        "restitution_close": comparison.normal_close,
-        "rejected": comparison.rejected,
-    }))
+    let change = |change: &comparison::Change| Change {
+        check: change.check.id(),
+        failing: change.failing,
+        worst: change.worst,
+        worse: change.worse,
+    };
+    written(&File {
+        schema: Schema { name: "kane-check-baseline", version: 1 },
+        program: Program::THIS,
+        old,
+        new,
+        worse: comparison.is_worse(),
+        checks: comparison.changes.iter().map(change).collect(),
+        friction: comparison.friction.map(|law| law.map(FrictionLaw::id)),
+        friction_close: comparison.friction_close,
+        restitution: [0, 1].map(|i| comparison.normal[i].as_ref().map(NormalLaw::id)),
+        restitution_close: comparison.normal_close,
+        rejected: comparison.rejected,
+    })
 }

@@ -8,6 +8,8 @@ mod sentence;
 mod sheet;
 mod wording;
 
+#[cfg(feature = "schema")]
+pub(crate) use compared::baseline_schema;
 pub use compared::{compared_json, compared_text};
 #[cfg(feature = "schema")]
 pub(crate) use json::report_schema;

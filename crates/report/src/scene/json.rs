@@ -209,6 +209,33 @@ fn state(index: usize, body: &Round<Shown>, exact: bool) -> State<'_> {
     State { id: body_id(index), numbers: Numbers { pairs: motion(body), exact } }
 }
 
+/// What the scene states, number by number: of what, its name with its unit, and the number.
+pub(super) fn stated_rows(answer: &Answer) -> Vec<(String, &'static str, f64)> {
+    let stated = stated(answer);
+    let mut rows = Vec::new();
+    let mut add = |of: &str, numbers: &Numbers<'_>| {
+        rows.extend(numbers.pairs.iter().map(|(name, shown)| (of.to_owned(), *name, shown.value)));
+    };
+    add("all", &stated.coefficients);
+    for wall in &stated.walls {
+        add(wall.id, &wall.numbers);
+    }
+    for contact in &stated.contacts {
+        let of = contact.between.as_ref().map_or_else(|| "all".to_owned(), |ids| ids.join(", "));
+        add(&of, &contact.numbers);
+        for numbers in &contact.by_speed {
+            add(&of, numbers);
+        }
+    }
+    for (number, corner) in (1..).zip(&stated.corners) {
+        add(&format!("corner-{number}"), corner);
+    }
+    for body in &stated.bodies {
+        add(&body.id, &body.numbers);
+    }
+    rows
+}
+
 fn stated<'a>(answer: &'a Answer) -> Stated<'a> {
     // what is stated is exact, whatever the model makes of it
     let of = |pairs| Numbers { pairs, exact: true };

@@ -161,20 +161,15 @@ fn outline(corners: &[[f64; 2]], [x, y]: [f64; 2], angle: f64) -> Vec<[f64; 2]> 
 }
 
 fn caption(strobe: &Strobe) -> String {
-    let apart = match &strobe.frames[..] {
-        [first, second, ..] => second.time - first.time,
-        _ => 0.0,
-    };
+    let apart = brief(strobe.apart);
+    let impacts = if strobe.shows_impacts { " and at each impact" } else { "" };
     match strobe.radii.len() > FEW {
         true => "First and last position (full), and the ways between.".to_owned(),
-        false if !strobe.corners.is_empty() => {
-            format!(
-                "Every {} s, later is stronger; the line is the way of the centre.",
-                brief(apart)
-            )
-        }
+        false if !strobe.corners.is_empty() => format!(
+            "Every {apart} s{impacts}, later is stronger; the line is the way of the centre."
+        ),
         false => {
-            format!("Every {} s, later is stronger; the spoke turns with the body.", brief(apart))
+            format!("Every {apart} s{impacts}, later is stronger; the spoke turns with the body.")
         }
     }
 }

@@ -3,6 +3,7 @@
 use kane_scene::simulate::{Bounce, End, Ending};
 use kane_scene::{Shown, Verdict};
 
+use super::json::stated_rows;
 use super::{
     SceneReport, brief, compare_picture, cost, drawn, error, ledger_picture, moved, number,
     verdict, who,
@@ -43,9 +44,42 @@ pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
         sheet.table(impacts(report));
         sheet.prose(answer.end.as_ref().map(ending).unwrap_or_default());
     }
+    sheet.table(stated(report));
     let digest = Words::code(&answer.sha256);
     sheet.labelled(vec![Entry::new("SHA-256 of the scene", digest)]);
     sheet
+}
+
+/// Suffixes of names in files, and the units that they are.
+const UNITS: [(&str, &str); 8] = [
+    ("_kg_m2", "kg·m²"),
+    ("_kg_m3", "kg/m³"),
+    ("_m_s2", "m/s²"),
+    ("_rad_s", "rad/s"),
+    ("_m_s", "m/s"),
+    ("_rad", "rad"),
+    ("_kg", "kg"),
+    ("_m", "m"),
+];
+
+/// The scene itself, at its stated values. Text leaves it out: there the file is at hand.
+fn stated(report: &SceneReport<'_>) -> Table {
+    let columns = vec![
+        Column::left("the scene"),
+        Column::left("states"),
+        Column::right("value"),
+        Column::left("unit"),
+    ];
+    let row = |(of, name, value): (String, &'static str, f64)| -> Row {
+        let unit = UNITS.iter().find_map(|(end, unit)| Some((name.strip_suffix(end)?, *unit)));
+        let (name, unit) = unit.unwrap_or((name, ""));
+        row![of, name.replace('_', " "), number(value), unit].detail(true)
+    };
+    let rows = stated_rows(report.answer).into_iter().map(row).collect();
+    let mut table = Table::new(columns, rows).without_empty_columns();
+    table.most = ON_PAGE;
+    table.counted = Some("values");
+    table
 }
 
 fn asked(report: &SceneReport<'_>) -> Table {

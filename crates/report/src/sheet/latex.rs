@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use unicode_width::UnicodeWidthStr as _;
+
 use super::table::{Fit, Table};
 use super::{Block, Entry, Sheet};
 use crate::tex::escape;
@@ -19,8 +21,13 @@ const PREAMBLE: &str = r"\documentclass[10pt]{article}
 \begin{document}
 ";
 
-/// Millimetres that the long columns of a table share.
+/// Millimetres that a page has, tenths of one that a letter of a table takes, and millimetres between two columns.
+const PAGE: usize = 261;
+const LETTER: usize = 17;
+const BETWEEN: usize = 3;
+/// Millimetres that the long columns of a table share, at most and at least.
 const LONG: usize = 110;
+const SHORT: usize = 40;
 
 impl Sheet<'_> {
     /// The sheet as a document for LaTeX, without its figures.
@@ -70,14 +77,24 @@ fn labelled(entries: &[Entry]) -> String {
 
 fn rows(table: &Table) -> String {
     let long = table.columns.iter().filter(|c| matches!(c.fit, Fit::Long(_))).count().max(1);
+    // what the other columns leave; where that is little, letters are smaller
+    let widest = |i: usize| {
+        let cells = table.rows.iter().filter_map(|row| row.cells.get(i)).map(|c| c.plain().width());
+        cells.max().unwrap_or(0)
+    };
+    let others = table.columns.iter().enumerate().filter(|(_, c)| !matches!(c.fit, Fit::Long(_)));
+    let others: usize = others.map(|(i, c)| widest(i).max(c.head().width()) * LETTER / 10).sum();
+    let left = PAGE.saturating_sub(others + BETWEEN * table.columns.len());
+    let size = if left < SHORT { "scriptsize" } else { "footnotesize" };
+    let share = left.clamp(SHORT, LONG);
     let place = |fit: Fit| match fit {
         Fit::Left => "l".to_owned(),
         Fit::Right => "r".to_owned(),
-        Fit::Long(_) => format!(">{{\\raggedright\\arraybackslash}}p{{{}mm}}", LONG / long),
+        Fit::Long(_) => format!(">{{\\raggedright\\arraybackslash}}p{{{}mm}}", share / long),
     };
     let places: String = table.columns.iter().map(|column| place(column.fit)).collect();
     let heads: Vec<String> = table.columns.iter().map(|column| escape(&column.head())).collect();
-    let mut out = format!("{{\\footnotesize\\begin{{longtable}}{{{places}}}\n");
+    let mut out = format!("{{\\{size}\\begin{{longtable}}{{{places}}}\n");
     let _ = writeln!(out, "{} \\\\ \\hline \\endhead", heads.join(" & "));
     for row in table.rows.iter().take(table.most) {
         let cells: Vec<String> = row.cells.iter().map(super::Words::latex).collect();

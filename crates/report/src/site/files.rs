@@ -3,6 +3,7 @@
 use kane_judges::{Claims, coq};
 
 use super::{Site, derived, gallery, index, place};
+use crate::envelope::folded;
 use crate::figures::{csv, svg};
 use crate::sheet::Sheet;
 use crate::{
@@ -48,8 +49,9 @@ impl Site<'_> {
         files
     }
 
-    /// The documents: page, JSON, LaTeX, certificates, and the lemmas for Coq.
+    /// The documents: page, JSON, LaTeX, certificates, and the lemmas for Coq, which share their theory.
     fn write_audits(&self, files: &mut Vec<File>) {
+        add(files, format!("derivations/{}.v", coq::THEORY), coq::shared_theory());
         for (stem, report) in &self.audits {
             let path = |ending: &str| format!("derivations/{stem}.{ending}");
             let lemmas = coq::library(stem);
@@ -57,6 +59,7 @@ impl Site<'_> {
                 ("JSON", format!("{stem}.json")),
                 ("LaTeX", format!("{stem}.tex")),
                 ("Coq", format!("{lemmas}.v")),
+                ("its theory", format!("{}.v", coq::THEORY)),
                 ("certificates", format!("{stem}.cert.json")),
             ];
             let place = place(&path("html"), &forms).with("Laws", derived::in_document(self, stem));
@@ -66,7 +69,7 @@ impl Site<'_> {
             add(files, path("tex"), latex(report));
             add(files, path("cert.json"), certificates(report));
             let claims = Claims::of(report.audit).only(&report.shown);
-            add(files, format!("derivations/{lemmas}.v"), coq::file(&claims).text());
+            add(files, format!("derivations/{lemmas}.v"), coq::file(&claims).beside_theory());
         }
     }
 
@@ -117,8 +120,11 @@ impl Site<'_> {
     }
 }
 
+/// Data for programs are written without the spaces that only people need.
 fn add(files: &mut Vec<File>, path: impl Into<String>, text: String) {
-    files.push(File { path: path.into(), text });
+    let path = path.into();
+    let text = if path.ends_with(".json") { folded(&text) } else { text };
+    files.push(File { path, text });
 }
 
 /// A sheet as a page and for print, with its data.

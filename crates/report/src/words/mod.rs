@@ -112,7 +112,7 @@ pub(crate) fn reason(
             format!("for {n}, ")
         };
         let at: String = link.at.iter().map(name).collect();
-        return at + &told + &reason::behind(link, label, form);
+        return reason::standing(link, &(at + &told), label, form);
     }
     match (&link.unreached, &link.open) {
         (Some(unreached), _) => reason::unreached(unreached, context, label, form),

@@ -2,12 +2,17 @@
 
 use std::cmp::Ordering;
 
-use kane_audit::{Behind, LinkJudgement, Means, Reason, Unreached, Variable};
+use kane_audit::{LinkJudgement, Means, Reason, Standing, Unreached, Variable, Verdict};
 use kane_kernel::{Context, Finding, Goal};
 
 use super::formula::Formulas;
 use super::value::{assigned, comparison, end, plain_formulas};
 use super::{Form, words};
+
+/// Of a claim with a counterexample at which every given above holds.
+const FALSE: &str = "false under all that was assumed";
+/// Of a claim with a counterexample at which what is cited holds.
+const DOES_NOT_FOLLOW: &str = "does not follow from what is cited";
 
 /// Symbols of a point that are named in a sentence.
 const MOST_SYMBOLS: usize = 8;
@@ -107,34 +112,52 @@ fn listed(goal: &Goal, variables: &[Variable], form: Form) -> String {
     variables.iter().enumerate().map(name).collect::<Vec<_>>().join(", ")
 }
 
-/// What is to be said of a witness beyond what is cited.
-pub(super) fn behind(link: &LinkJudgement, label: &dyn Fn(usize) -> String, form: Form) -> String {
-    let named = |indices: &[usize]| {
-        let labels: Vec<String> = indices.iter().map(|i| label(*i)).collect();
-        labels.join(", ")
+/// Failing givens that are named in a sentence.
+const MOST_FAILING: usize = 3;
+
+/// The sentence of a finding by a witness, with how it stands to what was assumed: before it, whether the claim is false or
+/// does not follow; behind it, which givens fail there, and which would do.
+pub(super) fn standing(
+    link: &LinkJudgement,
+    told: &str,
+    label: &dyn Fn(usize) -> String,
+    form: Form,
+) -> String {
+    let Some(standing) = &link.standing else { return told.to_owned() };
+    let lead = match (link.verdict, standing) {
+        (Verdict::IllDefined, Standing::AllMet) => "undefined under all that was assumed",
+        (Verdict::IllDefined, _) => "what is cited does not make it defined",
+        (_, Standing::AllMet) => FALSE,
+        (_, Standing::Unmet(_) | Standing::NotShown) => DOES_NOT_FOLLOW,
     };
-    let mut told = match &link.behind {
-        None => Vec::new(),
-        Some(Behind::NotMet(failing)) => {
-            let which = match &failing[..] {
-                [] => "the givens behind it are not all met there".to_owned(),
-                [one] => format!("{} behind it is not met there", named(&[*one])),
-                more => format!("{} behind it are not met there", named(more)),
-            };
-            vec!["it does not follow from what is cited".to_owned(), which]
+    // what is found at a point or for functions goes on with them, what is found without any stands alone
+    let goes_on = ["at ", "for ", "everywhere"].iter().any(|start| told.starts_with(start));
+    let mark = if goes_on { "," } else { ":" };
+    let mut parts = Vec::new();
+    match standing {
+        Standing::AllMet => {}
+        Standing::Unmet(failing) => {
+            let mut names: Vec<String> =
+                failing.iter().take(MOST_FAILING).map(|i| label(*i)).collect();
+            let more = failing.len().saturating_sub(MOST_FAILING);
+            if more > 0 {
+                names.push(format!("{more} more"));
+            }
+            let fail = if failing.len() == 1 { "fails" } else { "fail" };
+            parts.push(format!("{} {fail} there", names.join(", ")));
         }
-        Some(Behind::NotShown) => vec![
-            "it does not follow from what is cited".to_owned(),
-            "whether these meet the givens behind it was not shown".to_owned(),
-        ],
-    };
+        Standing::NotShown => {
+            parts.push("whether every given above can hold there was not shown".to_owned());
+        }
+    }
     if let Some(given) = link.would_do {
-        told.push(format!("with {} cited too, it would follow", named(&[given])));
+        parts.push(format!("with {} cited too, it would follow", label(given)));
     }
-    match told.is_empty() {
+    let behind = match parts.is_empty() {
         true => String::new(),
-        false => words(&format!(" ({})", told.join("; ")), form),
-    }
+        false => words(&format!(" ({})", parts.join("; ")), form),
+    };
+    format!("{lead}{mark} {told}{behind}")
 }
 
 /// That a given was not shown to be able to hold near a limit.

@@ -112,7 +112,7 @@ pub enum Stopped {
     },
     /// More impacts than the budget allows.
     #[error(
-        "{impacts} impacts happened by {time} s, and the end is not reached; many impacts in a short time are a pile that comes to rest, which is followed for one ball on a floor alone"
+        "{impacts} impacts happened by {time} s, and the end is not reached; many impacts in a short time are a pile that comes to rest, which is summed up for one ball on a floor, under a law whose slip has a sum"
     )]
     Budget {
         /// The budget.
