@@ -7,6 +7,7 @@ use std::path::Path;
 use kane::impact::laws;
 use kane::records::comparison::compare;
 use kane::records::format::Format as Numbers;
+use kane::records::opening::opening;
 use kane::records::preset::Preset;
 use kane::records::reader::{Kind, names};
 use kane::records::study::{Options, Study, study};
@@ -128,8 +129,8 @@ fn kind(args: &CheckArgs, log: &Path) -> Kind {
     }
 }
 
-/// Opens the log.
-fn opened(log: &Path) -> Result<Box<dyn BufRead>, String> {
+/// The bytes of the log.
+fn file(log: &Path) -> Result<Box<dyn BufRead>, String> {
     if log.as_os_str() == "-" {
         return Ok(Box::new(BufReader::with_capacity(BUFFER, io::stdin())));
     }
@@ -138,29 +139,28 @@ fn opened(log: &Path) -> Result<Box<dyn BufRead>, String> {
     Ok(Box::new(BufReader::with_capacity(BUFFER, file)))
 }
 
-/// Adds what the preset says of the names in the log, which `--map` goes before.
-fn with_preset<'a>(
+/// Opens the log, and adds what the preset says of its names, which `--map` goes before.
+fn opened<'a>(
     args: &CheckArgs,
     log: &Path,
-    input: &mut dyn BufRead,
     options: &Options<'a>,
-) -> Result<Options<'a>, String> {
+) -> Result<(impl BufRead, Options<'a>), String> {
+    let file = file(log)?;
+    let (start, input) =
+        opening(file).map_err(|error| format!("cannot read {}: {error}", log.display()))?;
     let mut options = options.clone();
     if let Some(preset) = args.preset.as_deref().and_then(Preset::named) {
-        let start =
-            input.fill_buf().map_err(|error| format!("cannot read {}: {error}", log.display()))?;
-        let mut map = preset.map(&names(start, kind(args, log)));
+        let mut map = preset.map(&names(&start, kind(args, log)));
         map.retain(|(ours, theirs)| {
             !options.map.iter().any(|(known, name)| known == ours || name == theirs)
         });
         options.map.extend(map);
     }
-    Ok(options)
+    Ok((input, options))
 }
 
 fn studied(args: &CheckArgs, log: &Path, options: &Options<'_>) -> Result<Study, String> {
-    let mut input = opened(log)?;
-    let options = with_preset(args, log, &mut input, options)?;
+    let (input, options) = opened(args, log, options)?;
     study(input, kind(args, log), &options).map_err(|fault| format!("{}: {fault}", log.display()))
 }
 
@@ -187,11 +187,7 @@ fn command(args: &CheckArgs, name: &str) -> String {
 
 /// The collision of one line.
 fn row(args: &CheckArgs, log: &Path, line: u64, options: &Options<'_>) -> Outcome {
-    let opened = opened(log).and_then(|mut input| {
-        let options = with_preset(args, log, &mut input, options)?;
-        Ok((input, options))
-    });
-    let (input, options) = match opened {
+    let (input, options) = match opened(args, log, options) {
         Ok(opened) => opened,
         Err(message) => return bad_input(&message),
     };

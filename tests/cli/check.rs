@@ -2,9 +2,11 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::io::Write as _;
 use std::path::Path;
+use std::process::Stdio;
 
-use crate::{kane, scratch};
+use crate::{command, finish, kane, scratch};
 
 /// How a solver bounds friction.
 #[derive(Clone, Copy, PartialEq)]
@@ -262,4 +264,26 @@ fn a_preset_reads_an_engine_s_own_names() {
     assert_eq!(kane(&["check", &theirs]).code, 2);
     let unknown = kane(&["check", &theirs, "--preset", "havok"]);
     assert!(unknown.code == 2 && unknown.stderr.contains("rapier"), "{}", unknown.stderr);
+}
+
+/// A pipe gives what was written so far, which may end within a name.
+#[test]
+fn a_preset_reads_names_that_come_in_parts() {
+    let parts = [
+        "body_mass,body_inertia[2],geom_size[0],geom_friction[0],e,qvel[0] bef",
+        "ore,qvel[1] before,qvel[2] before,qvel[0] after,qvel[1] after,qvel[2] after\n",
+        "2,1,1,0.3,0.5,0,-1,0,0,0.5,0\n",
+    ];
+    let mut program = command();
+    program.args(["check", "-", "--preset", "mujoco"]).stdin(Stdio::piped());
+    let mut child =
+        program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    for part in parts {
+        stdin.write_all(part.as_bytes()).expect("the program reads");
+        std::thread::sleep(std::time::Duration::from_millis(100));
+    }
+    drop(stdin);
+    let run = finish(child.wait_with_output().expect("it ends"));
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
 }

@@ -109,6 +109,20 @@ fn no_answer_to_a_random_scene_is_further_off_than_it_says() {
     }
 }
 
+/// Every law in both formats, clean twice and with each of six faults.
+const LOGS: usize = 21 * 2 * 8;
+
+#[test]
+fn nothing_that_is_said_of_a_random_log_is_wrong() {
+    let logs = many(LOGS).to_string();
+    if let Some(output) = adversary("records.py", &[env!("CARGO_BIN_EXE_kane"), &logs, "gate"]) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" logs, 0 wrong"), "{printed}");
+        let kinds = ["clean logs named: ", "sign of friction: found", "e off by 0.01: found"];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 #[test]
 fn no_verdict_on_a_random_claim_is_wrong() {
     let claims = many(CLAIMS).to_string();

@@ -6,9 +6,11 @@ use crate::error_free::two_sum;
 /// A sum of floats without rounding, as floats of which none overlaps another (Shewchuk, Discrete &
 /// Computational Geometry 18, 1997, section 2.4).
 ///
-/// Sums of parts, added up in any order, are the same number; an addition costs a few operations for
-/// each of the two to four floats that such a sum has in practice, of forty at most. Exact unless a
-/// partial sum overflows; then, and with a term that is not finite, the value is that of IEEE 754.
+/// Sums of parts, added up in any order, are the same number. Terms of one binary order are integers times one
+/// power of two: they are added as such, for the last [`ORDERS`] orders, and what another order displaces goes
+/// to the floats, of which there are forty at most. So an addition is one of integers where the terms differ by
+/// less than 2^[`ORDERS`]. Exact unless a sum overflows; then, and with a term that is not finite, the value is
+/// that of IEEE 754.
 ///
 /// ```
 /// let mut sum = kane_number::ExactSum::default();
@@ -17,15 +19,65 @@ use crate::error_free::two_sum;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct ExactSum {
+    /// sums of the significands of an order, each at the place of its order modulo [`ORDERS`]
+    sums: [i128; ORDERS],
+    /// the biased exponents of these orders
+    orders: [u16; ORDERS],
     /// by rising magnitude; none is zero
     parts: Vec<f64>,
     /// what is not finite
     beyond: Option<f64>,
 }
 
+/// How many binary orders are summed as integers.
+const ORDERS: usize = 32;
+
+/// The bits of a significand that are written.
+const WRITTEN: u32 = f64::MANTISSA_DIGITS - 1;
+
 impl ExactSum {
     /// Adds a term.
+    #[inline]
     pub fn add(&mut self, term: f64) {
+        let bits = term.abs().to_bits();
+        let order = u16::try_from(bits >> WRITTEN).unwrap_or(0x7ff);
+        if order == 0x7ff {
+            self.beyond = Some(self.beyond.unwrap_or(0.0) + term);
+            return;
+        }
+        let written = i128::from(bits & ((1 << WRITTEN) - 1));
+        // a subnormal has the order of the least normal numbers, and no hidden bit
+        let (order, significand) =
+            if order == 0 { (1, written) } else { (order, written | 1 << WRITTEN) };
+        let place = usize::from(order) % ORDERS;
+        if self.orders[place] != order {
+            self.displace(place);
+            self.orders[place] = order;
+        }
+        self.sums[place] += if term.is_sign_negative() { -significand } else { significand };
+    }
+
+    /// Takes the integers of an order to the floats.
+    fn displace(&mut self, place: usize) {
+        let mut left = std::mem::take(&mut self.sums[place]);
+        // 2^(order − 1075), which a subnormal may be
+        let (half, rest) = match i32::from(self.orders[place]) - 1075 {
+            scale @ ..-1000 => (2_f64.powi(-1000), 2_f64.powi(scale + 1000)),
+            scale => (1.0, 2_f64.powi(scale)),
+        };
+        while left != 0 {
+            // at most 53 bits of the highest, so that the conversion and the scaling are exact
+            let low = (i128::BITS - left.unsigned_abs().leading_zeros()).saturating_sub(53);
+            let high = left >> low << low;
+            left -= high;
+            #[allow(clippy::cast_precision_loss, reason = "it has 53 bits at most")]
+            let high = high as f64;
+            self.add_float(high * half * rest);
+        }
+    }
+
+    /// Adds a float to the floats.
+    fn add_float(&mut self, term: f64) {
         if !term.is_finite() {
             self.beyond = Some(self.beyond.unwrap_or(0.0) + term);
             return;
@@ -54,17 +106,26 @@ impl ExactSum {
     }
 
     /// Floats whose sum it is, few.
-    pub fn terms(&self) -> impl Iterator<Item = f64> {
-        self.parts.iter().copied().chain(self.beyond)
+    pub fn terms(&self) -> impl Iterator<Item = f64> + use<> {
+        let Self { parts, beyond, .. } = self.settled();
+        parts.into_iter().chain(beyond)
+    }
+
+    /// The same sum in floats alone.
+    fn settled(&self) -> Self {
+        let mut settled = self.clone();
+        (0..ORDERS).for_each(|place| settled.displace(place));
+        settled
     }
 
     /// The sum, correctly rounded to the nearest float, ties to even.
     #[must_use]
     pub fn value(&self) -> f64 {
-        if let Some(beyond) = self.beyond {
+        let Self { parts, beyond, .. } = self.settled();
+        if let Some(beyond) = beyond {
             return beyond;
         }
-        let mut parts = self.parts.iter().rev().copied();
+        let mut parts = parts.into_iter().rev();
         let Some(mut high) = parts.next() else { return 0.0 };
         while let Some(part) = parts.next() {
             let (sum, error) = two_sum(high, part);

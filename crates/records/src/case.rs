@@ -32,6 +32,7 @@ impl<'a> Case<'a> {
     ///
     /// # Errors
     /// [`Reason`] for a row that cannot be checked.
+    #[inline]
     pub fn of(row: &'a Row, spatial: bool, precision: &Precision) -> Result<Self, Reason> {
         let given = Given::of(row)?;
         let frame = Frame::of(row, spatial)?;
@@ -48,6 +49,7 @@ impl<'a> Case<'a> {
     /// What a check says of this row, or `None` where it has nothing to ask. [`Check::Order`] is
     /// about more than one row and not asked here.
     #[must_use]
+    #[inline]
     pub fn finding(&self, check: Check) -> Option<Finding> {
         let (facts, tolerance) = (&self.facts, &self.tolerance);
         let [p_t, p_n] = facts.impulse;

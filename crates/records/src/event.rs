@@ -74,6 +74,7 @@ impl Given {
     ///
     /// # Errors
     /// [`Reason`] for a value outside its domain.
+    #[inline]
     pub fn of(row: &Row) -> Result<Self, Reason> {
         let not_negative = |column| match row.get(column) {
             Some(value) if value < 0.0 => Err(Reason::Negative(column, value)),
@@ -98,6 +99,7 @@ impl<N: FromFloat> Event<N> {
     ///
     /// # Errors
     /// [`Reason`] for the first cell that is missing or outside its domain.
+    #[inline]
     pub fn of(row: &Row, frame: &Frame) -> Result<Self, Reason> {
         let first = Moving::of(row, Side::First, frame)?;
         let second =
@@ -122,6 +124,7 @@ impl<N: FromFloat> Event<N> {
 }
 
 impl<N: FromFloat> Moving<N> {
+    #[inline]
     fn of(row: &Row, side: Side, frame: &Frame) -> Result<Self, Reason> {
         let positive = |column| match row.need(column)? {
             value if value > 0.0 => Ok(N::of_float(value)),

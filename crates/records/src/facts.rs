@@ -74,6 +74,7 @@ impl<N: Number> Moving<N> {
 impl<N: Number> Event<N> {
     /// The facts.
     #[must_use]
+    #[inline]
     pub fn facts(&self) -> Facts<N> {
         let first = &self.first;
         let impulse = first.impulse(&self.kick);

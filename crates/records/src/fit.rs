@@ -85,7 +85,10 @@ fn of_pair(rows: &[&Seen], (pair, stated): Key) -> PairFit {
     for seen in rows {
         count += 1;
         if let Some(value) = seen.observed_restitution() {
-            e.add(value, seen.within[1] * (1.0 + value.abs()) / seen.approach);
+            // u_n⁺ and a are off by up to so much of a: e·a·(1 ± share) = u_n⁺ ± share·a
+            let share = seen.within[1] / seen.approach;
+            let error = share * (1.0 + value.abs()) / (1.0 - share);
+            e.add(value, if share < 1.0 { error } else { f64::INFINITY });
         }
         if seen.normal <= 2.0 * seen.within[3] {
             continue;

@@ -1,6 +1,7 @@
 //! In which format the numbers of a log were written.
 
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 use crate::row::Row;
 use crate::schema::{Axis, Column, Side, When};
@@ -57,8 +58,8 @@ impl Format {
     ///
     /// A number of 16 digits or more in its shortest form is a binary64, unless all are binary32
     /// numbers printed exactly. Shorter ones are binary32 if all are the shortest decimals of such
-    /// and some need 8 digits; otherwise decimals, if there are many and they are no small binary
-    /// fractions.
+    /// and some need 8 digits; otherwise decimals, if there are many, or some of six digits or more, and
+    /// they are no small binary fractions.
     #[must_use]
     pub fn of(rows: &[Row]) -> Self {
         let mut values = BTreeSet::new();
@@ -82,14 +83,17 @@ impl Format {
         let digits = written.iter().map(|written| written.digits).max().unwrap_or(0);
         let decimals = written.iter().map(|written| written.decimals).max().unwrap_or(0);
         let odd = written.iter().filter(|written| !written.short_binary).count();
-        if odd < MOST_CHANCE {
-            return Self::Binary64;
-        }
         let singles = written.iter().all(|written| written.single);
         let exact_singles = written.iter().all(|written| written.exact_single);
+        let few = odd < MOST_CHANCE;
+        if odd == 0 || few && !exact_singles && !ROUNDED.contains(&digits) {
+            return Self::Binary64;
+        }
         match digits {
             _ if exact_singles => Self::Binary32,
             8..=9 if singles => Self::Binary32,
+            // few numbers of 24 bits may do without the eighth digit
+            7 if singles && few => Self::Binary32,
             ..16 if decimals <= 9 => Self::Decimals(decimals),
             ..16 => Self::Significant(digits),
             _ => Self::Binary64,
@@ -99,6 +103,9 @@ impl Format {
 
 /// So many numbers look alike by chance.
 const MOST_CHANCE: usize = 8;
+/// With so many digits even one number was rounded to them: a binary64 has so few by chance once in 10 000 times,
+/// and who writes down a number that is exact needs fewer.
+const ROUNDED: RangeInclusive<u8> = 6..=12;
 
 /// What the shortest decimals of a float tell.
 struct Written {
@@ -165,5 +172,13 @@ mod tests {
         let halves: Vec<f64> = (1..100).map(|i| f64::from(i) / 4.0).collect();
         assert_eq!(Format::of_values(&halves), Format::Binary64);
         assert_eq!(Format::of_values(&[0.1, 0.3]), Format::Binary64);
+    }
+
+    #[test]
+    fn one_number_tells_a_format_that_is_no_chance() {
+        assert_eq!(Format::of_values(&[0.5, 0.33333334]), Format::Binary32);
+        assert_eq!(Format::of_values(&[f64::from(0.1_f32)]), Format::Binary32);
+        assert_eq!(Format::of_values(&[0.333_333]), Format::Decimals(6));
+        assert_eq!(Format::of_values(&[1.0 / 3.0]), Format::Binary64);
     }
 }

@@ -43,6 +43,7 @@ impl Frame {
     ///
     /// # Errors
     /// [`Reason::Normal`], [`Reason::Missing`] or [`Reason::OutOfPlane`].
+    #[inline]
     pub fn of(row: &Row, spatial: bool) -> Result<Self, Reason> {
         let (normal, slack) = normal(row)?;
         if !spatial && normal == Self::UPRIGHT.normal {

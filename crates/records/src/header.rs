@@ -18,8 +18,8 @@ pub struct Header {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum HeaderFault {
     /// Columns are missing without which no row can be checked.
-    #[error("columns are missing: {}; `kane check --schema` lists the names, and --map OURS=THEIRS renames", .0.join(", "))]
-    Missing(Vec<String>),
+    #[error("columns are missing: {}{}; `kane check --schema` lists the names, and --map OURS=THEIRS renames", .0.join(", "), besides(.1))]
+    Missing(Vec<String>, Vec<String>),
     /// Two columns mean the same.
     #[error("the columns `{0}` and `{1}` both mean {2}; choose one with --map {2}=NAME")]
     Twice(String, String, String),
@@ -35,6 +35,23 @@ pub enum HeaderFault {
     /// `--map` names a column that is not in the schema.
     #[error("--map {0}={1}: the schema has no column `{0}`; see kane check --schema")]
     NotInSchema(String, String),
+}
+
+/// The columns of the file that mean nothing, among which a missing one may be.
+fn besides(unread: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<String> =
+        unread.iter().take(SHOWN).map(|name| format!("`{}`", name.escape_debug())).collect();
+    match (shown.is_empty(), unread.len() > SHOWN) {
+        (true, _) => String::new(),
+        (_, more) => {
+            format!(
+                " (not understood: {}{})",
+                shown.join(", "),
+                if more { " and others" } else { "" }
+            )
+        }
+    }
 }
 
 impl Header {
@@ -151,7 +168,11 @@ impl Header {
                 missing.push(format!("{} and {} (or {radius})", arm(Axis::X), arm(Axis::Y)));
             }
         }
-        if missing.is_empty() { Ok(()) } else { Err(HeaderFault::Missing(missing)) }
+        if missing.is_empty() {
+            Ok(())
+        } else {
+            Err(HeaderFault::Missing(missing, self.unread.clone()))
+        }
     }
 }
 
@@ -193,7 +214,7 @@ mod tests {
     #[test]
     fn a_map_renames_and_says_what_is_not_there() {
         let names = PLAIN.replace("vx_pre", "foo");
-        assert!(matches!(header(&names, &[]), Err(HeaderFault::Missing(_))));
+        assert!(matches!(header(&names, &[]), Err(HeaderFault::Missing(..))));
         assert!(header(&names, &[("vx_pre", "foo")]).is_ok());
         assert!(matches!(header(&names, &[("vx_pre", "no")]), Err(HeaderFault::NoSuch(..))));
         assert!(matches!(header(&names, &[("zeal", "foo")]), Err(HeaderFault::NotInSchema(..))));

@@ -31,6 +31,8 @@ pub mod format;
 pub mod frame;
 pub mod friction;
 pub mod header;
+mod json;
+pub mod opening;
 pub mod preset;
 pub mod reader;
 pub mod rejection;

@@ -8,6 +8,8 @@ use kane_impact::bodies::Shape;
 use serde_json::Value;
 
 use crate::header::{Header, HeaderFault};
+use crate::json;
+use crate::opening::{foreign, is_passed_over, opening};
 use crate::rejection::{Reason, Rejected};
 use crate::row::Row;
 use crate::schema::{Column, Field, Side, Word};
@@ -30,6 +32,9 @@ pub enum ReadFault {
     /// The cells cannot be told apart.
     #[error("cannot read: {0}")]
     Csv(#[from] csv::Error),
+    /// Bytes that are no text of a log.
+    #[error("this is {0}")]
+    Foreign(&'static str),
     /// There is no header, or no row.
     #[error("the log is empty")]
     Empty,
@@ -87,7 +92,7 @@ impl Pairs {
     }
 }
 
-/// The names of the columns, from the beginning of a log; none where they cannot be read.
+/// The names of the columns, from the [`opening`] of a log; none where they cannot be read.
 #[must_use]
 pub fn names(start: &[u8], kind: Kind) -> Vec<String> {
     match kind {
@@ -103,7 +108,7 @@ pub fn names(start: &[u8], kind: Kind) -> Vec<String> {
         Kind::JsonLines => {
             let mut lines =
                 start.split(|&byte| byte == b'\n').filter(|l| !l.trim_ascii().is_empty());
-            let cells = lines.next().and_then(|line| flat(line).ok()).unwrap_or_default();
+            let cells = lines.next().and_then(|line| json::cells(line).ok()).unwrap_or_default();
             cells.into_iter().map(|(name, _)| name).collect()
         }
     }
@@ -134,12 +139,15 @@ pub fn read(
 }
 
 fn csv_rows(
-    mut input: impl BufRead,
+    input: impl BufRead,
     map: &[(String, String)],
     sink: &mut dyn Sink,
 ) -> Result<Header, ReadFault> {
-    let start = input.fill_buf()?;
-    let delimiter = delimiter(start);
+    let (start, input) = opening(input)?;
+    if let Some(what) = foreign(&start) {
+        return Err(ReadFault::Foreign(what));
+    }
+    let delimiter = delimiter(&start);
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter)
         .comment(Some(b'#'))
@@ -163,7 +171,8 @@ fn csv_rows(
                 .filter_map(|(field, cell)| field.map(|field| (field, cell)))
                 .try_for_each(|(field, cell)| fill(&mut row, field, cell, &mut pairs))
         } else {
-            Err(Reason::Ragged { cells: record.len(), expected: names.len() })
+            let lines = record.as_slice().iter().filter(|&&byte| byte == b'\n').count();
+            Err(Reason::Ragged { cells: record.len(), expected: names.len(), lines })
         };
         match filled {
             Ok(()) => sink.row(&row),
@@ -176,8 +185,8 @@ fn csv_rows(
 
 /// What separates the cells of the first line that is no comment.
 fn delimiter(start: &[u8]) -> u8 {
-    let lines = start.split(|&byte| byte == b'\n');
-    let first = lines.into_iter().find(|line| !line.starts_with(b"#") && !line.is_empty());
+    let first =
+        start.split(|&byte| matches!(byte, b'\n' | b'\r')).find(|line| !is_passed_over(line));
     let count = |byte: u8| first.map_or(0, |line| line.iter().filter(|&&b| b == byte).count());
     [b',', b';', b'\t'].into_iter().rev().max_by_key(|&byte| count(byte)).unwrap_or(b',')
 }
@@ -187,7 +196,7 @@ fn delimiter(start: &[u8]) -> u8 {
 /// # Errors
 /// [`Reason`] for a cell that is none of its column.
 pub fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Result<(), Reason> {
-    let text = std::str::from_utf8(cell).map_err(|_| Reason::NotText)?.trim();
+    let text = std::str::from_utf8(cell).map_err(|_| Reason::NotText(field))?.trim();
     if text.is_empty() {
         return Ok(());
     }
@@ -244,7 +253,7 @@ fn json_rows(
         if text.trim_ascii().is_empty() {
             continue;
         }
-        let cells = match flat(&text) {
+        let cells = match json::cells(&text) {
             Ok(cells) => cells,
             Err(reason) if known.is_none() => return Err(ReadFault::FirstLine(line, reason)),
             Err(reason) => {
@@ -286,28 +295,4 @@ fn take(row: &mut Row, field: Field, value: &Value, pairs: &mut Pairs) -> Result
         (Field::Number(column), other) => Err(Reason::NotANumber(column, other.to_string())),
         (Field::Word(word), other) => words(row, word, &other.to_string(), pairs),
     }
-}
-
-/// The cells of a JSON object; arrays and objects inside become `name_x` or `name_key`.
-fn flat(line: &[u8]) -> Result<Vec<(String, Value)>, Reason> {
-    let value: Value =
-        serde_json::from_slice(line).map_err(|error| Reason::NotJson(error.to_string()))?;
-    let Value::Object(object) = value else {
-        return Err(Reason::NotJson("the line is another value".to_owned()));
-    };
-    let mut cells = Vec::new();
-    for (name, value) in object {
-        match value {
-            Value::Array(items) if items.len() <= 3 => {
-                for (axis, item) in ["x", "y", "z"].iter().zip(items) {
-                    cells.push((format!("{name}_{axis}"), item));
-                }
-            }
-            Value::Object(inside) => {
-                cells.extend(inside.into_iter().map(|(key, item)| (format!("{name}_{key}"), item)));
-            }
-            other => cells.push((name, other)),
-        }
-    }
-    Ok(cells)
 }

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::schema::{Column, Word};
+use crate::header::field_name;
+use crate::schema::{Column, Field, Word};
 
 /// Why a row is not checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +15,8 @@ pub enum Reason {
         cells: usize,
         /// cells of the header
         expected: usize,
+        /// line ends in its cells, which a quote that is not closed keeps there
+        lines: usize,
     },
     /// A cell of numbers holds something else.
     NotANumber(Column, String),
@@ -37,8 +40,8 @@ pub enum Reason {
     OutOfPlane(&'static str),
     /// A line that is no JSON object.
     NotJson(String),
-    /// A line that is not UTF-8.
-    NotText,
+    /// A cell that is not UTF-8.
+    NotText(Field),
 }
 
 impl Reason {
@@ -58,7 +61,7 @@ impl Reason {
             Self::Shape(word, _) => format!("unknown {}", word.name()),
             Self::OutOfPlane(why) => format!("leaves the plane: {why}"),
             Self::NotJson(_) => "no JSON object".to_owned(),
-            Self::NotText => "not UTF-8".to_owned(),
+            Self::NotText(field) => format!("not UTF-8 in {}", field_name(*field)),
         }
     }
 }
@@ -67,8 +70,15 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = self.kind();
         match self {
-            Self::Ragged { cells, expected } => {
-                write!(f, "{kind}: {cells} cells where the header has {expected}")
+            Self::Ragged { cells, expected, lines } => {
+                write!(f, "{kind}: {cells} cells where the header has {expected}")?;
+                match lines {
+                    0 => Ok(()),
+                    _ => write!(f, "; a quote that opens in it takes {lines} line ends along"),
+                }
+            }
+            Self::NotANumber(_, text) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+                write!(f, "{kind}: `{text}`; decimals take a point")
             }
             Self::NotANumber(_, text) => {
                 let text: String = text.chars().take(40).collect();
@@ -78,7 +88,7 @@ impl fmt::Display for Reason {
                 write!(f, "{kind}: {value}")
             }
             Self::Normal(length) => write!(f, "{kind}: its length is {length}"),
-            Self::Apart(speed) => write!(f, "{kind}, at {speed:e} m/s"),
+            Self::Apart(speed) => write!(f, "{kind}, at {speed} m/s"),
             Self::Shape(_, text) => write!(f, "{kind}: `{text}`"),
             Self::NotJson(why) => write!(f, "{kind}: {why}"),
             _ => f.write_str(&kind),

@@ -209,9 +209,12 @@ impl<'a> Gathering<'a> {
     }
 
     fn check(&mut self, row: &Row, precision: &Precision) {
-        match Case::of(row, self.spatial, precision) {
-            Ok(case) => self.checked(&case),
-            Err(reason) => self.rejections.add(Rejected { line: row.line, reason }),
+        // a case is large, and stays where it was made
+        match &Case::of(row, self.spatial, precision) {
+            Ok(case) => self.checked(case),
+            Err(reason) => {
+                self.rejections.add(Rejected { line: row.line, reason: reason.clone() });
+            }
         }
     }
 

@@ -115,6 +115,7 @@ impl Size {
 impl Tolerance {
     /// Of a row.
     #[must_use]
+    #[inline]
     pub fn of(event: &Event<f64>, facts: &Facts<f64>, given: &Given, log: &Precision) -> Self {
         let (eta, q, tau) = (log.rounding, 2.0 * log.absolute, log.tilt);
         let kick = event.kick;
@@ -158,9 +159,10 @@ impl Tolerance {
             add(body, size);
         }
         let turned = tau * (u_t.abs() + facts.after[0].abs() + u_n.abs() + facts.after[1].abs());
-        let (slip, separation, before) = (slip + turned, separation + turned, before + turned);
-        // both bodies fall alike; a fixed one does not
+        // gravity may act before or after the impact; both bodies fall alike, a fixed one does not
         let fall = if second.is_some() { [0.0; 2] } else { kick.map(f64::abs) };
+        let slip = slip + turned + fall[0];
+        let separation = separation + turned + fall[1];
 
         let e = given.restitution.unwrap_or(1.0);
         let mut reaction =
@@ -181,9 +183,9 @@ impl Tolerance {
             other_moment,
             slip,
             separation,
-            restitution: (1.0 + e) * (separation + fall[1]),
+            restitution: (1.0 + e) * separation,
             energy,
-            slip_before: before + fall[0],
+            slip_before: before + turned + fall[0],
             arm: (along + every) / first.arm.max(f64::MIN_POSITIVE) + tau,
         }
     }

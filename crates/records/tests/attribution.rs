@@ -169,3 +169,30 @@ fn a_restitution_above_one_is_legitimate_without_a_gain() {
     let gain = kane_records::check::Check::Energy;
     assert_eq!(study.checked(gain).map(|checked| checked.failed), Some(0));
 }
+
+/// Whether gravity acts before or after the impact is the engine's: what falls within the step then stays in the
+/// velocities, and is neither a slip, nor a penetration, nor another restitution.
+#[test]
+fn gravity_after_the_impact_is_no_fault() {
+    let mut log = String::from(
+        "mass,radius,inertia,mu,e,dt,gravity_x_m_s2,gravity_y_m_s2,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n",
+    );
+    let [gx, gy, dt] = [3.0, -9.5, 0.01];
+    for place in 1..30 {
+        let (mu, a, u) = (0.3, 1.0, 0.31 * f64::from(place));
+        let e = f64::from(place % 3) * 0.45;
+        let normal = (1.0 + e) * a;
+        let friction = -(u / 3.0).min(mu * normal);
+        let (x, y, spin) = (u + friction + gx * dt, e * a + gy * dt, 2.0 * friction);
+        log.push_str(&format!("1,1,0.5,{mu},{e},{dt},{gx},{gy},{u},-{a},0,{x},{y},{spin}\n"));
+    }
+    let study = study(log.as_bytes(), Kind::Csv, &Options::new(laws())).expect("it is a log");
+    assert!(study.as_expected(), "{:?}", study.checks);
+    let named = study.consistent_laws().any(|fit| fit.law.info.id == "kane-levinson");
+    assert!(named, "{:?}", study.laws.first());
+    for fit in &study.fits {
+        let (stated, e) =
+            (fit.stated[1].expect("e is stated"), fit.restitution.expect("it bounces"));
+        assert!(e.one_value && e.low <= stated && stated <= e.high, "{fit:?}");
+    }
+}

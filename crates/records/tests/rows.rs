@@ -186,6 +186,8 @@ fn a_verdict_at_its_tolerance_is_exact() {
         let row = format!("1,1,0.5,0.25,0.5,2,-1,0,1.625,{:e},-0.75", 0.5 + miss);
         let mut options = Options::new(laws());
         options.extent = 0.0;
+        // a miss of 1e-9 alone would be told as nine decimals
+        options.format = Some(kane_records::format::Format::Binary64);
         let log = format!("{HEAD}\n{row}\n");
         let study = study(log.as_bytes(), Kind::Csv, &options).expect("it is a log");
         let checked = study.checked(Check::Restitution).expect("it is asked").clone();
