@@ -5,9 +5,9 @@ use std::io;
 use clap::Command;
 use clap_mangen::Man;
 
+use super::args::{CompletionsArgs, ManArgs};
 use super::delivery::{self, Written};
 use super::ids::unknown;
-use super::shell_args::{CompletionsArgs, ManArgs};
 use super::{Outcome, bad_input, help, output};
 
 /// Prints the completions of a shell.
