@@ -78,8 +78,8 @@ fn parameters() -> String {
 /// The names of the models.
 fn models() -> String {
     format!(
-        "Models, from the least:\n  {}\neach in f64, or as in routh-newton/rational in f32, f64, double-double or rational.\n",
-        model_names(laws()).join(", ")
+        "Models, from the least:\n{}Each is in f64, or as in routh-newton/rational in f32, f64, double-double or rational.\n",
+        list(&model_names(laws()))
     )
 }
 

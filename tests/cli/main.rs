@@ -6,6 +6,7 @@ mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
 mod disk; // --out on a disk that is full, read-only, shared, or left in the middle
 mod errors; // what bad input gets
+mod examples; // the examples of the help, run
 mod exits; // exit codes
 mod figures; // the figures, and the page that shows them
 mod files; // --out

@@ -19,7 +19,7 @@ Examples:
   kane check new.csv --baseline old.csv   whether a new version does worse
   kane check log.csv --format junit       every check as a test, for continuous integration
 
-A log has one row an impact: mass, inertia (or radius and shape), arm (or radius), velocity and spin
+A log has one row an impact: mass, inertia (or radius and shape), arm (or radius), velocity and spin \
 before and after; mu, e, the time step and more if they are known. See docs/records.md.
 
 Exit codes:

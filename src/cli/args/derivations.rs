@@ -15,7 +15,7 @@ Examples:
   kane audit a.md b.md --format json      two documents, for programs
   kane audit --judges coq,z3              what a proof assistant and a solver say, too
 
-A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted,
+A document is Markdown with blocks tagged `kane`. Every claim in it ends proved, refuted, \
 ill-defined, vacuous, unsupported or undecided; `expect` says what its author thinks.
 
 Exit codes:
@@ -30,9 +30,9 @@ Examples:
   kane draft paper.tex > paper.md && kane audit paper.md
                                           what follows from what, as far as the guesses go
 
-Every equation stands in the draft as printed and under its number. Those that can be read are
-statements; the others are quoted with the reason, which standard error lists, too. Which of them are
-premises, what a claim rests on, and the ranges of symbols are guesses from the words around them.
+Every equation stands in the draft as printed and under its number. Those that can be read are \
+statements; the others are quoted with the reason, which standard error lists, too. Which of them are \
+premises, what a claim rests on, and the ranges of symbols are guesses from the words around them. \
 docs/draft.md says how, and what is read.
 
 Exit codes:

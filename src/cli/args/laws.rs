@@ -16,8 +16,8 @@ Examples:
   kane laws --out reports                 also writes reports/laws.html, .txt, .md and .json, and
                                           the picture reports/matrix.svg with its data, .csv
 
-A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that
-it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what
+A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that \
+it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what \
 each property asks.
 ";
 
@@ -37,8 +37,8 @@ Examples:
                                     one law: every quantity, exactly and in floats
   kane collide --sphere 7/2 --speed 1 --half-tangent 1/3 --mu 0.5 --e 1 --param walton.beta0=0.3
                                     an exact direction, cos = 4/5; a law's own parameter
-  kane collide docs/collisions/double-pendulum.toml
-                                    other bodies, from a file; see docs/collide-format.md
+  kane collide double-pendulum      a shipped one: Kane's puzzle
+  kane collide collision.toml       other bodies, from a file; see docs/collide-format.md
 ";
 
 pub(crate) const COLLIDE_EXIT: &str = "\

@@ -8,13 +8,13 @@ use super::Format;
 
 pub(crate) const SCENE_EXAMPLES: &str = "\
 Examples:
-  kane scene docs/scenes/backspin.toml           the answer by the least model, and why that one
-  kane scene docs/scenes/rest.toml --out out     also writes out/rest.html, .json, .md, -motion.svg,
-                                                 -ledger.svg, -states.csv and -models.csv
-  kane scene docs/scenes/backspin.toml --model whittaker-uncapped
-                                                 by another model, with its error
-  kane scene docs/scenes/two-spheres.toml --compare
-                                                 every model that applies, by cost and error
+  kane scene backspin                     a shipped one: by the least model that will do, and why
+  kane scene scene.toml                   one of your own
+  kane scene rest --out out               also writes out/rest.html, .json, .md, -motion.svg,
+                                          -ledger.svg, -states.csv and -models.csv
+  kane scene backspin --model whittaker-uncapped
+                                          by another model, with its error
+  kane scene two-spheres --compare        every model that applies, by cost and error
 
 A scene says what collides, what is asked and how accurately; see docs/scene-format.md.";
 

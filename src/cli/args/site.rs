@@ -8,9 +8,9 @@ pub(super) const SITE_EXAMPLES: &str = "\
 Examples:
   kane site --out site                    writes site/index.html and all that it leads to
 
-The shipped derivations are audited, the laws held against every property, the paper's formulas
-examined, the shipped collisions and scenes answered, and methods timed, quickly. It takes under a
-minute; standard error says what takes how long. The site is read from the disk: no page loads
+The shipped derivations are audited, the laws held against every property, the paper's formulas \
+examined, the shipped collisions and scenes answered, and methods timed, quickly. It takes under a \
+minute; standard error says what takes how long. The site is read from the disk: no page loads \
 anything, and all links are relative.
 
 Exit codes:
