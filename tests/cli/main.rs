@@ -17,6 +17,7 @@ mod lsp; // the language server as an editor starts it
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
+mod release; // one version, wherever one is named
 mod remarks; // verdicts beside lines: SARIF and workflow commands
 mod scene; // scenes: models, files, exit codes
 mod shell; // colours, completions, manual pages, near names
