@@ -34,7 +34,8 @@ pub(super) fn completed() -> Command {
         parameter_ids().into_iter().map(|id| &*format!("{id}=").leak()).collect();
     let mut command = command();
     let verbs = command.get_subcommands().map(|verb| verb.get_name().to_owned());
-    for verb in verbs.collect::<Vec<_>>() {
+    let verbs: Vec<String> = verbs.collect();
+    for verb in verbs.clone() {
         command = command.mut_subcommand(verb, |verb| {
             verb.mut_args(|arg| match arg.get_id().as_str() {
                 "out" => arg.value_hint(ValueHint::DirPath),
@@ -54,6 +55,9 @@ pub(super) fn completed() -> Command {
                 .mut_arg("body", |arg| {
                     arg.value_parser(ids(vec!["sphere", "hollow-sphere", "disc", "hoop"]))
                 })
+        })
+        .mut_subcommand("man", |verb| {
+            verb.mut_arg("verb", |arg| arg.value_parser(PossibleValuesParser::new(verbs)))
         })
         .mut_subcommand("scene", |verb| {
             verb.mut_arg("model", |arg| arg.value_parser(ids(model_names(laws()))))
