@@ -33,9 +33,9 @@ pub(super) fn completed() -> Command {
     let parameters: Vec<&'static str> =
         parameter_ids().into_iter().map(|id| &*format!("{id}=").leak()).collect();
     let mut command = command();
-    let verbs = command.get_subcommands().map(|verb| verb.get_name().to_owned());
-    let verbs: Vec<String> = verbs.collect();
-    for verb in verbs.clone() {
+    let verbs = command.get_subcommands().map(|verb| &*verb.get_name().to_owned().leak());
+    let verbs: Vec<&'static str> = verbs.collect();
+    for &verb in &verbs {
         command = command.mut_subcommand(verb, |verb| {
             verb.mut_args(|arg| match arg.get_id().as_str() {
                 "out" => arg.value_hint(ValueHint::DirPath),
@@ -56,9 +56,7 @@ pub(super) fn completed() -> Command {
                     arg.value_parser(ids(vec!["sphere", "hollow-sphere", "disc", "hoop"]))
                 })
         })
-        .mut_subcommand("man", |verb| {
-            verb.mut_arg("verb", |arg| arg.value_parser(PossibleValuesParser::new(verbs)))
-        })
+        .mut_subcommand("man", |verb| verb.mut_arg("verb", |arg| arg.value_parser(ids(verbs))))
         .mut_subcommand("scene", |verb| {
             verb.mut_arg("model", |arg| arg.value_parser(ids(model_names(laws()))))
         })
