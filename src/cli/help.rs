@@ -33,8 +33,9 @@ pub(super) fn completed() -> Command {
     let parameters: Vec<&'static str> =
         parameter_ids().into_iter().map(|id| &*format!("{id}=").leak()).collect();
     let mut command = command();
-    let verbs = command.get_subcommands().map(|verb| verb.get_name().to_owned());
-    for verb in verbs.collect::<Vec<_>>() {
+    let verbs = command.get_subcommands().map(|verb| &*verb.get_name().to_owned().leak());
+    let verbs: Vec<&'static str> = verbs.collect();
+    for &verb in &verbs {
         command = command.mut_subcommand(verb, |verb| {
             verb.mut_args(|arg| match arg.get_id().as_str() {
                 "out" => arg.value_hint(ValueHint::DirPath),
@@ -55,6 +56,7 @@ pub(super) fn completed() -> Command {
                     arg.value_parser(ids(vec!["sphere", "hollow-sphere", "disc", "hoop"]))
                 })
         })
+        .mut_subcommand("man", |verb| verb.mut_arg("verb", |arg| arg.value_parser(ids(verbs))))
         .mut_subcommand("scene", |verb| {
             verb.mut_arg("model", |arg| arg.value_parser(ids(model_names(laws()))))
         })
@@ -78,8 +80,8 @@ fn parameters() -> String {
 /// The names of the models.
 fn models() -> String {
     format!(
-        "Models, from the least:\n  {}\neach in f64, or as in routh-newton/rational in f32, f64, double-double or rational.\n",
-        model_names(laws()).join(", ")
+        "Models, from the least:\n{}Each is in f64, or as in routh-newton/rational in f32, f64, double-double or rational.\n",
+        list(&model_names(laws()))
     )
 }
 

@@ -9,9 +9,9 @@ use super::{Outcome, bad_input};
 
 /// What `--help` says behind the options.
 pub(super) const ABOUT: &str = "\
-An editor starts this by itself and talks with it over standard input and output. While one types,
-errors appear at their places, and each claim has its verdict in the margin; hovering shows the
-proof or the witness; labels can be followed, renamed and completed. How to set up VS Code, Neovim,
+An editor starts this by itself and talks with it over standard input and output. While one types, \
+errors appear at their places, and each claim has its verdict in the margin; hovering shows the \
+proof or the witness; labels can be followed, renamed and completed. How to set up VS Code, Neovim, \
 Helix and Emacs is in editors/README.md.
 
 Exit codes:

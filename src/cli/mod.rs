@@ -22,7 +22,6 @@ mod prices;
 mod progress;
 mod scene;
 mod shell;
-mod shell_args;
 mod site;
 mod stability;
 mod watch;

@@ -5,9 +5,9 @@ use std::io;
 use clap::Command;
 use clap_mangen::Man;
 
+use super::args::{CompletionsArgs, ManArgs};
 use super::delivery::{self, Written};
 use super::ids::unknown;
-use super::shell_args::{CompletionsArgs, ManArgs};
 use super::{Outcome, bad_input, help, output};
 
 /// Prints the completions of a shell.
@@ -63,7 +63,7 @@ fn pages() -> io::Result<Vec<(String, String)>> {
 /// What every section of `clap_mangen` begins with: how an apostrophe is written.
 const PREAMBLE: &str = ".ie \\n(.g .ds Aq \\(aq\n.el .ds Aq '\n";
 
-/// One page. What follows the options is set as it stands: its examples are lines, not running text.
+/// One page. Of what follows the options, paragraphs are running text; what is indented are lines, as examples are.
 fn page(name: &str, command: &Command) -> io::Result<String> {
     let source = concat!("kane ", env!("CARGO_PKG_VERSION"));
     let man = Man::new(command.clone()).title(name.to_uppercase()).source(source);
@@ -81,7 +81,11 @@ fn page(name: &str, command: &Command) -> io::Result<String> {
     let mut text = format!("{PREAMBLE}{sections}");
     if let Some(notes) = command.get_after_help() {
         text.push_str(".SH NOTES\n.nf\n");
-        text.extend(notes.to_string().lines().map(|line| format!("{}\n", escaped(line))));
+        for line in notes.to_string().lines() {
+            let line_of_list = line.is_empty() || line.starts_with(' ');
+            let line = escaped(line);
+            text.push_str(&if line_of_list { line + "\n" } else { format!(".fi\n{line}\n.nf\n") });
+        }
         text.push_str(".fi\n");
     }
     Ok(text)

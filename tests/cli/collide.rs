@@ -428,7 +428,7 @@ fn help_shows_examples_parameters_and_exit_codes() {
     assert_eq!(run.code, 0);
     for part in [
         "kane collide --sphere 7/2 --speed 3.9 --angle 20 --mu 0.092 --e 0.98",
-        "docs/collisions/double-pendulum.toml",
+        "kane collide double-pendulum",
         "walton.beta0 = 11/25",
         "Exit codes:",
     ] {

@@ -6,6 +6,7 @@ mod chromium; // the browser that it is opened in
 mod collide; // the second verb: messages, exit codes, forms
 mod disk; // --out on a disk that is full, read-only, shared, or left in the middle
 mod errors; // what bad input gets
+mod examples; // the examples of the help, run
 mod exits; // exit codes
 mod figures; // the figures, and the page that shows them
 mod files; // --out
@@ -16,6 +17,7 @@ mod lsp; // the language server as an editor starts it
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled
 mod readme; // the README shows what the program prints
+mod release; // one version, wherever one is named
 mod remarks; // verdicts beside lines: SARIF and workflow commands
 mod scene; // scenes: models, files, exit codes
 #[path = "../schemas/mod.rs"]

@@ -111,3 +111,31 @@ fn a_row_that_fails_is_told_beside_its_line() {
     let compared = kane(&["check", path, "--baseline", path, "--format", "sarif"]);
     assert_eq!(compared.code, 2);
 }
+
+/// The step of `action.yml`, with these lists.
+#[cfg(unix)]
+fn step(dir: &std::path::Path, documents: &str, logs: &str) -> crate::Run {
+    let script = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scripts/annotate");
+    let mut bash = std::process::Command::new("bash");
+    bash.arg(script).current_dir(dir).env("KANE", env!("CARGO_BIN_EXE_kane"));
+    bash.env("DOCUMENTS", documents).env("LOGS", logs).env("SARIF", dir.join("sarif"));
+    crate::finish(bash.output().expect("bash starts"))
+}
+
+#[test]
+#[cfg(unix)]
+fn a_step_of_a_workflow_reads_all_lines_and_patterns_of_its_lists() {
+    let dir = scratch("step");
+    fs::create_dir(dir.join("more")).expect("writable");
+    document(&dir, "good.md", "var x > 0\nclaim holds: x > 0");
+    document(&dir.join("more"), "bad.md", "var x > 0\nclaim false: x > 1");
+    let run = step(&dir, "good.md\nmore/*.md\n", "");
+    assert_eq!(run.code, 1, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("::error file=more/bad.md,line=5,"), "{}", run.stdout);
+    let sarif = fs::read_to_string(dir.join("sarif/documents.sarif")).expect("it was written");
+    let sarif: Value = serde_json::from_str(&sarif).expect("it is JSON");
+    assert_eq!(sarif["runs"][0]["results"].as_array().map(Vec::len), Some(2));
+    assert_eq!(step(&dir, "good.md", "").code, 0);
+    assert_eq!(step(&dir, "good.md none/*.md", "").code, 2, "a pattern without a file");
+    assert_eq!(step(&dir, " \n", "").code, 3, "nothing is checked");
+}

@@ -93,6 +93,7 @@ fn bash_completes_verbs_and_ids() {
         ["smith-1991", "smith-printed"]
     );
     assert_eq!(offered(&script, &["kane", "audit", "--form"]), ["--format"]);
+    assert_eq!(offered(&script, &["kane", "man", "sta"]), ["stability"]);
     let all = offered(&script, &["kane", "laws", "--property", ""]);
     assert!(all.contains(&"energy".to_owned()), "{all:?}");
 }

@@ -24,7 +24,8 @@ mod stability; // where the formulas of the paper fail
 /// Where snapshots live and how they are named: the tests of `reports.rs` own `snapshots/reports/NAME.snap`.
 /// No other test touches insta's settings.
 ///
-/// The path is absolute, so it does not depend on how deep a test file sits.
+/// The path is absolute, so it does not depend on how deep a test file sits. The version of the program is `VERSION` in
+/// all of them, so that a release changes none.
 #[track_caller]
 fn settings() -> insta::Settings {
     let caller = std::path::Path::new(std::panic::Location::caller().file());
@@ -35,6 +36,8 @@ fn settings() -> insta::Settings {
     );
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
+    let version = format!(r"\b{}\b", env!("CARGO_PKG_VERSION").replace('.', r"\."));
+    settings.add_filter(&version, "VERSION");
     settings
 }
 

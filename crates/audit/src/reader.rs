@@ -261,7 +261,12 @@ impl Reader {
             .into_iter()
             .map(|mut fault| {
                 if let Some(unknown) = &fault.unknown {
-                    fault.note = self.hint_at_name(unknown, text).or(fault.note);
+                    // `exp(x)` is no symbol that one forgot
+                    let is_called = text.get(fault.span.end..).is_some_and(|t| t.starts_with('('));
+                    let declare =
+                        format!("a symbol is declared above its first use: `var {unknown}`");
+                    let hint = self.hint_at_name(unknown, text).or(fault.note);
+                    fault.note = hint.or((!is_called).then_some(declare));
                 }
                 fault.diagnostic(name, &mut lines)
             })

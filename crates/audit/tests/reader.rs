@@ -250,6 +250,7 @@ error: unknown symbol `Ω`
   |
 7 | claim (2): Ω*alfa = 1   # comment
   |            ^
+  = a symbol is declared above its first use: `var Ω`
 error: unknown symbol `alfa`
  --> bad.md:7:14
   |
@@ -264,6 +265,8 @@ error: unknown symbol `alfa`
 fn hints_say_where_to_look() {
     let note = |statement: &str| faults(statement)[0].note.clone().unwrap_or_default();
     assert_eq!(note("claim (2): q = 1\nvar q"), "it is declared below its use, on line 8");
+    assert_eq!(note("claim (2): q = 1"), "a symbol is declared above its first use: `var q`");
+    assert_eq!(note("claim (2): exp(1) = 1"), "");
     assert_eq!(note("claim (2): x = 1 from (dom1)"), "did you mean `dom`?");
     assert_eq!(note("given (1): x = 1"), "`(1)` on line 4 has it already");
     assert!(note("claim (2): 2x = 1").contains("a product needs its `*`"));

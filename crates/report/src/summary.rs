@@ -107,7 +107,7 @@ impl Summary {
     #[must_use]
     pub fn expectation(&self) -> String {
         match (self.claims, self.surprises.len()) {
-            (0, _) => "nothing to check".to_owned(),
+            (0, _) => "nothing to check: claims stand in blocks tagged kane".to_owned(),
             (_, 0) if self.expects => "every verdict is as expected".to_owned(),
             (_, 0) => "every claim is proved".to_owned(),
             _ => {

@@ -139,7 +139,9 @@ impl<'a> Ties<'a> {
             Some(draft) if place != index => format!("`{}`", draft.label),
             _ => "this claim".to_owned(),
         };
-        let note = format!("a derivative by `{x}` in {where_it_is} holds `{y}` fixed");
+        let note = format!(
+            "a derivative by `{x}` in {where_it_is} holds `{y}` fixed; `var {y}({x})` varies"
+        );
         Fault::new(span, message).with_note(note)
     }
 

@@ -31,16 +31,16 @@ Exit codes:
 pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum, value_name = "SHELL")]
-    pub(super) shell: Shell,
+    pub(crate) shell: Shell,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ManArgs {
     /// The verb whose page is printed; without one, the page of the program
     #[arg(value_name = "VERB", conflicts_with = "out")]
-    pub(super) verb: Option<String>,
+    pub(crate) verb: Option<String>,
 
     /// Write kane.1 and a page for every verb into this directory instead
     #[arg(long, value_name = "DIR")]
-    pub(super) out: Option<PathBuf>,
+    pub(crate) out: Option<PathBuf>,
 }
