@@ -128,8 +128,11 @@ impl Written {
         #[allow(clippy::cast_possible_truncation, reason = "to see what the shorter format holds")]
         let narrow = value as f32;
         let exact_single = f64::from(narrow).to_bits() == value.to_bits();
-        let single = exact_single
-            || format!("{narrow:e}").parse().is_ok_and(|shortest: f64| shortest == value);
+        // by its shortest decimals, or rounded to as many digits as stand there
+        let places = usize::from(digits).saturating_sub(1);
+        let decimals_of = [format!("{narrow:e}"), format!("{narrow:.places$e}")];
+        let printed = |text: &String| text.parse().is_ok_and(|read: f64| read == value);
+        let single = exact_single || decimals_of.iter().any(printed);
         Self {
             digits,
             decimals: u8::try_from(decimals).unwrap_or(u8::MAX),
@@ -159,6 +162,10 @@ mod tests {
         let shortest: Vec<f64> =
             thirds().map(|x| (x as f32).to_string().parse().expect("a float")).collect();
         assert_eq!(Format::of_values(&shortest), Format::Binary32);
+        #[allow(clippy::cast_possible_truncation, reason = "the format in question")]
+        let nine: Vec<f64> =
+            thirds().map(|x| format!("{:.8e}", x as f32).parse().expect("a float")).collect();
+        assert_eq!(Format::of_values(&nine), Format::Binary32);
         let fixed: Vec<f64> =
             thirds().map(|x| format!("{x:.4}").parse().expect("a float")).collect();
         assert_eq!(Format::of_values(&fixed), Format::Decimals(4));

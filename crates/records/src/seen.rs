@@ -131,11 +131,11 @@ impl Seen {
         -self.slip_without_friction() / self.mobility[0]
     }
 
-    /// Whether the contact couples normal and tangent.
+    /// Whether the contact couples normal and tangent by more than the arm is uncertain.
     #[must_use]
     pub fn couples(&self) -> bool {
         let [tt, tn, nn] = self.mobility;
-        tn.abs() > 1e-9 * (tt * nn).sqrt()
+        tn.abs() > self.arm_within.max(1e-9) * (tt * nn).sqrt()
     }
 
     /// The contact as a law sees it, with these coefficients.
