@@ -31,7 +31,8 @@ SYMBOLS = {  # how they are declared, and values
     "p": ("p >= 1", ["1", "8/7", "3/2", "3"]),
 }
 RELATIONS = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
-FOUND = re.compile(r"^(?:for n = (\d+), )?(?:(?:at )?((?:[xqyp] = -?[\d/.]+(?:, )?)+): )?")
+STANDING = "(?:false under all that was assumed, |does not follow from what is cited, )?"
+FOUND = re.compile(rf"^{STANDING}(?:for n = (\d+), )?(?:(?:at )?((?:[xqyp] = -?[\d/.]+(?:, )?)+): )?")
 BOUND = re.compile(r"at n = (\d+)$")
 
 

@@ -131,7 +131,7 @@ fn a_node_of_the_graph_leads_to_its_statement() {
 fn a_proof_unfolds_by_keyboard() {
     let Some(mut browser) = browser() else { return };
     browser.open(&address(), 1400, "light");
-    let details = "document.querySelector('#s-16 details')";
+    let details = "document.querySelector('#s-16 > details')";
     assert_eq!(browser.value(&format!("{details}.open")), false);
     browser.value(&format!("{details}.querySelector('summary').focus()"));
     browser.enter();

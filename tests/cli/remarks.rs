@@ -47,7 +47,8 @@ fn sarif_has_every_claim_on_its_line() {
         ]
     );
     let message = results[1]["message"]["text"].as_str().expect("text");
-    assert!(message.contains("claim (2): refuted: y > 1\nat y = "), "{message}");
+    let wanted = "claim (2): refuted: y > 1\nfalse under all that was assumed, at y = ";
+    assert!(message.contains(wanted), "{message}");
 }
 
 #[test]

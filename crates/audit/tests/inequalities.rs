@@ -4,7 +4,7 @@
 use kane_audit::{Options, Verdict, audit, read};
 
 fn verdict(claim: &str) -> Verdict {
-    let text = format!("```kane\nvar a > 0, b > 0, c > 0, e > 0\nclaim a: {claim}\n```\n");
+    let text = format!("```kane\nvar a > 0, b > 0, c > 0, e > 0, x, y\nclaim a: {claim}\n```\n");
     let document = read("inequality.md", text.as_bytes()).expect("it can be read");
     audit(document, &Options::default(), &mut |_, _| {}).judgements.remove(0).verdict
 }
@@ -21,6 +21,26 @@ fn inequalities_of_positive_numbers_are_proved_by_successive_differences() {
     ] {
         assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     }
+}
+
+#[test]
+fn odd_powers_keep_the_order_of_all_numbers() {
+    for claim in [
+        "x^5 < y^5 when x < y",
+        "x^7 != y^7 when x != y",
+        "x = y when x^5 = y^5",
+        "x^5 + x < y^5 + y when x < y",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
+    }
+    assert_eq!(verdict("x^4 < y^4 when x < y"), Verdict::Refuted);
+}
+
+#[test]
+fn a_root_between_two_numbers_is_placed_by_their_order() {
+    let gap = "(a + b)/2 - sqrt(a*b) <= (a - b)^2/(8*b) when b <= a";
+    assert_eq!(verdict(gap), Verdict::Proved);
+    assert_eq!(verdict(&gap.replace("8*b", "8*a")), Verdict::Refuted);
 }
 
 #[test]

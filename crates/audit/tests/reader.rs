@@ -140,6 +140,7 @@ fn each_bad_input_is_told_at_its_place() {
         ("claim (2): x = 1e-3.5", 1, 16, "malformed number `1e-3.5`"),
         ("claim (2): x = 1e-99999", 1, 16, "number with more than 10000 digits"),
         ("claim (2): |x = 1", 1, 12, "unbalanced: `|` is never closed"),
+        ("claim (2): max(x, 1, 2) = 1", 1, 20, "expected `)` after two arguments"),
         ("claim (2): x| = 1", 1, 13, "expected a relation, found `|`"),
         ("claim (2): x²⁻ = 1", 1, 13, "the exponent is not an integer"),
         ("claim (2): x²^3 = 1", 1, 14, "expected"),

@@ -190,6 +190,11 @@ impl Parser<'_> {
         let a = self.node()?;
         self.expect(Token::Comma, "`,` and a second argument")?;
         let b = self.node()?;
+        if self.token() == Token::Comma {
+            let expected =
+                "`)` after two arguments; of three one is nested, as in `max(a, max(b, c))`";
+            return Err(self.unexpected(expected));
+        }
         let height = a.height.max(b.height) + 1;
         let (a, b) = (self.number_of(a), self.number_of(b));
         Ok((make(Box::new(a), Box::new(b)), height))

@@ -75,6 +75,14 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
     }
     let premises = ordered.iter().chain(&equations).map(|&i| total_degree(&state.atoms[i].poly));
     let most = premises.max().unwrap_or(0);
+    // x⁴ + x³y + … + y⁴ ≤ 0 is contradicted by (y − x)⁴ > 0, of its own degree, and by no lower power
+    let strict_alone = ordered.iter().filter(|&&i| total_degree(&poly(i)) == most).all(strict);
+    if reach != Reach::Atoms && most >= 4 && (!equations.is_empty() || !strict_alone) {
+        for &i in positive.iter().chain(&distinct).filter(|&&i| total_degree(&poly(i)) == 1) {
+            let n = most.next_multiple_of(2);
+            targets.push(Product { factors: vec![(i, n)], poly: poly(i).pow(n, fuel).ok()? });
+        }
+    }
     let equated: Vec<Poly> = equations.iter().map(|&i| poly(i)).collect();
     for target in targets.into_iter().take(TARGETS) {
         let more = if reach == Reach::Higher { 2 } else { 0 };
