@@ -7,9 +7,9 @@ use crate::error_free::two_sum;
 /// Computational Geometry 18, 1997, section 2.4).
 ///
 /// Sums of parts, added up in any order, are the same number. Terms of one binary order are integers times one
-/// power of two: they are added as such, for the last [`ORDERS`] orders, and what another order displaces goes
+/// power of two: they are added as such, for the last `ORDERS` orders, and what another order displaces goes
 /// to the floats, of which there are forty at most. So an addition is one of integers where the terms differ by
-/// less than 2^[`ORDERS`]. Exact unless a sum overflows; then, and with a term that is not finite, the value is
+/// less than 2^`ORDERS`. Exact unless a sum overflows; then, and with a term that is not finite, the value is
 /// that of IEEE 754.
 ///
 /// ```
@@ -19,7 +19,7 @@ use crate::error_free::two_sum;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct ExactSum {
-    /// sums of the significands of an order, each at the place of its order modulo [`ORDERS`]
+    /// sums of the significands of an order, each at the place of its order modulo `ORDERS`
     sums: [i128; ORDERS],
     /// the biased exponents of these orders
     orders: [u16; ORDERS],
