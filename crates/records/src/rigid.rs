@@ -97,9 +97,9 @@ fn miss(law: &Law, seen: &Seen) -> Miss {
 fn holds(law: &Law, seen: &Seen, contact: &Contact<f64>, apart: [f64; 2], size: f64) -> bool {
     // an error of the velocities before, or of W, goes through W·W⁻¹, stretched by the condition
     let [tt, _, nn] = seen.mobility;
-    // sliding friction grows with the approach, and so does its error
-    let rubbed = contact.friction() * (1.0 + contact.restitution()) * tt / nn * seen.within[1];
-    let allowed = 2.0 * seen.stretch * (seen.within[0] + seen.within[1] + rubbed);
+    // sliding friction grows with the approach, and so does its error beyond that of the approach
+    let rubbed = contact.friction() * (1.0 + contact.restitution()) * tt / nn;
+    let allowed = 2.0 * seen.stretch * (seen.within[0] + rubbed.max(1.0) * seen.within[1]);
     let holds = apart[0] <= allowed && apart[1] <= allowed;
     holds || size <= ILL && encloses(law, seen, contact, allowed)
 }

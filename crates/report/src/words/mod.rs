@@ -167,13 +167,14 @@ mod tests {
         assert_eq!(plain[0], "by a sum of non-negative terms");
         assert_eq!(reasons(ARTICLE, Form::Html)[0], plain[0]);
         assert_eq!(reasons(ARTICLE, Form::Latex)[0], plain[0]);
-        let value = plain[1].strip_prefix("at a = ").expect("a point");
+        let standing = "false under all that was assumed, at ";
+        let value = plain[1].strip_prefix(&format!("{standing}a = ")).expect("a point");
         let (value, _) = value.split_once(':').expect("what is found there");
         let html = &reasons(ARTICLE, Form::Html)[1];
-        let at = format!("at <math><mi>a</mi></math> = {}:", value.replace('-', "−"));
+        let at = format!("{standing}<math><mi>a</mi></math> = {}:", value.replace('-', "−"));
         assert!(html.starts_with(&at), "{html}");
         let latex = &reasons(ARTICLE, Form::Latex)[1];
-        assert!(latex.starts_with(&format!("at $a = {value}$:")), "{latex}");
+        assert!(latex.starts_with(&format!("{standing}$a = {value}$:")), "{latex}");
     }
 
     #[test]
