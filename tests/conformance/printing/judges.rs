@@ -174,8 +174,8 @@ fn questions_to_z3_hold_exactly_where_the_claim_fails() {
     println!("questions at points: {held} where the claim holds, {failed} where it fails");
     assert!(held > 500 && failed > 500);
     if installed("z3") {
-        // parsed by z3 itself, and answered with little effort
-        let text = format!("(set-option :timeout 1)\n(set-logic QF_NRA)\n{some}");
+        // read by z3 itself; not answered, because on some of these z3 goes on beyond any limit of time
+        let text = format!("(set-logic QF_NRA)\n{}", some.replace("(check-sat)\n", ""));
         let (_, said) = said("z3", &[], "questions.smt2", &text);
         assert!(!said.contains("error"), "{said:.2000}");
     }
