@@ -16,7 +16,7 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
-from rounding import ENDS, Exact, Machine, Undefined, Unknown, at_place, ends_of, evaluate, formula, place, read
+from rounding import Exact, Machine, Undefined, Unknown, at_place, ends_of, evaluate, formula, place, read, setting
 from trial import Trial
 
 BATCH = 20
@@ -28,14 +28,8 @@ def comparison(rng, index):
     names = ["x", "y"]
     sides = [formula(rng, names, rng.randint(1, 3)) for _ in range(2)]
     relation = rng.choice(["<", "<=", ">", ">=", "==", "!="])
-    ranges = {}
-    for name in names:
-        a, b = sorted(rng.sample(range(len(ENDS)), 2))
-        ranges[name] = (ENDS[a], ENDS[b])
-    form = rng.choice(["f32", "f64"])
-    pre = " ".join(f"(<= {low} {name} {high})" for name, (low, high) in ranges.items())
-    precision = {"f32": "binary32", "f64": "binary64"}[form]
-    text = (f'(FPCore (x y) :name "f{index}" :precision {precision} :pre (and {pre}) '
+    ranges, form, properties = setting(rng, names)
+    text = (f'(FPCore (x y) :name "f{index}" {properties} '
             f"(if ({relation} {sides[0]} {sides[1]}) 1 0))")
     return text, ranges, form
 

@@ -173,12 +173,7 @@ def substitute(p, jets):
 def main():
     trial = Trial("motion")
     rng = random.Random(trial.seed)
-    while trial.judged < trial.count:
-        source, truths = document(rng)
-        statements, messages = trial.statements(source, 2_000_000)
-        if statements is None:
-            trial.wrong.append((source, messages))
-            break
+    for source, truths, statements in trial.documents(document, rng, 2_000_000):
         for statement in statements:
             label = statement["label"]
             if not label.startswith("c") or label not in truths:

@@ -282,10 +282,8 @@ def formula(rng, names, depth):
     return rng.choice(names)
 
 
-def core(rng, index):
-    """The text of one core, its arguments with their ends, its format and its body."""
-    names = ["x", "y"][: 1 if rng.random() < 0.7 else 2]
-    body = formula(rng, names, rng.randint(2, 4))
+def setting(rng, names):
+    """Ranges of arguments, a format, and the properties of a core that say both."""
     ranges = {}
     for name in names:
         a, b = sorted(rng.sample(range(len(ENDS)), 2))
@@ -293,7 +291,15 @@ def core(rng, index):
     form = rng.choice(["f32", "f64"])
     pre = " ".join(f"(<= {low} {name} {high})" for name, (low, high) in ranges.items())
     precision = {"f32": "binary32", "f64": "binary64"}[form]
-    text = f'(FPCore ({" ".join(names)}) :name "f{index}" :precision {precision} :pre (and {pre}) {body})'
+    return ranges, form, f":precision {precision} :pre (and {pre})"
+
+
+def core(rng, index):
+    """The text of one core, its arguments with their ends, its format and its body."""
+    names = ["x", "y"][: 1 if rng.random() < 0.7 else 2]
+    body = formula(rng, names, rng.randint(2, 4))
+    ranges, form, properties = setting(rng, names)
+    text = f'(FPCore ({" ".join(names)}) :name "f{index}" {properties} {body})'
     return text, ranges, form, read(body)[0]
 
 

@@ -251,12 +251,7 @@ def judged_wrong(claim, statement, places):
 def main():
     trial = Trial("sequences")
     rng = random.Random(trial.seed)
-    while trial.judged < trial.count:
-        source, claims = document(rng)
-        statements, messages = trial.statements(source, 300_000)
-        if statements is None:
-            trial.wrong.append((source, messages))
-            break
+    for source, claims, statements in trial.documents(document, rng, 300_000):
         places = points(rng)
         for statement in statements:
             claim = claims.get(statement["label"])

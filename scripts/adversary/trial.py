@@ -44,6 +44,18 @@ class Trial:
                 self.wrong.append((source, check.stdout + check.stderr))
         return json.loads(run.stdout)["documents"][0]["statements"], ""
 
+    def documents(self, make, rng, budget):
+        """Documents that `make` writes, with what is known of their claims and the statements of their reports, until as
+        many claims are judged as are asked for. One that is not read is a wrong answer, and the last.
+        """
+        while self.judged < self.count:
+            source, known = make(rng)
+            statements, messages = self.statements(source, budget)
+            if statements is None:
+                self.wrong.append((source, messages))
+                return
+            yield source, known, statements
+
     def scene(self, source):
         """The report on a scene with all of its models; where there is none, the exit code and the messages."""
         path = Path(self.folder.name) / "s.toml"
