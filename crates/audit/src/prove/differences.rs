@@ -269,8 +269,8 @@ impl Part {
 
     /// Two forms of which a wrong coefficient is a multiple, and the parts where one is above the other,
     /// so that the fewest wrong coefficients are left.
-    fn cut(&self, atom: usize, fuel: &Fuel) -> Option<((BigInt, Poly), [Self; 2])> {
-        let mut best: Option<(usize, (BigInt, Poly), [Self; 2])> = None;
+    fn cut(&self, atom: usize, fuel: &Fuel) -> Option<(Poly, [Self; 2])> {
+        let mut best: Option<(usize, Poly, [Self; 2])> = None;
         for i in 0..self.forms.len() {
             for j in 0..i {
                 let both = |m: &[(usize, u32)]| [i, j].iter().all(|k| m.iter().any(|x| x.0 == *k));
@@ -280,10 +280,10 @@ impl Part {
                 }
                 let (content, d) = self.forms[i].poly.sub(&self.forms[j].poly).primitive();
                 let above = self.above((i, j), &(content.clone(), d.clone()), atom, fuel)?;
-                let below = self.above((j, i), &(content.clone(), d.neg()), atom, fuel)?;
+                let below = self.above((j, i), &(content, d.neg()), atom, fuel)?;
                 let left = above.wrong()? + below.wrong()?;
                 if best.as_ref().is_none_or(|b| left < b.0) {
-                    best = Some((left, (content, d), [above, below]));
+                    best = Some((left, d, [above, below]));
                 }
             }
         }
@@ -306,7 +306,7 @@ impl Part {
             }
         }
         let next = depth.checked_sub(1)?;
-        let ((_, d), [above, below]) = self.cut(state.atoms.len(), fuel)?;
+        let (d, [above, below]) = self.cut(state.atoms.len(), fuel)?;
         let on = |sign, d: &Poly| state.with(Atom::new(d.clone(), sign));
         let positive = above.closed(&on(Sign::Positive, &d), fuel, next, parts)?;
         let negative = below.closed(&on(Sign::Positive, &d.neg()), fuel, next, parts)?;
