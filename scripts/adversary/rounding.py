@@ -140,6 +140,29 @@ class Machine:
         return {"<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b, "==": a == b, "!=": a != b}[name]
 
 
+class Onward(Machine):
+    """A machine that does not stop at an infinity or at what is no number, as IEEE 754 has it by default."""
+
+    def fit(self, x):
+        if self.form != "f32" or math.isinf(x) or math.isnan(x):
+            return x
+        x, beyond = single(x), math.copysign(math.inf, x)
+        return beyond if x is None else x
+
+    def op(self, name, values):
+        numbers = [x for x in values if not math.isnan(x)]
+        if name in ("fmin", "fmax") and len(numbers) == 1:
+            return numbers[0]
+        try:
+            return super().op(name, values)
+        except Undefined:
+            if name == "/" and values[1] == 0 and values[0] != 0 and not math.isnan(values[0]):
+                return math.copysign(math.inf, values[0]) * math.copysign(1, values[1])
+            if name == "fma":
+                raise  # Python has none that overflows
+            return math.nan
+
+
 class Exact:
     """Evaluates an expression on intervals of fractions, of no width but for roots."""
 
@@ -400,7 +423,7 @@ def error_at(body, names, at, form, machine):
     exact = evaluate(body, {n: (Fraction(x),) * 2 for n, x in zip(names, at)}, Exact())
     try:
         computed = Fraction(evaluate(body, dict(zip(names, at)), machine))
-    except Undefined:
+    except (Undefined, OverflowError, ValueError):
         return None, None
     error = max(exact[0] - computed, computed - exact[1], Fraction(0))
     unit = max(ulp(exact[0], form), ulp(exact[1], form))
@@ -441,7 +464,8 @@ def judge(trial, made, formula_report, rng):
             continue
         at = [named(x, form) for x in found["at"]]
         try:
-            here = error_at(body, names, at, form, machine)[which]
+            # what is found is what comes out, also where the machine went through an infinity on the way
+            here = error_at(body, names, at, form, Onward(form))[which]
         except (Undefined, Unknown):
             continue
         # what is printed is a lower bound, and the oracle's is one too, of up to 2^-60 less
