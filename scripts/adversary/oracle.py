@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 import structure as st
+import told
 import witness
 from algebraic import Costly
 from point import Ambiguous, Undefined, all_at, decimal, evaluate
@@ -24,6 +25,7 @@ class Judge:
         self.document, self.rng, self.effort = document, rng, effort
         self.found = []
         self.judged = 0
+        self.lines = 0  # of witnesses, that were read and held against values
         self.pool = None
 
     def wrong(self, claim, kind, message):
@@ -120,6 +122,10 @@ class Judge:
             return
         self.judged += 1
         place = Place(self.document, witness.complete(self.document, values))
+        mistakes, read = told.mistakes(link, place)
+        self.lines += read
+        for line in mistakes:
+            self.wrong(claim, "witness", f"it is said that {line}")
         if not self.document.in_domain(place.values):
             self.wrong(claim, "witness", f"outside the domain: {place.shown()}")
             return

@@ -222,6 +222,7 @@ def judge_document(tally, seed, i, document, rng, report, effort):
             tally.claims += 1
             tally.verdicts[f"{document.family} {s['verdict']}"] += 1
     tally.notes["witnesses and structures checked"] += judge.judged
+    tally.notes["lines of witnesses held against values"] += judge.lines
     for f in found:
         if f.grave:
             tally.wrong.append([f.kind, document.family, seed, i, f.label, f.message])

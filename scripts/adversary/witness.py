@@ -3,10 +3,10 @@
 import re
 from fractions import Fraction
 
+import told
 from document import Structure
 from reader import Unreadable, number, pairs, read
 
-POINT = re.compile(r"^At the point (.*):$")
 TAKE = re.compile(r"^Take (.*)\.$")
 FAILS = re.compile(r"^Then it fails at (.*)\.$")
 
@@ -14,10 +14,10 @@ FAILS = re.compile(r"^Then it fails at (.*)\.$")
 def point(link):
     """The values named by 'At the point …:', or None."""
     for step in link["steps"]:
-        m = POINT.match(step["text"])
-        if m:
+        head = told.point(step["text"])
+        if head:
             roots = {}
-            return {n: number(v, roots) for n, v in pairs(m.group(1))}
+            return {n: number(v, roots) for n, v in pairs(head[0])}
     return None
 
 

@@ -6,6 +6,7 @@ mod leaf;
 mod names;
 mod prune;
 mod sides;
+mod span;
 mod step;
 mod summary;
 mod witness;

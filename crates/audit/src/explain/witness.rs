@@ -12,6 +12,7 @@ use kane_kernel::{
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::span::{Enclosure, Span};
 use super::{Assignment, Comparison, End, Held, Measured, Reason, Said, Speaker, Step, Value};
 
 type Q = BigRational;
@@ -75,39 +76,60 @@ pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
     }
 }
 
-/// The coordinates of a point, or numbers near them.
+/// The coordinates of a point: numbers, or where they are.
 struct Coordinates<'g> {
     context: &'g Context,
+    /// the coordinates; of an irrational point, numbers near them
     at: Vec<Q>,
+    /// enclosed
+    within: Vec<Span>,
     is_exact: bool,
     exact: Partial,
 }
 
 impl<'g> Coordinates<'g> {
-    /// The coordinates; of an irrational point, numbers near them.
     fn of(goal: &'g Goal, point: &Point) -> Self {
-        let root = point.generator.as_ref().map(tight);
-        let near = root.as_ref().map(|root| (&root.lo + &root.hi) / Q::from_integer(2.into()));
+        let root = point.generator.as_ref().map(|root| tight(root, CLOSE));
+        let generator = root.map_or_else(|| Span::at(Q::zero()), |r| Span::between(r.lo, r.hi));
         let value = |v: usize| {
             let known = point.values.iter().find(|x| x.0 == v);
             let coefficients = known.map_or(&[][..], |x| &x.1[..]);
-            let horner = |sum: Q, c: &Q| sum * near.clone().unwrap_or_else(Q::zero) + c;
-            coefficients.iter().rev().fold(Q::zero(), horner)
+            let horner = |sum: Span, c: &Q| sum.times(&generator).plus(Span::at(c.clone()));
+            coefficients.iter().rev().fold(Span::at(Q::zero()), horner)
         };
-        let at = (0..goal.context.vars.len()).map(value).collect();
-        let is_exact = root.is_none_or(|root| root.is_exact());
-        Self { context: &goal.context, at, is_exact, exact: point.into() }
+        let within: Vec<Span> = (0..goal.context.vars.len()).map(value).collect();
+        let at = within.iter().map(Span::middle).collect();
+        // a root may be that of a symbol's value, and the symbols rational
+        let is_exact = within.iter().all(Span::is_number);
+        Self { context: &goal.context, at, within, is_exact, exact: point.into() }
     }
 
-    /// The value of an expression. Near an irrational point, guards are not decided.
+    /// The value of an expression. At an irrational point, guards are decided where they are plain.
     fn value(&self, at: &mut Evaluator<'_>, e: &Expr) -> Measured {
-        if !self.is_exact && self.has_guards(e) {
-            return Measured::None(NoValue::Irrational);
+        if self.is_exact {
+            return match at.value(e) {
+                Ok(value) => Measured::Exact(value),
+                Err(NoValue::Irrational) => self.near(e),
+                Err(why) => Measured::None(why),
+            };
         }
-        match at.value(e) {
-            Ok(value) if self.is_exact => Measured::Exact(value),
-            Ok(value) => self.rational(e).map_or(Measured::Near(value), Measured::Exact),
-            Err(why) => Measured::None(why),
+        // what cancels is not there where it divides by 0: an enclosure tells
+        let exact =
+            if self.has_guards(e) || self.enclosed(e).is_none() { None } else { self.rational(e) };
+        exact.map_or_else(|| self.near(e), Measured::Exact)
+    }
+
+    /// Where the value is.
+    fn enclosed(&self, e: &Expr) -> Option<Span> {
+        Enclosure::new(self.context, &self.within).value(e)
+    }
+
+    /// The value, or a number near it if digits of it are known.
+    fn near(&self, e: &Expr) -> Measured {
+        match self.enclosed(e) {
+            Some(value) if value.is_number() => Measured::Exact(value.middle()),
+            Some(value) if value.is_close() => Measured::Near(value.middle()),
+            _ => Measured::None(NoValue::Irrational),
         }
     }
 
@@ -296,7 +318,7 @@ fn within<'e>(context: &'e Context, mut todo: Vec<&'e Expr>) -> (BTreeSet<usize>
 fn value(point: &Point, v: usize) -> Option<Value> {
     let (_, coefficients) = point.values.iter().find(|x| x.0 == v)?;
     let root = match &point.generator {
-        Some(root) if coefficients.len() > 1 => tight(root),
+        Some(root) if coefficients.len() > 1 => tight(root, SHOWN),
         _ => return Some(Value::Number(coefficients.first().cloned().unwrap_or_else(Q::zero))),
     };
     Some(if coefficients[..] == [Q::zero(), Q::one()] {
@@ -309,10 +331,15 @@ fn value(point: &Point, v: usize) -> Option<Value> {
 /// Steps for the decimals of one root.
 const TIGHTENING: u64 = 1_000_000;
 
-/// A root, confined closely enough to be written as a decimal.
-pub(super) fn tight(root: &Root) -> Root {
+/// Halvings of the interval of a root that is shown as a decimal.
+pub(super) const SHOWN: u32 = 40;
+/// Halvings for the digits of what is computed from a root.
+const CLOSE: u32 = 120;
+
+/// A root, its interval halved so many times.
+pub(super) fn tight(root: &Root, halvings: u32) -> Root {
     let (mut tight, fuel) = (root.clone(), Fuel::new(TIGHTENING));
-    for _ in 0..40 {
+    for _ in 0..halvings {
         if tight.is_exact() || kane_algebra::sign_table::refine(&mut tight, &fuel).is_err() {
             break;
         }

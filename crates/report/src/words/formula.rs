@@ -7,6 +7,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
+use super::decimal::decimal;
 use super::shape::{Shapes, sum};
 use super::{Form, words};
 
@@ -18,8 +19,6 @@ const MOST_IN_FRACTION: usize = 4;
 const MOST_DIGITS: usize = 12;
 /// Bits of a coefficient that is set as mathematics in LaTeX.
 const MOST_BITS: u64 = 60;
-/// Digits before the point of a decimal.
-const MOST_BEFORE_POINT: usize = 20;
 /// Letters of a polynomial that is written out where long ones have names.
 const MOST_LETTERS: usize = 90;
 /// Letters of a factor, likewise.
@@ -494,20 +493,6 @@ impl Formulas {
 /// An integer in HTML.
 fn bare_integer(q: &BigRational) -> String {
     q.to_string().replace('-', "−")
-}
-
-/// Four digits after the point, rounded down; of a very large number its first digits and a power of ten.
-pub(super) fn decimal(q: &BigRational) -> String {
-    let whole = q.abs().to_integer().to_string();
-    if whole.len() > MOST_BEFORE_POINT {
-        let sign = if q.is_negative() { "-" } else { "" };
-        return format!("{sign}{}.{}e{}", &whole[..1], &whole[1..5], whole.len() - 1);
-    }
-    let scaled = (q * BigRational::from_integer(10_000.into())).floor().to_integer();
-    let sign = if scaled.is_negative() { "-" } else { "" };
-    let size = scaled.abs();
-    let (whole, rest) = (&size / 10_000, &size % 10_000);
-    format!("{sign}{whole}.{rest:0>4}")
 }
 
 /// Two sides with a relation between.

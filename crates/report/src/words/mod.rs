@@ -5,6 +5,7 @@
 
 mod attempt;
 mod branch;
+mod decimal;
 mod formula;
 mod lines;
 mod point;

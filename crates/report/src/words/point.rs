@@ -20,11 +20,23 @@ impl Teller<'_> {
         let one = |i: usize| pen.write(|f| assigned(f, &values[i..=i]).concat());
         let values = Sentence::list((0..values.len()).map(one).collect());
         let one = |(i, value): &(usize, Measured)| {
-            pen.write(|f| f.compared(&f.expr(&Expr::Let(*i)), "=", &measured(f, value)))
+            let told = pen.write(|f| {
+                let name = f.expr(&Expr::Let(*i));
+                match value {
+                    Measured::None(_) => format!("{name} is {}", measured(f, value)),
+                    value => f.compared(&name, "=", &measured(f, value)),
+                }
+            });
+            match value {
+                Measured::None(why) if !why.is_undefined() => None,
+                _ => Some(told),
+            }
         };
-        let defined = Sentence::list(definitions.iter().map(one).collect());
+        let defined: Vec<_> = definitions.iter().filter_map(one).collect();
+        let nothing_defined = defined.is_empty();
+        let defined = Sentence::list(defined);
         let at = Sentence::of("At the point").and(values);
-        let at = match definitions.is_empty() {
+        let at = match nothing_defined {
             true => at,
             false => at.end(",").and(Sentence::of("where")).and(defined),
         };

@@ -8,7 +8,8 @@ use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
-use super::formula::{Formulas, decimal};
+use super::decimal::{apart, decimal};
+use super::formula::Formulas;
 
 /// A value.
 pub(super) fn value(formulas: &Formulas, value: &Value) -> String {
@@ -57,7 +58,7 @@ pub(super) fn assigned(formulas: &Formulas, values: &[kane_audit::Assignment]) -
 pub(super) fn comparison(formulas: &Formulas, comparison: &Comparison) -> String {
     match comparison {
         Comparison::Sides(left, right) => {
-            let (left, right) = (measured(formulas, left), measured(formulas, right));
+            let (left, right) = sides(formulas, left, right);
             format!("left side {left}, right side {right}")
         }
         Comparison::Truth(true) => "it is true".to_owned(),
@@ -73,9 +74,29 @@ pub(super) fn comparison(formulas: &Formulas, comparison: &Comparison) -> String
 pub(super) fn measured(formulas: &Formulas, value: &Measured) -> String {
     match value {
         Measured::Exact(value) => formulas.number(value),
-        Measured::Near(value) => formulas.words(&format!("about {}", decimal(value))),
-        Measured::None(why) => formulas.words(&why.to_string()),
+        Measured::Near(value) => about(formulas, &decimal(value)),
+        Measured::None(why) if why.is_undefined() => format!("undefined ({why})"),
+        Measured::None(why) => format!("not computed ({why})"),
     }
+}
+
+/// Both sides of a relation; where one is not exact, to as many digits as tell them apart.
+fn sides(formulas: &Formulas, left: &Measured, right: &Measured) -> (String, String) {
+    let number = |side: &Measured| match side {
+        Measured::Exact(value) | Measured::Near(value) => Some(value.clone()),
+        Measured::None(_) => None,
+    };
+    let digits = number(left).zip(number(right)).map(|(left, right)| apart(&left, &right));
+    let (of_left, of_right) = digits.unzip();
+    let one = |side: &Measured, digits: Option<String>| match (side, digits) {
+        (Measured::Near(_), Some(digits)) => about(formulas, &digits),
+        _ => measured(formulas, side),
+    };
+    (one(left, of_left), one(right, of_right))
+}
+
+fn about(formulas: &Formulas, digits: &str) -> String {
+    formulas.words(&format!("about {digits}"))
 }
 
 /// Why a relation has no meaning, and what it divides by though it is 0.
