@@ -136,7 +136,7 @@ def read(text):
     return Reader(text).whole()
 
 
-ROOT = re.compile(r"the root of (.*) near (-?[\d.]+)$")
+ROOT = re.compile(r"the root of (.*) near (-?\d+\.(\d+)(?:e(-?\d+))?)$")
 
 
 def coefficients(e, name):
@@ -180,7 +180,10 @@ def algebraic(text):
     if not m:
         raise Unreadable(text)
     e = read(m.group(1))
-    c = coefficients(e, "x")
+    names = {text for kind, text in Reader(m.group(1)).tokens if kind == "v"}
+    if len(names) != 1:
+        raise Unreadable(text)
+    c = coefficients(e, names.pop())
     while c and c[-1] == 0:
         c.pop()
     scale = 1
@@ -188,7 +191,7 @@ def algebraic(text):
         scale = scale * v.denominator
     c = [int(v * scale) for v in c]
     near = Fraction(m.group(2))
-    width = Fraction(2, 10 ** len(m.group(2).partition(".")[2]))
+    width = 2 * Fraction(10) ** (int(m.group(4) or 0) - len(m.group(3)))
 
     def at(x):
         out = Fraction(0)
@@ -208,7 +211,7 @@ PAIR = re.compile(r"(?:^|, )([A-Za-z_][A-Za-z_0-9']*) = ")
 def pairs(text):
     """NAME = VALUE, NAME = VALUE, … as (name, text)."""
     parts = PAIR.split(text)
-    if parts[0]:
+    if parts[0].strip():
         raise Unreadable(text)
     return list(zip(parts[1::2], parts[2::2]))
 

@@ -12,7 +12,7 @@ from algebraic import sign
 from point import Ambiguous, Undefined, evaluate, holds
 from reader import Reader, Unreadable, number
 
-HEAD = re.compile(r"^At the point (.*?)(?:, where (.*))?:$")
+HEAD = re.compile(r"^At (?:the point (.*?)|every point)(?:, where (.*))?:$")
 DEFINED = re.compile(r"(?:^|, )([A-Za-z_][A-Za-z_0-9']*) (?:=|is) ")
 LINE = re.compile(r"^(.*?), (.*?): (undefined \(.*\)|left side .*, right side .*|[^:]*)$")
 ABOUT = re.compile(r"^about (-?)(\d+)\.(\d+)(?:e(-?\d+))?$")
@@ -24,7 +24,7 @@ def point(text):
     if not m:
         return None
     parts = DEFINED.split(m.group(2) or "")
-    return m.group(1), dict(zip(parts[1::2], parts[2::2]))
+    return m.group(1) or "", dict(zip(parts[1::2], parts[2::2]))
 
 
 def value(e, place):
@@ -54,6 +54,17 @@ def fits(text, v):
     return sign(v - (shown - within)) >= 0 >= sign(v - (shown + within))
 
 
+def lines(link):
+    """The lines of a witness; the first, of the point, may be broken where it is long."""
+    out = []
+    for step in link["steps"]:
+        if out and out[-1].startswith("At ") and not out[-1].endswith(":"):
+            out[-1] += " " + step["text"]
+        else:
+            out.append(step["text"])
+    return out
+
+
 def relation(text):
     reader = Reader(text)
     out = reader.relation()
@@ -65,8 +76,7 @@ def relation(text):
 def mistakes(link, place):
     """Lines of a witness that are not so at the place; and how many lines were read."""
     wrong, read = [], 0
-    for step in link["steps"]:
-        text = step["text"]
+    for text in lines(link):
         head = point(text)
         try:
             if head is not None:

@@ -13,8 +13,8 @@ FAILS = re.compile(r"^Then it fails at (.*)\.$")
 
 def point(link):
     """The values named by 'At the point …:', or None."""
-    for step in link["steps"]:
-        head = told.point(step["text"])
+    for text in told.lines(link):
+        head = told.point(text)
         if head:
             roots = {}
             return {n: number(v, roots) for n, v in pairs(head[0])}

@@ -16,11 +16,11 @@ pub(super) fn decimal(q: &BigRational) -> String {
     to_digits(q, DIGITS)
 }
 
-/// Two numbers, to as many digits as tell them apart.
+/// Two numbers, to as many digits as tell them apart, if some do.
 pub(super) fn apart(a: &BigRational, b: &BigRational) -> (String, String) {
     let both = |digits| (to_digits(a, digits), to_digits(b, digits));
-    let told = (DIGITS..MOST_DIGITS).map(both).find(|(a, b)| a != b);
-    told.unwrap_or_else(|| both(MOST_DIGITS))
+    let told = (DIGITS..=MOST_DIGITS).map(both).find(|(a, b)| a != b);
+    told.unwrap_or_else(|| both(DIGITS))
 }
 
 fn to_digits(q: &BigRational, digits: u32) -> String {

@@ -18,7 +18,12 @@ impl Teller<'_> {
     ) {
         let pen = &self.pen;
         let one = |i: usize| pen.write(|f| assigned(f, &values[i..=i]).concat());
-        let values = Sentence::list((0..values.len()).map(one).collect());
+        let at = match values.len() {
+            0 => Sentence::of("At every point"),
+            count => {
+                Sentence::of("At the point").and(Sentence::list((0..count).map(one).collect()))
+            }
+        };
         let one = |(i, value): &(usize, Measured)| {
             let told = pen.write(|f| {
                 let name = f.expr(&Expr::Let(*i));
@@ -35,7 +40,6 @@ impl Teller<'_> {
         let defined: Vec<_> = definitions.iter().filter_map(one).collect();
         let nothing_defined = defined.is_empty();
         let defined = Sentence::list(defined);
-        let at = Sentence::of("At the point").and(values);
         let at = match nothing_defined {
             true => at,
             false => at.end(",").and(Sentence::of("where")).and(defined),
