@@ -1,6 +1,7 @@
 //! What must hold of the house and of the documents that it ships.
 //!
-//! `KANE_LONG=1` makes the suites with random statements ten times as long.
+//! The suites with random statements have a quarter of what the gate has (`KANE_GATE=1`), and the long run
+//! ten times that (`KANE_LONG=1`).
 
 mod adversarial; // what is too large ends soon
 mod adversary; // random documents against oracles in another language

@@ -219,5 +219,5 @@ fn a_sphere_in_space_collides_as_in_the_plane_of_its_slip() {
         }
     }
     println!("{compared} collisions in space");
-    assert!(compared >= 600, "the suite is there");
+    assert!(compared >= 10 * many(60), "the suite is there");
 }

@@ -1,6 +1,6 @@
 //! The report of a small audit, in every format.
 
-use kane::audit::Options;
+use kane::audit::{Options, read};
 use kane::judges::{Answer, Judge};
 use kane::report::{Page, Report, certificates, explain, html, json, latex, markdown, text};
 
@@ -80,6 +80,43 @@ fn a_page_of_every_verdict() {
     let body = body.split_once("<script>").expect("it ends in a script").0;
     // a tag a line, for whoever compares two of them
     assert_report("html", &body.replace("><", ">\n<"));
+}
+
+/// What the page says before the words of a document with these lines in it.
+fn findings(lines: &str) -> String {
+    let text = format!("# Fall\n\n```kane\n{lines}```\n");
+    let document = read("fall.md", text.as_bytes()).expect("it can be read");
+    let audit = kane::audit::audit(document, &Options::default(), &mut |_, _| {});
+    let page = html(&Report::new(&audit, "kane audit fall.md"));
+    page.split_once("<section class=\"findings\"").map_or_else(String::new, |(_, rest)| {
+        rest.split_once("</section>").map_or(rest, |(section, _)| section).to_owned()
+    })
+}
+
+#[test]
+fn a_page_begins_with_what_fails_and_what_is_proved_in_its_place() {
+    let fall = "var g > 0, t > 0, v\ngiven law: v = -g*t\n";
+    let told = findings(&format!(
+        "{fall}claim (1): v = g*t from law expect refuted\nclaim repair: v = -g*t from law\n\
+         claim other: v < 0 from law\nclaim on: v^2 = g^2*t^2 from (1)\n"
+    ));
+    for part in
+        [">(1)</a>", "From the same, proved: <a href=\"#s-repair\"", "Cited by <a href=\"#s-on\""]
+    {
+        assert!(told.contains(part), "{part} in {told}");
+    }
+    assert!(!told.contains("s-other"), "another left side, in {told}");
+    assert_eq!(findings(&format!("{fall}claim repair: v = -g*t from law\n")), "");
+}
+
+/// A claim of the same left side from more, or under other conditions, is none in its place.
+#[test]
+fn what_is_proved_from_more_is_not_said_to_be_from_the_same() {
+    let told = findings(
+        "var x, y\ngiven a: x >= 1\ngiven b: y = 2*x\nclaim wrong: y = x from a\n\
+         claim more: y = 2*x from a, b\nclaim narrow: y = 2*x when x > 3 from b\n",
+    );
+    assert!(told.contains("s-wrong") && !told.contains("From the same"), "{told}");
 }
 
 #[test]

@@ -52,7 +52,16 @@ impl fmt::Display for Open {
             ),
             Self::NoProof(n) => write!(f, "no proof within {n} steps"),
             Self::Unfit(why) => write!(f, "its normal form does not fit the budget ({why})"),
-            Self::Unwritten(flaw) => write!(f, "an argument was found but does not hold: {flaw:?}"),
+            Self::Unwritten(Flaw::Kernel(Rejection::Budget)) | Self::Rejected(Rejection::Budget) => {
+                f.write_str(
+                    "an argument was found, and to check it takes more operations than there are; with \
+                     a greater effort there are more",
+                )
+            }
+            Self::Unwritten(Flaw::Kernel(why)) => {
+                write!(f, "an argument was found but does not hold: {why}")
+            }
+            Self::Unwritten(_) => f.write_str("an argument was found but a step of it does not hold"),
             Self::Rejected(why) => write!(f, "a certificate was found but not accepted: {why}"),
             Self::Witness => f.write_str(
                 "what is named behind `by` does not do everywhere; that nothing else does is not shown \

@@ -172,7 +172,7 @@ fn questions_to_z3_hold_exactly_where_the_claim_fails() {
         }
     }
     println!("questions at points: {held} where the claim holds, {failed} where it fails");
-    assert!(held > 500 && failed > 500);
+    assert!(held > many(400) && failed > many(400));
     if installed("z3") {
         // read by z3 itself; not answered, because on some of these z3 goes on beyond any limit of time
         let text = format!("(set-logic QF_NRA)\n{}", some.replace("(check-sat)\n", ""));

@@ -2,6 +2,7 @@
 
 mod anchors;
 mod entry;
+mod findings;
 mod frame;
 mod graph;
 mod math;
@@ -32,12 +33,17 @@ pub fn html(report: &Report<'_>) -> String {
     let page = Page::of(report);
     let parts = prose::parts(&document.text, &|label| page.anchors.find(label));
     let mut contents: Vec<(String, Markup)> = Vec::new();
+    let findings = page.findings();
+    if findings.is_some() {
+        contents.push(("findings".to_owned(), html! { "Findings" }));
+    }
     let body = page.body(&parts, &mut contents);
     if !report.pictures.is_empty() {
         contents.push(("figures".to_owned(), html! { "Figures" }));
     }
     contents.push(("graph".to_owned(), html! { "Graph of the derivation" }));
     let content = html! {
+        @if let Some(findings) = findings { (findings) }
         (page.filter())
         (body)
         (pictures(report.pictures))
