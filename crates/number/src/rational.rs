@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use crate::{Comparison, Number, Ordered, Real};
+use crate::{Comparison, Number, OddFraction, Ordered, Real};
 
 /// An integer of any size.
 pub type Integer = num_bigint::BigInt;
@@ -12,6 +12,8 @@ pub type Rational = num_rational::BigRational;
 
 impl Number for Rational {
     type Wide = Self;
+
+    const IS_EXACT: bool = true;
 
     fn widen(&self) -> Self {
         self.clone()
@@ -54,6 +56,15 @@ impl Ordered for Rational {
 
 impl Real for Rational {
     type WideReal = Self;
+    type Working = OddFraction;
+
+    fn to_working(&self) -> OddFraction {
+        OddFraction::from_rational(self)
+    }
+
+    fn from_working(working: &OddFraction) -> Self {
+        working.to_rational()
+    }
 
     /// Exact; `None` if the root is irrational.
     fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
