@@ -48,6 +48,7 @@ struct Short {
 
 impl Short {
     /// Parts that are odd and coprime, if they fit.
+    #[inline]
     fn of(numer: Fixed, denom: Fixed) -> Option<Self> {
         (numer.fits() && denom.fits()).then_some(Self { numer, denom })
     }
@@ -69,6 +70,7 @@ impl Short {
     }
 
     /// (n/g)/(d/h) · (m/h)/(c/g) with g = gcd(n, c) and h = gcd(m, d).
+    #[inline]
     fn product(&self, other: &Self) -> Option<Self> {
         if self.numer.is_zero() || other.numer.is_zero() {
             return Some(Self { numer: Fixed::ZERO, denom: Fixed::ONE });
@@ -91,6 +93,7 @@ impl Short {
 
     /// With g = gcd(d, c), the sum is t/(d·c/g) for t = n·c/g + m·d/g, and what t has in common with
     /// d·c/g divides g.
+    #[inline]
     fn sum(&self, other: &Self) -> Option<Self> {
         if self.numer.is_zero() || other.numer.is_zero() {
             return Some(if self.numer.is_zero() { *other } else { *self });
@@ -112,6 +115,7 @@ impl Short {
 }
 
 /// Both without their greatest common divisor, and that; both are odd, and none of them zero.
+#[inline]
 fn without_common(a: &Fixed, b: &Fixed) -> (Fixed, Fixed, Fixed) {
     if a.is_unit() || b.is_unit() {
         return (*a, *b, Fixed::ONE);
@@ -137,6 +141,7 @@ impl OddFraction {
     }
 
     /// The short form of a result, or what fractions on the heap make of it.
+    #[inline]
     fn either(
         &self,
         other: &Self,
