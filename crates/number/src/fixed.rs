@@ -76,6 +76,18 @@ impl<const LIMBS: usize> Fixed<LIMBS> {
         fixed
     }
 
+    /// The same number with room for another length, if it fits.
+    pub(crate) fn resized<const OTHER: usize>(&self) -> Fixed<OTHER> {
+        let Self { negative, fits, len, exponent, limbs } = self;
+        if !fits || *len > OTHER {
+            return Fixed::LOST;
+        }
+        let mut resized =
+            Fixed { negative: *negative, len: *len, exponent: *exponent, ..Fixed::ZERO };
+        resized.limbs[..*len].copy_from_slice(&limbs[..*len]);
+        resized
+    }
+
     /// The integer without its power of two.
     #[must_use]
     pub fn to_integer(&self) -> Integer {

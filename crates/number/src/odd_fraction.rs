@@ -3,19 +3,17 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_traits::Signed as _;
+use num_traits::{Signed as _, Zero as _};
 
-use crate::fixed;
 use crate::operators::{operators, works_in_itself};
-use crate::{Comparison, Integer, Number, Ordered, Rational, Real};
+use crate::{Comparison, Fixed, Integer, Number, Ordered, Rational, Real};
 
-/// Words of n and of d.
-const LIMBS: usize = 8;
-
-type Fixed = fixed::Fixed<LIMBS>;
+/// Words of n and of d that are copied about, and words for which a place on the heap is worth it.
+const FEW: usize = 8;
+const MANY: usize = 16;
 
 /// An exact fraction n/d·2^e with odd coprime n and d > 0, or zero; without the heap while n and d
-/// have at most 512 bits each, and a [`Rational`] beyond.
+/// have at most 512 bits each, in one piece up to 1024, and a [`Rational`] beyond.
 ///
 /// The [working system](Real::Working) of [`Rational`]. Powers of two, which are all that stands under
 /// floats, cost no division, and products and sums take the greatest common divisors of their parts,
@@ -33,23 +31,23 @@ pub struct OddFraction(Kind);
 #[derive(Clone, Debug)]
 #[expect(clippy::large_enum_variant, reason = "the large variant is there to avoid the heap")]
 enum Kind {
-    Short(Short),
-    /// Where the short one has no room; both ways, so that each number has one form.
+    Short(Odd<FEW>),
+    Wide(Box<Odd<MANY>>),
     Long(Rational),
 }
 
 /// The parts, each of which fits: odd and coprime, the power of two and the sign with the first;
 /// zero is 0/1.
 #[derive(Clone, Copy, Debug)]
-struct Short {
-    numer: Fixed,
-    denom: Fixed,
+struct Odd<const LIMBS: usize> {
+    numer: Fixed<LIMBS>,
+    denom: Fixed<LIMBS>,
 }
 
-impl Short {
+impl<const LIMBS: usize> Odd<LIMBS> {
     /// Parts that are odd and coprime, if they fit.
     #[inline]
-    fn of(numer: Fixed, denom: Fixed) -> Option<Self> {
+    fn of(numer: Fixed<LIMBS>, denom: Fixed<LIMBS>) -> Option<Self> {
         (numer.fits() && denom.fits()).then_some(Self { numer, denom })
     }
 
@@ -57,6 +55,11 @@ impl Short {
         let (numer, denom) = (Fixed::of(exact.numer()).odd(), Fixed::of(exact.denom()).odd());
         let exponent = numer.exponent() - denom.exponent();
         Self::of(numer.scaled(if numer.is_zero() { 0 } else { exponent }), denom.scaled(0))
+    }
+
+    /// The same parts with room for another length, if they fit.
+    fn resized<const OTHER: usize>(&self) -> Option<Odd<OTHER>> {
+        Odd::of(self.numer.resized(), self.denom.resized())
     }
 
     fn to_rational(&self) -> Rational {
@@ -91,6 +94,15 @@ impl Short {
         Self { numer, denom: self.numer.abs().scaled(0) }
     }
 
+    fn difference(&self, other: &Self) -> Option<Self> {
+        self.sum(&other.opposite())
+    }
+
+    /// `None` also by zero.
+    fn quotient(&self, other: &Self) -> Option<Self> {
+        if other.numer.is_zero() { None } else { self.product(&other.inverse()) }
+    }
+
     /// With g = gcd(d, c), the sum is t/(d·c/g) for t = n·c/g + m·d/g, and what t has in common with
     /// d·c/g divides g.
     #[inline]
@@ -116,7 +128,10 @@ impl Short {
 
 /// Both without their greatest common divisor, and that; both are odd, and none of them zero.
 #[inline]
-fn without_common(a: &Fixed, b: &Fixed) -> (Fixed, Fixed, Fixed) {
+fn without_common<const LIMBS: usize>(
+    a: &Fixed<LIMBS>,
+    b: &Fixed<LIMBS>,
+) -> (Fixed<LIMBS>, Fixed<LIMBS>, Fixed<LIMBS>) {
     if a.is_unit() || b.is_unit() {
         return (*a, *b, Fixed::ONE);
     }
@@ -125,7 +140,7 @@ fn without_common(a: &Fixed, b: &Fixed) -> (Fixed, Fixed, Fixed) {
 }
 
 /// An integer times a power of two.
-fn written_out(integer: &Fixed, power: i64) -> Integer {
+fn written_out<const LIMBS: usize>(integer: &Fixed<LIMBS>, power: i64) -> Integer {
     let whole = integer.scaled(power).with_exponent(0);
     if whole.fits() { whole.to_integer() } else { integer.to_integer() << power.unsigned_abs() }
 }
@@ -136,16 +151,18 @@ impl OddFraction {
     pub fn to_rational(&self) -> Rational {
         match &self.0 {
             Kind::Short(short) => short.to_rational(),
+            Kind::Wide(wide) => wide.to_rational(),
             Kind::Long(long) => long.clone(),
         }
     }
 
-    /// The short form of a result, or what fractions on the heap make of it.
+    /// The result in the shortest form that both operands and the result have room in.
     #[inline]
     fn either(
         &self,
         other: &Self,
-        short: impl Fn(&Short, &Short) -> Option<Short>,
+        short: impl Fn(&Odd<FEW>, &Odd<FEW>) -> Option<Odd<FEW>>,
+        wide: impl Fn(&Odd<MANY>, &Odd<MANY>) -> Option<Odd<MANY>>,
         long: impl Fn(Rational, Rational) -> Rational,
     ) -> Self {
         if let (Kind::Short(a), Kind::Short(b)) = (&self.0, &other.0)
@@ -153,32 +170,47 @@ impl OddFraction {
         {
             return Self(Kind::Short(result));
         }
+        if let (Some(a), Some(b)) = (self.wide(), other.wide())
+            && let Some(result) = wide(&a, &b)
+        {
+            return Self::of_wide(result);
+        }
         Self::from_rational(&long(self.to_rational(), other.to_rational()))
     }
 
+    fn wide(&self) -> Option<Odd<MANY>> {
+        match &self.0 {
+            Kind::Short(short) => short.resized(),
+            Kind::Wide(wide) => Some(**wide),
+            Kind::Long(_) => None,
+        }
+    }
+
+    fn of_wide(wide: Odd<MANY>) -> Self {
+        Self(wide.resized().map_or_else(|| Kind::Wide(Box::new(wide)), Kind::Short))
+    }
+
     fn sum(&self, other: &Self) -> Self {
-        self.either(other, Short::sum, |a, b| a + b)
+        self.either(other, Odd::sum, Odd::sum, |a, b| a + b)
     }
 
     fn difference(&self, other: &Self) -> Self {
-        self.either(other, |a, b| a.sum(&b.opposite()), |a, b| a - b)
+        self.either(other, Odd::difference, Odd::difference, |a, b| a - b)
     }
 
     fn product(&self, other: &Self) -> Self {
-        self.either(other, Short::product, |a, b| a * b)
+        self.either(other, Odd::product, Odd::product, |a, b| a * b)
     }
 
     /// Panics on a division by zero, as [`Rational`] does.
     fn quotient(&self, other: &Self) -> Self {
-        let divides = |a: &Short, b: &Short| {
-            if b.numer.is_zero() { None } else { a.product(&b.inverse()) }
-        };
-        self.either(other, divides, |a, b| a / b)
+        self.either(other, Odd::quotient, Odd::quotient, |a, b| a / b)
     }
 
     fn opposite(self) -> Self {
         Self(match self.0 {
             Kind::Short(short) => Kind::Short(short.opposite()),
+            Kind::Wide(wide) => Kind::Wide(Box::new(wide.opposite())),
             Kind::Long(long) => Kind::Long(-long),
         })
     }
@@ -187,7 +219,9 @@ impl OddFraction {
     fn signum(&self) -> Ordering {
         match &self.0 {
             Kind::Short(short) => short.numer.sign().unwrap_or(Ordering::Equal),
+            Kind::Wide(wide) => wide.numer.sign().unwrap_or(Ordering::Equal),
             Kind::Long(long) if long.is_negative() => Ordering::Less,
+            Kind::Long(long) if long.is_zero() => Ordering::Equal,
             Kind::Long(_) => Ordering::Greater,
         }
     }
@@ -221,18 +255,19 @@ impl Number for OddFraction {
     }
 
     fn zero() -> Self {
-        Self(Kind::Short(Short { numer: Fixed::ZERO, denom: Fixed::ONE }))
+        Self(Kind::Short(Odd { numer: Fixed::ZERO, denom: Fixed::ONE }))
     }
 
     fn one() -> Self {
-        Self(Kind::Short(Short { numer: Fixed::ONE, denom: Fixed::ONE }))
+        Self(Kind::Short(Odd { numer: Fixed::ONE, denom: Fixed::ONE }))
     }
 
     fn from_rational(exact: &Rational) -> Self {
-        Self(match Short::from_rational(exact) {
-            Some(short) => Kind::Short(short),
-            None => Kind::Long(exact.clone()),
-        })
+        if let Some(short) = Odd::from_rational(exact) {
+            return Self(Kind::Short(short));
+        }
+        let wide = Odd::from_rational(exact);
+        wide.map_or_else(|| Self(Kind::Long(exact.clone())), Self::of_wide)
     }
 
     fn mul_add(&self, factor: &Self, addend: &Self) -> Self {
@@ -249,10 +284,8 @@ impl Number for OddFraction {
 
     fn double(&self) -> Self {
         match &self.0 {
-            Kind::Short(short) => {
-                Self(Kind::Short(Short { numer: short.numer.doubled(), ..*short }))
-            }
-            Kind::Long(_) => self.sum(self),
+            Kind::Short(short) => Self(Kind::Short(Odd { numer: short.numer.doubled(), ..*short })),
+            _ => self.sum(self),
         }
     }
 }

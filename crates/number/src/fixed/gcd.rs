@@ -63,8 +63,9 @@ const fn of_words(mut a: u64, mut b: u64) -> u64 {
 /// Some steps of Euclid's algorithm at once: (a, b) becomes ±(u₀·a − v₀·b, v₁·b − u₁·a), with the
 /// upper sign if their number is even.
 struct Steps {
-    u: [i128; 2],
-    v: [i128; 2],
+    u: [u64; 2],
+    v: [u64; 2],
+    even: bool,
 }
 
 impl Steps {
@@ -86,20 +87,22 @@ impl Steps {
             u = [u[1], u[2], u[1] + quotient * u[2]];
             v = [v[1], v[2], v[1] + quotient * v[2]];
         }
-        let sign = if even { 1 } else { -1 };
-        let signed = |x: [u64; 3]| [x[0], x[1]].map(|x| sign * i128::from(x));
-        (v[0] != 0).then(|| Self { u: signed(u), v: signed(v) })
+        (v[0] != 0).then_some(Self { u: [u[0], u[1]], v: [v[0], v[1]], even })
     }
 
     /// Both are less than a was, and not negative.
     #[expect(clippy::cast_possible_truncation, reason = "the low word is meant")]
     #[expect(clippy::cast_sign_loss, reason = "the low word is meant")]
     fn apply<const LIMBS: usize>(&self, a: &mut Fixed<LIMBS>, b: &mut Fixed<LIMBS>) {
+        let product =
+            |factor: u64, limb: u64| (u128::from(factor) * u128::from(limb)).cast_signed();
         let (mut above_a, mut above_b) = (0, 0);
         for at in 0..a.len {
-            let (x, y) = (i128::from(a.limbs[at]), i128::from(b.limbs[at]));
-            let next_a = above_a + self.u[0] * x - self.v[0] * y;
-            let next_b = above_b + self.v[1] * y - self.u[1] * x;
+            let (x, y) = (a.limbs[at], b.limbs[at]);
+            let next_a = product(self.u[0], x) - product(self.v[0], y);
+            let next_b = product(self.v[1], y) - product(self.u[1], x);
+            let (next_a, next_b) = if self.even { (next_a, next_b) } else { (-next_a, -next_b) };
+            let (next_a, next_b) = (above_a + next_a, above_b + next_b);
             (a.limbs[at], b.limbs[at]) = (next_a as u64, next_b as u64);
             (above_a, above_b) = (next_a >> 64, next_b >> 64);
         }

@@ -50,7 +50,7 @@ fn agrees(x: &Rational, y: &Rational, z: &Rational) -> bool {
 fn every_operation_is_that_of_fractions_on_the_heap() {
     type Parts = (Vec<u64>, Vec<u64>, i16);
     fn of_limbs(a: Parts, b: Parts, share: bool) -> bool {
-        // up to 20 limbs, of which 8 have room
+        // up to 20 limbs, of which 8 and 16 have room
         let [x, y] = [&a, &b].map(|(n, d, twos)| fraction(n, d, *twos));
         // a common denominator, so that sums cancel
         let y = if share { &x * Rational::from_integer(integer(&b.0)) } else { y };
@@ -67,7 +67,7 @@ fn machine_words_at_their_ends_are_no_exception() {
     let mut edges: Vec<Rational> = ends.map(|n| rational(n, 1)).to_vec();
     edges.extend([i128::MIN, i128::MAX].map(|n| rational(n, i64::MAX)));
     edges.extend([63, 64, 127, 128, 511, 512, -1074].map(two_to));
-    for bits in [64, 128, 511, 512, 513, 1024] {
+    for bits in [64, 128, 511, 512, 513, 1023, 1024, 1025] {
         let full = two_to(bits) - rational(1, 1);
         edges.extend([full.recip(), &full / rational(3, 1), full]);
     }
@@ -79,9 +79,10 @@ fn machine_words_at_their_ends_are_no_exception() {
 }
 
 #[test]
-fn the_short_form_and_the_long_one_are_one_ordered_field() {
+fn short_wide_and_long_forms_are_one_ordered_field() {
     let long = two_to(1100) + rational(1, 3);
-    let elements = [rational(0, 1), rational(-7, 6), long.recip(), long].map(|x| x.to_working());
+    let wide = two_to(600) + rational(1, 3);
+    let elements = [rational(0, 1), rational(-7, 6), wide, long].map(|x| x.to_working());
     field_axioms(&elements);
     ordered_field_axioms(&elements);
 }
