@@ -29,7 +29,6 @@ const MANY: usize = 16;
 pub struct OddFraction(Kind);
 
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "the large variant is there to avoid the heap")]
 enum Kind {
     Short(Odd<FEW>),
     Wide(Box<Odd<MANY>>),
@@ -62,7 +61,7 @@ impl<const LIMBS: usize> Odd<LIMBS> {
         Odd::of(self.numer.resized(), self.denom.resized())
     }
 
-    fn to_rational(&self) -> Rational {
+    fn rational(&self) -> Rational {
         let power = self.numer.exponent();
         let (up, down) = (power.max(0), (-power).max(0));
         Rational::new_raw(written_out(&self.numer, up), written_out(&self.denom, down))
@@ -150,8 +149,8 @@ impl OddFraction {
     #[must_use]
     pub fn to_rational(&self) -> Rational {
         match &self.0 {
-            Kind::Short(short) => short.to_rational(),
-            Kind::Wide(wide) => wide.to_rational(),
+            Kind::Short(short) => short.rational(),
+            Kind::Wide(wide) => wide.rational(),
             Kind::Long(long) => long.clone(),
         }
     }

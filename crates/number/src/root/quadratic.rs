@@ -36,7 +36,7 @@ pub(crate) fn greatest_root(
     let product = DoubleDouble::of(two_product(c2, c0));
     let discriminant = half.mul_add(&half, &-product);
     let root = discriminant.sqrt()?;
-    let sum = if c1 < 0.0 { root - half } else { -(half + &root) };
+    let sum = if c1 < 0.0 { root - half } else { -(half + root) };
     let (first, second) = (sum / DoubleDouble::from(c2), DoubleDouble::from(c0) / sum);
     let (greater, lesser) = if first > second { (first, second) } else { (second, first) };
     let (lower, upper) = (DoubleDouble::from(lower), DoubleDouble::from(upper));
@@ -80,7 +80,8 @@ mod tests {
                 f64::from_bits(bits >> 12 & ((1 << 52) - 1) | exponent | (bits & 1) << 63)
             };
             let coefficients = [c.0, c.1, c.2].map(float);
-            let (a, b) = (float(ends.0), if ends.1 % 5 == 0 { 0.0 } else { float(ends.1) });
+            let (a, b) =
+                (float(ends.0), if ends.1.is_multiple_of(5) { 0.0 } else { float(ends.1) });
             let (lower, upper) = (a.min(b), a.max(b));
             greatest_root(coefficients, lower, upper).is_none_or(|root| {
                 FOUND.fetch_add(1, Relaxed);
