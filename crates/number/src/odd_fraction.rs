@@ -6,6 +6,7 @@ use std::fmt;
 use num_traits::{Signed as _, Zero as _};
 
 use crate::operators::{operators, works_in_itself};
+use crate::root::rational::greatest_root;
 use crate::{Comparison, Fixed, Integer, Number, Ordered, Rational, Real};
 
 /// Words of n and of d that are copied about, and words for which a place on the heap is worth it.
@@ -310,5 +311,23 @@ impl Real for OddFraction {
         let (lower, upper) = (lower.to_rational(), upper.to_rational());
         let root = Rational::greatest_root(&coefficients, &lower, &upper)?;
         Some(Self::from_rational(&root))
+    }
+}
+
+impl Real for Rational {
+    type WideReal = Self;
+    type Working = OddFraction;
+
+    fn to_working(&self) -> OddFraction {
+        OddFraction::from_rational(self)
+    }
+
+    fn from_working(working: &OddFraction) -> Self {
+        working.to_rational()
+    }
+
+    /// Exact; `None` if the root is irrational.
+    fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
+        greatest_root(coefficients, lower, upper)
     }
 }

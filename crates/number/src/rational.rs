@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use crate::{Comparison, Number, OddFraction, Ordered, Real};
+use crate::{Comparison, Number, Ordered};
 
 /// An integer of any size.
 pub type Integer = num_bigint::BigInt;
@@ -51,23 +51,5 @@ impl Number for Rational {
 impl Ordered for Rational {
     fn compare(&self, other: &Self) -> Comparison {
         self.cmp(other).into()
-    }
-}
-
-impl Real for Rational {
-    type WideReal = Self;
-    type Working = OddFraction;
-
-    fn to_working(&self) -> OddFraction {
-        OddFraction::from_rational(self)
-    }
-
-    fn from_working(working: &OddFraction) -> Self {
-        working.to_rational()
-    }
-
-    /// Exact; `None` if the root is irrational.
-    fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
-        crate::root::rational::greatest_root(coefficients, lower, upper)
     }
 }
