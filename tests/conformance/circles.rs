@@ -22,7 +22,7 @@ const LEFT: [&str; 13] = [
     "measure: axis dyadic",
     "number: double_double root/float scaled",
     "number: interval root/interval",
-    "number: number rational root/rational sturm",
+    "number: number rational",
     "scene: choose impulse_plane picture strobe",
     "scene: simulate/run simulate/state",
 ];

@@ -42,6 +42,8 @@ mod strategies;
 mod symbolic;
 /// Mirror symmetry, zero slip, grazing, and inputs without any sense.
 mod totality;
+/// The quick ways of a law against its table.
+mod working;
 
 use kane_number::{Integer, Rational};
 use proptest::test_runner::Config;

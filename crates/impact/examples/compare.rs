@@ -12,8 +12,9 @@ use kane_impact::batch::{self, Columns};
 use kane_impact::bodies::{Motion, SphereOnPlane};
 use kane_impact::decide::{self, Spheres, Stage};
 use kane_impact::exact::wang_su_li;
-use kane_impact::laws::WangSuLi;
-use kane_number::{Number, Rational, decode};
+use kane_impact::laws::{Smith1991, WangSuLi};
+use kane_impact::{Alpha, Contact, LawOver};
+use kane_number::{Number, Rational, Real, decode};
 
 type Sphere = SphereOnPlane<f64>;
 
@@ -117,9 +118,43 @@ fn by_fractions(sphere: &SphereOnPlane<Rational>) -> (Rational, Rational) {
     ((&one - alpha) / &whole, one / whole)
 }
 
+/// The laws at contacts that are given, and in terms of α, as [`LawOver`] is called from above.
+#[derive(Default)]
+struct Alone<N> {
+    contacts: Vec<Contact<N>>,
+    alphas: Vec<Alpha<N>>,
+}
+
+impl<N: Real> Alone<N> {
+    fn of(spheres: &[Sphere]) -> Self {
+        let exactly = |x: &f64| N::from_rational(&decode(*x).expect("finite"));
+        let contact = |sphere: &Sphere| sphere.map(exactly).contact().expect("valid");
+        let alpha = |sphere: &Sphere| Alpha::Finite(exactly(&(3.0 * sphere.restitution)));
+        Self {
+            contacts: spheres.iter().map(contact).collect(),
+            alphas: spheres.iter().map(alpha).collect(),
+        }
+    }
+
+    /// What is asked of the law follows the last dash: all of the outcome, its impulse, or ratios.
+    fn pass(&self, work: &str, law: &dyn LawOver<N>) {
+        match work.rsplit('-').next() {
+            Some("ratios") => {
+                self.alphas.iter().for_each(|alpha| _ = black_box(law.ratios(black_box(alpha))));
+            }
+            Some("impulse") => {
+                self.contacts.iter().for_each(|c| _ = black_box(law.impulse(black_box(c))));
+            }
+            _ => self.contacts.iter().for_each(|c| _ = black_box(law.resolve(black_box(c)))),
+        }
+    }
+}
+
 /// All that the work needs, made once.
 #[derive(Default)]
 struct Data {
+    floats: Alone<f64>,
+    fractions: Alone<Rational>,
     alpha: Vec<f64>,
     columns: [Vec<f64>; 3],
     spheres: Vec<Sphere>,
@@ -153,6 +188,12 @@ impl Data {
                 |s| s.before.omega,
             ];
             data.sphere_columns = fields.map(|field| data.spheres.iter().map(field).collect());
+        }
+        if work.starts_with("law-f64") {
+            data.floats = Alone::of(&data.spheres);
+        }
+        if work.starts_with("law-rational") {
+            data.fractions = Alone::of(&data.spheres);
         }
         data.signs = vec![std::cmp::Ordering::Equal; data.spheres.len()];
         if work == "exact-rational" {
@@ -207,6 +248,9 @@ impl Data {
                     _ = black_box(by_fractions(sphere));
                 }
             }
+            work if work.starts_with("law-f64-smith") => self.floats.pass(work, &Smith1991),
+            work if work.starts_with("law-f64") => self.floats.pass(work, &WangSuLi),
+            work if work.starts_with("law-rational") => self.fractions.pass(work, &WangSuLi),
             other => eprintln!("no such work: {other}"),
         }
     }

@@ -55,6 +55,11 @@ pub struct Ratios<N> {
 }
 
 impl<N: Number> Ratios<N> {
+    /// The same ratios in another number system.
+    pub fn map<M>(&self, to: impl Fn(&N) -> M) -> Ratios<M> {
+        Ratios { k: to(&self.k), impulse: to(&self.impulse), energy: to(&self.energy) }
+    }
+
     /// Whether momentum is balanced, 2α·i_x = 1 − k, and energy is the work of the impulse,
     /// 2Δe = −i_x·(1 + k). Meant for exact numbers; floats satisfy it up to rounding.
     #[must_use]

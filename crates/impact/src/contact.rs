@@ -51,17 +51,20 @@ impl<N: Ordered> Contact<N> {
     /// Which way the contact faces, or `None` if the number system cannot tell.
     #[must_use]
     pub fn facing(&self) -> Option<Facing> {
-        let (slip, coupling) = (self.slip.sign(), self.delassus.tn().sign());
+        let slip = self.slip.sign();
+        if slip.is_greater() == Some(true) {
+            return Some(Facing::Forward);
+        }
+        if slip.is_less() == Some(true) {
+            return Some(Facing::Backward);
+        }
         // a sign that is known only as "≥ 0" decides too, if the coupling agrees
-        let decides = |forward: Option<bool>, facing| (forward == Some(true)).then_some(facing);
-        decides(slip.is_greater(), Facing::Forward)
-            .or_else(|| decides(slip.is_less(), Facing::Backward))
-            .or_else(|| match (slip.is_at_least(), slip.is_at_most()) {
-                (Some(true), _) if coupling.is_at_least() == Some(true) => Some(Facing::Forward),
-                (Some(true), Some(true)) => decides(coupling.is_less(), Facing::Backward),
-                (_, Some(true)) if coupling.is_less() == Some(true) => Some(Facing::Backward),
-                _ => None,
-            })
+        let coupling = self.delassus.tn().sign();
+        match (slip.is_at_least(), slip.is_at_most()) {
+            (Some(true), _) if coupling.is_at_least() == Some(true) => Some(Facing::Forward),
+            (_, Some(true)) if coupling.is_less() == Some(true) => Some(Facing::Backward),
+            _ => None,
+        }
     }
 }
 

@@ -13,11 +13,13 @@
 
 use std::cmp::Ordering;
 
+use kane_number::Fixed;
+
 use crate::InvalidInput;
 use crate::bodies::SphereOnPlane;
 use crate::decide::arithmetic::Arithmetic;
 use crate::decide::question::{reach, slowing};
-use crate::decide::{Dyadic, Fixed, Fraction, check};
+use crate::decide::{Dyadic, Fraction, check};
 
 /// k and i_x of one collision, exactly.
 #[derive(Clone, Debug)]

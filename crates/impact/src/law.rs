@@ -1,5 +1,7 @@
 //! What an impact law is: an ordered list of regimes.
 
+use std::ops::Deref;
+
 use kane_number::{Number, Ordered, Rational, Real};
 
 use crate::{Alpha, Contact, Facing, Frame, Impulse, LawInfo, Outcome, Ratios, Restitution, Work};
@@ -33,10 +35,30 @@ pub struct Guard<L, N> {
     pub relation: Relation,
 }
 
+/// The coefficients of a polynomial, c₀ first. The last may be zero.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Coefficients<N> {
+    /// c₀ + c₁·x + c₂·x²
+    Quadratic([N; 3]),
+    /// c₀ + c₁·x + c₂·x² + c₃·x³
+    Cubic([N; 4]),
+}
+
+impl<N> Deref for Coefficients<N> {
+    type Target = [N];
+
+    fn deref(&self) -> &[N] {
+        match self {
+            Self::Quadratic(coefficients) => coefficients,
+            Self::Cubic(coefficients) => coefficients,
+        }
+    }
+}
+
 /// The one number of a regime that field arithmetic does not reach.
 pub struct Root<L, N> {
-    /// The polynomial c₀ + c₁·x + …, of degree three at most.
-    pub coefficients: fn(&L, &Contact<N>) -> Vec<N>,
+    /// The polynomial c₀ + c₁·x + …
+    pub coefficients: fn(&L, &Contact<N>) -> Coefficients<N>,
     /// The interval of which the greatest root is meant; the signs at its ends differ.
     pub between: fn(&L, &Contact<N>) -> (N, N),
 }
@@ -169,26 +191,9 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`] if no regime applies, or none can be chosen in this number system.
     fn regime<N: Real>(&self, contact: &Contact<N>) -> Result<Chosen<Self, N>, NoImpulse> {
-        let law = self.id();
-        let undecided = |regime| NoImpulse::Undecided { law, regime };
-        let facing = contact.facing().ok_or(undecided("forward or backward slip"))?;
-        let contact = match facing {
-            Facing::Forward => contact.clone(),
-            Facing::Backward => contact.mirrored(),
-        };
-        for regime in self.regimes() {
-            if !regime.applies(self, &contact).ok_or(undecided(regime.name))? {
-                continue;
-            }
-            let root = match &regime.root {
-                None => N::zero(),
-                Some(root) => root
-                    .solve(self, &contact)
-                    .ok_or(NoImpulse::Unrepresentable { law, regime: regime.name })?,
-            };
-            return Ok(Chosen { regime, facing, contact, root });
-        }
-        Err(outside(self))
+        let (facing, contact) = forwards(self, contact.clone())?;
+        let (regime, root) = taken(self, &contact, |_, regime, _, root| Ok((regime, root)))?;
+        Ok(Chosen { regime, facing, contact, root })
     }
 
     /// Gives the impulse in N·s, by the first regime that applies.
@@ -199,13 +204,13 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`], see [`regime`](Self::regime).
     fn impulse<N: Real>(&self, contact: &Contact<N>) -> Result<Impulse<N>, NoImpulse> {
-        let Chosen { regime, facing, contact, root } = self.regime(contact)?;
-        let impulse = (regime.impulse)(self, &contact, &root);
-        accept(self, regime.name, &contact, &impulse)?;
-        Ok(match facing {
+        let (facing, contact) = forwards(self, contact.map(N::to_working))?;
+        let impulse = taken(self, &contact, accepted_impulse)?;
+        let impulse = match facing {
             Facing::Forward => impulse,
             Facing::Backward => impulse.mirrored(),
-        })
+        };
+        Ok(impulse.map(N::from_working))
     }
 
     /// Gives the impulse with all that follows from it at the contact.
@@ -213,13 +218,8 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`], see [`regime`](Self::regime).
     fn resolve<N: Real>(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
-        let Chosen { regime, facing, contact, root } = self.regime(contact)?;
-        let outcome = regime.outcome(self, &contact, &root);
-        accept(self, regime.name, &contact, &outcome.impulse)?;
-        Ok(match facing {
-            Facing::Forward => outcome,
-            Facing::Backward => outcome.mirrored(),
-        })
+        let (outcome, _) = resolved(self, contact.map(N::to_working))?;
+        Ok(outcome.map(N::from_working))
     }
 
     /// The law in terms of α, for `v_t` > 0, or `None` where it has no finite value: its outcome on
@@ -235,18 +235,121 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
                 return Some(Ratios { k, impulse: N::zero(), energy: N::zero() });
             }
         };
-        let contact = Contact::of_alpha(alpha.clone());
+        let contact = Contact::of_alpha(alpha.to_working());
         if self.frame(&contact).is_some() {
             return None;
         }
-        let outcome = self.resolve(&contact).ok()?;
+        let (outcome, _) = resolved(self, contact).ok()?;
         // v_t = 1/2 and μ·p_n = 1
-        Some(Ratios {
+        let ratios = Ratios {
             k: outcome.slip.double(),
             impulse: -outcome.impulse.tangential,
             energy: outcome.work.tangential.double(),
-        })
+        };
+        Some(ratios.map(N::from_working))
     }
+}
+
+/// The contact turned to face forwards, and how it faced.
+#[inline]
+fn forwards<L: ImpactLaw, N: Real>(
+    law: &L,
+    contact: Contact<N>,
+) -> Result<(Facing, Contact<N>), NoImpulse> {
+    match contact.facing() {
+        Some(Facing::Forward) => Ok((Facing::Forward, contact)),
+        Some(Facing::Backward) => Ok((Facing::Backward, contact.mirrored())),
+        None => Err(NoImpulse::Undecided { law: law.id(), regime: "forward or backward slip" }),
+    }
+}
+
+/// What `then` makes of the first regime that applies, and its root, at a contact that faces forwards.
+#[inline(always)]
+fn taken<L: ImpactLaw, N: Real, T>(
+    law: &L,
+    contact: &Contact<N>,
+    then: impl Fn(&L, &'static Regime<L, N>, &Contact<N>, N) -> Result<T, NoImpulse>,
+) -> Result<T, NoImpulse> {
+    // At a place that is a constant the compiler sees the formulas of the regime and what they share.
+    // It is worth its length where these are a few instructions.
+    if N::IS_FLOAT
+        && let Some(value) = at(law, 0, contact, &then)
+            .or_else(|| at(law, 1, contact, &then))
+            .or_else(|| at(law, 2, contact, &then))
+    {
+        return value;
+    }
+    let places = if N::IS_FLOAT { 3 } else { 0 }..law.regimes::<N>().len();
+    for place in places {
+        if let Some(value) = at(law, place, contact, &then) {
+            return value;
+        }
+    }
+    Err(outside(law))
+}
+
+/// The same of the regime at a place; `None` if there is none or it does not apply.
+#[inline(always)]
+fn at<L: ImpactLaw, N: Real, T>(
+    law: &L,
+    place: usize,
+    contact: &Contact<N>,
+    then: &impl Fn(&L, &'static Regime<L, N>, &Contact<N>, N) -> Result<T, NoImpulse>,
+) -> Option<Result<T, NoImpulse>> {
+    let regime = law.regimes::<N>().get(place)?;
+    match regime.applies(law, contact) {
+        Some(true) => {}
+        Some(false) => return None,
+        None => return Some(Err(NoImpulse::Undecided { law: law.id(), regime: regime.name })),
+    }
+    let root = match &regime.root {
+        None => Some(N::zero()),
+        Some(root) => root.solve(law, contact),
+    };
+    Some(match root {
+        Some(root) => then(law, regime, contact, root),
+        None => Err(NoImpulse::Unrepresentable { law: law.id(), regime: regime.name }),
+    })
+}
+
+/// The impulse of a regime, if the law accepts it.
+#[inline(always)]
+fn accepted_impulse<L: ImpactLaw, N: Real>(
+    law: &L,
+    regime: &'static Regime<L, N>,
+    contact: &Contact<N>,
+    root: N,
+) -> Result<Impulse<N>, NoImpulse> {
+    let impulse = (regime.impulse)(law, contact, &root);
+    accept(law, regime.name, contact, &impulse)?;
+    Ok(impulse)
+}
+
+/// The outcome of a regime, if the law accepts its impulse, and the root if there is one.
+#[inline(always)]
+fn accepted_outcome<L: ImpactLaw, N: Real>(
+    law: &L,
+    regime: &'static Regime<L, N>,
+    contact: &Contact<N>,
+    root: N,
+) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
+    let outcome = regime.outcome(law, contact, &root);
+    accept(law, regime.name, contact, &outcome.impulse)?;
+    Ok((outcome, regime.root.as_ref().map(|_| root)))
+}
+
+/// The outcome of a law, and the root of its regime if that has one.
+#[inline(always)]
+pub(crate) fn resolved<L: ImpactLaw, N: Real>(
+    law: &L,
+    contact: Contact<N>,
+) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
+    let (facing, contact) = forwards(law, contact)?;
+    let (outcome, root) = taken(law, &contact, accepted_outcome)?;
+    Ok(match facing {
+        Facing::Forward => (outcome, root),
+        Facing::Backward => (outcome.mirrored(), root),
+    })
 }
 
 fn outside<L: ImpactLaw>(law: &L) -> NoImpulse {
@@ -254,7 +357,8 @@ fn outside<L: ImpactLaw>(law: &L) -> NoImpulse {
     NoImpulse::Outside { law: law.id(), reason }
 }
 
-pub(crate) fn accept<L: ImpactLaw, N: Real>(
+#[inline]
+fn accept<L: ImpactLaw, N: Real>(
     law: &L,
     regime: &'static str,
     contact: &Contact<N>,
@@ -299,6 +403,7 @@ impl<L: ImpactLaw, N: Number> Regime<L, N> {
     }
 
     /// What follows at a contact that faces forwards, given the root.
+    #[inline(always)]
     pub fn outcome(&self, law: &L, contact: &Contact<N>, root: &N) -> Outcome<N> {
         let impulse = (self.impulse)(law, contact, root);
         let slip = match self.slip {

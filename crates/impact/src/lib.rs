@@ -78,7 +78,7 @@ pub use frame::Frame;
 pub use impulse::Impulse;
 pub use info::{Lasting, LawInfo, ModelInfo, Parameter, Provenance, Restitution};
 pub use invalid::InvalidInput;
-pub use law::{Chosen, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
+pub use law::{Chosen, Coefficients, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
 pub use outcome::{Outcome, Work};
 pub use over::{Equation, Formulas, LawOver, RegimeOver, Taken};
 pub use parameters::{UnknownParameter, set_parameter};

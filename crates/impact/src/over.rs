@@ -5,7 +5,7 @@
 
 use kane_number::{Number, Real};
 
-use crate::law::accept;
+use crate::law::resolved;
 use crate::{
     Alpha, Chosen, Contact, Facing, Frame, ImpactLaw, Impulse, LawInfo, NoImpulse, Outcome, Ratios,
     Regime, Relation,
@@ -126,7 +126,7 @@ impl<L: ImpactLaw, N: Number> RegimeOver<N> for Bound<'_, L, N> {
     fn equation(&self, contact: &Contact<N>) -> Option<Equation<N>> {
         let root = self.regime.root.as_ref()?;
         Some(Equation {
-            coefficients: (root.coefficients)(self.law, contact),
+            coefficients: (root.coefficients)(self.law, contact).to_vec(),
             between: (root.between)(self.law, contact),
         })
     }
@@ -184,14 +184,8 @@ impl<L: ImpactLaw, N: Real> LawOver<N> for L {
         &self,
         contact: &Contact<N>,
     ) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
-        let Chosen { regime, facing, contact, root } = ImpactLaw::regime(self, contact)?;
-        let outcome = regime.outcome(self, &contact, &root);
-        accept(self, regime.name, &contact, &outcome.impulse)?;
-        let outcome = match facing {
-            Facing::Forward => outcome,
-            Facing::Backward => outcome.mirrored(),
-        };
-        Ok((outcome, regime.root.as_ref().map(|_| root)))
+        let (outcome, root) = resolved(self, contact.map(N::to_working))?;
+        Ok((outcome.map(N::from_working), root.as_ref().map(N::from_working)))
     }
 
     fn ratios(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {

@@ -6,7 +6,7 @@ use std::fmt;
 
 use crate::decimal::significant;
 use crate::error_free::{fast_two_sum, sum_of, two_product, two_sum};
-use crate::operators::operators;
+use crate::operators::{operators, works_in_itself};
 use crate::{
     Comparison, NotFinite, Number, Ordered, Rational, Real, Rounding, Scaled, decode, encode,
 };
@@ -269,6 +269,8 @@ impl Ordered for DoubleDouble {
 
 impl Real for DoubleDouble {
     type WideReal = Scaled;
+
+    works_in_itself!();
 
     /// Solved in [`Scaled`] and rounded.
     fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {

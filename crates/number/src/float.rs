@@ -1,11 +1,14 @@
 //! `f32` and `f64` as number systems: each operation is rounded once.
 #![allow(clippy::float_arithmetic, reason = "this module is where float arithmetic lives")]
 
-use crate::root::float;
-use crate::{Binary, Comparison, Number, Ordered, Rational, Real, Rounding, Scaled, encode};
+use crate::operators::works_in_itself;
+use crate::root::{float, quadratic};
+use crate::{
+    Binary, Comparison, DoubleDouble, Number, Ordered, Rational, Real, Rounding, Scaled, encode,
+};
 
 macro_rules! float_number {
-    ($float:ident, $narrow:ident) => {
+    ($float:ident, $narrow:ident, $nearest:expr) => {
         impl Number for $float {
             type Wide = Scaled;
 
@@ -58,6 +61,10 @@ macro_rules! float_number {
         impl Real for $float {
             type WideReal = Scaled;
 
+            works_in_itself!();
+
+            const IS_FLOAT: bool = true;
+
             fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
                 if let [c0, c1] = coefficients
                     && let Some(root) = c0.checked_div(c1)
@@ -67,6 +74,15 @@ macro_rules! float_number {
                     if *lower < root && root < *upper {
                         return Some(root);
                     }
+                }
+                if let [c0, c1, c2] = coefficients
+                    && let Some(root) = quadratic::greatest_root(
+                        [*c0, *c1, *c2].map(f64::from),
+                        f64::from(*lower),
+                        f64::from(*upper),
+                    )
+                {
+                    return Some($nearest(root));
                 }
                 let wide: Vec<Scaled> = coefficients.iter().map(Number::widen).collect();
                 let noise = 4 - i64::from(<$float as Binary>::PRECISION);
@@ -78,5 +94,5 @@ macro_rules! float_number {
     };
 }
 
-float_number!(f32, to_f32);
-float_number!(f64, to_f64);
+float_number!(f32, to_f32, |root| Scaled::from(root).to_f32());
+float_number!(f64, to_f64, DoubleDouble::high);

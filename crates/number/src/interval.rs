@@ -4,7 +4,7 @@
 use std::fmt;
 
 use crate::directed::{Outward, power_range, product, quotient, root, sum};
-use crate::operators::operators;
+use crate::operators::{operators, works_in_itself};
 use crate::{Comparison, NotFinite, Number, Ordered, Rational, Real, Rounding, decode, encode};
 
 /// The real numbers between two floats, both included: lower ≤ x ≤ upper.
@@ -255,6 +255,8 @@ impl Ordered for Interval {
 
 impl Real for Interval {
     type WideReal = Self;
+
+    works_in_itself!();
 
     /// An enclosure of the greatest root for every choice of coefficients and ends that keeps
     /// the promise; `None` if no root can lie between the ends.

@@ -38,6 +38,9 @@
 //! # Ok::<(), kane_number::ParseError>(())
 //! ```
 //!
+//! [`OddFraction`] holds the same numbers as [`Rational`] for chains of operations, and [`Fixed`] is the
+//! integer without allocation that it is made of.
+//!
 //! [`System`] names five of them as a value, for tables that run them side by side.
 //!
 //! The bridge between exact numbers and floats loses nothing that it need not: [`decode`] is
@@ -69,9 +72,11 @@ mod double_double;
 mod encode;
 mod error_free;
 mod exact_sum;
+mod fixed;
 mod float;
 mod interval;
 mod number;
+mod odd_fraction;
 mod operators;
 mod parse;
 mod rational;
@@ -91,8 +96,10 @@ pub use decode::{NotFinite, decode};
 pub use double_double::DoubleDouble;
 pub use encode::{Rounding, encode};
 pub use exact_sum::ExactSum;
+pub use fixed::Fixed;
 pub use interval::Interval;
 pub use number::{Number, Ordered, Real};
+pub use odd_fraction::OddFraction;
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
 pub use rational::{Integer, Rational};
 pub use scaled::Scaled;

@@ -34,6 +34,9 @@ pub trait Number:
     /// wider in exponent and precision for floats, the system itself for exact ones.
     type Wide: Number;
 
+    /// Whether every operation is known to be exact, so that no formula need give rounding errors back.
+    const IS_EXACT: bool = false;
+
     /// The same number in the wider system. Exact.
     #[must_use]
     fn widen(&self) -> Self::Wide;
@@ -108,6 +111,22 @@ pub trait Real: Ordered + Number<Wide = <Self as Real>::WideReal> {
     /// The same type as [`Wide`](Number::Wide): the supertrait says so. It is named again because
     /// only thus can the trait promise that a wide number is again a [`Real`].
     type WideReal: Real;
+
+    /// The system in which a law's formulas run on these numbers: the same numbers, held so that a
+    /// chain of operations is cheap. The system itself but for [`Rational`].
+    type Working: Real;
+
+    /// Whether an operation costs no more than a few instructions, so that a law's formulas cost less
+    /// than the way to them.
+    const IS_FLOAT: bool = false;
+
+    /// The same number in the working system. Exact.
+    #[must_use]
+    fn to_working(&self) -> Self::Working;
+
+    /// The number that a working one is. Exact; inverse to [`to_working`](Self::to_working).
+    #[must_use]
+    fn from_working(working: &Self::Working) -> Self;
 
     /// The greatest root of c\[0\] + c\[1\]·x + … in the closed interval \[`lower`, `upper`\],
     /// of formal degree 3 at most; leading coefficients may be zero.

@@ -38,3 +38,21 @@ macro_rules! operators {
 }
 
 pub(crate) use operators;
+
+/// The [`Working`](crate::Real::Working) system of a system that works in itself; its numbers are
+/// copied or cloned.
+macro_rules! works_in_itself {
+    () => {
+        type Working = Self;
+
+        fn to_working(&self) -> Self {
+            self.clone()
+        }
+
+        fn from_working(working: &Self) -> Self {
+            working.clone()
+        }
+    };
+}
+
+pub(crate) use works_in_itself;

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use crate::{Comparison, Number, Ordered, Real};
+use crate::{Comparison, Number, Ordered};
 
 /// An integer of any size.
 pub type Integer = num_bigint::BigInt;
@@ -12,6 +12,8 @@ pub type Rational = num_rational::BigRational;
 
 impl Number for Rational {
     type Wide = Self;
+
+    const IS_EXACT: bool = true;
 
     fn widen(&self) -> Self {
         self.clone()
@@ -49,14 +51,5 @@ impl Number for Rational {
 impl Ordered for Rational {
     fn compare(&self, other: &Self) -> Comparison {
         self.cmp(other).into()
-    }
-}
-
-impl Real for Rational {
-    type WideReal = Self;
-
-    /// Exact; `None` if the root is irrational.
-    fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
-        crate::root::rational::greatest_root(coefficients, lower, upper)
     }
 }

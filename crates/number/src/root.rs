@@ -4,5 +4,7 @@
 pub(crate) mod float;
 /// Exclusion from the top, and closed forms, on intervals.
 pub(crate) mod interval;
+/// The ordinary quadratic in floats, quickly.
+pub(crate) mod quadratic;
 /// By the rational root theorem, or not at all.
 pub(crate) mod rational;

@@ -8,7 +8,7 @@ use crate::decimal::significant;
 use crate::decode::magnitude_parts;
 use crate::encode::binade as binade_of;
 use crate::error_free::{binade, power_of_two, scale};
-use crate::operators::operators;
+use crate::operators::{operators, works_in_itself};
 use crate::{Binary, Comparison, DoubleDouble, Number, Ordered, Rational, Real};
 
 /// A [`DoubleDouble`] mantissa times a power of two with an exponent of its own.
@@ -342,6 +342,8 @@ impl Ordered for Scaled {
 
 impl Real for Scaled {
     type WideReal = Self;
+
+    works_in_itself!();
 
     /// Closed forms for degrees 1 and 2, bracketed Newton for 3: the exact root of coefficients
     /// that differ by 2^−96 relatively. Double roots are told from two or none only to within

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use kane_number::{Interval, Number as _, Ordered as _};
+use kane_number::{Fixed, Interval, Number as _, Ordered as _};
 
 /// Arithmetic in which a question can be evaluated, and its sign perhaps told.
 ///
@@ -47,6 +47,19 @@ pub(crate) trait Arithmetic: Sized {
     }
 }
 
+/// (M, E) with |float| = M·2^E and M odd or 0, and whether the sign bit is set. For finite floats.
+pub(super) const fn parts(float: f64) -> (bool, u64, i64) {
+    let bits = float.to_bits();
+    let (fraction, biased) = (bits & ((1 << 52) - 1), (bits >> 52 & 0x7ff).cast_signed());
+    let (mantissa, exponent) =
+        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+    if mantissa == 0 {
+        return (false, 0, 0);
+    }
+    let twos = mantissa.trailing_zeros();
+    (bits >> 63 == 1, mantissa >> twos, exponent + twos as i64)
+}
+
 impl Arithmetic for Interval {
     fn number(input: f64) -> Self {
         Self::from(input)
@@ -81,5 +94,36 @@ impl Arithmetic for Interval {
         certain(sign.is_greater(), Ordering::Greater)
             .or_else(|| certain(sign.is_less(), Ordering::Less))
             .or_else(|| certain(sign.is_equal(), Ordering::Equal))
+    }
+}
+
+impl Arithmetic for Fixed {
+    fn number(input: f64) -> Self {
+        let (negative, mantissa, exponent) = parts(input);
+        Self::new(negative, mantissa, exponent)
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self::plus(self, other)
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        Self::minus(self, other)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Self::times(self, other)
+    }
+
+    fn abs(&self) -> Self {
+        Self::abs(self)
+    }
+
+    fn double(&self) -> Self {
+        self.doubled()
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        Self::sign(self)
     }
 }

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use kane_number::Integer;
 
-use super::arithmetic::Arithmetic;
-use super::fixed::parts;
+use super::arithmetic::{Arithmetic, parts};
 
 /// n·2^exponent. Exact, without division and without a gcd.
 #[derive(Clone, Debug)]

@@ -2,11 +2,9 @@
 
 use std::cmp::Ordering;
 
-use kane_number::{Integer, Rational, Rounding, encode};
+use kane_number::{Fixed, Integer, Rational, Rounding, encode};
 
-use super::arithmetic::Arithmetic;
 use super::dyadic::Dyadic;
-use super::fixed::Fixed;
 
 /// An exact quotient of two integers times a power of two, not in lowest terms.
 ///
@@ -64,7 +62,9 @@ impl Fraction {
     /// Numerator and denominator with the powers of two multiplied in.
     fn integers(&self) -> (Integer, Integer) {
         let ((numer, up), (denom, down)) = match &self.0 {
-            Terms::Fixed { numer, denom } => (widened(numer), widened(denom)),
+            Terms::Fixed { numer, denom } => {
+                ((numer.to_integer(), numer.exponent()), (denom.to_integer(), denom.exponent()))
+            }
             Terms::Big { numer, denom } => {
                 ((numer.integer.clone(), numer.exponent), (denom.integer.clone(), denom.exponent))
             }
@@ -72,15 +72,6 @@ impl Fraction {
         let (shift, places) = (up - down, up.abs_diff(down));
         if shift >= 0 { (numer << places, denom) } else { (numer, denom << places) }
     }
-}
-
-fn widened(fixed: &Fixed) -> (Integer, i64) {
-    let (limbs, negative, exponent) = fixed.integer();
-    let magnitude = limbs
-        .iter()
-        .rev()
-        .fold(Integer::ZERO, |high, &limb| (high << 64_u32) + Integer::from(limb));
-    (if negative { -magnitude } else { magnitude }, exponent)
 }
 
 /// The float nearest to numer/denom, or `None` if the division has no room.
@@ -97,7 +88,7 @@ fn nearest(numer: &Fixed, denom: &Fixed) -> Option<f64> {
         return None;
     }
     let (quotient, exact) = divide(&dividend, &divisor)?;
-    let exponent = numer.integer().2 - denom.integer().2 - shift;
+    let exponent = numer.exponent() - denom.exponent() - shift;
     let (_, negative, _) = numer.integer();
     Some(round(negative, quotient, exact, exponent))
 }
@@ -108,7 +99,7 @@ fn divide(dividend: &Fixed, divisor: &Fixed) -> Option<(u64, bool)> {
     let cut = i64::from(divisor.bits()) - 64;
     let guess = leading(dividend, cut) / leading(divisor, cut);
     let mut quotient = u64::try_from(guess).unwrap_or(u64::MAX);
-    let mut rest = dividend.minus(&Fixed::integral(quotient).times(divisor));
+    let mut rest = dividend.minus(&Fixed::new(false, quotient, 0).times(divisor));
     while rest.sign()? == Ordering::Less {
         (quotient, rest) = (quotient - 1, rest.plus(divisor));
     }

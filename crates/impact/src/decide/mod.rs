@@ -33,18 +33,16 @@ pub(crate) mod arithmetic;
 mod column;
 mod dyadic;
 mod filter;
-mod fixed;
 mod fraction;
 pub(crate) mod question;
 
 pub use column::{Spheres, sliding_all};
 pub(crate) use dyadic::Dyadic;
-pub(crate) use fixed::Fixed;
 pub use fraction::Fraction;
 
 use std::cmp::Ordering;
 
-use kane_number::Interval;
+use kane_number::{Fixed, Interval};
 
 use crate::InvalidInput;
 use crate::bodies::SphereOnPlane;

@@ -4,8 +4,8 @@ use kane_number::Number;
 
 use crate::arithmetic::difference_of_products;
 use crate::{
-    Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime, Relation,
-    Restitution, Root,
+    Coefficients, Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance,
+    Regime, Relation, Restitution, Root,
 };
 
 /// Routh's process with Newton's restitution (id `routh-newton`).
@@ -134,8 +134,8 @@ fn excess<N: Number>(contact: &Contact<N>) -> N {
 }
 
 /// The greater root of factor·x² = value, and where to look for it.
-fn square_root<N: Number>(value: N, factor: N) -> Vec<N> {
-    vec![-value, N::zero(), factor]
+fn square_root<N: Number>(value: N, factor: N) -> Coefficients<N> {
+    Coefficients::Quadratic([-value, N::zero(), factor])
 }
 
 fn up_to<N: Number>(value: N, factor: N) -> (N, N) {

@@ -4,7 +4,7 @@ use kane_number::{Number, Rational};
 
 use super::whittaker_uncapped::slide;
 use crate::law::guards;
-use crate::{Contact, Guard, ImpactLaw, Impulse, LawInfo, Provenance, Regime, Root};
+use crate::{Coefficients, Contact, Guard, ImpactLaw, Impulse, LawInfo, Provenance, Regime, Root};
 
 /// Friction along the mean of the slip before and after, weighted by speed (id `smith-1991`):
 /// `p_t` = −μ·`p_n`·(|v|·v + |v⁺|·v⁺)/(v² + v⁺²), that is `i_x` = (1 + k·|k|)/(1 + k²).
@@ -103,7 +103,11 @@ impl ImpactLaw for Smith1991 {
                     coefficients: |_, contact| {
                         let twice = contact.slip().double();
                         let change = contact.sliding_impulse() * contact.delassus().tt();
-                        vec![twice.clone(), -(twice + change), contact.slip().clone()]
+                        Coefficients::Quadratic([
+                            twice.clone(),
+                            -(twice + change),
+                            contact.slip().clone(),
+                        ])
                     },
                     between: |_, _| (N::zero(), N::one()),
                 }),
@@ -112,7 +116,7 @@ impl ImpactLaw for Smith1991 {
                     contact.with_ratio(&ratio(contact, k))
                 })
                 .with_root(Root {
-                    coefficients: |_, contact| cubic(contact).to_vec(),
+                    coefficients: |_, contact| Coefficients::Cubic(cubic(contact)),
                     between: |_, contact| {
                         let change = contact.closing() * contact.slowing_rate();
                         let change = change / contact.separation_rate() / contact.slip();
@@ -123,7 +127,7 @@ impl ImpactLaw for Smith1991 {
                 // Cauchy's bound on its size
                 Regime::new("reverse, jammed", &[], |_, contact, k| reversed(contact, k))
                     .with_root(Root {
-                        coefficients: |_, contact| cubic(contact).to_vec(),
+                        coefficients: |_, contact| Coefficients::Cubic(cubic(contact)),
                         between: |_, contact| {
                             let [c0, c1, c2, c3] = cubic(contact);
                             (-((c0 - c1 - c2) / c3 + N::one()), N::zero())

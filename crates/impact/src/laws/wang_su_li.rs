@@ -5,8 +5,8 @@ use kane_number::{Number, Rational};
 use crate::arithmetic::two_sum;
 use crate::law::guards;
 use crate::{
-    Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance, Regime, Relation,
-    Root,
+    Coefficients, Contact, Guard, ImpactLaw, Impulse, Lasting, LawInfo, ModelInfo, Provenance,
+    Regime, Relation, Root,
 };
 
 /// Friction that fades from sliding to reversal: `i_x` = (1 + k)/2 (id `wang-su-li`).
@@ -52,13 +52,13 @@ fn ratio<N: Number>(contact: &Contact<N>, k: &N) -> N {
 }
 
 /// v_t·(k − 1)·(W_nn − μ·(1 + k)/2·W_tn) + (1 + e)·a·(μ·(1 + k)/2·W_tt − W_tn) in powers of k.
-fn coefficients<N: Number>(contact: &Contact<N>) -> Vec<N> {
+fn coefficients<N: Number>(contact: &Contact<N>) -> Coefficients<N> {
     let (w, v, c) = (contact.delassus(), contact.slip(), contact.closing());
     let half_friction = contact.friction().clone() / N::one().double();
     let (tt, tn) = (half_friction.clone() * w.tt(), half_friction * w.tn());
     let constant = c.clone() * (tt.clone() - w.tn()) - v.clone() * (w.nn().clone() - &tn);
     let linear = v.clone() * w.nn() + c * tt;
-    vec![constant, linear, -(v.clone() * tn)]
+    Coefficients::Quadratic([constant, linear, -(v.clone() * tn)])
 }
 
 impl ImpactLaw for WangSuLi {
@@ -146,6 +146,9 @@ impl ImpactLaw for WangSuLi {
 fn fading_slip<N: Number>(contact: &Contact<N>) -> N {
     let q = contact.slip().double();
     let p = contact.sliding_impulse() * contact.delassus().tt();
+    if N::IS_EXACT {
+        return (q.clone() - &p) / (q + p) * contact.slip();
+    }
     let ((sum, of_sum), (difference, of_difference)) = (two_sum(&q, &p), two_sum(&q, &-p));
     let k = difference.clone() / &sum;
     let remainder = (-k.clone()).mul_add(&sum, &difference);

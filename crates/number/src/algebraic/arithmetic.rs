@@ -197,6 +197,8 @@ fn root_bound(polynomial: &Uni<Rational>) -> Rational {
 impl Number for Algebraic {
     type Wide = Self;
 
+    const IS_EXACT: bool = true;
+
     fn widen(&self) -> Self {
         self.clone()
     }

@@ -4,11 +4,14 @@ use polycore::Uni;
 
 use super::Algebraic;
 use super::roots::square_free;
+use crate::operators::works_in_itself;
 use crate::sturm::Sturm;
 use crate::{Integer, Number, Rational, Real};
 
 impl Real for Algebraic {
     type WideReal = Self;
+
+    works_in_itself!();
 
     /// Exact, always. With rational coefficients by isolation; of degree 2 by a square root; a
     /// cubic with coefficients in a field of degree n by a polynomial of degree 3n, among whose

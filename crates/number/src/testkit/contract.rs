@@ -3,8 +3,8 @@
 use num_traits::{Signed, Zero};
 
 use crate::{
-    Algebraic, DoubleDouble, Integer, Interval, Number as _, Rational, Real, Rounding, Scaled,
-    decode, encode, steps_between,
+    Algebraic, DoubleDouble, Integer, Interval, Number as _, OddFraction, Rational, Real, Rounding,
+    Scaled, decode, encode, steps_between,
 };
 
 /// A number system together with its promise.
@@ -118,6 +118,21 @@ impl Contract for Rational {
 
     fn admits_root(answer: Option<&Self>, exact: &Algebraic) -> bool {
         answer == exact.as_rational()
+    }
+}
+
+/// As [`Rational`].
+impl Contract for OddFraction {
+    fn operand(exact: &Rational) -> Option<(Self, Rational)> {
+        Some((Self::from_rational(exact), exact.clone()))
+    }
+
+    fn admits(result: &Self, exact: &Rational) -> bool {
+        result.to_rational() == *exact
+    }
+
+    fn admits_root(answer: Option<&Self>, exact: &Algebraic) -> bool {
+        answer.map(Self::to_rational).as_ref() == exact.as_rational()
     }
 }
 

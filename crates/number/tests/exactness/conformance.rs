@@ -1,7 +1,7 @@
 //! One suite for all the number systems: each is held to what it promises.
 
 use kane_number::testkit::{Contract, conformance};
-use kane_number::{Algebraic, DoubleDouble, Interval, Rational, Scaled, decode};
+use kane_number::{Algebraic, DoubleDouble, Interval, OddFraction, Rational, Scaled, decode};
 
 use crate::{quickcheck, rational, two_to};
 
@@ -52,6 +52,7 @@ suite! {
     scaled_numbers: Scaled, 80;
     intervals: Interval, 80;
     rationals: Rational, 80;
+    odd_fractions: OddFraction, 80;
     algebraic_numbers: Algebraic, 80;
 }
 

@@ -8,6 +8,8 @@ mod axioms;
 mod conformance;
 /// Correct rounding, against two other ways of telling the nearest float.
 mod encoding;
+/// Fractions for chains of operations, against those on the heap.
+mod fractions;
 /// Enclosures.
 mod intervals;
 /// What is read, what is refused, and where.

@@ -2,7 +2,8 @@
 
 use kane_number::testkit::{Contract, RootProblem, greatest_roots};
 use kane_number::{
-    Algebraic, DoubleDouble, Integer, Interval, Number, Ordered, Rational, Real, Scaled, parse,
+    Algebraic, DoubleDouble, Integer, Interval, Number, OddFraction, Ordered, Rational, Real,
+    Scaled, parse,
 };
 
 use crate::{quickcheck, rational, two_to};
@@ -72,6 +73,7 @@ suite! {
     scaled_roots_are_near: Scaled;
     interval_roots_are_enclosed: Interval;
     rational_roots_are_found_and_others_refused: Rational;
+    odd_fractions_find_the_rational_roots: OddFraction;
     algebraic_roots_are_themselves: Algebraic;
 }
 

@@ -113,6 +113,15 @@ impl Ordered for Counted {
 
 impl Real for Counted {
     type WideReal = Self;
+    type Working = Self;
+
+    fn to_working(&self) -> Self {
+        self.clone()
+    }
+
+    fn from_working(working: &Self) -> Self {
+        working.clone()
+    }
 
     fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
         count(3);

@@ -1,38 +1,27 @@
-//! The exact stage without allocation: integers of at most 1024 bits times a power of two.
+//! Exact numbers without allocation: integers of some words times a power of two.
+
+mod gcd;
 
 use std::cmp::Ordering;
 
-use super::arithmetic::Arithmetic;
+use num_bigint::{BigUint, Sign};
 
-const LIMBS: usize = 16;
-const BITS: i64 = 1024;
+use crate::Integer;
 
-/// An integer n with |n| < 2^1024 times 2^exponent, or the admission that it does not fit.
+/// An integer of at most `LIMBS` words of 64 bits, times 2^exponent, or the admission that it does not
+/// fit; 1024 bits unless it is said.
 ///
 /// Exact: each operation checks that its result has room before it writes, and gives up for good if
 /// not. Nothing is ever dropped, so no bound on the exponents of the inputs has to be believed.
-/// There is no division and no gcd.
+/// The integer is not normalised: 4·2⁰ and 1·2² are one number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fixed {
+pub struct Fixed<const LIMBS: usize = 16> {
     negative: bool,
     fits: bool,
     /// Limbs in use: the last of them is not 0, and those beyond are.
     len: usize,
     exponent: i64,
     limbs: [u64; LIMBS],
-}
-
-/// (M, E) with |float| = M·2^E and M odd or 0, and whether the sign bit is set. For finite floats.
-pub(super) const fn parts(float: f64) -> (bool, u64, i64) {
-    let bits = float.to_bits();
-    let (fraction, biased) = (bits & ((1 << 52) - 1), (bits >> 52 & 0x7ff).cast_signed());
-    let (mantissa, exponent) =
-        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
-    if mantissa == 0 {
-        return (false, 0, 0);
-    }
-    let twos = mantissa.trailing_zeros();
-    (bits >> 63 == 1, mantissa >> twos, exponent + twos as i64)
 }
 
 /// a + b + carry: the low half, and what is carried on.
@@ -55,49 +44,105 @@ const fn multiply_add(a: u64, b: u64, c: u64, d: u64) -> (u64, u64) {
     (wide as u64, (wide >> 64) as u64)
 }
 
-impl Fixed {
-    const ZERO: Self = Self { negative: false, fits: true, len: 0, exponent: 0, limbs: [0; LIMBS] };
+impl<const LIMBS: usize> Fixed<LIMBS> {
+    pub(crate) const ZERO: Self =
+        Self { negative: false, fits: true, len: 0, exponent: 0, limbs: [0; LIMBS] };
+    pub(crate) const ONE: Self = {
+        let mut one = Self { len: 1, ..Self::ZERO };
+        one.limbs[0] = 1;
+        one
+    };
     const LOST: Self = Self { fits: false, ..Self::ZERO };
 
+    /// ±mantissa·2^exponent.
+    #[must_use]
+    pub fn new(negative: bool, mantissa: u64, exponent: i64) -> Self {
+        let mut limbs = [0; LIMBS];
+        limbs[0] = mantissa;
+        let len = usize::from(mantissa != 0);
+        Self { negative: negative && mantissa != 0, fits: true, len, exponent, limbs }
+    }
+
+    /// An integer, which may be too long.
+    #[must_use]
+    pub fn of(integer: &Integer) -> Self {
+        let digits = integer.magnitude().iter_u64_digits();
+        if digits.len() > LIMBS {
+            return Self::LOST;
+        }
+        let negative = integer.sign() == Sign::Minus;
+        let mut fixed = Self { negative, len: digits.len(), ..Self::ZERO };
+        fixed.limbs.iter_mut().zip(digits).for_each(|(limb, digit)| *limb = digit);
+        fixed
+    }
+
+    /// The same number with room for another length, if it fits.
+    pub(crate) fn resized<const OTHER: usize>(&self) -> Fixed<OTHER> {
+        let Self { negative, fits, len, exponent, limbs } = self;
+        if !fits || *len > OTHER {
+            return Fixed::LOST;
+        }
+        let mut resized =
+            Fixed { negative: *negative, len: *len, exponent: *exponent, ..Fixed::ZERO };
+        resized.limbs[..*len].copy_from_slice(&limbs[..*len]);
+        resized
+    }
+
+    /// The integer without its power of two.
+    #[must_use]
+    pub fn to_integer(&self) -> Integer {
+        let halves = |limb: &u64| [*limb & u64::from(u32::MAX), *limb >> 32];
+        let digits = self.limbs[..self.len].iter().flat_map(halves);
+        let digits = digits.map(|half| u32::try_from(half).unwrap_or(0)).collect();
+        let sign = if self.negative { Sign::Minus } else { Sign::Plus };
+        Integer::from_biguint(sign, BigUint::new(digits))
+    }
+
     /// Whether every operation so far had room.
-    pub(super) const fn fits(&self) -> bool {
+    #[must_use]
+    pub const fn fits(&self) -> bool {
         self.fits
     }
 
     /// The integer's limbs with the least first, whether it is negative, and the exponent of two.
-    pub(super) fn integer(&self) -> (&[u64], bool, i64) {
+    #[must_use]
+    pub fn integer(&self) -> (&[u64], bool, i64) {
         (&self.limbs[..self.len], self.negative, self.exponent)
     }
 
-    /// A positive integer.
-    pub(super) fn integral(value: u64) -> Self {
-        let mut limbs = [0; LIMBS];
-        limbs[0] = value;
-        Self { len: usize::from(value != 0), limbs, ..Self::ZERO }
+    /// The exponent of the power of two.
+    #[must_use]
+    pub const fn exponent(&self) -> i64 {
+        self.exponent
     }
 
     /// The same integer with another exponent.
-    pub(super) fn scaled(&self, exponent: i64) -> Self {
+    #[must_use]
+    pub fn scaled(&self, exponent: i64) -> Self {
         Self { exponent, ..*self }
     }
 
-    pub(super) fn is_zero(&self) -> bool {
+    /// Whether it is zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
         self.len == 0
     }
 
     /// How many bits the integer has.
-    pub(super) fn bits(&self) -> u32 {
+    #[must_use]
+    pub fn bits(&self) -> u32 {
         let Some(top) = self.limbs[..self.len].last() else { return 0 };
         64 * u32::try_from(self.len).unwrap_or(u32::MAX) - top.leading_zeros()
     }
 
     /// The same number with the integer shifted up to a smaller exponent.
-    pub(super) fn with_exponent(&self, exponent: i64) -> Self {
+    #[must_use]
+    pub fn with_exponent(&self, exponent: i64) -> Self {
         let shift = self.exponent - exponent;
         if shift == 0 {
             return *self;
         }
-        let room = BITS - i64::from(self.bits());
+        let room = 64 * i64::try_from(LIMBS).unwrap_or(0) - i64::from(self.bits());
         let (Ok(places), true) = (usize::try_from(shift), shift <= room) else {
             return Self::LOST;
         };
@@ -155,20 +200,64 @@ impl Fixed {
         difference
     }
 
-    fn negated(&self) -> Self {
+    /// The same number with an odd integer, or zero.
+    pub(crate) fn odd(&self) -> Self {
+        if !self.fits {
+            return Self::LOST;
+        }
+        let used = &self.limbs[..self.len];
+        let Some(whole) = used.iter().position(|&limb| limb != 0) else { return Self::ZERO };
+        let part = used[whole].trailing_zeros();
+        if whole == 0 && part == 0 {
+            return *self;
+        }
+        let twos = 64 * i64::try_from(whole).unwrap_or(0) + i64::from(part);
+        let mut odd = Self { limbs: [0; LIMBS], exponent: self.exponent + twos, ..*self };
+        let above = used[whole..].iter().skip(1).chain([&0]);
+        for ((out, &limb), &next) in odd.limbs.iter_mut().zip(&used[whole..]).zip(above) {
+            *out = if part == 0 { limb } else { limb >> part | next << (64 - part) };
+        }
+        odd.len = self.len - whole;
+        odd.trim();
+        odd
+    }
+
+    /// Forgets limbs at the top that are 0.
+    fn trim(&mut self) {
+        while self.len > 0 && self.limbs[self.len - 1] == 0 {
+            self.len -= 1;
+        }
+    }
+
+    /// The integer alone, without sign and exponent.
+    fn magnitude(&self) -> Self {
+        Self { negative: false, exponent: 0, ..*self }
+    }
+
+    /// The greatest common divisor of two odd integers, positive. Exact.
+    pub(crate) fn gcd(&self, other: &Self) -> Self {
+        gcd::greatest_common_divisor(self, other)
+    }
+
+    /// The integer over an odd one that divides it, with the same sign and exponent. Exact.
+    pub(crate) fn exact_quotient(&self, divisor: &Self) -> Self {
+        gcd::exact_quotient(self, divisor)
+    }
+
+    /// Whether the integer is 1 or −1.
+    pub(crate) fn is_unit(&self) -> bool {
+        self.len == 1 && self.limbs[0] == 1
+    }
+
+    /// The number with the other sign. Exact.
+    #[must_use]
+    pub fn negated(&self) -> Self {
         Self { negative: !self.negative && self.len > 0, ..*self }
     }
-}
 
-impl Arithmetic for Fixed {
-    fn number(input: f64) -> Self {
-        let (negative, mantissa, exponent) = parts(input);
-        let mut limbs = [0; LIMBS];
-        limbs[0] = mantissa;
-        Self { negative, fits: true, len: usize::from(mantissa != 0), exponent, limbs }
-    }
-
-    fn plus(&self, other: &Self) -> Self {
+    /// The sum. Exact, if it fits.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
         if !(self.fits && other.fits) {
             return Self::LOST;
         }
@@ -193,16 +282,29 @@ impl Arithmetic for Fixed {
         }
     }
 
-    fn minus(&self, other: &Self) -> Self {
+    /// The difference. Exact, if it fits.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
         self.plus(&other.negated())
     }
 
-    fn times(&self, other: &Self) -> Self {
-        if !(self.fits && other.fits) || self.len + other.len > LIMBS {
+    /// The product. Exact, if it fits.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        if !(self.fits && other.fits) {
             return Self::LOST;
         }
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
+        }
+        let (negative, exponent) =
+            (self.negative != other.negative, self.exponent + other.exponent);
+        if self.is_unit() || other.is_unit() {
+            let factor = if self.is_unit() { other } else { self };
+            return Self { negative, exponent, ..*factor };
+        }
+        if self.len + other.len > LIMBS {
+            return Self::LOST;
         }
         let mut limbs = [0; LIMBS];
         for (at, &factor) in self.limbs[..self.len].iter().enumerate() {
@@ -215,23 +317,29 @@ impl Arithmetic for Fixed {
         }
         let full = self.len + other.len;
         Self {
-            negative: self.negative != other.negative,
+            negative,
             fits: true,
             len: if limbs[full - 1] == 0 { full - 1 } else { full },
-            exponent: self.exponent + other.exponent,
+            exponent,
             limbs,
         }
     }
 
-    fn abs(&self) -> Self {
+    /// The absolute value. Exact.
+    #[must_use]
+    pub fn abs(&self) -> Self {
         Self { negative: false, ..*self }
     }
 
-    fn double(&self) -> Self {
+    /// Twice the number. Exact.
+    #[must_use]
+    pub fn doubled(&self) -> Self {
         if self.is_zero() { *self } else { Self { exponent: self.exponent + 1, ..*self } }
     }
 
-    fn sign(&self) -> Option<Ordering> {
+    /// How it compares with zero, or `None` if it did not fit. Exact.
+    #[must_use]
+    pub fn sign(&self) -> Option<Ordering> {
         self.fits.then_some(match (self.is_zero(), self.negative) {
             (true, _) => Ordering::Equal,
             (false, true) => Ordering::Less,
