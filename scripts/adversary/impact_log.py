@@ -7,6 +7,7 @@ import struct
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from impact_space import Space
 from impacts import LAWS, Contact
 
 ZERO, ONE = Fraction(0), Fraction(1)
@@ -88,6 +89,12 @@ class Plan:
         self.rows = pick([1, 2, 3, 5, 8, 13, 30, 60])
         self.style = pick(["csv", "csv", "semicolons", "tabs", "json lines"])
         self.impulse = not self.two and rng.random() < 0.3
+        # some impacts of bodies are with a wall, which has no columns
+        self.walls = self.two and rng.random() < 0.4
+        self.space = None
+        if rng.random() < 0.3:
+            twist = self.any(-5, 5) * self.speed / self.length if self.round else ZERO
+            self.space = Space(rng, pick([0, 1]) * self.any(-2, 2) * self.speed, pick([0, 1]) * twist)
 
     def round_(self, x):
         return rounded(x, self.single)
@@ -133,7 +140,8 @@ class Plan:
         if not self.upright:
             q = Fraction(self.rng.randint(-400, 400), 97)
             normal = (2 * q / (1 + q * q), (1 - q * q) / (1 + q * q))
-        bodies = [self.body(side, normal) for side in range(1 + self.two)]
+        wall = not self.two or self.walls and self.rng.random() < 0.5
+        bodies = [self.body(side, normal) for side in range(1 if wall else 2)]
         mu, e = (self.rng.choice(values) for values in self.coefficients)
         impact = Impact(normal, bodies, mu, e, self.dt, self.gravity)
         kick = [g * self.dt for g in self.gravity]
@@ -142,7 +150,7 @@ class Plan:
         if self.stepped and self.round:
             self.overlap(bodies, moving, normal)
         u = [at_point(body, v, body.spin) for body, v in zip(bodies, moving)]
-        u = [a - b for a, b in zip(u[0], u[1])] if self.two else u[0]
+        u = u[0] if wall else [a - b for a, b in zip(u[0], u[1])]
         t, n = impact.tangent, normal
         u_t, a = dot(u, t), -dot(u, n)
         # the velocity after has to be larger than what its rounding leaves of it
@@ -218,7 +226,7 @@ class Plan:
         """Plants the fault in these rows."""
         if self.fault == "two answers exchanged":
             first, second = (impacts[place].cells for place in places[:2])
-            for name in [name for name in first if "_post_" in name]:
+            for name in [name for name in first if "_post_" in name and name in second]:
                 first[name], second[name] = second[name], first[name]
         elif self.fault == "two rows exchanged":
             a, b = places[:2]
@@ -258,19 +266,28 @@ class Plan:
         tries = (f"{value:.{digits}g}" for digits in range(1, 10))
         return next(text for text in tries if rounded(Fraction(text), True) == cell)
 
+    def placed(self, cells):
+        """The cells where the log has them: in the plane, or in space."""
+        if not self.space:
+            return cells
+        normal = cells.get("normal_x", ZERO), cells.get("normal_y", ONE)
+        return self.space.lift(cells, normal, self.round_)
+
     def read(self, cells):
-        """The cells as a reader has them."""
-        return {n: Fraction(float(self.written(c))) if isinstance(c, Fraction) else c for n, c in cells.items()}
+        """The cells as a reader has them, in the plane."""
+        placed = self.placed(cells)
+        read = {n: Fraction(float(self.written(c))) if isinstance(c, Fraction) else c for n, c in placed.items()}
+        return self.space.lower(read) if self.space else read
 
     def text(self, impacts):
         """The file, and the end of its name."""
-        rows = [{name: self.written(cell) for name, cell in impact.cells.items()} for impact in impacts]
+        rows = [{name: self.written(cell) for name, cell in self.placed(impact.cells).items()} for impact in impacts]
+        names = list(dict.fromkeys(name for row in rows for name in row))
         if self.style == "json lines":
             def value(text):
-                return text if text in SHAPES else float(text)
+                return text if text is None or text in SHAPES else float(text)
 
-            return "".join(json.dumps({n: value(c) for n, c in row.items()}) + "\n" for row in rows), "jsonl"
-        names = list(rows[0])
+            return "".join(json.dumps({n: value(row.get(n)) for n in names}) + "\n" for row in rows), "jsonl"
         comma = {"csv": ",", "semicolons": ";", "tabs": "\t"}[self.style]
         lines = [comma.join(names)] + [comma.join(row.get(name, "") for name in names) for row in rows]
         return "\n".join(lines) + "\n", "csv"

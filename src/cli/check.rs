@@ -6,7 +6,7 @@ use std::path::Path;
 
 use kane::impact::laws;
 use kane::records::comparison::compare;
-use kane::records::format::Format as Numbers;
+use kane::records::format::NoFormat;
 use kane::records::opening::opening;
 use kane::records::preset::Preset;
 use kane::records::reader::{Kind, names};
@@ -99,19 +99,8 @@ fn options(args: &CheckArgs) -> Result<Options<'static>, String> {
             .ok_or_else(|| format!("--map takes OURS=THEIRS, and `{pair}` has no `=`"))?;
         options.map.push((ours.to_owned(), theirs.to_owned()));
     }
-    options.format = match args.float.as_deref() {
-        None => None,
-        Some("f32") => Some(Numbers::Binary32),
-        Some("f64") => Some(Numbers::Binary64),
-        Some(digits) => match digits.parse() {
-            Ok(digits @ 0..=15) => Some(Numbers::Decimals(digits)),
-            _ => {
-                return Err(format!(
-                    "--float takes f32, f64 or a count of decimals, not `{digits}`"
-                ));
-            }
-        },
-    };
+    let format = args.float.as_deref().map(str::parse).transpose();
+    options.format = format.map_err(|wrong: NoFormat| format!("--float takes {wrong}"))?;
     if !(0.0..=1e12).contains(&args.extent) {
         return Err("--extent must be between 0 and 1e12 arms".to_owned());
     }

@@ -9,7 +9,7 @@ use datafusion::common::{Result, ScalarValue};
 use datafusion::logical_expr::function::{AccumulatorArgs, StateFieldsArgs};
 use datafusion::logical_expr::utils::format_state_name;
 use datafusion::logical_expr::{Accumulator, AggregateUDF, AggregateUDFImpl, Signature};
-use kane_records::format::Format;
+use kane_records::format::{Format, Told};
 use kane_report::records::{RecordsReport, headline, json};
 
 use crate::columns::Columns;
@@ -160,7 +160,7 @@ impl Accumulator for Gathering {
         let constant =
             values.get(1).map(|array| ScalarValue::try_from_array(array, 0)).transpose()?;
         let numbers: Numbers = match &constant {
-            None => Numbers::new(Format::Binary64),
+            None => Numbers::new(Told::stated(Format::Binary64)),
             constant => numbers(constant.as_ref())?,
         };
         Ok(self.summary.add(&Columns::of(rows)?, numbers)?)

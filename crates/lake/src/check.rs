@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use datafusion::arrow::array::AsArray as _;
 use datafusion::arrow::array::{ArrayRef, StructArray};
 use datafusion::prelude::{DataFrame, SessionConfig, SessionContext};
-use kane_records::format::Format;
+use kane_records::format::Told;
 use kane_records::header::{Header, field_name};
 use kane_records::reader::Pairs;
 use kane_records::row::Row;
@@ -64,7 +64,7 @@ pub struct Opened {
 }
 
 /// The format that the first rows of the first file tell. They are read here, whoever reads the log.
-async fn told(files: &[PathBuf], header: &Header) -> Result<Format, LakeFault> {
+async fn told(files: &[PathBuf], header: &Header) -> Result<Told, LakeFault> {
     let session = SessionContext::new_with_config(
         SessionConfig::new().with_target_partitions(1).with_collect_statistics(false),
     );
@@ -89,7 +89,7 @@ async fn told(files: &[PathBuf], header: &Header) -> Result<Format, LakeFault> {
             }
         }
     }
-    Ok(Format::of(&rows))
+    Ok(Told::of(&rows))
 }
 
 async fn collected(

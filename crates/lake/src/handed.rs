@@ -1,6 +1,6 @@
 //! A summary as bytes, for the next stage of a query.
 
-use kane_records::check::{Check, Finding};
+use kane_records::check::{Check, Finding, Verdict};
 use kane_records::rejection::Listed;
 use kane_records::tally::Checked;
 
@@ -10,7 +10,7 @@ use crate::fault::LakeFault;
 use crate::summary::{Missing, Summary};
 
 /// It rises whenever the bytes change, or what they mean.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
 impl Summary {
     /// The summary as bytes.
@@ -26,13 +26,15 @@ impl Summary {
         }
         out.count(self.tally.rows);
         for checked in &self.tally.checks {
-            [checked.rows, checked.failed, checked.near].into_iter().for_each(|n| out.count(n));
+            let counts = [checked.rows, checked.failed, checked.undecided, checked.near];
+            counts.into_iter().for_each(|n| out.count(n));
             out.flag(checked.worst.is_some());
             if let Some((_, finding)) = &checked.worst {
                 [finding.residual, finding.tolerance, finding.scale]
                     .into_iter()
                     .for_each(|x| out.float(x));
-                out.flag(finding.holds);
+                out.flag(finding.verdict != Verdict::Holds);
+                out.flag(finding.fails());
             }
         }
         for sum in &self.tally.sums {
@@ -117,14 +119,20 @@ impl Summary {
 }
 
 fn read_checked(from: &mut Reader<'_>, check: Check) -> Result<Checked, LakeFault> {
-    let (rows, failed, near) = (from.count()?, from.count()?, from.count()?);
+    let (rows, failed) = (from.count()?, from.count()?);
+    let (undecided, near) = (from.count()?, from.count()?);
     let worst = if from.flag()? {
         let (residual, tolerance, scale) = (from.float()?, from.float()?, from.float()?);
-        Some((0, Finding { residual, tolerance, scale, holds: from.flag()? }))
+        let verdict = match (from.flag()?, from.flag()?) {
+            (_, true) => Verdict::Fails,
+            (true, false) => Verdict::Undecided,
+            (false, false) => Verdict::Holds,
+        };
+        Some((0, Finding { residual, tolerance, scale, verdict }))
     } else {
         None
     };
-    Ok(Checked { rows, failed, near, worst, ..Checked::none(check) })
+    Ok(Checked { rows, failed, undecided, near, worst, ..Checked::none(check) })
 }
 
 fn read_choice(from: &mut Reader<'_>, choice: &mut Choice) -> Result<(), LakeFault> {

@@ -8,7 +8,7 @@ use datafusion::functions::core::named_struct;
 use datafusion::logical_expr::expr::ScalarFunction;
 use datafusion::logical_expr::expr_rewriter::FunctionRewrite;
 use datafusion::logical_expr::{Expr, lit};
-use kane_records::format::Format;
+use kane_records::format::{Format, Told};
 use kane_records::header::{Header, field_name};
 use kane_records::schema;
 
@@ -72,7 +72,7 @@ impl FillIn {
             single |= is_velocity_after(*field) && *column.data_type() == DataType::Float32;
         }
         let told = if single { Format::Binary32 } else { Format::Binary64 };
-        let numbers = self.0.numbers.unwrap_or(Numbers::new(told));
+        let numbers = self.0.numbers.unwrap_or(Numbers::new(Told::stated(told)));
         let rows = Expr::ScalarFunction(ScalarFunction::new_udf(named_struct(), pairs));
         Ok(vec![rows, lit(numbers.to_string())])
     }

@@ -12,7 +12,7 @@ use datafusion::logical_expr::{
 };
 use kane_records::case::Case;
 use kane_records::check::Check;
-use kane_records::format::Format;
+use kane_records::format::{Format, Told};
 use kane_records::reader::Pairs;
 use kane_records::row::Row;
 
@@ -63,7 +63,7 @@ pub fn scalar_functions() -> Vec<Arc<ScalarUDF>> {
 /// The format that a constant names.
 pub(crate) fn numbers(constant: Option<&ScalarValue>) -> Result<Numbers, LakeFault> {
     match constant {
-        None => Ok(Numbers::new(Format::Binary64)),
+        None => Ok(Numbers::new(Told::stated(Format::Binary64))),
         Some(
             ScalarValue::Utf8(Some(text))
             | ScalarValue::LargeUtf8(Some(text))
@@ -142,7 +142,7 @@ impl ScalarUDFImpl for RowFunction {
                 places.for_each(|at| {
                     each(at, &mut |case| {
                         let finding = case.ok().and_then(|case| case.finding(check));
-                        out.append_option(finding.map(|finding| finding.holds));
+                        out.append_option(finding.and_then(|finding| finding.holds()));
                     });
                 });
                 Arc::new(out.finish())
@@ -166,7 +166,7 @@ impl ScalarUDFImpl for RowFunction {
 
 /// The checks that a row fails, by name.
 fn failing(case: &Case<'_>) -> String {
-    let fails = |check: &Check| case.finding(*check).is_some_and(|finding| !finding.holds);
+    let fails = |check: &Check| case.finding(*check).is_some_and(|finding| finding.fails());
     let names: Vec<&str> = Check::ALL.into_iter().filter(fails).map(Check::id).collect();
     names.join(" ")
 }

@@ -1,7 +1,7 @@
 //! Logs of impacts: from text, or from columns that NumPy owns.
 
 use kane_impact::laws;
-use kane_records::format::Format;
+use kane_records::format::NoFormat;
 use kane_records::reader::Kind;
 use kane_records::study::{Options, Study, study};
 use kane_records::table::{Cells, Table, study_table};
@@ -57,15 +57,8 @@ pub(crate) fn check_columns(
 fn options((map, float, extent): Asked) -> PyResult<Options<'static>> {
     let mut options = Options::new(laws());
     options.map = map;
-    options.format = match float.as_deref() {
-        None => None,
-        Some("f32") => Some(Format::Binary32),
-        Some("f64") => Some(Format::Binary64),
-        Some(digits) => match digits.parse() {
-            Ok(digits @ 0..=15) => Some(Format::Decimals(digits)),
-            _ => return Err(bad_input("float is f32, f64 or a count of decimals up to 15")),
-        },
-    };
+    let format = float.as_deref().map(str::parse).transpose();
+    options.format = format.map_err(|wrong: NoFormat| bad_input(format!("float is {wrong}")))?;
     if let Some(extent) = extent {
         if !(0.0..=1e12).contains(&extent) {
             return Err(bad_input("extent must be between 0 and 1e12 arms"));

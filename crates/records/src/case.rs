@@ -3,7 +3,7 @@
 use kane_number::Rational;
 use num_traits::Signed as _;
 
-use crate::check::{Check, Finding};
+use crate::check::{Check, Finding, Verdict};
 use crate::event::{Event, FromFloat as _, Given};
 use crate::facts::Facts;
 use crate::frame::Frame;
@@ -25,38 +25,86 @@ pub struct Case<'a> {
     pub given: Given,
     /// its tolerances
     pub tolerance: Tolerance,
+    /// those of binary64, where the numbers may be binary64 as well
+    strict: Option<Box<Tolerance>>,
 }
+
+/// What is left of a check, how much may be left, and the scale of the quantity.
+type Left = (f64, f64, f64);
 
 impl<'a> Case<'a> {
     /// The impact of a row; `spatial` says whether the log is one in space.
     ///
     /// # Errors
     /// [`Reason`] for a row that cannot be checked.
-    #[inline]
+    #[inline(always)]
     pub fn of(row: &'a Row, spatial: bool, precision: &Precision) -> Result<Self, Reason> {
-        let given = Given::of(row)?;
+        Given::check(row)?;
         let frame = Frame::of(row, spatial)?;
-        let event = Event::<f64>::of(row, &frame)?;
+        Event::check(row)?;
+        let (given, event) = (Given::of(row), Event::<f64>::of(row, &frame));
         let facts = event.facts();
-        let precision = Precision { tilt: precision.tilt + frame.slack, ..*precision };
-        let tolerance = Tolerance::of(&event, &facts, &given, &precision);
+        let tolerance_of = |log: &Precision| {
+            let log = Precision { tilt: log.tilt + frame.slack, ..*log };
+            Tolerance::of(&event, &facts, &given, &log)
+        };
+        let tolerance = tolerance_of(precision);
         if facts.before[1] > tolerance.separation {
             return Err(Reason::Apart(facts.before[1]));
         }
-        Ok(Self { row, frame, event, facts, given, tolerance })
+        let strict = precision.doubt.then(|| Box::new(tolerance_of(&precision.strict())));
+        Ok(Self { row, frame, event, facts, given, tolerance, strict })
     }
 
     /// What a check says of this row, or `None` where it has nothing to ask. [`Check::Order`] is
     /// about more than one row and not asked here.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn finding(&self, check: Check) -> Option<Finding> {
-        let (facts, tolerance) = (&self.facts, &self.tolerance);
+        let (residual, tolerance, scale) = self.left(check, &self.tolerance)?;
+        let verdict = match &self.strict {
+            None if residual + residual <= tolerance => Verdict::Holds,
+            strict => self.verdict(check, residual, tolerance, strict.as_deref()),
+        };
+        Some(Finding { residual, tolerance, scale, verdict })
+    }
+
+    /// Whether a check holds; in doubt by the tolerances of both formats.
+    #[cold]
+    #[inline(never)]
+    fn verdict(
+        &self,
+        check: Check,
+        residual: f64,
+        allowed: f64,
+        strict: Option<&Tolerance>,
+    ) -> Verdict {
+        if !self.is_within(check, residual, allowed, &self.tolerance) {
+            return Verdict::Fails;
+        }
+        let holds = strict.is_none_or(|strict| {
+            let left = self.left(check, strict);
+            left.is_none_or(|(left, allowed, _)| self.is_within(check, left, allowed, strict))
+        });
+        if holds { Verdict::Holds } else { Verdict::Undecided }
+    }
+
+    /// Whether what is left is within the tolerance: by the residual in floats, and near it by the exact one.
+    fn is_within(&self, check: Check, residual: f64, allowed: f64, within: &Tolerance) -> bool {
+        let exact = || self.exact(check, allowed, within);
+        let decided = if undecided(residual, allowed) { exact() } else { None };
+        decided.unwrap_or(residual <= allowed)
+    }
+
+    /// What a check leaves of this row, and how much these tolerances allow.
+    #[inline(always)]
+    fn left(&self, check: Check, tolerance: &Tolerance) -> Option<Left> {
+        let facts = &self.facts;
         let [p_t, p_n] = facts.impulse;
         let ([u_t, u_n], [after_t, after_n]) = (facts.before, facts.after);
         let speed = u_t.abs() + u_n.abs();
         let push = p_t.abs() + p_n.abs();
-        let slip_within = tolerance.slip + self.shift();
+        let slip_within = || tolerance.slip + self.shift_beyond(tolerance.tangential);
         let (residual, allowed, scale) = match check {
             Check::Reaction => {
                 let left = reaction(&self.event, facts)?;
@@ -67,7 +115,7 @@ impl<'a> Case<'a> {
                 let first =
                     (facts.moment.abs(), tolerance.moment, push * arm(self.event.first.arm));
                 let other = facts.other_moment.zip(self.event.second.as_ref());
-                let worse = |a: &(f64, f64, f64), b: &(f64, f64, f64)| a.0 * b.1 >= b.0 * a.1;
+                let worse = |a: &Left, b: &Left| a.0 * b.1 >= b.0 * a.1;
                 match other.map(|(moment, body)| {
                     (moment.abs(), tolerance.other_moment, push * arm(body.arm))
                 }) {
@@ -84,13 +132,13 @@ impl<'a> Case<'a> {
             }
             Check::Opposes => {
                 let same = p_t * after_t > 0.0 && p_t.abs() > tolerance.tangential;
-                (if same { after_t.abs() } else { 0.0 }, slip_within, speed)
+                (if same { after_t.abs() } else { 0.0 }, slip_within(), speed)
             }
             Check::Sticks => {
                 let friction = self.given.friction?;
                 let rounding = tolerance.tangential + friction * tolerance.normal;
                 let below = p_t.abs() < friction * p_n - rounding;
-                (if below { after_t.abs() } else { 0.0 }, slip_within, speed)
+                (if below { after_t.abs() } else { 0.0 }, slip_within(), speed)
             }
             Check::Energy => {
                 let before = self.energy_before();
@@ -102,13 +150,7 @@ impl<'a> Case<'a> {
             }
             Check::Order => return None,
         };
-        let residual = residual.max(0.0);
-        let holds = if undecided(residual, allowed) {
-            self.exact(check, allowed).unwrap_or(residual <= allowed)
-        } else {
-            residual <= allowed
-        };
-        Some(Finding { residual, tolerance: allowed, scale, holds })
+        Some((residual.max(0.0), allowed, scale))
     }
 
     /// What the slip is uncertain by because the impulse of the first body acted beside the stated
@@ -116,8 +158,14 @@ impl<'a> Case<'a> {
     /// of [`Check::Moment`]. Zero where there is too little friction to tell; m/s.
     #[must_use]
     pub fn shift(&self) -> f64 {
+        self.shift_beyond(self.tolerance.tangential)
+    }
+
+    /// The same, with this tolerance of friction.
+    #[inline]
+    fn shift_beyond(&self, tangential: f64) -> f64 {
         let p_t = self.facts.impulse[0];
-        if p_t.abs() <= 100.0 * self.tolerance.tangential {
+        if p_t.abs() <= 100.0 * tangential {
             return 0.0;
         }
         let body = &self.event.first;
@@ -136,8 +184,8 @@ impl<'a> Case<'a> {
     }
 
     /// Whether the check holds, by the exact residual.
-    fn exact(&self, check: Check, allowed: f64) -> Option<bool> {
-        let event = Event::<Rational>::of(self.row, &self.frame).ok()?;
+    fn exact(&self, check: Check, allowed: f64, within: &Tolerance) -> Option<bool> {
+        let event = Event::<Rational>::of(self.row, &self.frame);
         let facts = event.facts();
         let allowed = Rational::of_float(allowed);
         let stated = |value: Option<f64>| value.map(Rational::of_float);
@@ -150,8 +198,8 @@ impl<'a> Case<'a> {
             Check::Moment => {
                 let first = facts.moment.abs();
                 let other = facts.other_moment.map(|moment| moment.abs());
-                let other_allowed = Rational::of_float(self.tolerance.other_moment);
-                let own = Rational::of_float(self.tolerance.moment);
+                let other_allowed = Rational::of_float(within.other_moment);
+                let own = Rational::of_float(within.moment);
                 return Some(first <= own && other.is_none_or(|other| other <= other_allowed));
             }
             Check::Pull => -facts.impulse[1].clone(),

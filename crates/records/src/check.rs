@@ -100,6 +100,18 @@ impl Check {
     }
 }
 
+/// Whether a check holds of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// It holds.
+    Holds,
+    /// It holds if the numbers were rounded as they seem to be, and fails if they are binary64; which, the log does
+    /// not tell, see [`Told`](crate::format::Told).
+    Undecided,
+    /// It fails.
+    Fails,
+}
+
 /// What a check says of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
@@ -110,7 +122,7 @@ pub struct Finding {
     /// the scale of the quantity
     pub scale: f64,
     /// whether it holds
-    pub holds: bool,
+    pub verdict: Verdict,
 }
 
 impl Finding {
@@ -120,8 +132,25 @@ impl Finding {
         if self.residual > 0.0 { self.residual / self.scale.max(f64::MIN_POSITIVE) } else { 0.0 }
     }
 
+    /// Whether the check holds, if that is decided.
+    #[must_use]
+    pub const fn holds(&self) -> Option<bool> {
+        match self.verdict {
+            Verdict::Holds => Some(true),
+            Verdict::Undecided => None,
+            Verdict::Fails => Some(false),
+        }
+    }
+
+    /// Whether the check fails.
+    #[must_use]
+    pub const fn fails(&self) -> bool {
+        matches!(self.verdict, Verdict::Fails)
+    }
+
     /// Whether the verdict is near its tolerance, within a factor of two.
     #[must_use]
+    #[inline]
     pub fn is_near(&self) -> bool {
         self.residual > self.tolerance / 2.0 && self.residual <= 2.0 * self.tolerance
     }

@@ -75,7 +75,7 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
         }
         let failing = both.map(failing);
         let worst = both.map(|checked| match checked.worst {
-            Some((_, finding)) if !finding.holds => finding.size(),
+            Some((_, finding)) if finding.fails() => finding.size(),
             _ => 0.0,
         });
         let more = failing[1] > failing[0] + SLACK || failing[0] == 0.0 && failing[1] > 0.0;

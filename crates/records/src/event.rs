@@ -70,104 +70,129 @@ pub struct Given {
 }
 
 impl Given {
-    /// What a row states.
+    /// That what a row states is in its domain.
     ///
     /// # Errors
-    /// [`Reason`] for a value outside its domain.
+    /// [`Reason`] for the first value that is not.
     #[inline]
-    pub fn of(row: &Row) -> Result<Self, Reason> {
-        let not_negative = |column| match row.get(column) {
-            Some(value) if value < 0.0 => Err(Reason::Negative(column, value)),
-            other => Ok(other),
-        };
-        let restitution = row.get(Column::Restitution);
-        if let Some(e) = restitution.filter(|e| !(0.0..=1.0).contains(e)) {
-            return Err(Reason::Restitution(e));
+    pub fn check(row: &Row) -> Result<(), Reason> {
+        for column in [Column::Friction, Column::Dt, Column::Phase] {
+            let value = row.or_zero(column);
+            if value < 0.0 {
+                return Err(Reason::Negative(column, value));
+            }
         }
-        Ok(Self {
-            friction: not_negative(Column::Friction)?,
-            restitution,
-            dt: not_negative(Column::Dt)?,
-            phase: not_negative(Column::Phase)?,
+        let e = row.or_zero(Column::Restitution);
+        if (0.0..=1.0).contains(&e) { Ok(()) } else { Err(Reason::Restitution(e)) }
+    }
+
+    /// What a row states.
+    #[must_use]
+    #[inline]
+    pub fn of(row: &Row) -> Self {
+        Self {
+            friction: row.get(Column::Friction),
+            restitution: row.get(Column::Restitution),
+            dt: row.get(Column::Dt),
+            phase: row.get(Column::Phase),
             time: row.get(Column::Time),
-        })
+        }
     }
 }
 
-impl<N: FromFloat> Event<N> {
-    /// The impact of a row, as seen in a frame. Exact in exact numbers.
+impl Event<f64> {
+    /// That a row has all that an impact needs, and in its domain.
     ///
     /// # Errors
     /// [`Reason`] for the first cell that is missing or outside its domain.
     #[inline]
-    pub fn of(row: &Row, frame: &Frame) -> Result<Self, Reason> {
-        let first = Moving::of(row, Side::First, frame)?;
-        let second =
-            if row.has_second() { Some(Moving::of(row, Side::Second, frame)?) } else { None };
-        let triple =
-            |of: fn(Axis) -> Column| [Axis::X, Axis::Y, Axis::Z].map(|axis| row.or_zero(of(axis)));
+    pub fn check(row: &Row) -> Result<(), Reason> {
+        check_body(row, Side::First)?;
+        if row.has_second() { check_body(row, Side::Second) } else { Ok(()) }
+    }
+}
+
+impl<N: FromFloat> Event<N> {
+    /// The impact of a row that was [checked](Event::check), as seen in a frame. Exact in exact numbers.
+    #[must_use]
+    #[inline(always)]
+    pub fn of(row: &Row, frame: &Frame) -> Self {
         let kick = match row.get(Column::Dt) {
             Some(dt)
                 if row.get(Column::Gravity(Axis::X)).is_some()
                     || row.get(Column::Gravity(Axis::Y)).is_some() =>
             {
                 let dt = N::of_float(dt);
-                planar(triple(Column::Gravity), frame).map(|g: N| g * &dt)
+                planar(vector(row, Column::Gravity), frame).map(|g: N| g * &dt)
             }
             _ => [N::zero(), N::zero()],
         };
         let logged = row.get(Column::Impulse(Axis::X)).is_some()
             && row.get(Column::Impulse(Axis::Y)).is_some();
-        let stated = logged.then(|| planar(triple(Column::Impulse), frame));
-        Ok(Self { first, second, kick, stated })
+        Self {
+            first: Moving::of(row, Side::First, frame),
+            second: row.has_second().then(|| Moving::of(row, Side::Second, frame)),
+            kick,
+            stated: logged.then(|| planar(vector(row, Column::Impulse), frame)),
+        }
+    }
+}
+
+/// That a body has a mass, an inertia, a place of the contact and a motion.
+#[inline]
+fn check_body(row: &Row, side: Side) -> Result<(), Reason> {
+    let positive = |column| match row.need(column)? {
+        value if value > 0.0 => Ok(()),
+        value => Err(Reason::NotPositive(column, value)),
+    };
+    positive(Column::Mass(side))?;
+    if row.get(Column::Inertia(side)).is_some() {
+        positive(Column::Inertia(side))?;
+    } else {
+        positive(Column::Radius(side))?;
+        row.stated_shape(side).ok_or(Reason::Missing(Column::Inertia(side)))?;
+    }
+    if row.get(Column::Arm(side, Axis::X)).is_some() {
+        row.need(Column::Arm(side, Axis::Y))?;
+    } else {
+        positive(Column::Radius(side))?;
+    }
+    match side {
+        Side::First => {
+            row.need_all(&const { motion(Side::First) }, const { Row::mask(&motion(Side::First)) })
+        }
+        Side::Second => row
+            .need_all(&const { motion(Side::Second) }, const { Row::mask(&motion(Side::Second)) }),
     }
 }
 
 impl<N: FromFloat> Moving<N> {
-    #[inline]
-    fn of(row: &Row, side: Side, frame: &Frame) -> Result<Self, Reason> {
-        let positive = |column| match row.need(column)? {
-            value if value > 0.0 => Ok(N::of_float(value)),
-            value => Err(Reason::NotPositive(column, value)),
+    #[inline(always)]
+    fn of(row: &Row, side: Side, frame: &Frame) -> Self {
+        let float = |column| N::of_float(row.or_zero(column));
+        let mass = float(Column::Mass(side));
+        let inertia = match row.stated_shape(side) {
+            Some(shape) => float(Column::Radius(side)).square() * &mass * gyration::<N>(shape),
+            None => float(Column::Inertia(side)),
         };
-        let mass = positive(Column::Mass(side))?;
-        let inertia = match row.get(Column::Inertia(side)) {
-            Some(_) => positive(Column::Inertia(side))?,
-            None => {
-                let radius = positive(Column::Radius(side))?;
-                let shape = row.shapes[usize::from(side == Side::Second)];
-                let shape = shape.ok_or(Reason::Missing(Column::Inertia(side)))?;
-                radius.square() * &mass * gyration::<N>(shape)
-            }
+        let arm = if row.get(Column::Arm(side, Axis::X)).is_some() {
+            planar(vector(row, |axis| Column::Arm(side, axis)), frame)
+        } else {
+            let radius = float(Column::Radius(side));
+            [N::zero(), if side == Side::First { -radius } else { radius }]
         };
-        let arm = match row.get(Column::Arm(side, Axis::X)) {
-            Some(_) => {
-                row.need(Column::Arm(side, Axis::Y))?;
-                planar(vector(row, |axis| Column::Arm(side, axis)), frame)
-            }
-            None => {
-                let radius = positive(Column::Radius(side))?;
-                [N::zero(), if side == Side::First { -radius } else { radius }]
-            }
-        };
-        match side {
-            Side::First => row.need_all(
-                &const { motion(Side::First) },
-                const { Row::mask(&motion(Side::First)) },
-            )?,
-            Side::Second => row.need_all(
-                &const { motion(Side::Second) },
-                const { Row::mask(&motion(Side::Second)) },
-            )?,
-        }
-        let motion = |when| -> [N; 3] {
-            let velocity = vector(row, |axis| Column::Velocity(side, axis, when));
-            let [t, n] = planar(velocity, frame);
-            let spin = vector(row, |axis| Column::Spin(side, axis, when));
-            [t, n, along(spin, frame.axis)]
-        };
-        Ok(Self { mass, inertia, arm, before: motion(When::Pre), after: motion(When::Post) })
+        let [before, after] =
+            [moves(row, side, When::Pre, frame), moves(row, side, When::Post, frame)];
+        Self { mass, inertia, arm, before, after }
     }
+}
+
+/// v_t, v_n, ω of a body.
+#[inline(always)]
+fn moves<N: FromFloat>(row: &Row, side: Side, when: When, frame: &Frame) -> [N; 3] {
+    let [t, n] = planar(vector(row, |axis| Column::Velocity(side, axis, when)), frame);
+    let spin = vector(row, |axis| Column::Spin(side, axis, when));
+    [t, n, along(spin, frame.axis)]
 }
 
 /// The columns of a body's motion that every row needs.
@@ -187,11 +212,13 @@ fn gyration<N: FromFloat>(shape: Shape) -> N {
     N::from_rational(&shape.gyration())
 }
 
+#[inline(always)]
 fn vector(row: &Row, of: impl Fn(Axis) -> Column) -> [f64; 3] {
-    [Axis::X, Axis::Y, Axis::Z].map(|axis| row.or_zero(of(axis)))
+    [row.or_zero(of(Axis::X)), row.or_zero(of(Axis::Y)), row.or_zero(of(Axis::Z))]
 }
 
 /// Along tangent and normal.
+#[inline(always)]
 fn planar<N: FromFloat>(vector: [f64; 3], frame: &Frame) -> [N; 2] {
     if frame.upright {
         return [N::of_float(vector[0]), N::of_float(vector[1])];
@@ -199,6 +226,7 @@ fn planar<N: FromFloat>(vector: [f64; 3], frame: &Frame) -> [N; 2] {
     [along(vector, frame.tangent), along(vector, frame.normal)]
 }
 
+#[inline(always)]
 fn along<N: FromFloat>(vector: [f64; 3], direction: [f64; 3]) -> N {
     if direction == Frame::UPRIGHT.axis {
         return N::of_float(vector[2]);

@@ -40,7 +40,8 @@ pub struct Facts<N> {
 
 impl<N: Number> Moving<N> {
     fn impulse(&self, kick: &[N; 2]) -> [N; 2] {
-        [0, 1].map(|k| (self.after[k].clone() - &self.before[k] - &kick[k]) * &self.mass)
+        let along = |k: usize| (self.after[k].clone() - &self.before[k] - &kick[k]) * &self.mass;
+        [along(0), along(1)]
     }
 
     fn moment(&self, [t, n]: &[N; 2]) -> N {
@@ -60,7 +61,7 @@ impl<N: Number> Moving<N> {
             * (self.after[2].clone() + &self.before[2])
             * &self.inertia;
         let two = N::one().double();
-        [twice(1), twice(0), spin].map(|part| part / &two)
+        [twice(1) / &two, twice(0) / &two, spin / &two]
     }
 
     fn delassus(&self) -> Delassus<N> {

@@ -1,7 +1,7 @@
 //! In which format the numbers of a log were written.
 
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
+use std::str::FromStr;
 
 use crate::row::Row;
 use crate::schema::{Axis, Column, Side, When};
@@ -52,26 +52,70 @@ impl Format {
             Self::Significant(digits) => format!("{digits} digits"),
         }
     }
+}
 
-    /// The format of these rows, as far as their numbers tell it. What cannot be told is taken for
-    /// binary64, which asks most.
-    ///
-    /// A number of 16 digits or more in its shortest form is a binary64, unless all are binary32
-    /// numbers printed exactly. Shorter ones are binary32 if all are the shortest decimals of such
-    /// and some need 8 digits; otherwise decimals, if there are many, or some of six digits or more, and
-    /// they are no small binary fractions.
+/// A text that names no [`Format`].
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("f32, f64, a count of decimals, `4 decimals` or `6 digits`, not `{0}`")]
+pub struct NoFormat(String);
+
+impl FromStr for Format {
+    type Err = NoFormat;
+
+    /// A format by its name for a flag: `f32`, `f64`, `4` or `4 decimals`, `6 digits`; of 15 digits at most.
+    fn from_str(text: &str) -> Result<Self, NoFormat> {
+        let (count, unit) = text.split_once(' ').unwrap_or((text, "decimals"));
+        let count = count.parse().ok().filter(|count| (0..=15).contains(count));
+        match (text, count, unit) {
+            ("f32", ..) => Ok(Self::Binary32),
+            ("f64", ..) => Ok(Self::Binary64),
+            (_, Some(count), "decimals") => Ok(Self::Decimals(count)),
+            (_, Some(count @ 1..), "digits") => Ok(Self::Significant(count)),
+            _ => Err(NoFormat(text.to_owned())),
+        }
+    }
+}
+
+/// What the numbers of a log tell of their format.
+///
+/// A number of 16 digits or more in its shortest form is a binary64, unless all are binary32 numbers printed
+/// exactly. Shorter ones are binary32 if all are the shortest decimals of such and some need 8 digits, and decimals
+/// otherwise. They may be binary64 as well, though, since what is computed from short decimals is often a short one
+/// itself; each is so by chance, and only many are no chance. Before that there is doubt, and then a check that
+/// holds within the one format and not within the other is [undecided](crate::check::Verdict::Undecided).
+/// Multiples of 2^−10 tell nothing, since every format holds them, and neither do numbers that an impact left as
+/// they were. Without a number that tells, the format is binary64, which asks most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Told {
+    /// the format in which the numbers seem to be
+    pub format: Format,
+    /// whether they may as well be binary64
+    pub doubt: bool,
+}
+
+impl Told {
+    /// A format that is known.
+    #[must_use]
+    pub const fn stated(format: Format) -> Self {
+        Self { format, doubt: false }
+    }
+
+    /// By the velocities after the impact in these rows, which are what was computed.
     #[must_use]
     pub fn of(rows: &[Row]) -> Self {
         let mut values = BTreeSet::new();
         for row in rows {
             for side in [Side::First, Side::Second] {
                 let columns = [
-                    Column::Velocity(side, Axis::X, When::Post),
-                    Column::Velocity(side, Axis::Y, When::Post),
-                    Column::Spin(side, Axis::Z, When::Post),
+                    |side, when| Column::Velocity(side, Axis::X, when),
+                    |side, when| Column::Velocity(side, Axis::Y, when),
+                    |side, when| Column::Spin(side, Axis::Z, when),
                 ];
-                let found = columns.into_iter().filter_map(|column| row.get(column));
-                values.extend(found.filter(|value| *value != 0.0).map(f64::to_bits));
+                for column in columns {
+                    let [before, after] =
+                        [When::Pre, When::Post].map(|when| row.get(column(side, when)));
+                    values.extend(after.filter(|_| after != before).map(f64::to_bits));
+                }
             }
         }
         let values: Vec<f64> = values.into_iter().map(f64::from_bits).collect();
@@ -85,27 +129,30 @@ impl Format {
         let odd = written.iter().filter(|written| !written.short_binary).count();
         let singles = written.iter().all(|written| written.single);
         let exact_singles = written.iter().all(|written| written.exact_single);
-        let few = odd < MOST_CHANCE;
-        if odd == 0 || few && !exact_singles && !ROUNDED.contains(&digits) {
-            return Self::Binary64;
+        if odd == 0 {
+            return Self::stated(Format::Binary64);
         }
-        match digits {
-            _ if exact_singles => Self::Binary32,
-            8..=9 if singles => Self::Binary32,
-            // few numbers of 24 bits may do without the eighth digit
-            7 if singles && few => Self::Binary32,
-            ..16 if decimals <= 9 => Self::Decimals(decimals),
-            ..16 => Self::Significant(digits),
-            _ => Self::Binary64,
-        }
+        // few numbers of 24 bits may do without the eighth digit
+        let long = written.iter().filter(|written| written.digits >= 8).count();
+        let (format, no_chance) = match digits {
+            _ if exact_singles => (Format::Binary32, odd >= SINGLES),
+            8..=9 if singles => (Format::Binary32, long >= SINGLES),
+            7 if singles && odd < SINGLES => (Format::Binary32, false),
+            ..16 if decimals <= 9 => (Format::Decimals(decimals), odd >= SHORT),
+            ..16 => (Format::Significant(digits), odd >= SHORT),
+            _ => (Format::Binary64, true),
+        };
+        Self { format, doubt: !no_chance }
     }
 }
 
-/// So many numbers look alike by chance.
-const MOST_CHANCE: usize = 8;
-/// With so many digits even one number was rounded to them: a binary64 has so few by chance once in 10 000 times,
-/// and who writes down a number that is exact needs fewer.
-const ROUNDED: RangeInclusive<u8> = 6..=12;
+/// So many numbers are no binary64 by chance, where each is a binary32, printed exactly or in eight digits or more: of
+/// what a binary64 is for short decimals, less than half has 15 digits or fewer, and of such with eight digits less than
+/// half are those of a binary32.
+const SINGLES: usize = 8;
+/// So many numbers are no binary64 by chance, where each has 15 digits or fewer: of sums of products of short decimals
+/// less than half have, and of single products some two in three.
+const SHORT: usize = 24;
 
 /// What the shortest decimals of a float tell.
 struct Written {
@@ -147,6 +194,13 @@ impl Written {
 mod tests {
     use super::*;
 
+    /// The format that is told beyond doubt.
+    fn told(values: &[f64]) -> Format {
+        let told = Told::of_values(values);
+        assert!(!told.doubt, "{values:?}");
+        told.format
+    }
+
     fn thirds() -> impl Iterator<Item = f64> {
         (1..40).map(|i| f64::from(i) / 3.1)
     }
@@ -154,38 +208,47 @@ mod tests {
     #[test]
     fn the_format_is_told_by_the_numbers() {
         let double: Vec<f64> = thirds().collect();
-        assert_eq!(Format::of_values(&double), Format::Binary64);
+        assert_eq!(told(&double), Format::Binary64);
         #[allow(clippy::cast_possible_truncation, reason = "the format in question")]
         let single: Vec<f64> = thirds().map(|x| f64::from(x as f32)).collect();
-        assert_eq!(Format::of_values(&single), Format::Binary32);
+        assert_eq!(told(&single), Format::Binary32);
         #[allow(clippy::cast_possible_truncation, reason = "the format in question")]
         let shortest: Vec<f64> =
             thirds().map(|x| (x as f32).to_string().parse().expect("a float")).collect();
-        assert_eq!(Format::of_values(&shortest), Format::Binary32);
+        assert_eq!(told(&shortest), Format::Binary32);
         #[allow(clippy::cast_possible_truncation, reason = "the format in question")]
         let nine: Vec<f64> =
             thirds().map(|x| format!("{:.8e}", x as f32).parse().expect("a float")).collect();
-        assert_eq!(Format::of_values(&nine), Format::Binary32);
+        assert_eq!(told(&nine), Format::Binary32);
         let fixed: Vec<f64> =
             thirds().map(|x| format!("{x:.4}").parse().expect("a float")).collect();
-        assert_eq!(Format::of_values(&fixed), Format::Decimals(4));
+        assert_eq!(told(&fixed), Format::Decimals(4));
         let digits: Vec<f64> =
             thirds().map(|x| format!("{:.11e}", x * 1e-6).parse().expect("a float")).collect();
-        assert_eq!(Format::of_values(&digits), Format::Significant(12));
+        assert_eq!(told(&digits), Format::Significant(12));
     }
 
     #[test]
     fn numbers_that_every_format_holds_tell_nothing() {
         let halves: Vec<f64> = (1..100).map(|i| f64::from(i) / 4.0).collect();
-        assert_eq!(Format::of_values(&halves), Format::Binary64);
-        assert_eq!(Format::of_values(&[0.1, 0.3]), Format::Binary64);
+        assert_eq!(told(&halves), Format::Binary64);
     }
 
     #[test]
-    fn one_number_tells_a_format_that_is_no_chance() {
-        assert_eq!(Format::of_values(&[0.5, 0.33333334]), Format::Binary32);
-        assert_eq!(Format::of_values(&[f64::from(0.1_f32)]), Format::Binary32);
-        assert_eq!(Format::of_values(&[0.333_333]), Format::Decimals(6));
-        assert_eq!(Format::of_values(&[1.0 / 3.0]), Format::Binary64);
+    fn few_short_numbers_leave_a_doubt_and_many_do_not() {
+        let doubtful = |values: &[f64], format| {
+            assert_eq!(Told::of_values(values), Told { format, doubt: true }, "{values:?}");
+        };
+        doubtful(&[0.5, 0.33333334], Format::Binary32);
+        doubtful(&[f64::from(0.1_f32)], Format::Binary32);
+        doubtful(&[0.333_333], Format::Decimals(6));
+        doubtful(&[0.5, 1.625, 0.500_000_001], Format::Decimals(9));
+        doubtful(&[0.1, 0.3], Format::Decimals(1));
+        let rounded: Vec<f64> =
+            thirds().map(|x| format!("{x:.3}").parse().expect("a float")).collect();
+        doubtful(&rounded[..20], Format::Decimals(3));
+        assert_eq!(told(&rounded), Format::Decimals(3));
+        // one number with all its digits ends the doubt
+        assert_eq!(told(&[0.1, 0.333_333, 1.0 / 3.0]), Format::Binary64);
     }
 }

@@ -38,8 +38,8 @@ impl Frame {
         upright: true,
     };
 
-    /// The frame of a row. In space the tangent is that of the slip before, or else of the one
-    /// after, and whatever would leave the plane is refused.
+    /// The frame of a row. In space the tangent is that of the longest of the slips before and after and the change
+    /// of velocity along the surface, and whatever would leave the plane is refused.
     ///
     /// # Errors
     /// [`Reason::Normal`], [`Reason::Missing`] or [`Reason::OutOfPlane`].
@@ -127,17 +127,22 @@ fn spatial_frame(row: &Row, normal: [f64; 3], slack: f64) -> Result<Frame, Reaso
             .map_or(0.0, |second| norm(second.velocity[0]).max(norm(second.velocity[1]))),
     );
     let (before, after) = (slip(0), slip(1));
-    let longest = if norm(before) > PLANE * speed { before } else { after };
-    // without slip any tangent does; take the one that is nearest to x or z
+    let change = plus(first.velocity[1], first.velocity[0], -1.0);
+    let change = plus(change, normal, -dot(change, normal));
+    // rounding turns the longest least, and what is in its plane is in that of the others
+    let longer = |a: [f64; 3], b: [f64; 3]| if norm(b) > norm(a) { b } else { a };
+    let longest = longer(longer(before, after), change);
+    // without slip and friction any tangent does; take the one that is nearest to x or z
     let tangent = if norm(longest) > PLANE * speed {
-        unit(longest)
+        let along = unit(longest);
+        if dot(along, before) < 0.0 { along.map(|component| -component) } else { along }
     } else {
         let seed = if normal[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 0.0, 1.0] };
         unit(plus(seed, normal, -dot(seed, normal)))
     };
     let axis = cross(tangent, normal);
     let out = |vector: [f64; 3], scale: f64| dot(vector, axis).abs() > PLANE * scale;
-    if out(after, speed) {
+    if out(before, speed) || out(after, speed) {
         return Err(Reason::OutOfPlane("the slip turns"));
     }
     for body in std::iter::once(&first).chain(&second) {

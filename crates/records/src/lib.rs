@@ -34,6 +34,7 @@ pub mod header;
 mod json;
 pub mod opening;
 pub mod preset;
+mod quotes;
 pub mod reader;
 pub mod rejection;
 pub mod replay;

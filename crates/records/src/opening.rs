@@ -6,7 +6,7 @@ use std::io::{BufRead, Chain, Cursor, Error, ErrorKind, Read as _, Result};
 pub type Whole<R> = Chain<Cursor<Vec<u8>>, R>;
 
 /// How long comments and names may be together.
-const LONGEST: usize = 1 << 24;
+pub(crate) const LONGEST: usize = 1 << 24;
 
 /// Reads a log up to the end of its first line that is neither empty nor a comment, however the bytes come:
 /// what a pipe gives at once may end within a name. A line ends with a line feed or a carriage return. Gives

@@ -1,7 +1,7 @@
 //! Reads logs row by row: CSV, and JSON with one object a line. No row is held.
 
 use std::collections::BTreeMap;
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read as _};
 use std::str::FromStr as _;
 
 use kane_impact::bodies::Shape;
@@ -9,7 +9,8 @@ use serde_json::Value;
 
 use crate::header::{Header, HeaderFault};
 use crate::json;
-use crate::opening::{foreign, is_passed_over, opening};
+use crate::opening::{LONGEST, foreign, is_passed_over, opening};
+use crate::quotes::Quotes;
 use crate::rejection::{Reason, Rejected};
 use crate::row::Row;
 use crate::schema::{Column, Field, Side, Word};
@@ -153,7 +154,7 @@ fn csv_rows(
         .comment(Some(b'#'))
         .flexible(true)
         .trim(csv::Trim::Headers)
-        .from_reader(input);
+        .from_reader(Quotes::new(input, delimiter));
     let names = header_names(&mut reader)?;
     if names.is_empty() {
         return Err(ReadFault::Empty);
@@ -246,10 +247,15 @@ fn json_rows(
     let mut pairs = Pairs::default();
     loop {
         text.clear();
-        if input.read_until(b'\n', &mut text)? == 0 {
+        let most = u64::try_from(LONGEST).unwrap_or(u64::MAX);
+        if input.by_ref().take(most + 1).read_until(b'\n', &mut text)? == 0 {
             break;
         }
         line += 1;
+        if text.len() > LONGEST {
+            let why = format!("line {line} has no end in 16 MiB");
+            return Err(io::Error::new(io::ErrorKind::InvalidData, why).into());
+        }
         if text.trim_ascii().is_empty() {
             continue;
         }

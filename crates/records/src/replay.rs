@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::io::BufRead;
 
+use kane_impact::bodies::Shape;
 use kane_number::{Number as _, Rational, parse};
 
 use crate::event::{Event, Given, Moving};
@@ -35,9 +36,9 @@ fn decimal(value: f64) -> String {
 /// the shortest decimal of the float in the log, taken exactly.
 ///
 /// A round body that meets a fixed obstacle is asked for by flags, everything else by a file; y and ω
-/// point the same way in both as in a row.
+/// point the same way in both as in a row. `shape` is that of the first body where its inertia follows from it.
 #[must_use]
-pub fn replay(event: &Event<f64>, given: &Given) -> Replay {
+pub fn replay(event: &Event<f64>, given: &Given, shape: Option<Shape>) -> Replay {
     let mu = given.friction.unwrap_or(0.0);
     let e = given.restitution.unwrap_or(0.0);
     let body = &event.first;
@@ -45,7 +46,9 @@ pub fn replay(event: &Event<f64>, given: &Given) -> Replay {
     let fixed = event.second.is_none() && event.kick == [0.0; 2];
     if fixed && x == 0.0 && y < 0.0 {
         let radius = exact(-y);
-        let ratio = Rational::one() + exact(body.mass) * &radius * &radius / exact(body.inertia);
+        let weighed = || exact(body.inertia) / (exact(body.mass) * &radius * &radius);
+        let gyration = shape.map_or_else(weighed, |shape| shape.gyration());
+        let ratio = Rational::one() + Rational::one() / gyration;
         let [t, n, spin] = body.before;
         let mut flags = format!("--sphere {ratio} --vx {} --vy {}", decimal(t), decimal(n));
         if spin != 0.0 {
@@ -132,9 +135,10 @@ impl Sink for Seeking {
 
     fn row(&mut self, row: &Row) {
         if row.line == self.line {
-            let event = Given::of(row).and_then(|given| {
+            let event = Given::check(row).and_then(|()| {
                 let frame = Frame::of(row, self.spatial)?;
-                Ok((Event::of(row, &frame)?, given))
+                Event::check(row)?;
+                Ok((Event::of(row, &frame), Given::of(row)))
             });
             self.found = Some(event.map_err(|reason| Rejected { line: row.line, reason }));
         }

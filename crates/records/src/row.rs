@@ -118,6 +118,14 @@ impl Row {
         mask
     }
 
+    /// The shape of a body whose inertia is not given.
+    #[inline]
+    #[must_use]
+    pub fn stated_shape(&self, side: Side) -> Option<Shape> {
+        let shape = self.shapes[usize::from(side == Side::Second)];
+        shape.filter(|_| self.get(Column::Inertia(side)).is_none())
+    }
+
     /// Whether the row has a second body.
     #[must_use]
     pub const fn has_second(&self) -> bool {

@@ -158,5 +158,5 @@ impl Seen {
 fn gain(case: &Case<'_>) -> (f64, bool) {
     let change: f64 = case.facts.energy.iter().sum();
     let share = change / case.energy_before().max(f64::MIN_POSITIVE);
-    (share, case.finding(Check::Energy).is_some_and(|finding| !finding.holds))
+    (share, case.finding(Check::Energy).is_some_and(|finding| finding.fails()))
 }

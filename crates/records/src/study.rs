@@ -5,9 +5,9 @@ use std::io::BufRead;
 use kane_impact::Law;
 
 use crate::case::Case;
-use crate::check::{Check, Finding, Ground};
+use crate::check::{Check, Finding, Ground, Verdict};
 use crate::fit::{PairFit, fits};
-use crate::format::Format;
+use crate::format::{Format, Told};
 use crate::friction::{self, FrictionFit};
 use crate::header::Header;
 use crate::reader::{Kind, Pairs, ReadFault, Sink, read};
@@ -200,8 +200,8 @@ impl<'a> Gathering<'a> {
             return;
         }
         let ahead = std::mem::take(&mut self.ahead);
-        let format = self.options.format.unwrap_or_else(|| Format::of(&ahead));
-        let precision = Precision::new(format, self.options.extent);
+        let told = self.options.format.map_or_else(|| Told::of(&ahead), Told::stated);
+        let precision = Precision::told(told, self.options.extent);
         self.precision = Some(precision);
         for row in &ahead {
             self.check(row, &precision);
@@ -237,7 +237,8 @@ impl<'a> Gathering<'a> {
         let last = self.last_time.replace(time)?;
         let residual = (last - time).max(0.0);
         let scale = last.abs().max(time.abs());
-        Some(Finding { residual, tolerance: 0.0, scale, holds: residual == 0.0 })
+        let verdict = if residual == 0.0 { Verdict::Holds } else { Verdict::Fails };
+        Some(Finding { residual, tolerance: 0.0, scale, verdict })
     }
 
     fn remember(&mut self, case: &Case<'_>, check: Check, finding: Finding) {
@@ -298,7 +299,7 @@ impl Gathered {
         let friction = friction::ranked(&rows);
         let laws = rigid::ranked(laws, &rows);
         let energy = self.tally.energy();
-        let mut checks = self.tally.checks;
+        let mut checks = self.tally.checks.to_vec();
         for checked in &mut checks {
             checked.excused = excuse(checked, &laws);
         }
@@ -318,7 +319,7 @@ impl Gathered {
             energy,
             sampled: rows.len(),
             restitution: restitution(&rows),
-            untold: untold(&rows, &friction),
+            untold: untold(&rows, &friction, &self.precision),
             friction,
             laws,
             fits: fits(&rows),

@@ -3,7 +3,7 @@
 use kane_number::ExactSum;
 
 use crate::case::Case;
-use crate::check::{Check, Finding};
+use crate::check::{Check, Finding, Verdict};
 
 /// How a check fared on all rows.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub struct Checked {
     pub rows: u64,
     /// rows on which it fails
     pub failed: u64,
+    /// rows of which the log does not tell whether it holds, because it does not tell the format of its numbers
+    pub undecided: u64,
     /// rows whose verdict is within a factor of two of the tolerance
     pub near: u64,
     /// the line of the greatest size of a residual beyond tolerance, or else of the greatest share of
@@ -27,21 +29,54 @@ impl Checked {
     /// Of no row.
     #[must_use]
     pub const fn none(check: Check) -> Self {
-        Self { check, rows: 0, failed: 0, near: 0, worst: None, excused: None }
+        Self { check, rows: 0, failed: 0, undecided: 0, near: 0, worst: None, excused: None }
     }
 
-    /// Whether it is as it should be: no row fails, or a law says that they do.
+    /// Whether it is as it should be: it holds in every row, or a law says that it does not.
     #[must_use]
     pub const fn as_expected(&self) -> bool {
-        self.failed == 0 || self.excused.is_some()
+        self.failed == 0 && self.undecided == 0 || self.excused.is_some()
     }
 
     /// Adds what it says of a row.
-    pub fn add(&mut self, line: u64, finding: Finding) {
+    #[inline(always)]
+    fn take(
+        &mut self,
+        case: &Case<'_>,
+        most: &mut Option<(Check, Finding)>,
+        finding: Option<Finding>,
+    ) {
+        let Some(finding) = finding else { return };
         self.rows += 1;
-        self.failed += u64::from(!finding.holds);
+        if self.is_exceeded(case.row.line, &finding) {
+            self.keep(case.row.line, most, finding);
+        }
+    }
+
+    /// Counts and keeps what is more than another row that holds; `most` is what fails most of the row.
+    #[inline(never)]
+    fn keep(&mut self, line: u64, most: &mut Option<(Check, Finding)>, finding: Finding) {
+        match finding.verdict {
+            Verdict::Holds => {}
+            Verdict::Undecided => self.undecided += 1,
+            Verdict::Fails => self.failed += 1,
+        }
         self.near += u64::from(finding.is_near());
         self.offer(line, finding);
+        let greater = |most: &Finding| finding.size() > most.size();
+        if finding.fails() && most.as_ref().is_none_or(|(_, most)| greater(most)) {
+            *most = Some((self.check, finding));
+        }
+    }
+
+    /// Whether this is more than another row that holds, far from the tolerance and not as near to it as the worst.
+    #[inline(always)]
+    fn is_exceeded(&self, line: u64, finding: &Finding) -> bool {
+        let Some((other, worst)) = &self.worst else { return true };
+        let shares = [finding.residual * worst.tolerance, worst.residual * finding.tolerance];
+        let less = shares[0] < shares[1] || shares[0] == shares[1] && line > *other;
+        let far = finding.verdict == Verdict::Holds && !finding.is_near();
+        !(far && (less || worst.verdict != Verdict::Holds))
     }
 
     fn offer(&mut self, line: u64, finding: Finding) {
@@ -54,6 +89,7 @@ impl Checked {
     fn merge(&mut self, other: &Self) {
         self.rows += other.rows;
         self.failed += other.failed;
+        self.undecided += other.undecided;
         self.near += other.near;
         if let Some((line, finding)) = other.worst {
             self.offer(line, finding);
@@ -64,12 +100,13 @@ impl Checked {
 /// Whether a row is worse than another. Of equals the first line is, and on one line, or where lines
 /// are not known, the one with the larger numbers: so it is the same in whatever order rows come.
 fn worse((line, finding): &(u64, Finding), (other, worst): &(u64, Finding)) -> bool {
-    let sizes = match (finding.holds, worst.holds) {
-        (false, true) => return true,
-        (true, false) => return false,
-        (false, false) => [finding.size(), worst.size()],
+    if finding.verdict != worst.verdict {
+        return finding.verdict > worst.verdict;
+    }
+    let sizes = match finding.verdict {
+        Verdict::Fails => [finding.size(), worst.size()],
         // by the share of the tolerance, without a division
-        (true, true) => [finding.residual * worst.tolerance, worst.residual * finding.tolerance],
+        _ => [finding.residual * worst.tolerance, worst.residual * finding.tolerance],
     };
     let numbers =
         |finding: &Finding| [finding.residual, finding.tolerance, finding.scale].map(f64::to_bits);
@@ -103,7 +140,7 @@ pub struct Tally {
     /// rows that were checked
     pub rows: u64,
     /// the checks, in the order of [`Check::ALL`]
-    pub checks: Vec<Checked>,
+    pub checks: [Checked; Check::ALL.len()],
     /// the sums of energy: the three changes, and the energy before
     pub sums: [ExactSum; 4],
     /// the counts of [`Energy`]: bouncy, frictionless, gains by friction
@@ -114,7 +151,7 @@ impl Default for Tally {
     fn default() -> Self {
         Self {
             rows: 0,
-            checks: Check::ALL.map(Checked::none).to_vec(),
+            checks: Check::ALL.map(Checked::none),
             sums: Default::default(),
             counts: [0; 3],
         }
@@ -128,18 +165,29 @@ impl Tally {
     pub fn add(&mut self, case: &Case<'_>, order: Option<Finding>) -> Option<(Check, Finding)> {
         self.rows += 1;
         let mut most: Option<(Check, Finding)> = None;
-        for (check, checked) in Check::ALL.into_iter().zip(&mut self.checks) {
-            let finding = match check {
-                Check::Order => order,
-                _ => case.finding(check),
-            };
-            let Some(finding) = finding else { continue };
-            checked.add(case.row.line, finding);
-            let greater = |most: &Finding| finding.size() > most.size();
-            if !finding.holds && most.as_ref().is_none_or(|(_, most)| greater(most)) {
-                most = Some((check, finding));
-            }
-        }
+        // one by one, so that each check is code of its own and what they share is computed once
+        let [
+            reaction,
+            moment,
+            pull,
+            penetration,
+            energy,
+            restitution,
+            cone,
+            opposes,
+            sticks,
+            turns,
+        ] = &mut self.checks;
+        reaction.take(case, &mut most, case.finding(Check::Reaction));
+        moment.take(case, &mut most, case.finding(Check::Moment));
+        pull.take(case, &mut most, case.finding(Check::Pull));
+        penetration.take(case, &mut most, case.finding(Check::Penetration));
+        energy.take(case, &mut most, case.finding(Check::Energy));
+        restitution.take(case, &mut most, case.finding(Check::Restitution));
+        cone.take(case, &mut most, case.finding(Check::Cone));
+        opposes.take(case, &mut most, case.finding(Check::Opposes));
+        sticks.take(case, &mut most, case.finding(Check::Sticks));
+        turns.take(case, &mut most, order);
         self.count(case);
         most
     }

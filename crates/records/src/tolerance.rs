@@ -27,7 +27,7 @@
 
 use crate::event::{Event, Given, Moving};
 use crate::facts::Facts;
-use crate::format::Format;
+use crate::format::{Format, Told};
 
 /// Roundings between an impact and its row.
 pub const ROUNDINGS: f64 = 64.0;
@@ -40,6 +40,10 @@ pub const EXTENT: f64 = 1000.0;
 pub struct Precision {
     /// the format of the numbers
     pub format: Format,
+    /// whether they may be binary64 as well
+    pub doubt: bool,
+    /// how large the world is, in arms
+    pub extent: f64,
     /// η = 64·u
     pub rounding: f64,
     /// half a unit of the last decimal
@@ -55,10 +59,24 @@ impl Precision {
         let unit = format.relative();
         Self {
             format,
+            doubt: false,
+            extent,
             rounding: ROUNDINGS * unit,
             absolute: format.absolute(),
             tilt: 3.0 * unit * extent,
         }
+    }
+
+    /// Of what the numbers tell, in a world of `extent` arms.
+    #[must_use]
+    pub fn told(told: Told, extent: f64) -> Self {
+        Self { doubt: told.doubt, ..Self::new(told.format, extent) }
+    }
+
+    /// That of binary64 in the same world.
+    #[must_use]
+    pub(crate) fn strict(&self) -> Self {
+        Self::new(Format::Binary64, self.extent)
     }
 }
 
@@ -101,7 +119,8 @@ struct Size {
 
 impl Size {
     fn of(body: &Moving<f64>, kick: [f64; 2]) -> Self {
-        let speed = [0, 1].map(|k| body.before[k].abs() + body.after[k].abs() + kick[k].abs());
+        let along = |k: usize| body.before[k].abs() + body.after[k].abs() + kick[k].abs();
+        let speed = [along(0), along(1)];
         let [x, y] = body.arm;
         Self {
             speed,

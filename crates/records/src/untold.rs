@@ -1,8 +1,10 @@
 //! What a log cannot tell, whatever it was made by.
 
+use crate::format::Format;
 use crate::friction::{FrictionFit, FrictionLaw};
 use crate::restitution::Factor;
 use crate::seen::Seen;
+use crate::tolerance::Precision;
 
 /// Something that the rows leave open.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,12 +23,17 @@ pub enum Untold {
     SameFriction(Vec<FrictionLaw>),
     /// μ or e is not stated, so that no law can be asked with it.
     NoCoefficients,
+    /// The numbers may have been rounded to this format, and may be binary64.
+    Format(Format),
 }
 
 /// What these rows leave open.
 #[must_use]
-pub fn untold(rows: &[Seen], friction: &[FrictionFit]) -> Vec<Untold> {
+pub fn untold(rows: &[Seen], friction: &[FrictionFit], precision: &Precision) -> Vec<Untold> {
     let mut open = Vec::new();
+    if precision.doubt {
+        open.push(Untold::Format(precision.format));
+    }
     if rows.is_empty() {
         return open;
     }
@@ -75,16 +82,19 @@ pub fn untold(rows: &[Seen], friction: &[FrictionFit]) -> Vec<Untold> {
     open
 }
 
-/// The μ' that would do as well, where the bound is not μ·p_n but e is constant.
+/// The μ' that would do as well, where the bound is not μ·p_n but e is constant and every row that slides on has
+/// the same share of p_n.
 fn another_friction(sliding: &[&Seen]) -> Option<f64> {
     let first = sliding.first()?;
     let constant = sliding.iter().all(|seen| {
         let e = |seen: &Seen| seen.observed_restitution().unwrap_or(0.0);
         (e(seen) - e(first)).abs() <= 1e-3 && seen.given.friction == first.given.friction
     });
-    let ratio = first.tangential.abs() / first.normal;
+    let of = |seen: &Seen| seen.tangential.abs() / seen.normal;
+    let ratio = of(first);
+    let one = sliding.iter().all(|seen| (of(seen) - ratio).abs() <= 1e-2 * ratio);
     let stated = first.given.friction?;
-    (constant && (ratio - stated).abs() > 1e-3 * stated).then_some(ratio)
+    (constant && one && (ratio - stated).abs() > 1e-3 * stated).then_some(ratio)
 }
 
 /// Whether two laws give the same impulses within the tolerance of every row.

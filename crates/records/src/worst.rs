@@ -3,6 +3,7 @@
 use crate::case::Case;
 use crate::check::{Check, Finding};
 use crate::replay::{Replay, replay};
+use crate::schema::Side;
 
 /// One of the worst rows.
 #[derive(Clone, Debug)]
@@ -31,7 +32,7 @@ impl Worst {
             id: case.row.id.clone(),
             check,
             finding,
-            replay: replay(&case.event, &case.given),
+            replay: replay(&case.event, &case.given, case.row.stated_shape(Side::First)),
         }
     }
 }

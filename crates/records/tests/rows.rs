@@ -3,12 +3,15 @@
 #![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
 
 use std::fmt::Write as _;
+use std::io::Read as _;
 
 use kane_impact::laws;
 use kane_records::check::Check;
+use kane_records::format::Format;
 use kane_records::reader::{Kind, ReadFault};
 use kane_records::study::{Options, Study, study};
 use kane_records::suspicion::Suspicion;
+use kane_records::untold::Untold;
 
 const HEAD: &str = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
 /// A disc that slides: p_n = 1.5 N·s, p_t = −0.375 N·s.
@@ -16,6 +19,13 @@ const GOOD: &str = "1,1,0.5,0.25,0.5,2,-1,0,1.625,0.5,-0.75";
 
 fn studied(log: &str) -> Study {
     study(log.as_bytes(), Kind::Csv, &Options::new(laws())).expect("it is a log")
+}
+
+/// The same with the format of its numbers stated.
+fn stated(log: &str, format: Format) -> Study {
+    let mut options = Options::new(laws());
+    options.format = Some(format);
+    study(log.as_bytes(), Kind::Csv, &options).expect("the log is a log")
 }
 
 fn kinds(study: &Study) -> Vec<(String, u64)> {
@@ -154,8 +164,92 @@ fn two_bodies_must_push_each_other_alike() {
     let good = studied(&row(-2.0));
     assert!(good.as_expected(), "{:?}", good.checks);
     assert_eq!(good.checked(Check::Reaction).map(|checked| checked.rows), Some(1));
-    let bad = studied(&row(-1.9));
+    let bad = stated(&row(-1.9), Format::Binary64);
     assert_eq!(bad.checked(Check::Reaction).map(|checked| checked.failed), Some(1));
+}
+
+/// How a check fared: rows that fail, and rows that are undecided.
+fn fared(study: &Study, check: Check) -> (u64, u64) {
+    study.checked(check).map_or((0, 0), |checked| (checked.failed, checked.undecided))
+}
+
+#[test]
+fn a_short_number_does_not_excuse_a_row() {
+    // e is off by 1e-6, and the number that tells of it has six decimals as if it were rounded
+    let off = GOOD.replace("0.5,-0.75", "0.500001,-0.75");
+    let log = format!("{HEAD}\n{GOOD}\n{off}\n{GOOD}\n");
+    let study = studied(&log);
+    assert_eq!(fared(&study, Check::Restitution), (0, 1));
+    assert!(!study.as_expected() && study.untold.contains(&Untold::Format(Format::Decimals(6))));
+    assert_eq!(fared(&stated(&log, Format::Binary64), Check::Restitution), (1, 0));
+    assert!(stated(&log, Format::Decimals(6)).as_expected());
+    // one number with all its digits tells the format of all
+    let study =
+        studied(&format!("{log}{}\n", GOOD.replace("2,-1,0,1.625", "2.1,-1,0,1.7250000000000003")));
+    assert_eq!(fared(&study, Check::Restitution), (1, 0));
+    // and a miss that no rounding makes is a failure in any format
+    let study = studied(&log.replace("0.500001", "0.530001"));
+    assert_eq!(fared(&study, Check::Restitution), (1, 0));
+}
+
+#[test]
+fn rounded_decimals_raise_no_alarm() {
+    for decimals in 2..=9 {
+        for rows in [1, 2, 3, 12] {
+            let text = discs(|row| {
+                let rounded = |x: f64| format!("{x:.decimals$}").parse().expect("a float");
+                (5..11).for_each(|i| row[i] = rounded(row[i]));
+            });
+            let log: Vec<&str> = text.lines().take(rows + 1).collect();
+            let study = studied(&log.join("\n"));
+            for checked in &study.checks {
+                assert_eq!(checked.failed, 0, "{decimals} {rows} {checked:?}");
+            }
+            // the numbers of twelve impacts are enough to tell
+            let doubt = study.precision.doubt;
+            assert!(doubt || study.as_expected(), "{decimals} {rows} {:?}", study.checks);
+            assert!(!doubt || rows < 12 || decimals < 4, "{decimals}");
+            let stated =
+                stated(&log.join("\n"), Format::Decimals(u8::try_from(decimals).expect("few")));
+            assert!(stated.as_expected(), "{decimals} {rows} {:?}", stated.checks);
+        }
+    }
+}
+
+#[test]
+fn a_quote_that_nothing_closes_is_an_error() {
+    let fault = |log: &str| {
+        let told = study(log.as_bytes(), Kind::Csv, &Options::new(laws()));
+        told.expect_err("a cell holds the rest").to_string()
+    };
+    let head = format!("{HEAD},id,note");
+    let log = format!("{head}\n{GOOD},a,b\n{GOOD},\"c,d\n{GOOD},e,f\n");
+    assert_eq!(fault(&log), "cannot read: line 3: a quote opens that nothing closes");
+    // another stray quote closes it, and both rows would be one
+    let log = format!("{head}\n{GOOD},\"a,b\n{GOOD},\"c,d\n");
+    assert!(
+        fault(&log).contains("line 2: a quote opens, and the cell goes on behind"),
+        "{}",
+        fault(&log)
+    );
+    // a line end within quotes is a part of a cell, as ever
+    let study = studied(&format!("{head}\n{GOOD},a,\"two\nlines\"\n{GOOD},b,\n"));
+    assert_eq!((study.rows, study.rejections.total()), (2, 0));
+}
+
+#[test]
+fn a_line_without_an_end_is_not_held() {
+    let endless = |start: &str, kind| {
+        let start = std::io::Cursor::new(start.as_bytes().to_vec());
+        let log = std::io::BufReader::new(start.chain(std::io::repeat(b'1')));
+        let told = study(log, kind, &Options::new(laws()));
+        told.expect_err("there is no end").to_string()
+    };
+    assert!(
+        endless(&format!("{HEAD}\n{GOOD}\n"), Kind::Csv).contains("line 3 has no end in 16 MiB")
+    );
+    assert!(endless(&format!("{HEAD}\n\""), Kind::Csv).contains("line 2: a quote opens"));
+    assert!(endless("{\"mass\":", Kind::JsonLines).contains("line 1 has no end in 16 MiB"));
 }
 
 #[test]
@@ -186,8 +280,8 @@ fn a_verdict_at_its_tolerance_is_exact() {
         let row = format!("1,1,0.5,0.25,0.5,2,-1,0,1.625,{:e},-0.75", 0.5 + miss);
         let mut options = Options::new(laws());
         options.extent = 0.0;
-        // a miss of 1e-9 alone would be told as nine decimals
-        options.format = Some(kane_records::format::Format::Binary64);
+        // a miss of 1e-9 alone might be one of nine decimals
+        options.format = Some(Format::Binary64);
         let log = format!("{HEAD}\n{row}\n");
         let study = study(log.as_bytes(), Kind::Csv, &options).expect("it is a log");
         let checked = study.checked(Check::Restitution).expect("it is asked").clone();

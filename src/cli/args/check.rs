@@ -55,7 +55,7 @@ pub(crate) struct CheckArgs {
     #[arg(long)]
     pub(crate) jsonl: bool,
 
-    /// In which format the numbers were computed, if they do not tell: f32, f64 or a count of decimals
+    /// In which format the numbers were computed, if they do not tell: f32, f64, a count of decimals, or `6 digits`
     #[arg(long, value_name = "FORMAT")]
     pub(crate) float: Option<String>,
 

@@ -4,7 +4,7 @@ use datafusion::prelude::SessionContext;
 use kane_lake::{Asked, Numbers, Quantity, register};
 use kane_records::case::Case;
 use kane_records::check::Check;
-use kane_records::format::Format;
+use kane_records::format::Told;
 use kane_records::header::Header;
 use kane_records::reader::{Kind, Pairs, Sink, read};
 use kane_records::rejection::Rejected;
@@ -62,7 +62,7 @@ fn expected(asked: Asked, case: &Case<'_>) -> String {
 async fn every_function_of_a_row_is_that_of_the_room_of_records() {
     let (session, _) = opened(&recorded(LOG), 1).await;
     let rows = rows();
-    let precision = Numbers::new(Format::of(&rows)).precision();
+    let precision = Numbers::new(Told::of(&rows)).precision();
     for asked in Asked::all() {
         let told = column(&session, &format!("SELECT {}() FROM log", asked.function())).await;
         assert_eq!(told.len(), rows.len());

@@ -113,7 +113,7 @@ async fn the_report_is_the_same_bytes_however_the_log_is_cut() {
             parquet(&writing, &query, &dir.path().join(format!("{file}.parquet"))).await;
         }
         let session = session(parts);
-        let numbers = Some(Numbers::new(Format::Binary32));
+        let numbers = Some(Numbers::new(Told::stated(Format::Binary32)));
         let reading = Reading { numbers, ..Reading::default() };
         let log = open(&session, &[dir.path().to_owned()], reading).await.expect("it is a log");
         let study = check(&session, &log).await.expect("it has rows");

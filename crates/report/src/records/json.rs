@@ -37,6 +37,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "unit": checked.check.unit(),
                 "rows": checked.rows,
                 "failed": checked.failed,
+                "undecided": checked.undecided,
                 "near": checked.near,
                 "excused_by": checked.excused,
                 "as_expected": checked.as_expected(),
@@ -165,6 +166,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
         "not_read": study.header.unread,
         "si_assumed": study.header.unitless,
         "format": study.precision.format.name(),
+        "format_in_doubt": study.precision.doubt,
         "checks": checks,
         "energy": {
             "before": study.energy.before,

@@ -145,6 +145,13 @@ fn counts(study: &Study) -> Vec<String> {
             "e is above 1 in {bouncy} of {rows} impacts without a gain of energy, which mechanics allows"
         ));
     }
+    let undecided = study.checks.iter().map(|checked| checked.undecided).max().unwrap_or(0);
+    if undecided > 0 {
+        parts.push(format!(
+            "{undecided} of {rows} impacts are undecided, since too few numbers tell whether they were rounded to {}",
+            study.precision.format.name()
+        ));
+    }
     parts
 }
 

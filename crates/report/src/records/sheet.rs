@@ -6,8 +6,8 @@ use super::RecordsReport;
 use super::pictures;
 use super::sentence::headline;
 use super::wording::{
-    alias, asks, asks_briefly, at_line, friction_name, interval, law, log_facts, name, pair,
-    rejected, replayed, residual, suspicion, untold, verdict,
+    alias, asks, asks_briefly, at_line, brief, friction_name, interval, law, log_facts, name, pair,
+    rejected, replayed, residual, suspicion, untold, untold_label, verdict,
 };
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
@@ -47,7 +47,9 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
     if !study.untold.is_empty() {
         let which = "What these rows cannot tell (kane check --generate prints impacts that would)";
         sheet.heading("untold", which);
-        sheet.labelled(study.untold.iter().map(|open| Entry::new("", untold(open))).collect());
+        sheet.labelled(
+            study.untold.iter().map(|open| Entry::new(untold_label(open), untold(open))).collect(),
+        );
     }
     drawn(&mut sheet, report);
     if !study.worst.is_empty() {
@@ -55,7 +57,7 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
         let line = |worst: &kane_records::worst::Worst| {
             let left = residual(worst.check, &worst.finding);
             let what = format!("{}: {} - left {left}", name(worst), asks(worst.check));
-            [Entry::new("", what), Entry::new("", Words::code(replayed(worst, report.log)))]
+            [Entry::new("row", what), Entry::new("", Words::code(replayed(worst, report.log)))]
         };
         sheet.labelled(study.worst.iter().flat_map(line).collect());
     }
@@ -96,7 +98,7 @@ fn checks(report: &RecordsReport<'_>) -> Table {
             residual(checked.check, &finding) + &at_line(line)
         });
         let verdict = verdict(checked);
-        let tone = if verdict.contains("FAILS") { Tone::Bad } else { Tone::Plain };
+        let tone = if checked.as_expected() { Tone::Plain } else { Tone::Bad };
         row![
             asks_briefly(checked.check),
             verdict,
@@ -122,8 +124,8 @@ fn friction(report: &RecordsReport<'_>) -> Table {
             friction_name(fit.law),
             format!("{} of {}", fit.consistent, fit.rows),
             fit.close.to_string(),
-            format!("{:.1e}", fit.median),
-            format!("{:.1e}", fit.worst) + &at_line(fit.worst_line)
+            brief(fit.median),
+            brief(fit.worst) + &at_line(fit.worst_line)
         ]
     };
     Table::new(columns, report.study.friction.iter().map(row).collect())
@@ -148,8 +150,8 @@ fn laws(sheet: &mut Sheet<'_>, report: &RecordsReport<'_>) {
         row![
             law(fit),
             format!("{} of {}", fit.consistent, fit.rows),
-            format!("{:.1e}", fit.median),
-            format!("{:.1e}", fit.worst) + &at_line(fit.worst_line)
+            brief(fit.median),
+            brief(fit.worst) + &at_line(fit.worst_line)
         ]
     };
     sheet.table(Table::new(columns, shown.iter().map(row).collect()));

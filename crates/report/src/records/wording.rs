@@ -74,11 +74,13 @@ pub(super) fn pair(fit: &PairFit, study: &Study) -> String {
 
 /// What came of a check.
 pub(super) fn verdict(checked: &Checked) -> String {
-    match (checked.rows, checked.failed, checked.excused) {
+    match (checked.rows, checked.failed, checked.undecided, checked.excused) {
         (0, ..) => "not asked".to_owned(),
-        (_, 0, _) => "holds".to_owned(),
-        (_, failed, Some(law)) => format!("fails in {failed}, as {law} has it"),
-        (_, failed, None) => format!("FAILS in {failed}"),
+        (_, 0, 0, _) => "holds".to_owned(),
+        (_, 0, undecided, _) => format!("undecided in {undecided}"),
+        (_, failed, _, Some(law)) => format!("fails in {failed}, as {law} has it"),
+        (_, failed, 0, None) => format!("FAILS in {failed}"),
+        (_, failed, undecided, None) => format!("FAILS in {failed}, undecided in {undecided}"),
     }
 }
 
@@ -91,11 +93,11 @@ pub(super) fn residual(check: Check, finding: &Finding) -> String {
 /// What a check asks, and what came of it, with the worst row where one fails.
 pub(crate) fn told(checked: &Checked) -> (&'static str, String) {
     let rows = checked.rows;
-    let worst = checked.worst.filter(|_| checked.failed > 0);
+    let worst = checked.worst.filter(|_| checked.failed + checked.undecided > 0);
     let worst = worst.map_or_else(String::new, |(_, finding)| {
         format!(", the worst {}", residual(checked.check, &finding))
     });
-    let came = match checked.failed {
+    let came = match checked.failed + checked.undecided {
         0 => format!("holds in {rows} rows"),
         _ => format!("{} of {rows} rows{worst}", verdict(checked)),
     };
@@ -208,6 +210,22 @@ pub(super) fn interval(fitted: &Fitted) -> String {
     }
 }
 
+/// What that which a log leaves open is about.
+pub(super) const fn untold_label(untold: &Untold) -> &'static str {
+    match untold {
+        Untold::Round => "laws",
+        Untold::ConstantRestitution(_) | Untold::NothingSlides => "mu",
+        Untold::NothingSticks | Untold::Same(Factor::Slip) => "slip",
+        Untold::Same(Factor::Speed) => "speed",
+        Untold::Same(Factor::Stated) => "e",
+        Untold::Same(Factor::Phase) => "phase",
+        Untold::Same(Factor::Step) => "time step",
+        Untold::SameFriction(_) => "friction",
+        Untold::NoCoefficients => "mu and e",
+        Untold::Format(_) => "numbers",
+    }
+}
+
 /// What a log leaves open.
 pub(super) fn untold(untold: &Untold) -> String {
     match untold {
@@ -227,6 +245,10 @@ pub(super) fn untold(untold: &Untold) -> String {
             let names: Vec<String> = laws.iter().map(|law| friction_name(*law)).collect();
             format!("these give the same impulses here: {}", names.join("; "))
         }
+        Untold::Format(format) => format!(
+            "the numbers may have been rounded to {}, and may be binary64: too few tell which, and a check that holds by the one and not by the other is undecided; --float says it",
+            format.name()
+        ),
         Untold::NoCoefficients => "mu or e is not stated, so that no rigid law can be asked".to_owned(),
     }
 }
@@ -235,7 +257,11 @@ pub(super) fn untold(untold: &Untold) -> String {
 pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
     let study = report.study;
     let precision = &study.precision;
-    let told = if study.format_stated { "as stated" } else { "as the numbers tell" };
+    let told = match (study.format_stated, precision.doubt) {
+        (true, _) => "as stated",
+        (_, true) => "or binary64, which too few tell",
+        _ => "as the numbers tell",
+    };
     let mut text =
         format!("{} rows checked, numbers in {} ({told})", study.rows, precision.format.name());
     let rejected = study.rejections.total();

@@ -106,7 +106,8 @@ pub fn of_log(report: &RecordsReport<'_>) -> Vec<Remark> {
             (true, 0) => Level::Pass,
             (true, _) => Level::Note,
         };
-        let line = checked.worst.map_or(0, |(line, _)| if checked.failed > 0 { line } else { 0 });
+        let worst = checked.worst.filter(|_| checked.failed + checked.undecided > 0);
+        let line = worst.map_or(0, |(line, _)| line);
         let (asks, outcome) = told(checked);
         remarks.push(remark(line, level, checked.check.id(), asks, outcome));
     }
