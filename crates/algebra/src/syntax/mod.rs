@@ -31,6 +31,7 @@ mod diagnostic;
 mod error;
 mod eval;
 mod exponent;
+mod foreign;
 mod formula;
 mod hidden;
 mod jet;
