@@ -5,7 +5,7 @@ use kane_impact::batch::{self as lanes, Batched, Columns, Contacts, Survey};
 use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
-use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use numpy::{PyArrayMethods as _, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 
 use crate::bad_input;
@@ -57,6 +57,7 @@ pub(crate) fn batched() -> Vec<&'static str> {
 /// `ValueError` for another law, columns of several lengths, or columns with gaps.
 #[pyfunction]
 pub(crate) fn batch(
+    py: Python<'_>,
     law: &str,
     alpha: PyReadonlyArray1<'_, f64>,
     k: PyReadwriteArray1<'_, f64>,
@@ -67,7 +68,8 @@ pub(crate) fn batch(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[alpha.len()], &out)?;
-    (Lane::with(law)?.evaluate)(alpha, out);
+    let lane = Lane::with(law)?;
+    py.detach(|| (lane.evaluate)(alpha, out));
     Ok(())
 }
 
@@ -77,6 +79,7 @@ pub(crate) fn batch(
 /// As of [`batch`].
 #[pyfunction]
 pub(crate) fn batch_contacts(
+    py: Python<'_>,
     law: &str,
     inputs: [PyReadonlyArray1<'_, f64>; 3],
     k: PyReadwriteArray1<'_, f64>,
@@ -89,7 +92,8 @@ pub(crate) fn batch_contacts(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[contacts.slip.len(), contacts.sliding.len(), contacts.mobility.len()], &out)?;
-    (Lane::with(law)?.contacts)(contacts, out);
+    let lane = Lane::with(law)?;
+    py.detach(|| (lane.contacts)(contacts, out));
     Ok(())
 }
 
@@ -99,15 +103,22 @@ pub(crate) fn batch_contacts(
 /// `ValueError` for another law, or a column with gaps.
 #[pyfunction]
 pub(crate) fn survey(
+    py: Python<'_>,
     law: &str,
     alpha: PyReadonlyArray1<'_, f64>,
 ) -> PyResult<(usize, u64, u64, u64, f64, f64)> {
     let alpha = filled(&alpha)?;
-    let s = (Lane::with(law)?.survey)(alpha);
+    let lane = Lane::with(law)?;
+    let s = py.detach(|| (lane.survey)(alpha));
     Ok((s.rows, s.outside, s.gains, s.beyond_cone, s.greatest_energy, s.least_k))
 }
 
-fn filled<'a>(column: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
+/// The numbers of a column, where they stand.
+///
+/// # Errors
+/// `ValueError` for a column with gaps, or not where the processor reads floats.
+pub(crate) fn filled<'a>(column: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
+    aligned(column.data())?;
     column.as_slice().map_err(|_| bad_input("a column has gaps: its numbers must be contiguous"))
 }
 
@@ -116,12 +127,23 @@ fn columns<'a>(
     impulse: &'a mut PyReadwriteArray1<'_, f64>,
     energy: &'a mut PyReadwriteArray1<'_, f64>,
 ) -> PyResult<Columns<'a>> {
+    for column in [&*k, &*impulse, &*energy] {
+        aligned(column.data())?;
+    }
     let gaps = |_| bad_input("a column for results has gaps: its numbers must be contiguous");
     Ok(Columns {
         k: k.as_slice_mut().map_err(gaps)?,
         impulse: impulse.as_slice_mut().map_err(gaps)?,
         energy: energy.as_slice_mut().map_err(gaps)?,
     })
+}
+
+/// A slice of Rust begins where a number may stand.
+fn aligned(start: *const f64) -> PyResult<()> {
+    match start.is_aligned() {
+        true => Ok(()),
+        false => Err(bad_input("a column is not aligned: it begins in the middle of a number")),
+    }
 }
 
 /// What the batch would panic on.

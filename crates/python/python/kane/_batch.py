@@ -43,17 +43,28 @@ def batched() -> list[str]:
 def _column(values: Any, name: str) -> Any:
     import numpy as np
 
+    if type(values) is np.ndarray and values.dtype == np.float64 and _is_whole(values):
+        return values
+    if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
+        raise ValueError(f"{name} has masked cells, which are no numbers")
     array = np.asarray(values)
     if array.ndim != 1:
         raise ValueError(f"{name} has {array.ndim} dimensions; a column has one")
     if array.dtype.kind == "O":  # fractions, say; None is no number, and no NaN either
         try:
             array = np.array([float(value) for value in array], dtype=np.float64)
-        except TypeError as error:
+        except (TypeError, OverflowError) as error:
             raise ValueError(f"{name}: {error}") from None
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name} has cells of the type {array.dtype}, which are no numbers")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    return array if array.flags.aligned else array.copy()
+
+
+def _is_whole(array: Any) -> bool:
+    """Whether the numbers of a column stand one after the other where the processor reads them."""
+    flags = array.flags
+    return bool(array.ndim == 1 and flags.c_contiguous and flags.aligned)
 
 
 def _results(rows: int, out: Union[tuple[Any, Any, Any], None]) -> Columns:
@@ -61,12 +72,16 @@ def _results(rows: int, out: Union[tuple[Any, Any, Any], None]) -> Columns:
 
     if out is None:
         return Columns(*(np.empty(rows) for _ in range(3)))
-    for column in out:
+    try:
+        columns = Columns(*out)
+    except TypeError:
+        raise ValueError("out takes three columns of float64") from None
+    for column in columns:
         if not isinstance(column, np.ndarray) or column.dtype != np.float64 or column.ndim != 1:
             raise ValueError("out takes three columns of float64")
-        if not (column.flags.c_contiguous and column.flags.writeable):
+        if not (_is_whole(column) and column.flags.writeable):
             raise ValueError("a column of out has gaps or cannot be written")
-    return Columns(*out)
+    return columns
 
 
 def batch(law: str, alpha: Any, *, out: Union[tuple[Any, Any, Any], None] = None) -> Columns:
