@@ -78,6 +78,6 @@ pub use rate::rate;
 pub use rebuild::rebuild;
 pub use scope::{Angle, DeclareError, Scope, Symbol};
 pub use sequence::{MAX_INDEX, Sequences};
-pub use suggest::nearest;
+pub use suggest::{nearest, nearest_with_unit};
 pub use template::{MAX_PARAMETERS, placeholder, put_in};
 pub use value::{Array, Shape, Value};
