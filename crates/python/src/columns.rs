@@ -45,6 +45,58 @@ const LANES: [Lane; 6] = [
     Lane::of::<Smith1991>(),
 ];
 
+/// Rows that are computed at once, before it is asked which of them had a meaning: their numbers are still in
+/// the first-level cache then.
+const BLOCK: usize = 512;
+
+impl Lane {
+    /// k, i_x and Δe for a column of α: NaN in all three where α is negative or NaN.
+    fn fill(&self, alpha: &[f64], out: Columns<'_>) {
+        for (alpha, [k, impulse, energy]) in alpha.chunks(BLOCK).zip(blocks(out)) {
+            (self.evaluate)(
+                alpha,
+                Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy },
+            );
+            blank(alpha.iter().map(|&alpha| alpha >= 0.0), [k, impulse, energy]);
+        }
+    }
+
+    /// The same for columns of contacts: NaN where slip is not finite, S < 0, W ≤ 0, or neither slip nor friction is there.
+    fn fill_contacts(&self, contacts: Contacts<'_>, out: Columns<'_>) {
+        let Contacts { slip, sliding, mobility } = contacts;
+        let rows = slip.chunks(BLOCK).zip(sliding.chunks(BLOCK)).zip(mobility.chunks(BLOCK));
+        for (((slip, sliding), mobility), [k, impulse, energy]) in rows.zip(blocks(out)) {
+            let out = Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy };
+            (self.contacts)(Contacts { slip, sliding, mobility }, out);
+            let inside =
+                slip.iter().zip(sliding).zip(mobility).map(|((&slip, &sliding), &mobility)| {
+                    let moves = (slip.abs() < f64::INFINITY) & ((slip != 0.0) | (sliding > 0.0));
+                    moves & (sliding >= 0.0) & (mobility > 0.0)
+                });
+            blank(inside, [k, impulse, energy]);
+        }
+    }
+}
+
+/// The columns of results, block by block.
+fn blocks(out: Columns<'_>) -> impl Iterator<Item = [&mut [f64]; 3]> {
+    let two = out.k.chunks_mut(BLOCK).zip(out.impulse.chunks_mut(BLOCK));
+    two.zip(out.energy.chunks_mut(BLOCK)).map(|((k, impulse), energy)| [k, impulse, energy])
+}
+
+/// Writes NaN into the rows that have no meaning: some laws give numbers there, made by comparisons.
+fn blank(inside: impl Iterator<Item = bool> + Clone, [k, impulse, energy]: [&mut [f64]; 3]) {
+    // all rows are looked at, without a branch each
+    if inside.clone().fold(true, |all, inside| all & inside) {
+        return;
+    }
+    for (((inside, k), impulse), energy) in inside.zip(k).zip(impulse).zip(energy) {
+        if !inside {
+            (*k, *impulse, *energy) = (f64::NAN, f64::NAN, f64::NAN);
+        }
+    }
+}
+
 /// The ids of the laws that [`batch`] knows.
 #[pyfunction]
 pub(crate) fn batched() -> Vec<&'static str> {
@@ -69,7 +121,7 @@ pub(crate) fn batch(
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[alpha.len()], &out)?;
     let lane = Lane::with(law)?;
-    py.detach(|| (lane.evaluate)(alpha, out));
+    py.detach(|| lane.fill(alpha, out));
     Ok(())
 }
 
@@ -93,7 +145,7 @@ pub(crate) fn batch_contacts(
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[contacts.slip.len(), contacts.sliding.len(), contacts.mobility.len()], &out)?;
     let lane = Lane::with(law)?;
-    py.detach(|| (lane.contacts)(contacts, out));
+    py.detach(|| lane.fill_contacts(contacts, out));
     Ok(())
 }
 

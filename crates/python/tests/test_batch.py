@@ -110,6 +110,22 @@ def test_a_column_is_not_read_and_written_at_once():
         kane.batch("walton", alpha, out=(one, one, np.zeros(4)))
 
 
+@pytest.mark.parametrize("law", kane.batched())
+def test_a_row_without_a_meaning_is_nan_and_its_neighbours_are_not(law):
+    alpha = np.linspace(0, 4, 3000)
+    good = kane.batch(law, alpha)
+    bad = [0, 7, 511, 512, 1300, 2999]
+    alpha[bad] = [np.nan, -1.0, -np.inf, -5e-324, np.nan, np.nan]
+    for column, was in zip(kane.batch(law, alpha), good):
+        assert np.isnan(column[bad]).all()
+        assert np.array_equal(np.delete(column, bad), np.delete(was, bad))
+    slip, sliding, mobility = (np.array(column, dtype=float) for column in zip(
+        (1, 1, 1), (-2, 0, 1), (0, 1, 1), (0, 0, 1), (np.nan, 1, 1), (np.inf, 1, 1), (1, -1, 1), (1, 1, 0), (1, 1, np.nan)
+    ))
+    k = kane.batch_contacts(law, slip, sliding, mobility).k
+    assert list(np.isnan(k)) == [False] * 3 + [True] * 6
+
+
 def unaligned(rows):
     return np.zeros(8 * rows + 1, np.uint8)[1:].view(np.float64)
 

@@ -90,15 +90,15 @@ def batch(law: str, alpha: Any, *, out: Union[tuple[Any, Any, Any], None] = None
     `alpha` is read where it stands if it is a contiguous array of float64; anything else is converted first. `out`
     takes three such arrays, k, i_x and Δe, to write into instead of new ones. What each law promises about its
     last digits is said in the Rust documentation of `kane_impact::batch`. A row whose α is NaN or negative has no
-    meaning; `survey` counts such rows. Raises `ValueError` for a law without a lane (see `batched`), and for
-    columns of several lengths.
+    meaning: its results are NaN, and `survey` counts it. Other threads run meanwhile, and leave these columns alone.
+    Raises `ValueError` for a law without a lane (see `batched`), and for columns of several lengths.
     """
     column = _column(alpha, "alpha")
     results = _results(len(column), out)
     try:
         _kane.batch(law, column, *results)
     except _kane_borrowed() as error:
-        raise ValueError(f"a column is given twice: {error}") from None
+        raise ValueError(f"a column is given twice, or in use by another thread: {error}") from None
     return results
 
 
@@ -113,8 +113,8 @@ def batch_contacts(
     """k, i_x and Δe of a law for columns of contacts that do not couple.
 
     `slip` is v_t in m/s, of either sign; `sliding` S = μ·p_n, the friction of full sliding, at least 0, in N·s;
-    `mobility` W_tt > 0 in 1/kg. α = S·W_tt/(2·abs(v_t)), with a relative error of at most 2⁻⁵². The rest is as of
-    `batch`.
+    `mobility` W_tt > 0 in 1/kg. α = S·W_tt/(2·abs(v_t)), with a relative error of at most 2⁻⁵². A row beyond these
+    ranges, or with neither slip nor friction, is NaN. The rest is as of `batch`.
     """
     columns = [
         _column(values, name)
@@ -124,7 +124,7 @@ def batch_contacts(
     try:
         _kane.batch_contacts(law, columns, *results)
     except _kane_borrowed() as error:
-        raise ValueError(f"a column is given twice: {error}") from None
+        raise ValueError(f"a column is given twice, or in use by another thread: {error}") from None
     return results
 
 
