@@ -98,7 +98,7 @@ class Statement:
 class Audit(Report):
     """A judged document. Iterates over its statements; `audit["(9)"]` and `audit["9"]` are that statement."""
 
-    def __init__(self, text: str, name: str, effort: int, judged: Any) -> None:
+    def __init__(self, text: str, name: str, effort: int, judged: tuple[str, str, str, str, list[Any]]) -> None:
         report, html, markdown, shown, points = judged
         document = json.loads(report)["documents"][0]
         self._source, self._effort, self._json, self._html = text, effort, report, html
