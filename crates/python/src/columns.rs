@@ -46,8 +46,8 @@ const LANES: [Lane; 6] = [
 ];
 
 /// Rows that are computed at once, before it is asked which of them had a meaning: their numbers are still in
-/// the first-level cache then.
-const BLOCK: usize = 512;
+/// a near cache then.
+const BLOCK: usize = 4096;
 
 impl Lane {
     /// k, i_x and Δe for a column of α: NaN in all three where α is negative or NaN.
