@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use kane::audit::{Audit, Body, Document, Memo, Options};
+use kane::audit::{Audit, Body, Diagnostic, Document, Memo, Options};
 use kane::judges::{self, Claims, Judge, Limits, NotAsked};
 use kane::report::remarks::{self, Remark, of_audit};
 use kane::report::{self, Picture, Report};
@@ -59,9 +59,11 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     for error in &unreadable {
         bad_input(error);
     }
-    output::to_stderr(&faults);
+    for fault in &faults {
+        output::to_stderr(&format!("{fault}\n"));
+    }
     if !(unreadable.is_empty() && faults.is_empty()) {
-        return Outcome::BadInput;
+        return unread(&faults, args.format);
     }
     let wanted: Vec<&String> = args.only.iter().chain(&args.explain).collect();
     for label in &wanted {
@@ -116,6 +118,20 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     }
 }
 
+/// Ends a run whose documents have faults. What puts remarks beside lines is told of them, too.
+fn unread(faults: &[Diagnostic], format: AuditFormat) -> Outcome {
+    let remarks: Vec<Remark> = faults.iter().map(remarks::of_fault).collect();
+    let shown = match format {
+        AuditFormat::Sarif => remarks::sarif(&remarks),
+        AuditFormat::Github => remarks::workflow(&remarks),
+        AuditFormat::Text | AuditFormat::Json | AuditFormat::Markdown => return Outcome::BadInput,
+    };
+    match output::to_stdout(&shown) {
+        Ok(()) => Outcome::BadInput,
+        Err(error) => bad_input(&format!("cannot print: {error}")),
+    }
+}
+
 /// Puts the claims of a document to the judges that are asked for.
 fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
     let limits = Limits::default();
@@ -159,18 +175,12 @@ fn claims<'a>(report: &Report<'a>) -> Claims<'a> {
 }
 
 /// The documents that could be read, and everything that is wrong with the others.
-fn documents(inputs: &[Input]) -> (Vec<Document>, String) {
-    let mut documents = Vec::new();
-    let mut faults = String::new();
+fn documents(inputs: &[Input]) -> (Vec<Document>, Vec<Diagnostic>) {
+    let (mut documents, mut faults) = (Vec::new(), Vec::new());
     for input in inputs {
         match kane::audit::read(&input.name, &input.bytes) {
             Ok(document) => documents.push(document),
-            Err(found) => {
-                for diagnostic in found {
-                    faults.push_str(&diagnostic.to_string());
-                    faults.push('\n');
-                }
-            }
+            Err(found) => faults.extend(found),
         }
     }
     (documents, faults)

@@ -41,11 +41,11 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
     if let Some(line) = args.row {
         return row(args, log, line, &options);
     }
+    let name = log.display().to_string();
     let study = match studied(args, log, &options) {
         Ok(study) => study,
-        Err(message) => return bad_input(&message),
+        Err(message) => return unread(&name, message, args.format),
     };
-    let name = log.display().to_string();
     let command = command(args, &name);
     let beside_rows = matches!(args.format, CheckFormat::Sarif | CheckFormat::Github);
     if args.baseline.is_some() && beside_rows {
@@ -81,6 +81,20 @@ pub(super) fn run(args: &CheckArgs) -> Outcome {
         _ if study.as_expected() => Outcome::AsExpected,
         _ => Outcome::Unexpected,
     }
+}
+
+/// Ends a run whose log cannot be checked. What puts remarks beside lines is told, too.
+fn unread(name: &str, why: String, format: CheckFormat) -> Outcome {
+    bad_input(&why);
+    let remarks = [remarks::unread(name, why)];
+    match format {
+        CheckFormat::Sarif => printed(&remarks::sarif(&remarks)),
+        CheckFormat::Github => printed(&remarks::workflow(&remarks)),
+        CheckFormat::Text | CheckFormat::Json | CheckFormat::Markdown | CheckFormat::Junit => {
+            Outcome::BadInput
+        }
+    };
+    Outcome::BadInput
 }
 
 fn printed(text: &str) -> Outcome {

@@ -11,7 +11,7 @@ use kane::report::Page;
 /// When reports have colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum When {
-    /// on a terminal that is not dumb, unless `NO_COLOR` is set to anything
+    /// on a terminal that is not dumb, unless `NO_COLOR` or `CLICOLOR=0` is set; elsewhere with `CLICOLOR_FORCE=1`
     #[default]
     Auto,
     /// in pipes and files, too
@@ -67,14 +67,22 @@ fn colours_wanted(terminal: bool) -> bool {
     match CHOSEN.get().copied().unwrap_or_default() {
         When::Always => true,
         When::Never => false,
-        When::Auto => terminal && environment_allows_colours(),
+        When::Auto => environment_wants_colours(terminal, |name| std::env::var_os(name)),
     }
 }
 
-/// Not if `NO_COLOR` is set to anything, or the terminal is dumb.
-fn environment_allows_colours() -> bool {
-    let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    !set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+/// What the environment asks, in the order of clap, which colours help and messages: `NO_COLOR` set to
+/// anything, `CLICOLOR_FORCE` to anything but 0, `CLICOLOR` to 0, and the kind of terminal.
+fn environment_wants_colours(terminal: bool, of: impl Fn(&str) -> Option<OsString>) -> bool {
+    let set = |name| of(name).filter(|value| !value.is_empty());
+    if set("NO_COLOR").is_some() {
+        return false;
+    }
+    if set("CLICOLOR_FORCE").is_some_and(|value| value != "0") {
+        return true;
+    }
+    let wanted = set("CLICOLOR").is_none_or(|value| value != "0");
+    terminal && wanted && of("TERM").is_none_or(|term| term != "dumb")
 }
 
 /// Prints the text. A reader that has seen enough and closed the pipe is not an error.
@@ -115,7 +123,7 @@ pub(super) fn to_stderr(text: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::{When, coloured};
+    use super::{When, coloured, environment_wants_colours};
 
     #[test]
     fn the_last_word_on_colours_counts_and_none_after_the_dashes() {
@@ -126,6 +134,21 @@ mod tests {
         assert_eq!(asked("kane --color=always audit --color never"), When::Never);
         assert_eq!(asked("kane audit -- --color=always"), When::Auto);
         assert_eq!(asked("kane --color=sometimes --colour always --color"), When::Auto);
+    }
+
+    #[test]
+    fn the_environment_is_heard_in_the_order_of_other_programs() {
+        let wanted = |terminal, set: &[(&str, &str)]| {
+            let of = |name: &str| set.iter().find(|(key, _)| *key == name).map(|(_, v)| v.into());
+            environment_wants_colours(terminal, of)
+        };
+        assert!(wanted(true, &[]) && !wanted(false, &[]));
+        assert!(!wanted(true, &[("NO_COLOR", "0")]) && wanted(true, &[("NO_COLOR", "")]));
+        assert!(!wanted(true, &[("CLICOLOR", "0")]) && !wanted(false, &[("CLICOLOR", "1")]));
+        assert!(wanted(false, &[("CLICOLOR_FORCE", "1"), ("CLICOLOR", "0")]));
+        assert!(!wanted(false, &[("CLICOLOR_FORCE", "0")]));
+        assert!(!wanted(true, &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]));
+        assert!(!wanted(true, &[("TERM", "dumb")]) && wanted(true, &[("TERM", "xterm")]));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::io;
 
 use clap::Command;
+use clap_complete::Shell;
 use clap_mangen::Man;
 
 use super::args::{CompletionsArgs, ManArgs};
@@ -13,8 +14,29 @@ use super::{Outcome, bad_input, help, output};
 /// Prints the completions of a shell.
 pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut help::completed(), "kane", &mut script);
+    let mut command = help::completed();
+    clap_complete::generate(args.shell, &mut command, "kane", &mut script);
+    if args.shell == Shell::Fish {
+        script.extend(fish_values(&command).into_bytes());
+    }
     printed(&script)
+}
+
+/// What may stand without a flag, for fish: `clap_complete` tells it of flags alone.
+fn fish_values(command: &Command) -> String {
+    let mut out = String::new();
+    for verb in command.get_subcommands() {
+        for values in verb.get_positionals().map(clap::Arg::get_possible_values) {
+            let names: Vec<&str> =
+                values.iter().map(clap::builder::PossibleValue::get_name).collect();
+            if !names.is_empty() {
+                let (verb, names) = (verb.get_name(), names.join(" "));
+                let asked = format!("__fish_kane_using_subcommand {verb}");
+                out.push_str(&format!("complete -c kane -n \"{asked}\" -f -a \"{names}\"\n"));
+            }
+        }
+    }
+    out
 }
 
 /// Prints a page, or writes all.

@@ -11,6 +11,9 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("zero", "var x\ngiven a: x/0 = 1", "division by literal zero", ""),
     ("open", "var x\ngiven a: (x = 1", "never closed", "("),
     ("number", "var x\ngiven a: x = 1.2.3", "malformed number `1.2.3`", "1.2.3"),
+    ("twice-equal", "var x\ngiven a: x == 1", "`==` means nothing here: it is written `=`", "=="),
+    ("semicolon", "var x\ngiven a: x = 1;", "without a `;`", ";"),
+    ("no-label", "var x\ngiven x = 1", "as in `given NAME: a = b`", "="),
     ("no-side", "var x\ngiven a: x =", "relation without a right side", ""),
     ("exponent", "var x\ngiven a: x^(1/2) = 1", "the exponent is not an integer", ""),
 ];

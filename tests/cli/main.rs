@@ -57,7 +57,11 @@ fn kane(arguments: &[&str]) -> Run {
 /// The program, with nothing in its environment that changes what it prints.
 fn command() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kane"));
-    command.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("NO_COLOR").stdin(Stdio::null());
+    command
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env_remove("NO_COLOR")
+        .env_remove("CLICOLOR_FORCE")
+        .stdin(Stdio::null());
     command
 }
 

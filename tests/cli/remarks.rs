@@ -85,6 +85,31 @@ fn a_document_without_a_claim_is_told_and_not_passed_over() {
 }
 
 #[test]
+fn what_cannot_be_read_is_told_beside_its_line() {
+    let dir = scratch("unread");
+    let path = document(&dir, "notes.md", "var x > 0\nclaim a: x == 1\nclaim b: y > 0");
+    let run = kane(&["audit", &path, "--format", "github"]);
+    assert_eq!(run.code, 2);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!(lines.len(), 2, "{}", run.stdout);
+    assert!(lines[0].starts_with("::error file=") && lines[0].contains("notes.md,line=5,"));
+    assert!(lines[1].contains("::unknown symbol `y`%0Aa symbol is declared"), "{}", lines[1]);
+    assert_eq!(run.stderr.matches("error: ").count(), 2, "people are told as ever");
+    let sarif: Value = serde_json::from_str(&kane(&["audit", &path, "--format", "sarif"]).stdout)
+        .expect("it is JSON");
+    assert_eq!(sarif["runs"][0]["results"].as_array().map(Vec::len), Some(2));
+    assert_eq!(kane(&["audit", &path]).stdout, "", "a report is not begun");
+
+    let log = dir.join("log.csv");
+    fs::write(&log, "time,speed\n1,2\n").expect("writable");
+    let log = log.to_str().expect("UTF-8");
+    let run = kane(&["check", log, "--format", "github"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stdout.starts_with("::error file=") && run.stdout.contains("columns are missing"));
+    assert!(run.stderr.contains("columns are missing"), "{}", run.stderr);
+}
+
+#[test]
 fn a_row_that_fails_is_told_beside_its_line() {
     let path = scratch("rows").join("log.csv");
     let log = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n\

@@ -68,6 +68,15 @@ fn completions_know_verbs_flags_and_ids() {
         }
     }
     assert_eq!(kane(&["completions", "tcsh"]).code, 2);
+    // what stands without a flag, which clap_complete does not tell fish
+    let fish = kane(&["completions", "fish"]).stdout;
+    for (verb, value) in [("man", "audit"), ("completions", "bash")] {
+        let line =
+            format!("\ncomplete -c kane -n \"__fish_kane_using_subcommand {verb}\" -f -a \"");
+        let offered = fish.split_once(&line).and_then(|(_, rest)| rest.split_once('"'));
+        let (offered, _) = offered.expect("fish knows what may stand there");
+        assert!(offered.split(' ').any(|word| word == value), "{verb}: {offered}");
+    }
 }
 
 /// What bash offers after these words.

@@ -54,6 +54,9 @@ const MAX_SYMBOLS: usize = 100_000;
 const MAX_FAULTS: usize = 200;
 /// Names above which no nearest one is sought.
 const MAX_CANDIDATES: usize = 10_000;
+/// What to say of a name that is used like a function and is none.
+const FUNCTIONS: &str = "functions are `abs`, `min`, `max`, `sqrt`, and `sin`, `cos`, `tan` of angles; others are \
+                         declared, `var f(x)`, or defined, `let f(x) := …`";
 /// Times that a document is read again because an angle or a derivative was met.
 const MAX_READINGS: usize = 100;
 
@@ -87,7 +90,8 @@ fn read_with(
         return Err(vec![Diagnostic::at_start(name, message)]);
     }
     let text = match std::str::from_utf8(bytes) {
-        Ok(text) => lines_ended_by_line_feeds(text),
+        // a mark of the byte order, which some editors write first, would hide a heading or a fence
+        Ok(text) => lines_ended_by_line_feeds(text.strip_prefix('\u{feff}').unwrap_or(text)),
         Err(_) => return Err(vec![Diagnostic::not_utf8(name, bytes)]),
     };
     let mut blocks = blocks::find(&text);
@@ -261,12 +265,16 @@ impl Reader {
             .into_iter()
             .map(|mut fault| {
                 if let Some(unknown) = &fault.unknown {
-                    // `exp(x)` is no symbol that one forgot
                     let is_called = text.get(fault.span.end..).is_some_and(|t| t.starts_with('('));
-                    let declare =
-                        format!("a symbol is declared above its first use: `var {unknown}`");
+                    // `exp(x)` is no symbol that one forgot
+                    let declare = match is_called {
+                        true => FUNCTIONS.to_owned(),
+                        false => {
+                            format!("a symbol is declared above its first use: `var {unknown}`")
+                        }
+                    };
                     let hint = self.hint_at_name(unknown, text).or(fault.note);
-                    fault.note = hint.or((!is_called).then_some(declare));
+                    fault.note = hint.or(Some(declare));
                 }
                 fault.diagnostic(name, &mut lines)
             })

@@ -267,10 +267,21 @@ fn hints_say_where_to_look() {
     let note = |statement: &str| faults(statement)[0].note.clone().unwrap_or_default();
     assert_eq!(note("claim (2): q = 1\nvar q"), "it is declared below its use, on line 8");
     assert_eq!(note("claim (2): q = 1"), "a symbol is declared above its first use: `var q`");
-    assert_eq!(note("claim (2): exp(1) = 1"), "");
+    assert!(note("claim (2): exp(1) = 1").starts_with("functions are `abs`, `min`, "));
     assert_eq!(note("claim (2): x = 1 from (dom1)"), "did you mean `dom`?");
     assert_eq!(note("given (1): x = 1"), "`(1)` on line 4 has it already");
+    assert!(note("let d := 1").starts_with("`d(f, x)` is a derivative"));
     assert!(note("claim (2): 2x = 1").contains("a product needs its `*`"));
+}
+
+#[test]
+fn a_mark_of_the_byte_order_is_no_part_of_the_text() {
+    let text = "\u{feff}# Title\n\n```kane\nvar x\n```\n";
+    let document = read("good.md", text.as_bytes()).expect("well-formed");
+    assert_eq!(document.title.as_deref(), Some("Title"));
+    let found = read("bad.md", "\u{feff}```kane\nclaim a: y = 1\n```\n".as_bytes());
+    let found = found.expect_err("nothing declares y");
+    assert_eq!((found[0].line, found[0].column), (2, 10));
 }
 
 #[test]

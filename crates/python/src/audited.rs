@@ -1,11 +1,12 @@
 //! Audits of derivation documents.
 
-use kane_audit::{Audit, LinkJudgement, Options, Verdict, read};
+use kane_audit::{Audit, LinkJudgement, Memo, Options, Verdict, audit_again, read};
 use kane_kernel::{Evidence, Model, Point};
 use kane_report::{Report, html, json, markdown, text};
 use num_rational::BigRational;
 use pyo3::prelude::*;
 
+use crate::away::{Awaited, away};
 use crate::bad_input;
 
 /// The value of a symbol: numerator and denominator where it is a fraction; otherwise nothing, and the
@@ -18,19 +19,24 @@ type Root = (Vec<String>, (String, String), (String, String));
 /// A witness: the places of its statement and of its link, its values, and the root they are in.
 type Witness = (usize, usize, Vec<Value>, Option<Root>);
 
+/// A report as JSON, HTML, Markdown and text, and its witnesses.
+type Told = (String, String, String, String, Vec<Witness>);
+
 /// Judges every statement of a document; gives the report as JSON, HTML, Markdown and text, and the points
 /// that the kernel accepted against claims.
 ///
 /// # Errors
 /// `ValueError` with every fault, if the text is no document.
 #[pyfunction]
-pub(crate) fn audit(
-    document: &str,
-    name: &str,
-    effort: u64,
-) -> PyResult<(String, String, String, String, Vec<Witness>)> {
-    let audit = judged(document, name, effort)?;
-    let report = Report::new(&audit, format!("kane audit {name}"));
+pub(crate) fn audit(py: Python<'_>, document: String, name: String, effort: u64) -> PyResult<Told> {
+    away(py, move |awaited| {
+        let audit = judged(&document, &name, effort, None, awaited)?;
+        Ok(told(&audit, &name))
+    })?
+}
+
+fn told(audit: &Audit, name: &str) -> Told {
+    let report = Report::new(audit, format!("kane audit {name}"));
     let found = audit.judgements.iter().enumerate().flat_map(|(statement, judgement)| {
         let links = judgement.links.iter().enumerate();
         links.filter_map(move |(at, link)| witness(link).map(|point| (statement, at, link, point)))
@@ -55,7 +61,7 @@ pub(crate) fn audit(
     let witnesses = witnesses.collect();
     let reports = std::slice::from_ref(&report);
     let page = kane_report::Page::default();
-    Ok((json(reports), html(&report), markdown(&report), text(&report, page), witnesses))
+    (json(reports), html(&report), markdown(&report), text(&report, page), witnesses)
 }
 
 /// The proof or the witness of one statement, by its place, written out for a person with paper.
@@ -63,23 +69,35 @@ pub(crate) fn audit(
 /// # Errors
 /// `ValueError` if the text is no document, or has no such statement.
 #[pyfunction]
-pub(crate) fn explain(document: &str, name: &str, effort: u64, place: usize) -> PyResult<String> {
-    let mut document = read(name, document.as_bytes()).map_err(|faults| told(&faults))?;
-    document.name = name.to_owned();
-    let mut options = Options { only: Some(vec![place]), ..Options::default() };
-    options.budget = options.budget.times(effort.max(1));
-    let audit = kane_audit::audit(document, &options, &mut |_, _| {});
-    kane_report::explain(&audit, place).ok_or_else(|| bad_input("there is no such statement"))
+pub(crate) fn explain(
+    py: Python<'_>,
+    document: String,
+    name: String,
+    effort: u64,
+    place: usize,
+) -> PyResult<String> {
+    away(py, move |awaited| {
+        let audit = judged(&document, &name, effort, Some(vec![place]), awaited)?;
+        kane_report::explain(&audit, place).ok_or_else(|| bad_input("there is no such statement"))
+    })?
 }
 
-fn judged(document: &str, name: &str, effort: u64) -> PyResult<Audit> {
-    let document = read(name, document.as_bytes()).map_err(|faults| told(&faults))?;
-    let mut options = Options::default();
+/// Judges the statements of these places, or all, as long as somebody waits.
+fn judged(
+    document: &str,
+    name: &str,
+    effort: u64,
+    only: Option<Vec<usize>>,
+    awaited: &Awaited,
+) -> PyResult<Audit> {
+    let document = read(name, document.as_bytes()).map_err(|faults| faulty(&faults))?;
+    let mut options = Options { only, ..Options::default() };
     options.budget = options.budget.times(effort.max(1));
-    Ok(kane_audit::audit(document, &options, &mut |_, _| {}))
+    audit_again(document, &options, &mut Memo::default(), &mut |_, _| awaited.still())
+        .ok_or_else(|| bad_input("the audit was interrupted"))
 }
 
-fn told(faults: &[kane_audit::Diagnostic]) -> PyErr {
+fn faulty(faults: &[kane_audit::Diagnostic]) -> PyErr {
     let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
     bad_input(faults.join("\n"))
 }

@@ -5,7 +5,7 @@ use kane_impact::batch::{self as lanes, Batched, Columns, Contacts, Survey};
 use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
-use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use numpy::{PyArrayMethods as _, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 
 use crate::bad_input;
@@ -45,6 +45,58 @@ const LANES: [Lane; 6] = [
     Lane::of::<Smith1991>(),
 ];
 
+/// Rows that are computed at once, before it is asked which of them had a meaning: their numbers are still in
+/// a near cache then.
+const BLOCK: usize = 4096;
+
+impl Lane {
+    /// k, i_x and Δe for a column of α: NaN in all three where α is negative or NaN.
+    fn fill(&self, alpha: &[f64], out: Columns<'_>) {
+        for (alpha, [k, impulse, energy]) in alpha.chunks(BLOCK).zip(blocks(out)) {
+            (self.evaluate)(
+                alpha,
+                Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy },
+            );
+            blank(alpha.iter().map(|&alpha| alpha >= 0.0), [k, impulse, energy]);
+        }
+    }
+
+    /// The same for columns of contacts: NaN where slip is not finite, S < 0, W ≤ 0, or neither slip nor friction is there.
+    fn fill_contacts(&self, contacts: Contacts<'_>, out: Columns<'_>) {
+        let Contacts { slip, sliding, mobility } = contacts;
+        let rows = slip.chunks(BLOCK).zip(sliding.chunks(BLOCK)).zip(mobility.chunks(BLOCK));
+        for (((slip, sliding), mobility), [k, impulse, energy]) in rows.zip(blocks(out)) {
+            let out = Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy };
+            (self.contacts)(Contacts { slip, sliding, mobility }, out);
+            let inside =
+                slip.iter().zip(sliding).zip(mobility).map(|((&slip, &sliding), &mobility)| {
+                    let moves = (slip.abs() < f64::INFINITY) & ((slip != 0.0) | (sliding > 0.0));
+                    moves & (sliding >= 0.0) & (mobility > 0.0)
+                });
+            blank(inside, [k, impulse, energy]);
+        }
+    }
+}
+
+/// The columns of results, block by block.
+fn blocks(out: Columns<'_>) -> impl Iterator<Item = [&mut [f64]; 3]> {
+    let two = out.k.chunks_mut(BLOCK).zip(out.impulse.chunks_mut(BLOCK));
+    two.zip(out.energy.chunks_mut(BLOCK)).map(|((k, impulse), energy)| [k, impulse, energy])
+}
+
+/// Writes NaN into the rows that have no meaning: some laws give numbers there, made by comparisons.
+fn blank(inside: impl Iterator<Item = bool> + Clone, [k, impulse, energy]: [&mut [f64]; 3]) {
+    // all rows are looked at, without a branch each
+    if inside.clone().fold(true, |all, inside| all & inside) {
+        return;
+    }
+    for (((inside, k), impulse), energy) in inside.zip(k).zip(impulse).zip(energy) {
+        if !inside {
+            (*k, *impulse, *energy) = (f64::NAN, f64::NAN, f64::NAN);
+        }
+    }
+}
+
 /// The ids of the laws that [`batch`] knows.
 #[pyfunction]
 pub(crate) fn batched() -> Vec<&'static str> {
@@ -57,6 +109,7 @@ pub(crate) fn batched() -> Vec<&'static str> {
 /// `ValueError` for another law, columns of several lengths, or columns with gaps.
 #[pyfunction]
 pub(crate) fn batch(
+    py: Python<'_>,
     law: &str,
     alpha: PyReadonlyArray1<'_, f64>,
     k: PyReadwriteArray1<'_, f64>,
@@ -67,7 +120,8 @@ pub(crate) fn batch(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[alpha.len()], &out)?;
-    (Lane::with(law)?.evaluate)(alpha, out);
+    let lane = Lane::with(law)?;
+    py.detach(|| lane.fill(alpha, out));
     Ok(())
 }
 
@@ -77,6 +131,7 @@ pub(crate) fn batch(
 /// As of [`batch`].
 #[pyfunction]
 pub(crate) fn batch_contacts(
+    py: Python<'_>,
     law: &str,
     inputs: [PyReadonlyArray1<'_, f64>; 3],
     k: PyReadwriteArray1<'_, f64>,
@@ -89,7 +144,8 @@ pub(crate) fn batch_contacts(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[contacts.slip.len(), contacts.sliding.len(), contacts.mobility.len()], &out)?;
-    (Lane::with(law)?.contacts)(contacts, out);
+    let lane = Lane::with(law)?;
+    py.detach(|| lane.fill_contacts(contacts, out));
     Ok(())
 }
 
@@ -99,15 +155,22 @@ pub(crate) fn batch_contacts(
 /// `ValueError` for another law, or a column with gaps.
 #[pyfunction]
 pub(crate) fn survey(
+    py: Python<'_>,
     law: &str,
     alpha: PyReadonlyArray1<'_, f64>,
 ) -> PyResult<(usize, u64, u64, u64, f64, f64)> {
     let alpha = filled(&alpha)?;
-    let s = (Lane::with(law)?.survey)(alpha);
+    let lane = Lane::with(law)?;
+    let s = py.detach(|| (lane.survey)(alpha));
     Ok((s.rows, s.outside, s.gains, s.beyond_cone, s.greatest_energy, s.least_k))
 }
 
-fn filled<'a>(column: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
+/// The numbers of a column, where they stand.
+///
+/// # Errors
+/// `ValueError` for a column with gaps, or not where the processor reads floats.
+pub(crate) fn filled<'a>(column: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
+    aligned(column.data())?;
     column.as_slice().map_err(|_| bad_input("a column has gaps: its numbers must be contiguous"))
 }
 
@@ -116,12 +179,23 @@ fn columns<'a>(
     impulse: &'a mut PyReadwriteArray1<'_, f64>,
     energy: &'a mut PyReadwriteArray1<'_, f64>,
 ) -> PyResult<Columns<'a>> {
+    for column in [&*k, &*impulse, &*energy] {
+        aligned(column.data())?;
+    }
     let gaps = |_| bad_input("a column for results has gaps: its numbers must be contiguous");
     Ok(Columns {
         k: k.as_slice_mut().map_err(gaps)?,
         impulse: impulse.as_slice_mut().map_err(gaps)?,
         energy: energy.as_slice_mut().map_err(gaps)?,
     })
+}
+
+/// A slice of Rust begins where a number may stand.
+fn aligned(start: *const f64) -> PyResult<()> {
+    match start.is_aligned() {
+        true => Ok(()),
+        false => Err(bad_input("a column is not aligned: it begins in the middle of a number")),
+    }
 }
 
 /// What the batch would panic on.

@@ -2,9 +2,11 @@
 //!
 //! Each function takes text, numbers or columns, asks the rooms of the workspace and returns JSON, or
 //! fills columns that the caller owns. What users see, classes, fractions and tables, is Python and
-//! stands in `python/kane`. Bad input is a `ValueError`; nothing here panics on it.
+//! stands in `python/kane`. Bad input is a `ValueError`; nothing here panics on it. No function holds the
+//! interpreter's lock while it works.
 
 mod audited;
+mod away;
 mod columns;
 mod described;
 mod logged;

@@ -9,7 +9,9 @@ use kane_report::records::{RecordsReport, json, sheet};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
+use crate::away::away;
 use crate::bad_input;
+use crate::columns::filled;
 
 /// What is asked: names of the schema and of the log, the format of the numbers, the extent in arms.
 type Asked = (Vec<(String, String)>, Option<String>, Option<f64>);
@@ -22,11 +24,19 @@ type Told = (String, String, String, bool);
 /// # Errors
 /// `ValueError` if there is nothing that could be checked.
 #[pyfunction]
-pub(crate) fn check_text(text: &str, name: &str, json_lines: bool, asked: Asked) -> PyResult<Told> {
+pub(crate) fn check_text(
+    py: Python<'_>,
+    text: String,
+    name: String,
+    json_lines: bool,
+    asked: Asked,
+) -> PyResult<Told> {
     let kind = if json_lines { Kind::JsonLines } else { Kind::Csv };
     let options = options(asked)?;
-    let study = study(text.as_bytes(), kind, &options).map_err(bad_input)?;
-    Ok(told(&study, name))
+    away(py, move |_| {
+        let study = study(text.as_bytes(), kind, &options).map_err(bad_input)?;
+        Ok(told(&study, &name))
+    })?
 }
 
 /// Studies a table: columns of numbers, each with a mask of the cells that are missing (empty for none),
@@ -36,6 +46,7 @@ pub(crate) fn check_text(text: &str, name: &str, json_lines: bool, asked: Asked)
 /// As of [`check_text`], and for columns of several lengths.
 #[pyfunction]
 pub(crate) fn check_columns(
+    py: Python<'_>,
     numbers: Vec<(String, PyReadonlyArray1<'_, f64>, Vec<bool>)>,
     words: Vec<(String, Vec<Option<String>>)>,
     name: &str,
@@ -44,14 +55,16 @@ pub(crate) fn check_columns(
     let options = options(asked)?;
     let mut table = Table::default();
     for (name, values, missing) in &numbers {
-        let values = values.as_slice().map_err(|_| bad_input(format!("{name} has gaps")))?;
+        let values = filled(values).map_err(|why| bad_input(format!("{name}: {why}")))?;
         table.push(name, Cells::Numbers { values, missing });
     }
     for (name, values) in &words {
         table.push(name, Cells::Words(values));
     }
-    let study = study_table(&table, &options).map_err(bad_input)?;
-    Ok(told(&study, name))
+    py.detach(|| {
+        let study = study_table(&table, &options).map_err(bad_input)?;
+        Ok(told(&study, name))
+    })
 }
 
 fn options((map, float, extent): Asked) -> PyResult<Options<'static>> {

@@ -7,6 +7,7 @@ use kane_scene::collide::{Question, answer, in_depth};
 use kane_scene::{Effort, Model, Verdict, read};
 use pyo3::prelude::*;
 
+use crate::away::away;
 use crate::bad_input;
 
 /// Puts a collision, as `docs/collide-format.md` describes it, to all laws or to one; gives JSON and HTML.
@@ -15,13 +16,23 @@ use crate::bad_input;
 /// `ValueError` for what is no collision, or no law or parameter.
 #[pyfunction]
 pub(crate) fn collide(
+    py: Python<'_>,
+    text: String,
+    name: String,
+    law: Option<String>,
+    parameters: Vec<(String, String)>,
+) -> PyResult<(String, String)> {
+    away(py, move |_| collided(&text, &name, law.as_deref(), &parameters))?
+}
+
+fn collided(
     text: &str,
     name: &str,
     law: Option<&str>,
-    parameters: Vec<(String, String)>,
+    parameters: &[(String, String)],
 ) -> PyResult<(String, String)> {
     let mut all = laws().to_vec();
-    for (path, value) in &parameters {
+    for (path, value) in parameters {
         let value = read::read(value).map_err(|why| bad_input(format!("{path} {why}")))?;
         set_parameter(&mut all, path, &value).map_err(bad_input)?;
     }
@@ -60,10 +71,15 @@ fn known<'a>(laws: &'a [Law], id: &str) -> PyResult<&'a Law> {
 /// `ValueError` for what is no scene or model, and where no model has an answer.
 #[pyfunction]
 pub(crate) fn scene(
-    text: &str,
-    name: &str,
-    model: Option<&str>,
+    py: Python<'_>,
+    text: String,
+    name: String,
+    model: Option<String>,
 ) -> PyResult<(String, String, bool)> {
+    away(py, move |_| answered(&text, &name, model.as_deref()))?
+}
+
+fn answered(text: &str, name: &str, model: Option<&str>) -> PyResult<(String, String, bool)> {
     let wanted = model.map(|model| Model::named(model, laws())).transpose().map_err(bad_input)?;
     let scene = read::scene(name, text).map_err(bad_input)?;
     let answer = kane_scene::answer(&scene, laws(), wanted, Effort::Chosen, &mut |_, _| {})

@@ -1,5 +1,8 @@
 """Audits: verdicts, and witnesses that can be checked by hand."""
 
+import subprocess
+import sys
+import threading
 from fractions import Fraction
 from pathlib import Path
 
@@ -113,3 +116,44 @@ def test_bad_arguments_are_errors():
     with pytest.raises((ValueError, UnicodeError)):
         kane.audit("\ud800")
     assert kane.audit("").claims == ()
+
+LONG = """```kane
+var a, b, c, g, f
+claim a: a^4*b^2 + a^2*b^4 + 2*c^6 - 3*a^2*b^2*c^2 + g^4*f^2 + g^2*f^4 - 3*g^2*f^2*c^2 + 1/1000000 > 0
+```
+"""
+
+INTERRUPTED = f"""
+import os, signal, threading, time
+import kane
+began = []
+def interrupt():
+    time.sleep(0.3)
+    began.append(time.perf_counter())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=interrupt).start()
+try:
+    kane.audit({LONG!r}, effort=1_000_000)
+except KeyboardInterrupt:
+    print(time.perf_counter() - began[0])
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent as on Unix")
+def test_an_interrupt_is_heard_in_the_middle_of_a_claim():
+    program = [sys.executable, "-c", INTERRUPTED]
+    run = subprocess.run(program, capture_output=True, text=True, check=True, timeout=60)
+    assert float(run.stdout) < 5
+
+
+def test_a_thread_with_a_small_stack_judges_what_is_deep():
+    deep = "```kane\nvar x\nclaim a: " + "(" * 250 + "x" + ")" * 250 + " = x\n```\n"
+    found = []
+    threading.stack_size(64 << 10)
+    try:
+        thread = threading.Thread(target=lambda: found.append(kane.audit(deep)["a"].verdict))
+        thread.start()
+        thread.join()
+    finally:
+        threading.stack_size(0)
+    assert found == ["proved"]

@@ -1,5 +1,7 @@
 """Laws over columns: the numbers of the law, where they stand, and no copy."""
 
+import threading
+import time
 from fractions import Fraction
 
 import kane
@@ -106,3 +108,64 @@ def test_a_column_is_not_read_and_written_at_once():
     one = np.zeros(4)
     with pytest.raises(ValueError, match="twice"):
         kane.batch("walton", alpha, out=(one, one, np.zeros(4)))
+
+
+@pytest.mark.parametrize("law", kane.batched())
+def test_a_row_without_a_meaning_is_nan_and_its_neighbours_are_not(law):
+    alpha = np.linspace(0, 4, 9000)
+    good = kane.batch(law, alpha)
+    bad = [0, 7, 4095, 4096, 5000, 8999]
+    alpha[bad] = [np.nan, -1.0, -np.inf, -5e-324, np.nan, np.nan]
+    for column, was in zip(kane.batch(law, alpha), good):
+        assert np.isnan(column[bad]).all()
+        assert np.array_equal(np.delete(column, bad), np.delete(was, bad))
+    slip, sliding, mobility = (np.array(column, dtype=float) for column in zip(
+        (1, 1, 1), (-2, 0, 1), (0, 1, 1), (0, 0, 1), (np.nan, 1, 1), (np.inf, 1, 1), (1, -1, 1), (1, 1, 0), (1, 1, np.nan)
+    ))
+    k = kane.batch_contacts(law, slip, sliding, mobility).k
+    assert list(np.isnan(k)) == [False] * 3 + [True] * 6
+
+
+def unaligned(rows):
+    return np.zeros(8 * rows + 1, np.uint8)[1:].view(np.float64)
+
+
+def test_a_column_in_the_middle_of_numbers_is_copied_and_not_written():
+    assert np.array_equal(kane.batch("walton", unaligned(2)).k, kane.batch("walton", [0, 0]).k)
+    with pytest.raises(ValueError, match="gaps"):
+        kane.batch("walton", [0.0, 0.0], out=tuple(unaligned(2) for _ in range(3)))
+    with pytest.raises(ValueError, match="aligned"):
+        kane._kane.survey("walton", unaligned(2))
+
+
+def test_a_masked_cell_is_no_number():
+    with pytest.raises(ValueError, match="masked"):
+        kane.batch("walton", np.ma.array([0.5, 1.0], mask=[False, True]))
+    assert len(kane.batch("walton", np.ma.array([0.5, 1.0])).k) == 2
+
+
+def test_other_threads_run_while_rows_are_computed():
+    alpha, out = np.linspace(0, 4, 4_000_000), tuple(np.ones(4_000_000) for _ in range(3))
+    went_on, done = [], threading.Event()
+
+    def beside():
+        while not done.wait(0.0005):
+            went_on.append(time.perf_counter())
+
+    thread = threading.Thread(target=beside)
+    thread.start()
+    between = []
+    for _ in range(20):
+        start = time.perf_counter()
+        kane.batch("smith-1991", alpha, out=out)
+        between.append((start, time.perf_counter()))
+    done.set()
+    thread.join()
+    # a lock that is held is handed over between the calls, but never within one
+    assert any(start < at < end for at in went_on for start, end in between)
+
+
+def test_a_number_beyond_all_floats_is_an_error_and_no_infinity():
+    for bad in ([10**400], [Fraction(10**400, 3)]):
+        with pytest.raises(ValueError, match="alpha: "):
+            kane.batch("walton", bad)

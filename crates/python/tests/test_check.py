@@ -163,3 +163,15 @@ def test_the_page_on_engines_shows_a_program_that_runs(tmp_path, monkeypatch):
     assert json.loads(check.json())["headline"].startswith(
         "Restitution as stated; friction is Coulomb's, which stops the slip"
     )
+
+
+def test_a_masked_cell_is_missing():
+    masked = np.ma.array([0.25, 9.0], mask=[False, True])
+    assert told(kane.check(small(mu=masked))) == told(kane.check(small(mu=[0.25, None])))
+
+
+def test_a_number_beyond_all_floats_rejects_its_row():
+    checked = kane.check(small(mu=[0.25, 10**400]))
+    assert not checked.as_expected and checked["moment"].rows == 1
+    with pytest.raises(ValueError, match="extent"):
+        kane.check(small(), extent=10**400)

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use kane_algebra::syntax::nearest;
+use kane_algebra::syntax::nearest_with_unit;
 
 use crate::coordinate::Coordinate;
 use crate::simulate::{Bounce, End};
@@ -110,7 +110,7 @@ impl Quantity {
             )),
             (None, _) => {
                 let known = Kind::ALL.iter().map(|(_, known, _)| *known);
-                let hint = match nearest(name, known.clone()) {
+                let hint = match nearest_with_unit(name, known.clone()) {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("there are {}", known.collect::<Vec<_>>().join(", ")),
                 };

@@ -25,7 +25,7 @@ use super::output::When;
 #[derive(Debug, Parser)]
 #[command(name = "kane", version, arg_required_else_help = true, after_help = EXIT)]
 pub(crate) struct Cli {
-    /// Colours: auto (on a terminal, unless NO_COLOR is set), always or never
+    /// Colours: auto (on a terminal, unless NO_COLOR or CLICOLOR=0 is set), always or never
     #[arg(
         long,
         global = true,

@@ -71,6 +71,17 @@ pub enum SyntaxErrorKind {
     /// two operands without an operator between them
     #[error("an operator is missing before {0}")]
     ImplicitProduct(String),
+    /// such as `==`
+    #[error("`{written}` means nothing here: it is written {ours}")]
+    Foreign {
+        /// an operator of another language
+        written: &'static str,
+        /// what it is here
+        ours: &'static str,
+    },
+    /// `;` behind a statement
+    #[error("a statement ends with its line, without a `;`")]
+    LastSemicolon,
     /// nothing before the comparison
     #[error("relation without a left side")]
     NoLeftSide,
@@ -230,6 +241,9 @@ impl SyntaxErrorKind {
     #[must_use]
     pub fn hint(&self) -> Option<&'static str> {
         Some(match self {
+            Self::ReservedWord(word) if word == "d" => {
+                "`d(f, x)` is a derivative; a distance may be `d_1` or `D`"
+            }
             Self::MalformedNumber(_) => "numbers look like `12` or `0.4`; a product needs its `*`",
             Self::ExponentNotInteger => {
                 "only literal integers may be exponents; `sqrt(f)` is a square root"

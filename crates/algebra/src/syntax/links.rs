@@ -79,7 +79,9 @@ impl Parser<'_> {
             _ => false,
         };
         if missing {
-            return Err(SyntaxError { kind: SyntaxErrorKind::NoRightSide, span: operator.clone() });
+            let nothing =
+                SyntaxError { kind: SyntaxErrorKind::NoRightSide, span: operator.clone() };
+            return Err(self.foreign_operator().unwrap_or(nothing));
         }
         self.node()
     }

@@ -295,6 +295,9 @@ impl<'a> Parser<'a> {
     /// The fault that something other than the token ahead was due.
     #[must_use]
     pub fn unexpected(&self, expected: &str) -> SyntaxError {
+        if let Some(error) = self.foreign_operator() {
+            return error;
+        }
         let kind = match self.token {
             Token::Stray(c) => SyntaxErrorKind::StrayCharacter(c),
             Token::CloseParen if self.nesting == 0 => SyntaxErrorKind::Unopened(')'),
@@ -323,6 +326,7 @@ impl<'a> Parser<'a> {
         }
         Err(self
             .missing_operator()
+            .or_else(|| self.last_semicolon())
             .unwrap_or_else(|| self.unexpected("an operator or the end of the statement")))
     }
 

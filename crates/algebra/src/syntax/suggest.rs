@@ -14,6 +14,17 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// The first candidate that is `word` with its unit, as `gravity_m_s2` is of `gravity`; else the nearest.
+pub fn nearest_with_unit<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str> + Clone,
+) -> Option<&'a str> {
+    let has_unit = |name: &&str| {
+        name.strip_prefix(word).is_some_and(|unit| !word.is_empty() && unit.starts_with('_'))
+    };
+    candidates.clone().into_iter().find(has_unit).or_else(|| nearest(word, candidates))
+}
+
 /// Levenshtein's distance, except that a change of case is free.
 fn distance(word: &[char], other: &str) -> usize {
     let mut row: Vec<usize> = (0..=word.len()).collect();
@@ -39,7 +50,17 @@ fn distance(word: &[char], other: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{nearest, nearest_with_unit};
+
+    #[test]
+    fn a_name_without_its_unit_is_recognised() {
+        let names = ["mass_kg", "radius_m", "v_x_m_s", "title"];
+        assert_eq!(nearest_with_unit("mass", names), Some("mass_kg"));
+        assert_eq!(nearest_with_unit("v_x", names), Some("v_x_m_s"));
+        assert_eq!(nearest_with_unit("titel", names), Some("title"));
+        assert_eq!(nearest_with_unit("ma", names), None);
+        assert_eq!(nearest_with_unit("", ["_m"]), None);
+    }
 
     #[test]
     fn a_slip_of_the_pen_is_recognised() {

@@ -202,7 +202,7 @@ struct Head {
 /// `LABEL:`
 fn labelled_head(p: &mut Parser<'_>) -> Result<Head, SyntaxError> {
     let (label, label_span) = label::take(p)?;
-    p.expect(Token::Colon, "`:` after the label")?;
+    p.expect(Token::Colon, "`:` after the label, as in `given NAME: a = b`")?;
     Ok(Head {
         label: label.to_owned(),
         label_span,

@@ -233,7 +233,8 @@ fn item(
 
 /// `R^2`, `R^3`, `R^2x2` or `R^3x3`
 fn space(p: &mut Parser<'_>) -> Result<Shape, SyntaxError> {
-    const SPACES: &str = "`R^2`, `R^3`, `R^2x2` or `R^3x3`, or `N` of an index";
+    const SPACES: &str =
+        "`R^2`, `R^3`, `R^2x2` or `R^3x3`, or `N` of an index (a number needs no `in`)";
     if !p.accept_word("R") {
         return Err(p.unexpected(SPACES));
     }

@@ -98,8 +98,8 @@ class Statement:
 class Audit(Report):
     """A judged document. Iterates over its statements; `audit["(9)"]` and `audit["9"]` are that statement."""
 
-    def __init__(self, text: str, name: str, effort: int) -> None:
-        report, html, markdown, shown, points = _kane.audit(text, name, effort)
+    def __init__(self, text: str, name: str, effort: int, judged: tuple[str, str, str, str, list[Any]]) -> None:
+        report, html, markdown, shown, points = judged
         document = json.loads(report)["documents"][0]
         self._source, self._effort, self._json, self._html = text, effort, report, html
         self._markdown, self._text = markdown, shown
@@ -227,4 +227,4 @@ def audit(text: str, *, name: str = "document.md", effort: int = 1) -> Audit:
     """
     if not 1 <= effort <= 1_000_000:
         raise ValueError("effort is from 1 to 1000000")
-    return Audit(text, name, effort)
+    return Audit(text, name, effort, _kane.audit(text, name, effort))

@@ -43,17 +43,28 @@ def batched() -> list[str]:
 def _column(values: Any, name: str) -> Any:
     import numpy as np
 
+    if type(values) is np.ndarray and values.dtype == np.float64 and _is_whole(values):
+        return values
+    if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
+        raise ValueError(f"{name} has masked cells, which are no numbers")
     array = np.asarray(values)
     if array.ndim != 1:
         raise ValueError(f"{name} has {array.ndim} dimensions; a column has one")
     if array.dtype.kind == "O":  # fractions, say; None is no number, and no NaN either
         try:
             array = np.array([float(value) for value in array], dtype=np.float64)
-        except TypeError as error:
+        except (TypeError, OverflowError) as error:
             raise ValueError(f"{name}: {error}") from None
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name} has cells of the type {array.dtype}, which are no numbers")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    return array if array.flags.aligned else array.copy()
+
+
+def _is_whole(array: Any) -> bool:
+    """Whether the numbers of a column stand one after the other where the processor reads them."""
+    flags = array.flags
+    return bool(array.ndim == 1 and flags.c_contiguous and flags.aligned)
 
 
 def _results(rows: int, out: Union[tuple[Any, Any, Any], None]) -> Columns:
@@ -61,12 +72,16 @@ def _results(rows: int, out: Union[tuple[Any, Any, Any], None]) -> Columns:
 
     if out is None:
         return Columns(*(np.empty(rows) for _ in range(3)))
-    for column in out:
+    try:
+        columns = Columns(*out)
+    except TypeError:
+        raise ValueError("out takes three columns of float64") from None
+    for column in columns:
         if not isinstance(column, np.ndarray) or column.dtype != np.float64 or column.ndim != 1:
             raise ValueError("out takes three columns of float64")
-        if not (column.flags.c_contiguous and column.flags.writeable):
+        if not (_is_whole(column) and column.flags.writeable):
             raise ValueError("a column of out has gaps or cannot be written")
-    return Columns(*out)
+    return columns
 
 
 def batch(law: str, alpha: Any, *, out: Union[tuple[Any, Any, Any], None] = None) -> Columns:
@@ -75,15 +90,15 @@ def batch(law: str, alpha: Any, *, out: Union[tuple[Any, Any, Any], None] = None
     `alpha` is read where it stands if it is a contiguous array of float64; anything else is converted first. `out`
     takes three such arrays, k, i_x and Δe, to write into instead of new ones. What each law promises about its
     last digits is said in the Rust documentation of `kane_impact::batch`. A row whose α is NaN or negative has no
-    meaning; `survey` counts such rows. Raises `ValueError` for a law without a lane (see `batched`), and for
-    columns of several lengths.
+    meaning: its results are NaN, and `survey` counts it. Other threads run meanwhile, and leave these columns alone.
+    Raises `ValueError` for a law without a lane (see `batched`), and for columns of several lengths.
     """
     column = _column(alpha, "alpha")
     results = _results(len(column), out)
     try:
         _kane.batch(law, column, *results)
     except _kane_borrowed() as error:
-        raise ValueError(f"a column is given twice: {error}") from None
+        raise ValueError(f"a column is given twice, or in use by another thread: {error}") from None
     return results
 
 
@@ -98,8 +113,8 @@ def batch_contacts(
     """k, i_x and Δe of a law for columns of contacts that do not couple.
 
     `slip` is v_t in m/s, of either sign; `sliding` S = μ·p_n, the friction of full sliding, at least 0, in N·s;
-    `mobility` W_tt > 0 in 1/kg. α = S·W_tt/(2·abs(v_t)), with a relative error of at most 2⁻⁵². The rest is as of
-    `batch`.
+    `mobility` W_tt > 0 in 1/kg. α = S·W_tt/(2·abs(v_t)), with a relative error of at most 2⁻⁵². A row beyond these
+    ranges, or with neither slip nor friction, is NaN. The rest is as of `batch`.
     """
     columns = [
         _column(values, name)
@@ -109,7 +124,7 @@ def batch_contacts(
     try:
         _kane.batch_contacts(law, columns, *results)
     except _kane_borrowed() as error:
-        raise ValueError(f"a column is given twice: {error}") from None
+        raise ValueError(f"a column is given twice, or in use by another thread: {error}") from None
     return results
 
 

@@ -113,7 +113,10 @@ def check(
 
     Raises `ValueError` if columns are missing, or there is no row that could be checked.
     """
-    asked = (list((map or {}).items()), float, extent)
+    try:
+        asked = (list((map or {}).items()), float, None if extent is None else 1.0 * extent)
+    except OverflowError:
+        raise ValueError("extent must be between 0 and 1e12 arms") from None
     if isinstance(log, (str, os.PathLike)):
         path = os.fspath(log)
         with open(path, encoding="utf-8") as file:
@@ -172,13 +175,15 @@ def _sort(name: str, values: Any, nan_is_missing: bool, numbers: list[Any], word
             values = values.to_numpy(dtype=object)
         else:
             values = values.to_numpy()
+    if isinstance(values, np.ma.MaskedArray):
+        missing, values = np.ma.getmaskarray(values), values.data
     array = values if isinstance(values, np.ndarray) else np.asarray(values, dtype=object)
     if array.ndim != 1:
         raise ValueError(f"the column {name} has {array.ndim} dimensions; a column has one")
     if array.dtype == object:
         array, missing = _objects(array, missing)
     if array is not None and array.dtype.kind in "fiu":
-        column = np.ascontiguousarray(array, dtype=np.float64)
+        column = np.require(array, dtype=np.float64, requirements=["C", "A"])
         if nan_is_missing and np.isnan(column).any():
             nan = np.isnan(column)
             missing = nan if missing is None else missing | nan
@@ -210,6 +215,9 @@ def _objects(array: Any, missing: Any) -> tuple[Any, Any]:
     kept = [cell for cell, no in zip(cells, gone) if not no]
     number = (int, float, np.integer, np.floating)
     if all(isinstance(cell, number) and not isinstance(cell, bool) for cell in kept):
-        filled = [0.0 if no else float(cell) for cell, no in zip(cells, gone)]
+        try:
+            filled = [0.0 if no else float(cell) for cell, no in zip(cells, gone)]
+        except OverflowError:  # an integer beyond all floats: a word that is no number of the format
+            return array, mask
         return np.array(filled, dtype=np.float64), mask
     return array, mask

@@ -5,6 +5,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = [
+    "audit",
+    "batch",
+    "batch_contacts",
+    "batched",
+    "check_columns",
+    "check_text",
+    "collide",
+    "explain",
+    "laws",
+    "scene",
+    "survey",
+    "version",
+]
+
 _Fraction = tuple[str, str]
 _Value = tuple[str, _Fraction | None, list[_Fraction]]
 _Root = tuple[list[str], _Fraction, _Fraction]

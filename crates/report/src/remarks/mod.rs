@@ -4,7 +4,7 @@
 mod sarif;
 mod workflow;
 
-use kane_audit::Verdict;
+use kane_audit::{Diagnostic, Verdict};
 
 use crate::Report;
 use crate::records::RecordsReport;
@@ -85,6 +85,27 @@ pub fn of_audit(report: &Report<'_>) -> Vec<Remark> {
         title: "no claim".to_owned(),
         message: "there is no claim, so that nothing is checked".to_owned(),
     }]
+}
+
+/// A remark for a fault in the text of a document, with the hint at its remedy.
+#[must_use]
+pub fn of_fault(fault: &Diagnostic) -> Remark {
+    let hint = fault.note.as_ref().map(|note| format!("\n{note}")).unwrap_or_default();
+    let message = format!("{}{hint}", fault.message);
+    Remark { line: Some(fault.line), ..unread(&fault.file, message) }
+}
+
+/// A remark for a file that cannot be checked, and why.
+#[must_use]
+pub fn unread(file: &str, why: String) -> Remark {
+    Remark {
+        file: file.to_owned(),
+        line: None,
+        level: Level::Error,
+        rule: "unread".to_owned(),
+        title: "cannot be checked".to_owned(),
+        message: why,
+    }
 }
 
 /// A remark for every check of a log that was asked, at its worst row; one for each row that was

@@ -80,7 +80,9 @@ pub(super) fn asked<N>(
         }
     }
     if asked.is_empty() {
-        return Err(source.fault(0..0, "nothing is asked; [ask] needs a quantity with a tolerance"));
+        let message =
+            "nothing is asked; [ask] needs a quantity with a tolerance, as `v_x_m_s = 1e-6`";
+        return Err(source.fault(0..0, message));
     }
     Ok(asked)
 }

@@ -64,6 +64,7 @@ struct File {
     rod_tip: Option<Rod>,
     double_pendulum: Option<Pendulum>,
     until: Option<Spanned<UntilTable>>,
+    #[serde(default)]
     ask: BTreeMap<Spanned<String>, Number>,
 }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use kane_algebra::syntax::{Diagnostic, nearest};
+use kane_algebra::syntax::{Diagnostic, nearest_with_unit};
 use kane_number::Rational;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -122,6 +122,6 @@ impl Source<'_> {
 fn suggestion(message: &str) -> Option<String> {
     let mut words = message.strip_prefix("unknown field ")?.split('`').skip(1).step_by(2);
     let unknown = words.next()?;
-    let near = nearest(unknown, words)?;
+    let near = nearest_with_unit(unknown, words)?;
     Some(format!("did you mean `{near}`?"))
 }

@@ -122,14 +122,22 @@ fn numbers_that_are_none_are_refused() {
 
 #[test]
 fn a_key_mistyped_gets_a_suggestion() {
-    let text = GOOD.replacen("friction", "fricton", 1);
-    let fault = scene("bad.toml", &text).expect_err("it is mistyped");
-    assert_eq!(fault.note.as_deref(), Some("did you mean `friction`?"));
+    for (right, wrong, meant) in [
+        ("friction", "fricton", "friction"),
+        ("gravity_m_s2", "gravity", "gravity_m_s2"),
+        ("mass_kg", "mass", "mass_kg"),
+    ] {
+        let fault = scene("bad.toml", &GOOD.replacen(right, wrong, 1)).expect_err(wrong);
+        assert_eq!(fault.note.as_deref(), Some(&*format!("did you mean `{meant}`?")));
+    }
+    let fault = scene("bad.toml", &GOOD.replacen("k = ", "v_x = ", 1)).expect_err("no unit");
+    assert!(fault.message.ends_with("did you mean `v_x_m_s`?"), "{}", fault.message);
 }
 
 #[test]
 fn what_needs_a_table_says_so() {
-    for (without, message) in [("[ask]\nk = 0.01\n", "ask"), ("[until]\nimpacts = 3\n", "[until]")]
+    for (without, message) in
+        [("[ask]\nk = 0.01\n", "[ask] needs a quantity"), ("[until]\nimpacts = 3\n", "[until]")]
     {
         let text = GOOD.replacen(without, "", 1);
         let fault = scene("bad.toml", &text).expect_err("something is missing");
