@@ -30,7 +30,7 @@ fn the_coefficients_are_those_found_by_hand() {
     let hand = BY_HAND.map(|c| Rational::from_integer(c.into()));
     let factor = &found[0] / &hand[0];
     assert!(factor > Rational::zero(), "{found:?}");
-    assert_eq!(found, hand.map(|c| c * &factor));
+    assert_eq!(found[..], hand.map(|c| c * &factor));
 }
 
 /// The derivative 60k² − 6k + 140 has a negative discriminant, so that there is one real root. It is
