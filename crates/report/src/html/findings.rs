@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use kane_audit::{Content, Verdict};
-use kane_kernel::{Expr, Link, Relation};
+use kane_kernel::{Expr, Link, Rel, Relation};
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::DisplayMode;
 
@@ -89,7 +89,7 @@ impl Page<'_> {
         }
     }
 
-    /// What is proved of the same left side, under the same conditions and from no more.
+    /// What is proved of the same left side by the same relation, under the same conditions and from no more.
     fn in_its_place(&self, index: usize, entry: &Entry<'_>) -> Vec<(usize, Entry<'_>)> {
         let Some(fails) = Said::of(entry) else { return Vec::new() };
         let shown = self.report.shown.iter().copied().filter(|other| *other != index);
@@ -105,6 +105,7 @@ impl Page<'_> {
 /// What a claim of one relation says, and from what.
 struct Said<'a> {
     lhs: &'a Expr,
+    rel: Rel,
     rhs: &'a Expr,
     when: &'a [Relation],
     from: BTreeSet<usize>,
@@ -116,11 +117,17 @@ impl<'a> Said<'a> {
         let Content::Links(links) = &claim.content else { return None };
         let [(Link::Relation(relation), _)] = &links[..] else { return None };
         let from = claim.from.iter().copied().collect();
-        Some(Self { lhs: &relation.lhs, rhs: &relation.rhs, when: &claim.when, from })
+        Some(Self {
+            lhs: &relation.lhs,
+            rel: relation.rel,
+            rhs: &relation.rhs,
+            when: &claim.when,
+            from,
+        })
     }
 
     fn is_in_place_of(&self, other: &Self) -> bool {
-        self.lhs == other.lhs
+        (self.lhs, self.rel) == (other.lhs, other.rel)
             && self.rhs != other.rhs
             && self.when == other.when
             && self.from.is_subset(&other.from)
