@@ -46,11 +46,12 @@ fn expected(asked: Asked, case: &Case<'_>) -> String {
         Asked::Residual(check) => {
             finding(check).map_or(String::new(), |found| format!("{:?}", found.residual))
         }
-        Asked::Holds(check) => {
-            finding(check).map_or(String::new(), |found| found.holds.to_string())
-        }
+        Asked::Holds(check) => finding(check)
+            .and_then(|found| found.holds())
+            .map_or(String::new(), |holds| holds.to_string()),
         Asked::Fails => {
-            let fails = |check: &Check| finding(*check).is_some_and(|found| !found.holds);
+            let fails =
+                |check: &Check| finding(*check).is_some_and(|found| found.holds() == Some(false));
             let names: Vec<_> = Check::ALL.into_iter().filter(fails).map(Check::id).collect();
             names.join(" ")
         }

@@ -5,7 +5,7 @@ use std::io::BufReader;
 
 use datafusion::arrow::ipc::writer::FileWriter;
 use kane_lake::{Numbers, Reading, check, open};
-use kane_records::format::Format;
+use kane_records::format::{Format, Told};
 use kane_records::reader::Kind;
 use kane_records::study::{Options, Study, study};
 use kane_report::records::{RecordsReport, headline, json};
@@ -36,7 +36,7 @@ fn found(study: &Study) -> Vec<String> {
     ];
     for checked in &study.checks {
         // of rows that hold by equal shares of their tolerances any may be the worst
-        let worst = checked.worst.filter(|(_, finding)| !finding.holds);
+        let worst = checked.worst.filter(|(_, finding)| finding.holds() == Some(false));
         let worst = worst.map(|(_, finding)| finding.residual);
         found.push(format!(
             "{:?} {} {} {} {worst:?}",
