@@ -6,7 +6,7 @@
 //! regime like any other, also where a regime has a root.
 
 use kane_impact::{Contact, Delassus, Law};
-use kane_number::{Number as _, Rational};
+use kane_number::{Number as _, Rational, power_of};
 
 use crate::cell::{Cell, Finding};
 use crate::pointwise;
@@ -104,13 +104,9 @@ fn grid<'a>(constants: &[&'a str], ends: &[&'a str]) -> Vec<(&'a str, &'a str)> 
     out.into_iter().map(|(_, pair)| pair).collect()
 }
 
-fn two_to(n: u32) -> Rational {
-    Rational::from_integer((1u64 << n).into())
-}
-
 fn is_far(contact: &Contact<Rational>, infinite: bool) -> bool {
     let alpha = contact.alpha().unwrap_or_else(Rational::zero);
-    if infinite { alpha >= two_to(20) } else { alpha <= two_to(20).recip() }
+    if infinite { alpha >= power_of(2, 20) } else { alpha <= power_of(2, 20).recip() }
 }
 
 /// A proved bound away from the limit, as a refutation, with an answer of the law close to the end.
@@ -129,13 +125,13 @@ fn refuted(
 pub(crate) fn answers(law: &Law, infinite: bool) -> Answers {
     let mut out = Vec::new();
     for n in [0, 1, 2, 4, 6, 8, 12, 20] {
-        let alpha = if infinite { two_to(n) } else { two_to(n).recip() };
-        for e in [Rational::zero(), Rational::one(), two_to(1).recip()] {
+        let alpha = if infinite { power_of(2, n) } else { power_of(2, n).recip() };
+        for e in [Rational::zero(), Rational::one(), power_of(2, 1).recip()] {
             // small friction, too: some laws accept only what creates no energy
-            let small = (two_to(3) * &alpha).recip();
+            let small = (power_of(2, 3) * &alpha).recip();
             for mu in [Rational::one(), small] {
                 let one = Rational::one;
-                let tt = two_to(1) * &alpha / (&mu * (one() + &e));
+                let tt = power_of(2, 1) * &alpha / (&mu * (one() + &e));
                 let delassus = Delassus::unchecked(tt, Rational::zero(), one());
                 let contact = Contact::unchecked(one(), one(), delassus, mu, e.clone());
                 if let Ok(outcome) = resolve(law, &contact) {
@@ -198,7 +194,7 @@ pub(crate) fn continuous(
 fn turned(law: &Law, families: &[Family]) -> Option<Cell> {
     let one = Rational::one;
     let delassus = Delassus::unchecked(one(), Rational::zero(), one());
-    let contact = Contact::unchecked(one(), two_to(20), delassus, one(), Rational::zero());
+    let contact = Contact::unchecked(one(), power_of(2, 20), delassus, one(), Rational::zero());
     let outcome = resolve(law, &contact).ok()?;
     let answers = [(contact, outcome)];
     for side in ["p_t >= 1/16*p_n", "p_t <= -1/16*p_n"] {

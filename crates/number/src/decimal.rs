@@ -1,9 +1,9 @@
 //! An exact number written with a given count of significant digits.
 
 use num_bigint::Sign;
-use num_traits::{Pow, Signed, Zero};
+use num_traits::{Signed, Zero};
 
-use crate::{Integer, Rational};
+use crate::{Integer, Rational, power_of};
 
 /// The decimal of `digits` significant digits that is nearest (ties away from zero), without
 /// trailing zeros: `-0.25`, `1.5e-30`. Plain between 10^−5 and 10^digits, otherwise scientific.
@@ -15,13 +15,14 @@ pub(crate) fn significant(exact: &Rational, digits: u32) -> String {
     // A first guess from the bit lengths, off by one at most; then exactly.
     let bits = |n: &Integer| i64::try_from(n.bits()).expect("a bit count fits 63 bits");
     let mut power = (bits(magnitude.numer()) - bits(magnitude.denom())) * 30103 / 100_000 - 1;
-    while ten_to(power + 1) <= magnitude {
+    while power_of(10, power + 1) <= magnitude {
         power += 1;
     }
-    while ten_to(power) > magnitude {
+    while power_of(10, power) > magnitude {
         power -= 1;
     }
-    let mut mantissa = (&magnitude / ten_to(power + 1 - i64::from(digits))).round().to_integer();
+    let mut mantissa =
+        (&magnitude / power_of(10, power + 1 - i64::from(digits))).round().to_integer();
     if mantissa == Integer::from(10).pow(digits) {
         mantissa /= 10;
         power += 1;
@@ -40,14 +41,5 @@ pub(crate) fn significant(exact: &Rational, digits: u32) -> String {
         0.. if power < i64::from(digits) => format!("{sign}{}.{}", &text[..cut], &text[cut..]),
         _ if length == 1 => format!("{sign}{text}e{power}"),
         _ => format!("{sign}{}.{}e{power}", &text[..1], &text[1..]),
-    }
-}
-
-fn ten_to(power: i64) -> Rational {
-    let scale = Integer::from(10).pow(power.unsigned_abs());
-    if power >= 0 {
-        Rational::from_integer(scale)
-    } else {
-        Rational::new_raw(Integer::from(1), scale)
     }
 }

@@ -101,7 +101,7 @@ pub use interval::Interval;
 pub use number::{Number, Ordered, Real};
 pub use odd_fraction::OddFraction;
 pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseError, parse};
-pub use rational::{Integer, Rational};
+pub use rational::{Integer, Rational, power_of};
 pub use scaled::Scaled;
 pub use system::{Lane, System};
 pub use ulp::{error_in_ulps, steps_between, ulp};

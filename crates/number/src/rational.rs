@@ -1,6 +1,6 @@
 //! The exact end of the scale.
 
-use num_traits::{One, Zero};
+use num_traits::{One, Pow as _, Zero};
 
 use crate::{Comparison, Number, Ordered};
 
@@ -52,4 +52,11 @@ impl Ordered for Rational {
     fn compare(&self, other: &Self) -> Comparison {
         self.cmp(other).into()
     }
+}
+
+/// base to the power of an exponent, which may be negative; exact. The base is not 0.
+#[must_use]
+pub fn power_of(base: u32, exponent: i64) -> Rational {
+    let power = Rational::from_integer(Integer::from(base).pow(exponent.unsigned_abs()));
+    if exponent < 0 { power.recip() } else { power }
 }

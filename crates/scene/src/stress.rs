@@ -8,7 +8,7 @@ mod penalty;
 
 use kane_impact::laws::{RouthNewton, WangSuLi, WhittakerUncapped};
 use kane_impact::{Law, NumberSystem};
-use kane_number::{Lane, Rational};
+use kane_number::{Lane, Rational, power_of};
 
 use crate::coordinate::Coordinate;
 use crate::read;
@@ -50,11 +50,6 @@ pub fn rows(laws: &[Law]) -> Vec<Row> {
     reversal(&mut rows);
     penalty::rows(&mut rows);
     rows
-}
-
-fn ten_to(power: i32) -> Rational {
-    let ten = Rational::from_integer(10.into());
-    num_traits::pow::Pow::pow(&ten, power)
 }
 
 fn integer(n: i64) -> Rational {
@@ -117,7 +112,7 @@ fn once<N: Coordinate + NumberSystem>(
 /// Nearly along the floor: `v_y` = −`v_x`·10^−n, from 84.3° on.
 fn grazing(rows: &mut Vec<Row>) {
     for power in [1, 2, 4, 8, 16] {
-        let down = -ten_to(-power);
+        let down = -power_of(10, -power);
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), down / integer(3)], ratio(9, 10));
         let (found, exact) = once::<f64>(&world, &Law::new(RouthNewton));
         let Some(exact) = exact else { continue };
@@ -136,8 +131,8 @@ fn grazing(rows: &mut Vec<Row>) {
 fn ends_of_restitution(rows: &mut Vec<Row>) {
     for (to, e) in [
         ("0", integer(0)),
-        ("1e-16", ten_to(-16)),
-        ("1 - 1e-16", integer(1) - ten_to(-16)),
+        ("1e-16", power_of(10, -16)),
+        ("1 - 1e-16", integer(1) - power_of(10, -16)),
         ("1", integer(1)),
     ] {
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), ratio(-1, 7)], e);
@@ -161,8 +156,11 @@ fn jam(rows: &mut Vec<Row>) {
     let critical = ratio(13, 9);
     for power in [1, 4, 8, 12] {
         for below in [true, false] {
-            let share =
-                if below { integer(1) - ten_to(-power) } else { integer(1) + ten_to(-power) };
+            let share = if below {
+                integer(1) - power_of(10, -power)
+            } else {
+                integer(1) + power_of(10, -power)
+            };
             let tip = Tip {
                 body: TipBody::Rod {
                     mass: integer(1),
@@ -208,7 +206,8 @@ fn tip_error(tip: &Tip<Rational>, law: &Law) -> f64 {
 /// J = m·r²·10^−n: the spin of a body without inertia.
 fn inertia(rows: &mut Vec<Row>) {
     for power in [2, 8, 16, 100] {
-        let world = ball(ratio(1, 3), ten_to(-power), [ratio(1, 3), ratio(-1, 7)], ratio(9, 10));
+        let world =
+            ball(ratio(1, 3), power_of(10, -power), [ratio(1, 3), ratio(-1, 7)], ratio(9, 10));
         for (method, (found, exact)) in [
             ("routh-newton/f64", once::<f64>(&world, &Law::new(RouthNewton))),
             ("wang-su-li/f64", once::<f64>(&world, &Law::new(WangSuLi))),
@@ -229,7 +228,7 @@ fn inertia(rows: &mut Vec<Row>) {
 /// springs, the greatest difference of a velocity, by the striker's.
 fn simultaneous(rows: &mut Vec<Row>) {
     for power in [0, 9, 8, 7, 6, 5, 4, 3] {
-        let gap = if power == 0 { 0.0 } else { ten_to(-power).to_f64() };
+        let gap = if power == 0 { 0.0 } else { power_of(10, -power).to_f64() };
         let chain = Chain {
             masses: vec![0.1; 3],
             gaps: vec![0.01, gap],
@@ -257,7 +256,7 @@ fn simultaneous(rows: &mut Vec<Row>) {
 /// e close to 1: the time to rest, in closed form and by following a thousand impacts.
 fn zeno(rows: &mut Vec<Row>) {
     for power in [1, 2, 4, 8, 12] {
-        let e = integer(1) - ten_to(-power);
+        let e = integer(1) - power_of(10, -power);
         let mut world = ball(integer(1), ratio(2, 5), [integer(0), integer(0)], e);
         world.bodies[0].position[1] = ratio(9, 4);
         let rest = |shown| Budget { shown, ..Budget::default() };

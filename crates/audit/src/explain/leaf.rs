@@ -49,7 +49,7 @@ pub(super) fn step(
         }
         Argument::SignTable { var, roots, atoms, .. } => {
             let atoms = atoms.iter().map(|(i, ..)| atom(*i)).collect::<Option<_>>()?;
-            let cuts = roots.iter().map(|root| witness::tight(root, witness::SHOWN)).collect();
+            let cuts = roots.iter().map(witness::shown).collect();
             Some(Step::SignTable { variable: *var, cuts, atoms })
         }
         Argument::Assume { .. } | Argument::Split { .. } | Argument::Substitute { .. } => None,

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use kane_algebra::syntax::compares;
-use kane_kernel::{Context, Expr, Relation};
+use kane_kernel::{Context, Expr, Rel, Relation};
+use kane_number::power_of;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
@@ -51,12 +52,12 @@ impl Span {
     }
 
     /// Whether a relation holds of all pairs, or of none; `None` if of some.
-    fn compare(&self, relation: &Relation, other: &Self) -> Option<bool> {
+    fn compare(&self, rel: Rel, other: &Self) -> Option<bool> {
         let first = self.lower.cmp(&other.upper);
         let second = self.upper.cmp(&other.lower);
         // apart, or a number each
         (first.is_gt() || second.is_lt() || first == second)
-            .then(|| compares(relation.rel, if first.is_gt() { first } else { second }))
+            .then(|| compares(rel, if first.is_gt() { first } else { second }))
     }
 
     fn neg(self) -> Self {
@@ -120,7 +121,7 @@ fn fewer(q: Q, up: bool) -> Q {
     }
     // |q| is between 2^(n − d − 1) and 2^(n − d + 1)
     let (n, d) = (i64::try_from(n).unwrap_or(i64::MAX), i64::try_from(d).unwrap_or(i64::MAX));
-    let unit = power_of_two(n - d - i64::try_from(BITS).unwrap_or_default());
+    let unit = power_of(2, n - d - i64::try_from(BITS).unwrap_or_default());
     let places = q / &unit;
     (if up { places.ceil() } else { places.floor() }) * unit
 }
@@ -136,11 +137,6 @@ fn root(q: &Q, up: bool) -> Q {
     let scaled = (q.numer() << (2 * shift)) / q.denom();
     let whole = scaled.sqrt() + BigInt::from(u8::from(up));
     Q::new(whole, BigInt::one() << shift)
-}
-
-fn power_of_two(exponent: i64) -> Q {
-    let power = Q::from_integer(BigInt::one() << exponent.unsigned_abs());
-    if exponent < 0 { power.recip() } else { power }
 }
 
 /// Encloses values of expressions at one point.
@@ -193,7 +189,7 @@ impl<'a> Enclosure<'a> {
     /// Whether all relations hold; `None` if that is not settled.
     fn all_hold(&mut self, guards: &[Relation]) -> Option<bool> {
         for guard in guards {
-            if !self.value(&guard.lhs)?.compare(guard, &self.value(&guard.rhs)?)? {
+            if !self.value(&guard.lhs)?.compare(guard.rel, &self.value(&guard.rhs)?)? {
                 return Some(false);
             }
         }
@@ -258,12 +254,11 @@ mod tests {
             a in fraction(), b in fraction(), c in fraction(), d in fraction(),
             rel in prop::sample::select(vec![Rel::Eq, Rel::Ne, Rel::Lt, Rel::Le, Rel::Gt, Rel::Ge]),
         ) {
-            let relation = Relation { lhs: Expr::int(0), rel, rhs: Expr::int(0) };
             let (one, other) = (
                 Span { lower: a.clone().min(b.clone()), upper: a.clone().max(b.clone()) },
                 Span { lower: c.clone().min(d.clone()), upper: c.clone().max(d.clone()) },
             );
-            if let Some(holds) = one.compare(&relation, &other) {
+            if let Some(holds) = one.compare(rel, &other) {
                 for x in [&a, &b] {
                     for y in [&c, &d] {
                         prop_assert_eq!(compares(rel, x.cmp(y)), holds);

@@ -109,28 +109,21 @@ impl<'g> Coordinates<'g> {
         if self.is_exact {
             return match at.value(e) {
                 Ok(value) => Measured::Exact(value),
-                Err(NoValue::Irrational) => self.near(e),
+                Err(why @ NoValue::Irrational) => {
+                    self.enclosed(e).map_or(Measured::None(why), |within| near(&within))
+                }
                 Err(why) => Measured::None(why),
             };
         }
         // what cancels is not there where it divides by 0: an enclosure tells
-        let exact =
-            if self.has_guards(e) || self.enclosed(e).is_none() { None } else { self.rational(e) };
-        exact.map_or_else(|| self.near(e), Measured::Exact)
+        let Some(within) = self.enclosed(e) else { return Measured::None(NoValue::Irrational) };
+        let exact = if self.has_guards(e) { None } else { self.rational(e) };
+        exact.map_or_else(|| near(&within), Measured::Exact)
     }
 
     /// Where the value is.
     fn enclosed(&self, e: &Expr) -> Option<Span> {
         Enclosure::new(self.context, &self.within).value(e)
-    }
-
-    /// The value, or a number near it if digits of it are known.
-    fn near(&self, e: &Expr) -> Measured {
-        match self.enclosed(e) {
-            Some(value) if value.is_number() => Measured::Exact(value.middle()),
-            Some(value) if value.is_close() => Measured::Near(value.middle()),
-            _ => Measured::None(NoValue::Irrational),
-        }
     }
 
     /// The value at an irrational point, if it is rational: the square of a root of two is two, and not near it.
@@ -314,11 +307,22 @@ fn within<'e>(context: &'e Context, mut todo: Vec<&'e Expr>) -> (BTreeSet<usize>
     (out, lets)
 }
 
+/// The value within an enclosure, or a number near it if digits of it are known.
+fn near(within: &Span) -> Measured {
+    if within.is_number() {
+        Measured::Exact(within.middle())
+    } else if within.is_close() {
+        Measured::Near(within.middle())
+    } else {
+        Measured::None(NoValue::Irrational)
+    }
+}
+
 /// A value at a point.
 fn value(point: &Point, v: usize) -> Option<Value> {
     let (_, coefficients) = point.values.iter().find(|x| x.0 == v)?;
     let root = match &point.generator {
-        Some(root) if coefficients.len() > 1 => tight(root, SHOWN),
+        Some(root) if coefficients.len() > 1 => shown(root),
         _ => return Some(Value::Number(coefficients.first().cloned().unwrap_or_else(Q::zero))),
     };
     Some(if coefficients[..] == [Q::zero(), Q::one()] {
@@ -332,12 +336,17 @@ fn value(point: &Point, v: usize) -> Option<Value> {
 const TIGHTENING: u64 = 1_000_000;
 
 /// Halvings of the interval of a root that is shown as a decimal.
-pub(super) const SHOWN: u32 = 40;
+const SHOWN: u32 = 40;
 /// Halvings for the digits of what is computed from a root.
 const CLOSE: u32 = 120;
 
+/// A root, its interval narrow enough for the decimals that are shown of it.
+pub(super) fn shown(root: &Root) -> Root {
+    tight(root, SHOWN)
+}
+
 /// A root, its interval halved so many times.
-pub(super) fn tight(root: &Root, halvings: u32) -> Root {
+fn tight(root: &Root, halvings: u32) -> Root {
     let (mut tight, fuel) = (root.clone(), Fuel::new(TIGHTENING));
     for _ in 0..halvings {
         if tight.is_exact() || kane_algebra::sign_table::refine(&mut tight, &fuel).is_err() {

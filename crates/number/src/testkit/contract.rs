@@ -3,8 +3,8 @@
 use num_traits::{Signed, Zero};
 
 use crate::{
-    Algebraic, DoubleDouble, Integer, Interval, Number as _, OddFraction, Rational, Real, Rounding,
-    Scaled, decode, encode, steps_between,
+    Algebraic, DoubleDouble, Interval, Number as _, OddFraction, Rational, Real, Rounding, Scaled,
+    decode, encode, power_of, steps_between,
 };
 
 /// A number system together with its promise.
@@ -56,7 +56,7 @@ impl Contract for DoubleDouble {
     }
 
     fn admits(result: &Self, exact: &Rational) -> bool {
-        let (least, most) = (power_of_two(-850), power_of_two(1023));
+        let (least, most) = (power_of(2, -850), power_of(2, 1023));
         if exact.abs() >= most || (exact.abs() < least && !exact.is_zero()) {
             return true;
         }
@@ -153,17 +153,11 @@ impl Contract for Algebraic {
 
 /// |value − exact| ≤ 2^−bits·|exact|.
 fn is_near(value: &Rational, exact: &Rational, bits: i64) -> bool {
-    (value - exact).abs() <= exact.abs() * power_of_two(-bits)
+    (value - exact).abs() <= exact.abs() * power_of(2, -bits)
 }
 
 fn is_near_root(value: &Rational, exact: &Algebraic, bits: i64) -> bool {
-    let slack = value.abs() * power_of_two(-bits);
+    let slack = value.abs() * power_of(2, -bits);
     let (low, high) = (value - &slack, value + &slack);
     Algebraic::from(low) <= *exact && *exact <= Algebraic::from(high)
-}
-
-fn power_of_two(exponent: i64) -> Rational {
-    let scale = Integer::from(1) << exponent.unsigned_abs();
-    let power = Rational::from_integer(scale);
-    if exponent >= 0 { power } else { power.recip() }
 }

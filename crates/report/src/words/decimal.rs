@@ -1,8 +1,9 @@
 //! Fractions as decimals of a few digits, for the eye: what is exact stands beside them or is too long.
 
+use kane_number::power_of;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Pow as _, Signed as _, Zero as _};
+use num_traits::{Signed as _, Zero as _};
 
 /// Digits behind the point; of a number below 1, from the first that is not 0.
 const DIGITS: u32 = 4;
@@ -46,19 +47,14 @@ fn to_digits(q: &BigRational, digits: u32) -> String {
 /// |q|·10^places to the nearest integer, halves up.
 fn rounded(q: &BigRational, places: i64) -> String {
     let half = BigRational::new(1.into(), 2.into());
-    (q.abs() * ten_to(places) + half).floor().to_integer().to_string()
+    (q.abs() * power_of(10, places) + half).floor().to_integer().to_string()
 }
 
 /// The power of ten of the first digit that is not 0.
 fn first_place(q: &BigRational) -> i64 {
     let length = |n: &BigInt| i64::try_from(n.magnitude().to_string().len()).unwrap_or(i64::MAX);
     let first = length(q.numer()) - length(q.denom());
-    if q.abs() >= ten_to(first) { first } else { first - 1 }
-}
-
-fn ten_to(exponent: i64) -> BigRational {
-    let power = BigRational::from_integer(BigInt::from(10).pow(exponent.unsigned_abs()));
-    if exponent < 0 { power.recip() } else { power }
+    if q.abs() >= power_of(10, first) { first } else { first - 1 }
 }
 
 #[cfg(test)]
@@ -85,7 +81,7 @@ mod tests {
         for (number, text) in told {
             assert_eq!(decimal(&number), text);
         }
-        let large = BigRational::from_integer(BigInt::from(10).pow(30_u8));
+        let large = BigRational::from_integer(BigInt::from(10).pow(30));
         assert_eq!(decimal(&large), "1.0000e30");
     }
 
@@ -105,7 +101,7 @@ mod tests {
             let places = digits.split_once('.').map_or(0, |(_, rest)| rest.len());
             let digits: BigInt = digits.replace('.', "").parse().expect("digits");
             let exponent: i64 = exponent.parse().expect("an exponent");
-            let shown = BigRational::from_integer(digits) * ten_to(exponent - i64::try_from(places).unwrap());
+            let shown = BigRational::from_integer(digits) * power_of(10, exponent - i64::try_from(places).expect("few places"));
             prop_assert!((shown - &number).abs() * BigRational::from_integer(2_000.into()) <= number.abs());
         }
     }

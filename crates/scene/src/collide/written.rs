@@ -1,8 +1,8 @@
 //! Exact numbers as a table can hold them.
 
-use num_traits::{Pow as _, Signed as _, Zero as _};
+use num_traits::{Signed as _, Zero as _};
 
-use kane_number::{Algebraic, Integer, Rational};
+use kane_number::{Algebraic, Integer, Rational, power_of};
 
 /// Digits of a number that is too long to be written out.
 const DIGITS: u32 = 20;
@@ -53,13 +53,13 @@ fn cut(exact: &Rational) -> String {
     let magnitude = exact.abs();
     let bits = |n: &Integer| i64::try_from(n.bits()).unwrap_or(i64::MAX / 40_000);
     let mut power = (bits(magnitude.numer()) - bits(magnitude.denom())) * 30103 / 100_000 - 1;
-    while ten_to(power + 1) <= magnitude {
+    while power_of(10, power + 1) <= magnitude {
         power += 1;
     }
-    while ten_to(power) > magnitude {
+    while power_of(10, power) > magnitude {
         power -= 1;
     }
-    let scaled = &magnitude / ten_to(power + 1 - i64::from(DIGITS));
+    let scaled = &magnitude / power_of(10, power + 1 - i64::from(DIGITS));
     let ends = scaled.is_integer();
     let digits = scaled.to_integer().to_string();
     let digits = if ends { digits.trim_end_matches('0') } else { &digits };
@@ -84,11 +84,6 @@ fn cut(exact: &Rational) -> String {
             format!("{sign}{first}{point}{others}{rest}e{power}")
         }
     }
-}
-
-fn ten_to(power: i64) -> Rational {
-    let scale = Integer::from(10).pow(power.unsigned_abs());
-    if power >= 0 { Rational::from_integer(scale) } else { Rational::new(1.into(), scale) }
 }
 
 #[cfg(test)]
