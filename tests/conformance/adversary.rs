@@ -3,7 +3,8 @@
 
 use std::process::{Command, Output};
 
-use crate::support::{installed, many, root};
+use crate::many::many;
+use crate::support::{installed, root};
 
 /// So many random claims, and those that cite them, are judged in the gate.
 const CLAIMS: usize = 10_000;

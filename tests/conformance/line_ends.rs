@@ -3,7 +3,8 @@
 
 use kane::audit::{Body, Content, Document, read};
 
-use crate::support::{Chance, many, pages};
+use crate::many::many;
+use crate::support::{Chance, pages};
 
 /// The text with some of its line feeds replaced. A carriage return before a line feed that stays would
 /// make one end of two.

@@ -14,6 +14,8 @@ mod judges; // Coq and z3 on every shipped document
 mod layering; // which crate may know which, and what the kernel links
 mod line_ends; // lines end at LF, CR or CRLF
 mod literature; // printed numbers and measured points
+#[path = "../shared/many.rs"]
+mod many; // how much a test does
 mod mutation; // certificates changed in one place
 mod on_a_sphere; // k(α) of every law, as a formula
 mod one_variable; // one variable is complete

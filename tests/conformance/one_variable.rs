@@ -8,7 +8,8 @@ use kane::kernel::{Bound, Conclusion, Context, Expr, Finding, Goal, Link, Rel, R
 
 use crate::decision::{Truth, decide};
 use crate::generate::{RELS, add, div, mul, pow, rel, sub};
-use crate::support::{Chance, many, num, q, shown};
+use crate::many::many;
+use crate::support::{Chance, num, q, shown};
 
 fn x() -> Expr {
     Expr::Var(0)

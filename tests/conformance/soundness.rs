@@ -20,9 +20,10 @@ use kane::kernel::{
 };
 
 use crate::generate::{any_statement, changed, true_statement};
+use crate::many::many;
 use crate::mutation::{KINDS, clash, kinds, mutant};
 use crate::sampling::{At, Sampler, at, has_limits};
-use crate::support::{Case, Chance, Q, all_documents, cases, documents, many, shown};
+use crate::support::{Case, Chance, Q, all_documents, cases, documents, shown};
 
 /// Small, so that many statements fit: a false one only has to be not accepted.
 const SMALL: Budget = Budget {

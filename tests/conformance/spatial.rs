@@ -7,7 +7,8 @@
 use kane::impact::bodies::{Motion, PlanarBody, SphereOnPlane};
 use kane::impact::{Law, SpatialDelassus, Symmetric, laws};
 
-use crate::support::{Chance, Q, many, q};
+use crate::many::many;
+use crate::support::{Chance, Q, q};
 
 type Vector = [Q; 3];
 

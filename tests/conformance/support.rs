@@ -21,19 +21,6 @@ pub(crate) fn num(value: &Q) -> Expr {
     Expr::Num(value.clone())
 }
 
-/// How many of something: `gate` of them in the gate (`KANE_GATE=1`), ten times that in a long run
-/// (`KANE_LONG=1`), and a quarter in `cargo test`, which someone waits for.
-pub(crate) fn many(gate: usize) -> usize {
-    let is_set = |name: &str| std::env::var_os(name).is_some();
-    if is_set("KANE_LONG") {
-        10 * gate
-    } else if is_set("KANE_GATE") {
-        gate
-    } else {
-        gate.div_ceil(4)
-    }
-}
-
 /// Whether a program that a test needs can be run. If not, the test says that it is skipped; the gate
 /// installs the programs and sets `KANE_REQUIRE_JUDGES`, so that nothing is skipped there.
 pub(crate) fn installed(program: &str) -> bool {

@@ -1,6 +1,7 @@
 //! What must hold of every collision: in the words of the request, on inputs that aim at trouble.
 //!
-//! `PROPTEST_CASES` replaces the number of cases of every property.
+//! `PROPTEST_CASES` replaces the number of cases of every property; without it there are a quarter of those of
+//! the gate (`KANE_GATE=1`).
 
 /// Floats against exact numbers in α, and the two ways through the physics against each other.
 mod agreement;
@@ -22,6 +23,9 @@ mod energy;
 mod frames;
 /// The same on very many contacts, by intervals.
 mod long_run;
+/// How much a test does.
+#[path = "../shared/many.rs"]
+mod many;
 /// The matrix of laws and properties, against contacts drawn at random, planted faults and mutations.
 mod matrix;
 /// Closed forms against the integration of their process.
@@ -48,9 +52,12 @@ mod working;
 use kane_number::{Integer, Rational};
 use proptest::test_runner::Config;
 
-/// A configuration with this many cases, unless `PROPTEST_CASES` says otherwise.
+/// A configuration with this many cases in the gate, and a quarter elsewhere, unless `PROPTEST_CASES` says
+/// otherwise.
 fn cases(in_the_gate: u32) -> Config {
-    Config { cases: in_the_gate, ..Config::default() }
+    let cases =
+        usize::try_from(in_the_gate).map(many::many).ok().and_then(|n| u32::try_from(n).ok());
+    Config { cases: cases.unwrap_or(in_the_gate), ..Config::default() }
 }
 
 fn rational(numer: impl Into<Integer>, denom: impl Into<Integer>) -> Rational {

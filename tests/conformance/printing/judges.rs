@@ -16,7 +16,8 @@ use kane::kernel::{
 use super::generator::{self, PLAIN, Wanted};
 use super::smt::Question;
 use super::{context, terms};
-use crate::support::{Chance, Q, installed, judged, many, q};
+use crate::many::many;
+use crate::support::{Chance, Q, installed, judged, q};
 
 /// What a term of Coq can say by itself: definitions and derivatives are written out before.
 const TERMS: Wanted = Wanted { slopes: false, names: false, numbers: true };

@@ -16,7 +16,8 @@ use kane::audit::{Audit, Options, audit, read};
 use kane::kernel::{Context, Expr, Sentence};
 use kane::report::{Report, html};
 
-use crate::support::{Chance, many};
+use crate::many::many;
+use crate::support::Chance;
 use generator::{ALL, DEFINED, FUNCTION, PLAIN, Wanted};
 use latex::{Names, Reader, Token};
 
