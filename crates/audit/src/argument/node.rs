@@ -219,7 +219,7 @@ fn merged(cofactors: impl Iterator<Item = (Fact, Poly)>) -> Vec<(Fact, Poly)> {
 
 /// qⁿ
 pub(super) fn power(q: &BigRational, n: u32) -> BigRational {
-    (0..n).fold(BigRational::one(), |p, _| p * q)
+    num_traits::pow::Pow::pow(q, n)
 }
 
 /// A rational number from an integer.
