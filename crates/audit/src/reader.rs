@@ -17,6 +17,7 @@ mod citation;
 mod differentiation;
 mod dollars;
 mod existence;
+mod hint;
 mod label;
 mod sequence;
 mod statement;
@@ -27,12 +28,10 @@ mod unit;
 mod wanted;
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 
-use kane_algebra::syntax::{
-    Diagnostic, Lines, Scope, Symbol, canonical_name, is_control, is_hidden, nearest, visible,
-};
+use kane_algebra::syntax::{Diagnostic, Lines, Scope, is_control, is_hidden, visible};
 
 use crate::Document;
 use crate::document::digest;
@@ -54,9 +53,6 @@ const MAX_SYMBOLS: usize = 100_000;
 const MAX_FAULTS: usize = 200;
 /// Names above which no nearest one is sought.
 const MAX_CANDIDATES: usize = 10_000;
-/// What to say of a name that is used like a function and is none.
-const FUNCTIONS: &str = "functions are `abs`, `min`, `max`, `sqrt`, and `sin`, `cos`, `tan` of angles; others are \
-                         declared, `var f(x)`, or defined, `let f(x) := …`";
 /// Times that a document is read again because an angle or a derivative was met.
 const MAX_READINGS: usize = 100;
 
@@ -238,6 +234,8 @@ struct Reader {
     derived: BTreeMap<usize, usize>,
     /// the dimensions of the symbols that have a unit
     units: HashMap<usize, Dimension>,
+    /// the words of the statements that could not be read
+    lost: HashSet<String>,
     /// the line of the statement that is being read
     line: usize,
     faults: Vec<Fault>,
@@ -257,6 +255,18 @@ impl Reader {
 
     fn diagnostics(mut self, name: &str, text: &str) -> Vec<Diagnostic> {
         let mut faults = std::mem::take(&mut self.faults);
+        let is_lost =
+            |fault: &Fault| fault.unknown.as_ref().is_some_and(|name| self.may_be_lost(name));
+        // a statement may be lost by an unknown name of its own
+        if faults.iter().any(|fault| !is_lost(fault)) {
+            faults.retain(|fault| !is_lost(fault));
+        }
+        // what stands between parentheses behind an unknown function is no factor that lacks its sign
+        let is_called = |end: usize| text.get(end..).is_some_and(|text| text.starts_with('('));
+        let unknown = faults.iter().filter(|fault| fault.unknown.is_some());
+        let called: HashSet<usize> =
+            unknown.map(|fault| fault.span.end).filter(|end| is_called(*end)).collect();
+        faults.retain(|fault| fault.unknown.is_some() || !called.contains(&fault.span.start));
         faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
         let cut = faults.len() > MAX_FAULTS;
         faults.truncate(MAX_FAULTS);
@@ -265,16 +275,7 @@ impl Reader {
             .into_iter()
             .map(|mut fault| {
                 if let Some(unknown) = &fault.unknown {
-                    let is_called = text.get(fault.span.end..).is_some_and(|t| t.starts_with('('));
-                    // `exp(x)` is no symbol that one forgot
-                    let declare = match is_called {
-                        true => FUNCTIONS.to_owned(),
-                        false => {
-                            format!("a symbol is declared above its first use: `var {unknown}`")
-                        }
-                    };
-                    let hint = self.hint_at_name(unknown, text).or(fault.note);
-                    fault.note = hint.or(Some(declare));
+                    fault.note = Some(self.hint_at_unknown(unknown, &fault.span, text));
                 }
                 fault.diagnostic(name, &mut lines)
             })
@@ -284,41 +285,5 @@ impl Reader {
             diagnostics.push(Diagnostic::at_start(name, message));
         }
         diagnostics
-    }
-
-    fn hint_at_name(&self, unknown: &str, text: &str) -> Option<String> {
-        let site = match self.scope.resolve(unknown) {
-            Some(Symbol::Var(index)) => self.var_sites.get(index),
-            Some(Symbol::Let(index)) => self.let_sites.get(index),
-            None => None,
-        };
-        if let Some(site) = site {
-            let line = Lines::new(text).place(*site).line;
-            return Some(format!("it is declared below its use, on line {line}"));
-        }
-        if let Some(array) = self.scope.array(unknown) {
-            let parts = array.shape.names(unknown).join("`, `");
-            return Some(format!("it is {}; its components are `{parts}`", array.shape));
-        }
-        if self.scope.is_sequence(unknown) {
-            return Some("it is a sequence".to_owned());
-        }
-        if self.scope.is_function(unknown) {
-            return Some("it is a definition with arguments".to_owned());
-        }
-        if self.var_sites.len() + self.let_sites.len() > MAX_CANDIDATES {
-            return None;
-        }
-        nearest(canonical_name(unknown).as_ref(), self.scope.names())
-            .map(|name| format!("did you mean `{name}`?"))
-    }
-
-    fn hint_at_label(&self, key: &str) -> Option<String> {
-        if self.labels.len() > MAX_CANDIDATES {
-            return None;
-        }
-        let key = nearest(key, self.labels.keys().map(String::as_str))?;
-        let draft = self.drafts.get(*self.labels.get(key)?)?;
-        Some(format!("did you mean `{}`?", draft.label))
     }
 }

@@ -267,7 +267,7 @@ fn hints_say_where_to_look() {
     let note = |statement: &str| faults(statement)[0].note.clone().unwrap_or_default();
     assert_eq!(note("claim (2): q = 1\nvar q"), "it is declared below its use, on line 8");
     assert_eq!(note("claim (2): q = 1"), "a symbol is declared above its first use: `var q`");
-    assert!(note("claim (2): exp(1) = 1").starts_with("functions are `abs`, `min`, "));
+    assert!(note("claim (2): zeta(1) = 1").starts_with("functions are `abs`, `min`, "));
     assert_eq!(note("claim (2): x = 1 from (dom1)"), "did you mean `dom`?");
     assert_eq!(note("given (1): x = 1"), "`(1)` on line 4 has it already");
     assert!(note("let d := 1").starts_with("`d(f, x)` is a derivative"));
@@ -577,4 +577,56 @@ fn shipped_documents_print_back_as_they_were_read() {
         }
     }
     assert!(sentences > 100, "{sentences}");
+}
+
+#[test]
+fn what_a_newcomer_types_is_told_with_what_to_write() {
+    let told = |statement: &str| {
+        let found = faults(statement);
+        assert_eq!(found.len(), 1, "{statement}: {found:?}");
+        format!("{}\n{}", found[0].message, found[0].note.clone().unwrap_or_default())
+    };
+    for (statement, written) in [
+        ("claim (2): x = 1 <=> m = 1", "`<=>` means nothing here: it is written `iff`"),
+        ("claim (2): x < 1 <-> m < 1", "written `iff`"),
+        ("claim (2): x < 1 ==> m < 1", "written `implies`"),
+        ("claim (2): x != 0 || m != 0", "written `or`"),
+        ("claim (2): x != 0 ∧ m != 0", "written `and`"),
+        ("claim (2): x = √(m)", "written `sqrt(f)`"),
+        ("claim (2): x ≈ m", "`abs(a - b) <= c`"),
+        ("claim (2): x = 1 from dom and m", "`,` and another label"),
+        ("claim (2): x = 1 from dom, m = 1", "a condition stands behind `when`"),
+        ("claim (2): x = 1 if m = 1", "a condition stands behind `when`"),
+        ("claim (2): x = exp(m)", "`given rate: d(E, x) = E`"),
+        ("claim (2): x = arctan(m)", "`given slope: tan(theta) = y/x`"),
+        ("claim (2): sum(m) = x", "`let s(0) := f(0)"),
+        ("claim (2): sin^2(m) = x", "its square is `sin(x)^2`"),
+        ("claim (2): sin(m*x) = x", "`given rate: d(phi, t) = omega`"),
+        ("claim (2): x^(1/3) = 1", "`given root: r^3 = f`"),
+        ("claim (2): k' = 1", "`d(k, alpha)`"),
+        ("claim (2): dk = 1", "did you mean `k`?"),
+        ("claim (2): dk/m = 1", "a derivative is written `d(f, x)`"),
+        ("claim (2): x = 1 by dom", "labels stand behind `from`"),
+    ] {
+        let told = told(statement);
+        assert!(told.contains(written), "{statement}: {told}");
+    }
+    for (word, meant) in
+        [("Var", "var"), ("assume", "given"), ("define", "let"), ("prove", "claim")]
+    {
+        let told = told(&format!("{word} a: y = z\nclaim (2): y = 1 from a"));
+        assert!(told.ends_with(&format!("did you mean `{meant}`?")), "{word}: {told}");
+    }
+}
+
+#[test]
+fn what_a_statement_that_cannot_be_read_declares_is_not_missing_besides() {
+    for statements in [
+        "let R = x^2\nclaim (2): R >= 0",
+        "var beta, |gamma| < 1\nclaim (2): beta = gamma",
+        "given lens 1/x = 1\nclaim (2): x = 1 from lens",
+    ] {
+        assert_eq!(faults(statements).len(), 1, "{statements}: {:?}", faults(statements));
+    }
+    assert_eq!(faults("let R = x^2\nclaim (2): Q = 1").len(), 2, "what it does not name is");
 }

@@ -246,13 +246,21 @@ impl SyntaxErrorKind {
             }
             Self::MalformedNumber(_) => "numbers look like `12` or `0.4`; a product needs its `*`",
             Self::ExponentNotInteger => {
-                "only literal integers may be exponents; `sqrt(f)` is a square root"
+                "only literal integers may be exponents; `sqrt(f)` is a square root, and another root is a \
+                 symbol: `var r >= 0`, `given root: r^3 = f`"
+            }
+            Self::ImplicitProduct(found) if ["`if`", "`where`", "`for`"].contains(&&**found) => {
+                "a condition stands behind `when`"
             }
             Self::ImplicitProduct(_) => {
                 "a product needs its `*`, and a function is used by its name alone: `k`, not `k(x)`"
             }
             Self::Explicit(_) => {
                 "declare a function that is equal to it: `var s(t)`, `given s = t, d(s, t) = 1`"
+            }
+            Self::NotAnAngle => {
+                "a phase is an angle that moves: `var phi(t)`, `given rate: d(phi, t) = omega`, and \
+                 `sin(phi)` in place of `sin(omega*t)`"
             }
             Self::AngleAlone(_) => {
                 "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \
@@ -295,7 +303,10 @@ impl SyntaxErrorKind {
             Self::NoRelation => {
                 "compare it with something: `=`, `!=`, `<`, `<=`, `>`, `>=` or `->`"
             }
-            Self::NotConstant => "no names, only numbers, `+ - * / ^`, and `oo` or `-oo`",
+            Self::NotConstant => {
+                "no names, only numbers, `+ - * / ^`, and `oo` or `-oo`; a range that other symbols bound \
+                 is a `given`"
+            }
             _ => return None,
         })
     }

@@ -4,17 +4,53 @@ use super::error::{SyntaxError, SyntaxErrorKind};
 use super::lexer::Token;
 use super::parser::Parser;
 
-/// Operators of programming languages, each two signs of this one beside each other, and what to write.
-const FOREIGN: [(&str, &str); 5] =
-    [("==", "`=`"), ("=>", "`>=` or `implies`"), ("=<", "`<=`"), ("<>", "`!=`"), ("**", "`^`")];
+/// Operators that are read as signs of this language beside each other until one is in the way, and what to
+/// write. What holds another stands before it.
+const OPERATORS: [(&str, &str); 8] = [
+    ("<=>", "`iff`"),
+    ("<->", "`iff`"),
+    ("==>", "`implies`"),
+    ("==", "`=`"),
+    ("=>", "`>=` or `implies`"),
+    ("=<", "`<=`"),
+    ("<>", "`!=`"),
+    ("**", "`^`"),
+];
+
+/// Signs with which nothing begins here, and what to write.
+const SIGNS: [(&str, &str); 14] = [
+    ("||", "`or`, and a product of bars with `*`"),
+    ("&&", "`and`"),
+    ("∧", "`and`"),
+    ("∨", "`or`"),
+    ("⇒", "`implies`"),
+    ("⇔", "`iff`"),
+    ("√", "`sqrt(f)`"),
+    ("∂", "`d(f, x)`"),
+    ("±", "as two cases, `x = a or x = -a`"),
+    ("≈", "as a bound, `abs(a - b) <= c`"),
+    ("~", "as a bound, `abs(a - b) <= c`"),
+    ("∈", "as bounds, `0 <= e <= 1`, or `in N`, `in R^3`"),
+    ("∑", "as a sequence, `let s(0) := f(0), s(n + 1) := s(n) + f(n + 1)`"),
+    ("∫", "by what it is an integral of, `d(F, x) = f`"),
+];
 
 impl Parser<'_> {
-    /// The fault that the sign ahead and the one right before it are an operator of another language.
+    /// The fault that the sign ahead, with those right before it, is one of another language.
     pub(crate) fn foreign_operator(&self) -> Option<SyntaxError> {
         let (text, at) = self.ahead();
-        let both = text.get(at.checked_sub(1)?..)?;
-        let (written, ours) = FOREIGN.into_iter().find(|(written, _)| both.starts_with(written))?;
-        let start = self.span().start - 1;
+        let begins = |start: usize, written: &str| {
+            text.get(start..).is_some_and(|rest| rest.starts_with(written))
+        };
+        let sign = SIGNS.into_iter().find(|(written, _)| begins(at, written));
+        let (start, (written, ours)) = sign.map(|sign| (at, sign)).or_else(|| {
+            [2, 1].into_iter().filter_map(|back| at.checked_sub(back)).find_map(|start| {
+                let reaches = |written: &str| begins(start, written) && start + written.len() > at;
+                let operator = OPERATORS.into_iter().find(|(written, _)| reaches(written))?;
+                Some((start, operator))
+            })
+        })?;
+        let start = self.span().start - at + start;
         let kind = SyntaxErrorKind::Foreign { written, ours };
         Some(SyntaxError { kind, span: start..start + written.len() })
     }

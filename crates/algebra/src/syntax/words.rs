@@ -171,9 +171,13 @@ impl Parser<'_> {
         &mut self,
         arguments: impl FnOnce(&mut Self) -> Result<(Expr, usize), SyntaxError>,
     ) -> Result<Node, SyntaxError> {
-        let start = self.span().start;
+        let (start, word) = (self.span().start, self.lexeme());
         self.advance();
         let open = self.span();
+        if matches!(self.token(), Token::Caret | Token::Superscript) {
+            let due = format!("`(` after a function's name (its square is `{word}(x)^2`)");
+            return Err(self.unexpected(&due));
+        }
         self.expect(Token::OpenParen, "`(` after a function's name")?;
         let (expr, height) = self.nested(arguments)?;
         let end = self.close(Token::CloseParen, '(', &open)?;

@@ -103,6 +103,7 @@ impl Reader {
                         }
                     }
                 }
+                Err(_) if self.may_be_lost(&cited.label) => {}
                 Err(fault) => faults.push(fault),
             }
         }

@@ -138,7 +138,9 @@ pub(super) fn range(
 /// Passes `induction` behind `by`.
 pub(super) fn induction(p: &mut Parser<'_>, range: Option<From>) -> Result<Induction, SyntaxError> {
     if !p.accept_word("induction") {
-        return Err(p.unexpected("`induction` (only `exists` and `not implied` take values)"));
+        return Err(p.unexpected(
+            "`induction` (only `exists` and `not implied` take values; labels stand behind `from`)",
+        ));
     }
     match range {
         Some(From { index, from }) => Ok(Induction { index, from }),
@@ -323,7 +325,7 @@ impl Reader {
         let at = self.drafts.get(index).map(|draft| draft.parts.label.clone());
         let message = "an index does not go with functions, derivatives and limits".to_owned();
         let note = "not in one claim, nor in what it cites: the power `q^n` does not tell how it varies with \
-                    `q`; for `n -> oo` claim what the term is below any bound";
+                    `q`; in place of `s(n) -> L as n -> oo` claim a bound for all n, such as `abs(s(n) - L) <= c*q^n`";
         Some(Fault::new(at.unwrap_or_default(), message).with_note(note))
     }
 }

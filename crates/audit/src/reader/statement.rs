@@ -28,12 +28,21 @@ impl Reader {
         if !KEYWORDS.contains(&keyword) {
             let error = parser.unexpected("`var`, `let`, `given` or `claim`");
             self.note_errors(vec![error], None);
+            if let (Some(fault), hint @ Some(_)) =
+                (self.faults.last_mut(), super::hint::beginning(keyword))
+            {
+                fault.note = hint;
+            }
+            self.lose(text);
             self.scope = scope;
             return;
         }
         parser.advance();
         if keyword == "var" {
             let (vars, errors, faults) = symbol::list(parser);
+            if !errors.is_empty() {
+                self.lose(text);
+            }
             self.note_errors(errors, None);
             self.faults.extend(faults);
             self.scope = scope;
@@ -49,6 +58,7 @@ impl Reader {
             Ok(head) => head,
             Err(error) => {
                 self.note_errors(vec![error], None);
+                self.lose(text);
                 self.scope = scope;
                 return;
             }
@@ -358,7 +368,13 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             while p.next_item(from.len())? {
                 from.push(cited(p)?);
             }
-            Ok(from)
+            let ends = matches!(p.token(), Token::End | Token::Semicolon);
+            match ends || CLAUSES.contains(&p.lexeme()) {
+                true => Ok(from),
+                false => Err(p.unexpected(
+                    "`,` and another label, or the end (a condition stands behind `when`, before `from`)",
+                )),
+            }
         })?;
         let mut allowed = vec!["when", "from", "expect"];
         let at_points = match &content {

@@ -181,6 +181,9 @@ fn item(
     items: &mut Vec<Item>,
     faults: &mut Vec<Fault>,
 ) -> Result<(), SyntaxError> {
+    if p.token() == Token::Bar {
+        return Err(p.unexpected("a name, with its bounds beside it, as in `-1 < x < 1`"));
+    }
     let start = p.span().start;
     let left = if p.token() == Token::Name && !begins_with_pi(p) {
         None
