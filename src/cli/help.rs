@@ -1,6 +1,7 @@
 //! The parts of `--help` that are made of data: the laws' parameters, ids and the names of models.
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, StyledStr};
+use clap::error::{ContextKind, ContextValue, Error};
 use clap::{Command, CommandFactory as _, ValueHint};
 
 use kane::impact::laws;
@@ -60,6 +61,20 @@ pub(super) fn completed() -> Command {
         .mut_subcommand("scene", |verb| {
             verb.mut_arg("model", |arg| arg.value_parser(ids(model_names(laws()))))
         })
+}
+
+/// The error with a better tip where a form of report was asked for as if it were a flag, as `--json`.
+pub(super) fn with_format(mut error: Error) -> Error {
+    let forms = ["json", "markdown", "sarif", "github", "text"];
+    let asked = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(asked)) => asked.strip_prefix("--"),
+        _ => None,
+    };
+    if let Some(form) = forms.into_iter().find(|form| asked == Some(*form)) {
+        let tip = StyledStr::from(format!("the form of a report is `--format {form}`"));
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+    }
+    error
 }
 
 /// A line for every parameter of every law.

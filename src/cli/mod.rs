@@ -63,7 +63,8 @@ impl From<Outcome> for ExitCode {
 pub(crate) fn run() -> ExitCode {
     // before anything is parsed, so that what clap says has the colours that are asked for, too
     let when = output::When::asked(std::env::args_os());
-    let matches = help::command().color(when.into()).get_matches();
+    let command = help::command().color(when.of_help());
+    let matches = command.try_get_matches().unwrap_or_else(|error| help::with_format(error).exit());
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     output::choose(cli.color);
     let outcome = match cli.verb {

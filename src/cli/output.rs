@@ -37,12 +37,19 @@ impl When {
     }
 }
 
-impl From<When> for ColorChoice {
-    fn from(when: When) -> Self {
-        match when {
-            When::Auto => Self::Auto,
-            When::Always => Self::Always,
-            When::Never => Self::Never,
+impl When {
+    /// What help and messages about the command line follow. clap takes any `CLICOLOR_FORCE` for a wish, a 0 too.
+    pub(super) fn of_help(self) -> ColorChoice {
+        let is_unforced = std::env::var_os("CLICOLOR_FORCE").is_some_and(|value| value == "0");
+        match self {
+            Self::Auto if is_unforced => {
+                let terminal = io::stdout().is_terminal() && io::stderr().is_terminal();
+                let wanted = environment_wants_colours(terminal, |name| std::env::var_os(name));
+                if wanted { ColorChoice::Always } else { ColorChoice::Never }
+            }
+            Self::Auto => ColorChoice::Auto,
+            Self::Always => ColorChoice::Always,
+            Self::Never => ColorChoice::Never,
         }
     }
 }

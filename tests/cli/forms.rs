@@ -34,6 +34,9 @@ fn there_is_no_colour_in_a_pipe() {
         let output =
             command.args(arguments).env("CLICOLOR", "1").output().expect("the program starts");
         assert!(!finish(output).stdout.contains('\u{1b}'), "{arguments:?}");
+        let unforced = command().args(arguments).env("CLICOLOR_FORCE", "0").output();
+        let unforced = finish(unforced.expect("the program starts"));
+        assert!(!unforced.stdout.contains('\u{1b}'), "{arguments:?} with CLICOLOR_FORCE=0");
     }
 }
 

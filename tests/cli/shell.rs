@@ -152,6 +152,7 @@ fn near_names_are_suggested_for_every_id() {
         (&["audit", "docs/derivations/keppler.md"], "did you mean `docs/derivations/kepler.md`?"),
         (&["audit", "keplr"], "did you mean `kepler`, which is shipped?"),
         (&["adit"], "'audit'"),
+        (&["audit", "--json"], "the form of a report is `--format json`"),
         (&["completions", "bsh"], "'bash'"),
     ] {
         let run = kane(arguments);
