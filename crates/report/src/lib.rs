@@ -26,6 +26,7 @@ mod layers;
 mod length;
 mod markdown;
 pub mod matrix;
+mod origin;
 mod outline;
 mod picture;
 mod place;

@@ -5,6 +5,7 @@ use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statemen
 use kane_judges::Judge;
 use kane_kernel::{Context, Sentence};
 
+use crate::origin::Origin;
 use crate::place::Place;
 use crate::words::{self, Form, Line, Subject};
 
@@ -136,8 +137,13 @@ impl<'a> Entry<'a> {
 
     /// Whether the label is a number in parentheses: an equation of the text under audit.
     pub(crate) fn is_equation(&self) -> bool {
-        let inner = self.statement.label.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
-        inner.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+        self.origin() == Origin::Printed
+    }
+
+    /// Who says it: the text under audit in an equation or in words, or its auditor.
+    pub(crate) fn origin(&self) -> Origin {
+        let is_definition = matches!(self.statement.body, Body::Let(_) | Body::Defined(_));
+        Origin::of(&self.statement.label, is_definition)
     }
 
     /// The statement as written, on one line and without comments.

@@ -3,14 +3,18 @@
 (() => {
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
 
-  // filter by verdict
+  // filter by verdict and by origin
   const form = document.querySelector(".filter");
-  const boxes = all("input[name=v]", form);
+  const boxes = all("input", form);
+  const chosen = (name) => new Set(boxes.filter((box) => box.name === name && box.checked).map((box) => box.value));
   const statements = all("article[data-v]");
   const told = form.querySelector("output");
   const apply = () => {
-    const on = new Set(boxes.filter((box) => box.checked).map((box) => box.value));
-    for (const part of all("[data-v]")) part.classList.toggle("off", !on.has(part.dataset.v));
+    const [on, from] = [chosen("v"), chosen("o")];
+    for (const part of all("[data-v]")) {
+      const { v, o } = part.dataset;
+      part.classList.toggle("off", !on.has(v) || (o !== undefined && !from.has(o)));
+    }
     const seen = statements.filter((s) => !s.classList.contains("off"));
     told.textContent = `${seen.length} of ${statements.length} statements`;
     const names = new Set(seen.map((s) => "#" + s.id));
@@ -24,9 +28,9 @@
   // who follows a link to a statement sees it
   const reveal = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    const box = target && boxes.find((box) => box.value === target.dataset.v && !box.checked);
-    if (!box) return;
-    box.checked = true;
+    const off = target ? boxes.filter((box) => box.value === target.dataset[box.name] && !box.checked) : [];
+    if (off.length === 0) return;
+    for (const box of off) box.checked = true;
     apply();
     target.scrollIntoView();
   };

@@ -25,7 +25,8 @@ impl Page<'_> {
         let surprise = if judgement.as_expected() { "" } else { " surprise" };
         let kind = entry.kind();
         html! {
-            article class={ "s " (kind) " " (class) (surprise) } id=(anchor) data-v=(class) {
+            article class={ "s " (kind) " " (class) (surprise) } id=(anchor) data-v=(class)
+                data-o=[self.has_equations.then(|| entry.origin().name())] {
                 div.say {
                     div.label role="heading" aria-level=(level) {
                         a href={ "#" (anchor) } { (entry.statement.label) }

@@ -9,6 +9,7 @@ use kane_audit::{Body, Verdict};
 use maud::{Markup, PreEscaped, html};
 use unicode_width::UnicodeWidthStr as _;
 
+use super::overview::{Section, overview};
 use super::{Page, verdict_class};
 use crate::layers::{Layout, Measures, Node, Place, layout};
 use crate::outline::headings;
@@ -55,7 +56,16 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
     let heaviest = weights.iter().copied().max().unwrap_or(0).max(1);
     let layout = layout(&nodes, sections.len() + 1, &MEASURES);
     let height = layout.tops.last().copied().unwrap_or(0);
-    let titles = std::iter::once("").chain(sections.iter().map(|section| section.title.as_str()));
+    let titles: Vec<&str> = std::iter::once("Before the first section")
+        .chain(sections.iter().map(|section| section.title.as_str()))
+        .collect();
+    let listed = listed(&titles, &nodes, &shown);
+    let between: Vec<(usize, usize)> = nodes
+        .iter()
+        .flat_map(|node| {
+            node.cites.iter().filter_map(|&cited| Some((nodes.get(cited)?.band, node.band)))
+        })
+        .collect();
     html! {
         section.graph aria-labelledby="graph" {
             h2 id="graph" { "Graph of the derivation" }
@@ -67,6 +77,13 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
                 "A node leads to its statement."
             }
             (legend())
+            @if listed.len() > 1 {
+                p {
+                    "Each section at a glance, a cell for each statement, leads to its place in the graph; an arc joins two "
+                    "sections of which the lower one cites the upper, the thicker the more often."
+                }
+                (overview(&listed, &between))
+            }
             p.zoom hidden {
                 button type="button" data-zoom="0.8" { "Smaller" } " "
                 button type="button" data-zoom="1.25" { "Larger" } " "
@@ -75,7 +92,7 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
             div.scroll tabindex="0" role="region" aria-label="The graph, which scrolls" {
                 svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
                     role="group" aria-label="Statements and what they cite" {
-                    (bands(titles, &layout))
+                    (bands(&titles, &layout))
                     (PreEscaped(lines(&nodes, &reach, &layout)))
                     @for ((index, entry), (number, place)) in
                         shown.iter().zip(layout.places.iter().enumerate())
@@ -122,16 +139,32 @@ fn legend() -> Markup {
     }
 }
 
+/// The sections that have nodes, with the verdicts of these.
+fn listed<'t>(
+    titles: &[&'t str],
+    nodes: &[Node],
+    shown: &[(usize, Entry<'_>)],
+) -> Vec<Section<'t>> {
+    let section = |(band, title): (usize, &&'t str)| {
+        let inside = nodes.iter().zip(shown).filter(|(node, _)| node.band == band);
+        let verdicts = inside.map(|(_, (_, entry))| entry.judgement.verdict).collect();
+        Section { band, title, verdicts }
+    };
+    let all = titles.iter().enumerate().map(section);
+    all.filter(|section| !section.verdicts.is_empty()).collect()
+}
+
 /// A stripe and a title behind each section.
-fn bands<'t>(titles: impl Iterator<Item = &'t str>, layout: &Layout) -> Markup {
+fn bands(titles: &[&str], layout: &Layout) -> Markup {
     let tops = layout.tops.windows(2);
-    let bands = titles.zip(tops).filter_map(|(title, tops)| match tops {
-        [top, next] if next > top => Some((title, *top, next - top)),
-        _ => None,
-    });
+    let bands =
+        titles.iter().zip(tops).enumerate().filter_map(|(band, (title, tops))| match tops {
+            [top, next] if next > top => Some((band, title, *top, next - top)),
+            _ => None,
+        });
     html! {
-        @for (number, (title, top, height)) in bands.enumerate() {
-            rect class=(if number % 2 == 0 { "band" } else { "band odd" })
+        @for (number, (band, title, top, height)) in bands.enumerate() {
+            rect id={ "band-" (band) } class=(if number % 2 == 0 { "band" } else { "band odd" })
                 x="0" y=(top) width="100%" height=(height) {}
             text.title x=(MEASURES.margin) y=(top + 20) { (title) }
         }

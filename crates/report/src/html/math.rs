@@ -23,6 +23,11 @@ fn mathml(latex: &str, mode: DisplayMode) -> Option<String> {
     let events = events.into_iter().map(Ok::<_, std::fmt::Error>);
     push_mathml(&mut out, events, config).ok()?;
     let out = out.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>");
+    // what is the default, or holds for signs that do not stretch, need not be said
+    let out = out
+        .replace("<math display=\"inline\">", "<math>")
+        .replace("<mo symmetric=\"false\" stretchy=\"false\">", "<mo stretchy=\"false\">")
+        .replace(" width=\"0.16666667em\" />", " width=\".167em\"/>");
     // the micro sign has no slanted form in fonts for mathematics; the letter has
     Some(out.replace('\u{b5}', "μ"))
 }

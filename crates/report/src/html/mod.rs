@@ -6,6 +6,7 @@ mod findings;
 mod frame;
 mod graph;
 mod math;
+mod overview;
 mod prose;
 
 use std::ops::Range;
@@ -14,6 +15,7 @@ use kane_audit::Verdict;
 use maud::{Markup, PreEscaped, html};
 
 use crate::judges;
+use crate::origin::Origin;
 use crate::report::Entry;
 use crate::wording::mark;
 use crate::{Picture, Report, Summary};
@@ -79,6 +81,8 @@ struct Page<'a> {
     anchors: Anchors<'a>,
     /// by statement, the statements shown that name it
     dependents: Vec<Vec<usize>>,
+    /// whether a text with numbered equations is under audit, so that statements have origins
+    has_equations: bool,
 }
 
 impl<'a> Page<'a> {
@@ -92,7 +96,9 @@ impl<'a> Page<'a> {
                 }
             }
         }
-        Self { report, anchors: Anchors::of(&document.statements, &report.shown), dependents }
+        let has_equations = report.entries().any(|entry| entry.is_equation());
+        let anchors = Anchors::of(&document.statements, &report.shown);
+        Self { report, anchors, dependents, has_equations }
     }
 
     fn entry(&self, index: usize) -> Option<Entry<'a>> {
@@ -140,12 +146,23 @@ impl<'a> Page<'a> {
                 fieldset {
                     legend { "Show" }
                     @for (verdict, count) in &summary.verdicts {
-                        (choice(verdict_class(*verdict), html! {
+                        (choice("v", verdict_class(*verdict), html! {
                             (marked(*verdict)) " " span.count { (count) }
                         }))
                     }
-                    (choice("ground", html! { "premises and definitions " span.count { (ground) } }))
-                    (choice("words", html! { "words" }))
+                    (choice("v", "ground", html! { "premises and definitions " span.count { (ground) } }))
+                    (choice("v", "words", html! { "words" }))
+                }
+                @if self.has_equations {
+                    fieldset {
+                        legend { "From" }
+                        @for origin in Origin::ALL {
+                            @let of = |entry: &Entry<'_>| entry.origin() == origin;
+                            (choice("o", origin.name(), html! {
+                                (origin.told()) " " span.count { (self.report.entries().filter(of).count()) }
+                            }))
+                        }
+                    }
                 }
                 output aria-live="polite" {}
                 button type="button" { "Open all proofs" }
@@ -254,9 +271,10 @@ fn heading(level: u8, anchor: &str, words: &Markup) -> Markup {
     }
 }
 
-fn choice(name: &str, words: Markup) -> Markup {
+/// A box of the filter by verdict, `v`, or by origin, `o`.
+fn choice(of: &str, value: &str, words: Markup) -> Markup {
     html! {
-        label { input type="checkbox" name="v" value=(name) checked; " " (words) }
+        label { input type="checkbox" name=(of) value=(value) checked; " " (words) }
     }
 }
 
