@@ -9,7 +9,8 @@ use datafusion::common::{Result, ScalarValue};
 use datafusion::logical_expr::function::{AccumulatorArgs, StateFieldsArgs};
 use datafusion::logical_expr::utils::format_state_name;
 use datafusion::logical_expr::{Accumulator, AggregateUDF, AggregateUDFImpl, Signature};
-use kane_records::format::{Format, Told};
+use kane_records::format::Format;
+use kane_records::told::Told;
 use kane_report::records::{RecordsReport, headline, json};
 
 use crate::columns::Columns;

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use datafusion::arrow::array::AsArray as _;
 use datafusion::arrow::array::{ArrayRef, StructArray};
 use datafusion::prelude::{DataFrame, SessionConfig, SessionContext};
-use kane_records::format::Told;
 use kane_records::header::{Header, field_name};
 use kane_records::reader::Pairs;
 use kane_records::row::Row;
 use kane_records::study::Study;
+use kane_records::told::Told;
 
 use crate::aggregate::{SAMPLE, Whole};
 use crate::columns::Columns;

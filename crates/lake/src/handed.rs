@@ -10,7 +10,7 @@ use crate::fault::LakeFault;
 use crate::summary::{Missing, Summary};
 
 /// It rises whenever the bytes change, or what they mean.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 
 impl Summary {
     /// The summary as bytes.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use datafusion::arrow::datatypes::{DataType, Field, Schema};
 use datafusion::datasource::file_format::options::ArrowReadOptions;
 use datafusion::prelude::{CsvReadOptions, DataFrame, ParquetReadOptions, SessionContext};
+use kane_records::quotes::Quotes;
 use url::Url;
 
 use crate::fault::LakeFault;
@@ -76,9 +77,15 @@ pub async fn table(session: &SessionContext, files: &[PathBuf]) -> Result<DataFr
             session.read_arrow(paths, options).await?
         }
         Form::Csv => {
+            let delimiter = delimiter(first)?;
+            let mut goes_on = false;
+            for path in files {
+                goes_on |= quotes_close(path, delimiter)?;
+            }
             let options = CsvReadOptions::new()
                 .file_extension(&ending)
-                .delimiter(delimiter(first)?)
+                .delimiter(delimiter)
+                .newlines_in_values(goes_on)
                 .comment(b'#');
             let told = session.read_csv(paths.clone(), options.clone()).await?;
             let wide = widened(told.schema().as_arrow());
@@ -137,6 +144,16 @@ fn whole(path: &Path) -> Result<(), LakeFault> {
         return Err(LakeFault::Truncated(path.to_owned(), "its end is missing"));
     }
     Ok(())
+}
+
+/// That every quote of a CSV file is closed, which the query engine does not ask: it would make one cell of all lines
+/// behind one that is open. Whether a cell goes on in another line, so that the file cannot be cut at line ends.
+fn quotes_close(path: &Path, delimiter: u8) -> Result<bool, LakeFault> {
+    let io = |error| LakeFault::Io(path.to_owned(), error);
+    let mut quotes = Quotes::new(File::open(path).map_err(io)?, delimiter);
+    let mut buffer = vec![0; 1 << 18];
+    while quotes.read(&mut buffer).map_err(io)? > 0 {}
+    Ok(quotes.goes_on())
 }
 
 /// What separates the cells of the first line that is no comment.

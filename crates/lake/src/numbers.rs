@@ -3,16 +3,15 @@
 use std::fmt;
 use std::str::FromStr;
 
-use kane_records::format::{Format, Told};
+use kane_records::told::Told;
 use kane_records::tolerance::{EXTENT, Precision};
 
 /// The format of a log's numbers and the size of its world, from which tolerances follow.
 ///
-/// As text it is `f64`, `f32`, `4 decimals` or `6 digits`, ` or f64` behind it where that is as likely, and
-/// `, extent N` behind it where the world is not of a thousand arms.
+/// As text it is that of [`Told`], and `, extent N` behind it where the world is not of a thousand arms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers {
-    /// the format, and whether it may be binary64 as well
+    /// the format, that of columns with their own, and what it may be as well
     pub told: Told,
     /// how large the world is, in arms
     pub extent: f64,
@@ -24,9 +23,6 @@ pub struct Numbers {
     "`{0}` is no format of numbers: f64, f32, `4 decimals` or `6 digits`, and perhaps `, extent 1000`"
 )]
 pub struct NoNumbers(String);
-
-/// What stands behind a format that is in doubt.
-const OR_DOUBLE: &str = " or f64";
 
 impl Numbers {
     /// Of what is told of a format, in a world of a thousand arms.
@@ -44,15 +40,7 @@ impl Numbers {
 
 impl fmt::Display for Numbers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.told.format {
-            Format::Binary64 => f.write_str("f64")?,
-            Format::Binary32 => f.write_str("f32")?,
-            Format::Decimals(count) => write!(f, "{count} decimals")?,
-            Format::Significant(count) => write!(f, "{count} digits")?,
-        }
-        if self.told.doubt {
-            f.write_str(OR_DOUBLE)?;
-        }
+        write!(f, "{}", self.told)?;
         if self.extent.to_bits() == EXTENT.to_bits() {
             Ok(())
         } else {
@@ -66,25 +54,21 @@ impl FromStr for Numbers {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let wrong = || NoNumbers(text.to_owned());
-        let (format, extent) = match text.split_once(',') {
+        let (told, extent) = match text.rsplit_once(", extent") {
             None => (text, EXTENT),
-            Some((format, extent)) => {
-                let extent = extent.trim().strip_prefix("extent").ok_or_else(wrong)?;
-                (format, extent.trim().parse().map_err(|_| wrong())?)
-            }
+            Some((told, extent)) => (told, extent.trim().parse().map_err(|_| wrong())?),
         };
         if !(0.0..=1e12).contains(&extent) {
             return Err(wrong());
         }
-        let format = format.trim();
-        let doubtful = format.strip_suffix(OR_DOUBLE);
-        let format = doubtful.unwrap_or(format).parse().map_err(|_| wrong())?;
-        Ok(Self { told: Told { format, doubt: doubtful.is_some() }, extent })
+        Ok(Self { told: told.parse().map_err(|_| wrong())?, extent })
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use kane_records::format::Format;
+
     use super::*;
 
     #[test]
@@ -92,8 +76,15 @@ mod tests {
         for format in
             [Format::Binary64, Format::Binary32, Format::Decimals(4), Format::Significant(6)]
         {
-            for (extent, doubt) in [(EXTENT, false), (0.0, true), (1e6, false), (EXTENT, true)] {
-                let numbers = Numbers { told: Told { format, doubt }, extent };
+            for (extent, or, own) in [
+                (EXTENT, None, None),
+                (0.0, Some(Format::Binary64), Some(Format::Decimals(3))),
+                (1e6, None, Some(Format::Significant(5))),
+                (EXTENT, Some(Format::Decimals(9)), None),
+            ] {
+                let mut told = Told { or, ..Told::stated(format) };
+                told.own[1][5] = own;
+                let numbers = Numbers { told, extent };
                 assert_eq!(numbers.to_string().parse(), Ok(numbers));
             }
         }

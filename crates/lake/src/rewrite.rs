@@ -8,9 +8,10 @@ use datafusion::functions::core::named_struct;
 use datafusion::logical_expr::expr::ScalarFunction;
 use datafusion::logical_expr::expr_rewriter::FunctionRewrite;
 use datafusion::logical_expr::{Expr, lit};
-use kane_records::format::{Format, Told};
+use kane_records::format::Format;
 use kane_records::header::{Header, field_name};
 use kane_records::schema;
+use kane_records::told::Told;
 
 use crate::aggregate::Whole;
 use crate::fault::LakeFault;

@@ -12,9 +12,10 @@ use datafusion::logical_expr::{
 };
 use kane_records::case::Case;
 use kane_records::check::Check;
-use kane_records::format::{Format, Told};
+use kane_records::format::Format;
 use kane_records::reader::Pairs;
 use kane_records::row::Row;
+use kane_records::told::Told;
 
 use crate::columns::Columns;
 use crate::fault::LakeFault;

@@ -10,6 +10,7 @@ use crate::frame::Frame;
 use crate::rejection::Reason;
 use crate::row::Row;
 use crate::tolerance::{Precision, Tolerance};
+use crate::written::Written;
 
 /// An impact with all that the checks ask.
 pub struct Case<'a> {
@@ -25,7 +26,7 @@ pub struct Case<'a> {
     pub given: Given,
     /// its tolerances
     pub tolerance: Tolerance,
-    /// those of binary64, where the numbers may be binary64 as well
+    /// those of a stricter format, where the numbers may be of that as well
     strict: Option<Box<Tolerance>>,
 }
 
@@ -45,14 +46,14 @@ impl<'a> Case<'a> {
         let (given, event) = (Given::of(row), Event::<f64>::of(row, &frame));
         let facts = event.facts();
         let tolerance_of = |log: &Precision| {
-            let log = Precision { tilt: log.tilt + frame.slack, ..*log };
-            Tolerance::of(&event, &facts, &given, &log)
+            let written = Written::of(row, &frame, log);
+            Tolerance::of(&event, &facts, &given, log, &written)
         };
         let tolerance = tolerance_of(precision);
         if facts.before[1] > tolerance.separation {
             return Err(Reason::Apart(facts.before[1]));
         }
-        let strict = precision.doubt.then(|| Box::new(tolerance_of(&precision.strict())));
+        let strict = precision.strict().map(|strict| Box::new(tolerance_of(&strict)));
         Ok(Self { row, frame, event, facts, given, tolerance, strict })
     }
 

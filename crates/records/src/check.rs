@@ -105,8 +105,8 @@ impl Check {
 pub enum Verdict {
     /// It holds.
     Holds,
-    /// It holds if the numbers were rounded as they seem to be, and fails if they are binary64; which, the log does
-    /// not tell, see [`Told`](crate::format::Told).
+    /// It holds if the numbers were rounded as they seem to be, and fails if they are of the stricter format that they
+    /// may be of as well; which, the log does not tell, see [`Told`](crate::told::Told).
     Undecided,
     /// It fails.
     Fails,

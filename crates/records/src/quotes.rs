@@ -10,7 +10,7 @@ use crate::opening::LONGEST;
 /// A CSV file whose quotes are seen to. Reading it is an error where a quote opens a cell and nothing closes it,
 /// where a cell goes on behind the quote that closes it, and where a record is longer than 16 MiB.
 #[derive(Debug)]
-pub(crate) struct Quotes<R> {
+pub struct Quotes<R> {
     input: R,
     delimiter: u8,
     state: State,
@@ -18,6 +18,8 @@ pub(crate) struct Quotes<R> {
     line: u64,
     /// the line in which the cell opens
     opened: u64,
+    /// whether a cell goes on in another line
+    goes_on: bool,
     /// bytes of the record so far
     length: usize,
 }
@@ -44,15 +46,31 @@ enum State {
 
 impl<R: Read> Quotes<R> {
     /// A file from its beginning, with cells separated by this byte.
-    pub(crate) const fn new(input: R, delimiter: u8) -> Self {
-        Self { input, delimiter, state: State::Record, line: 1, opened: 1, length: 0 }
+    pub const fn new(input: R, delimiter: u8) -> Self {
+        Self {
+            input,
+            delimiter,
+            state: State::Record,
+            line: 1,
+            opened: 1,
+            goes_on: false,
+            length: 0,
+        }
+    }
+
+    /// Whether a cell of what was read goes on in another line.
+    #[must_use]
+    pub const fn goes_on(&self) -> bool {
+        self.goes_on
     }
 
     /// Follows bytes without a quote and without the sign of a comment: only what stands behind their last line
     /// end matters.
     fn pass(&mut self, bytes: &[u8]) {
-        self.line += u64::try_from(memchr_iter(b'\n', bytes).count()).unwrap_or(0);
+        let lines = u64::try_from(memchr_iter(b'\n', bytes).count()).unwrap_or(0);
+        self.line += lines;
         if self.state == State::Open {
+            self.goes_on |= lines > 0;
             self.length += bytes.len();
             return;
         }
@@ -92,6 +110,7 @@ impl<R: Read> Quotes<R> {
                 _ => State::Plain,
             };
             self.line += u64::from(byte == b'\n');
+            self.goes_on |= self.state == State::Open && byte == b'\n';
             if self.state == State::Record {
                 self.length = 0;
             }

@@ -7,7 +7,7 @@ use kane_impact::Law;
 use crate::case::Case;
 use crate::check::{Check, Finding, Ground, Verdict};
 use crate::fit::{PairFit, fits};
-use crate::format::{Format, Told};
+use crate::format::Format;
 use crate::friction::{self, FrictionFit};
 use crate::header::Header;
 use crate::reader::{Kind, Pairs, ReadFault, Sink, read};
@@ -21,6 +21,7 @@ use crate::schema::Column;
 use crate::seen::Seen;
 use crate::suspicion::{Suspicion, suspicions};
 use crate::tally::{Checked, Energy, Tally};
+use crate::told::Told;
 use crate::tolerance::{EXTENT, Precision};
 use crate::untold::{Untold, untold};
 use crate::worst::{WORST, Worst};
@@ -31,7 +32,7 @@ pub struct Options<'a> {
     /// names of the schema, and those of the file
     pub map: Vec<(String, String)>,
     /// the format of the numbers, if it is not to be told by them
-    pub format: Option<Format>,
+    pub format: Option<Told>,
     /// how large the world is, in arms
     pub extent: f64,
     /// the laws that are asked
@@ -200,7 +201,7 @@ impl<'a> Gathering<'a> {
             return;
         }
         let ahead = std::mem::take(&mut self.ahead);
-        let told = self.options.format.map_or_else(|| Told::of(&ahead), Told::stated);
+        let told = self.options.format.unwrap_or_else(|| Told::of(&ahead));
         let precision = Precision::told(told, self.options.extent);
         self.precision = Some(precision);
         for row in &ahead {
@@ -252,8 +253,9 @@ impl<'a> Gathering<'a> {
     }
 
     fn finish(self, header: Header) -> Study {
-        let precision =
-            self.precision.unwrap_or_else(|| Precision::new(Format::Binary64, self.options.extent));
+        let precision = self.precision.unwrap_or_else(|| {
+            Precision::told(Told::stated(Format::Binary64), self.options.extent)
+        });
         let mut rows: Vec<Seen> = self.sample.kept().to_vec();
         rows.extend(self.failed);
         let gathered = Gathered {

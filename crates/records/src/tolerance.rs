@@ -2,7 +2,7 @@
 //!
 //! Three things stand between an impact that obeys a law and its row in a log.
 //!
-//! **Rounding.** Let u be half a unit in the last place of the log's [`Format`]. A solver forms a
+//! **Rounding.** Let u be half a unit in the last place of what was [computed with](Format::unit). A solver forms a
 //! velocity by additions and products of terms no greater than |v| + |v⁺|; with n roundings it is off
 //! by at most n·u/(1 − n·u) times that (Higham's γ_n). [`ROUNDINGS`] = 64 stands for ten sweeps
 //! over a contact of six operations each, and the rounding of the result when it is written down.
@@ -10,6 +10,9 @@
 //! at most 16·2^−53 of their magnitudes: a quarter of η at most, as u ≥ 2^−53. So a residual that
 //! is computed in floats decides unless it is within a quarter of its tolerance, and there the
 //! residual is computed exactly.
+//!
+//! **Writing.** A number that was rounded to decimals is off by half of its [last one](Format::step) besides, each
+//! column by its own. Along a tangent that leans, that of v is q_t = |t_x|·q_x + |t_y|·q_y + |t_z|·q_z.
 //!
 //! **Positions.** The arm and the normal are not the body's own: they are formed from positions in
 //! a world that is larger than a body. With coordinates up to E arms, two roundings of positions and
@@ -27,7 +30,11 @@
 
 use crate::event::{Event, Given, Moving};
 use crate::facts::Facts;
-use crate::format::{Format, Told};
+#[allow(unused_imports, reason = "for the links above")]
+use crate::format::Format;
+use crate::format::Step;
+use crate::told::Told;
+use crate::written::Written;
 
 /// Roundings between an impact and its row.
 pub const ROUNDINGS: f64 = 64.0;
@@ -38,45 +45,39 @@ pub const EXTENT: f64 = 1000.0;
 /// What every row of a log shares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
-    /// the format of the numbers
-    pub format: Format,
-    /// whether they may be binary64 as well
-    pub doubt: bool,
+    /// the formats of the numbers
+    pub told: Told,
     /// how large the world is, in arms
     pub extent: f64,
     /// η = 64·u
     pub rounding: f64,
-    /// half a unit of the last decimal
-    pub absolute: f64,
+    /// how far the numbers of a column may be from their decimals, in the order of [`Own`](crate::told::Own); without
+    /// it there are none
+    pub(crate) steps: Option<[[Step; 6]; 2]>,
     /// τ = 3·u·E
     pub tilt: f64,
 }
 
 impl Precision {
-    /// Of a format, in a world of `extent` arms.
+    /// Of what is told of the numbers, in a world of `extent` arms.
     #[must_use]
-    pub fn new(format: Format, extent: f64) -> Self {
-        let unit = format.relative();
+    pub fn told(told: Told, extent: f64) -> Self {
+        let unit = told.format.unit();
+        let steps = told.own.map(|own| own.map(|own| own.unwrap_or(told.format).step()));
+        let written = steps.iter().flatten().any(|step| *step != Step::default());
         Self {
-            format,
-            doubt: false,
+            told,
             extent,
             rounding: ROUNDINGS * unit,
-            absolute: format.absolute(),
+            steps: written.then_some(steps),
             tilt: 3.0 * unit * extent,
         }
     }
 
-    /// Of what the numbers tell, in a world of `extent` arms.
+    /// That of the stricter format in which the numbers may be as well, in the same world.
     #[must_use]
-    pub fn told(told: Told, extent: f64) -> Self {
-        Self { doubt: told.doubt, ..Self::new(told.format, extent) }
-    }
-
-    /// That of binary64 in the same world.
-    #[must_use]
-    pub(crate) fn strict(&self) -> Self {
-        Self::new(Format::Binary64, self.extent)
+    pub(crate) fn strict(&self) -> Option<Self> {
+        self.told.or.map(|or| Self::told(Told::stated(or), self.extent))
     }
 }
 
@@ -109,25 +110,27 @@ pub struct Tolerance {
 
 /// The magnitudes of a body.
 struct Size {
-    /// |v| + |v⁺| + |g·Δt| along both axes
-    speed: [f64; 2],
-    /// |ω| + |ω⁺|
-    spin: f64,
+    /// |v| + |v⁺| + |g·Δt| along both axes, and |ω| + |ω⁺|
+    speed: [f64; 3],
+    /// how far what was written of them is off
+    step: [f64; 3],
     arm: f64,
     round: bool,
 }
 
 impl Size {
-    fn of(body: &Moving<f64>, kick: [f64; 2]) -> Self {
-        let along = |k: usize| body.before[k].abs() + body.after[k].abs() + kick[k].abs();
-        let speed = [along(0), along(1)];
+    #[inline(always)]
+    fn of(body: &Moving<f64>, kick: [f64; 2], step: [f64; 3]) -> Self {
+        let along = |k: usize| body.before[k].abs() + body.after[k].abs();
+        let speed = [along(0) + kick[0].abs(), along(1) + kick[1].abs(), along(2)];
         let [x, y] = body.arm;
-        Self {
-            speed,
-            spin: body.before[2].abs() + body.after[2].abs(),
-            arm: x.abs() + y.abs(),
-            round: x.abs() <= 1e-6 * y.abs(),
-        }
+        Self { speed, step, arm: x.abs() + y.abs(), round: x.abs() <= 1e-6 * y.abs() }
+    }
+
+    /// By how much a velocity or the spin is off, before and after together.
+    #[inline(always)]
+    fn off(&self, k: usize, eta: f64) -> f64 {
+        eta * self.speed[k] + self.step[k]
     }
 }
 
@@ -135,25 +138,31 @@ impl Tolerance {
     /// Of a row.
     #[must_use]
     #[inline]
-    pub fn of(event: &Event<f64>, facts: &Facts<f64>, given: &Given, log: &Precision) -> Self {
-        let (eta, q, tau) = (log.rounding, 2.0 * log.absolute, log.tilt);
+    pub(crate) fn of(
+        event: &Event<f64>,
+        facts: &Facts<f64>,
+        given: &Given,
+        log: &Precision,
+        written: &Written,
+    ) -> Self {
+        let (eta, tau) = (log.rounding, log.tilt + written.slack);
         let kick = event.kick;
         let dt = given.dt.unwrap_or(0.0);
-        let first = Size::of(&event.first, kick);
-        let second = event.second.as_ref().map(|body| (body, Size::of(body, kick)));
+        let first = Size::of(&event.first, kick, written.steps[0]);
+        let second =
+            event.second.as_ref().map(|body| (body, Size::of(body, kick, written.steps[1])));
         let round = first.round && second.as_ref().is_none_or(|(_, size)| size.round);
         let [u_t, u_n] = facts.before;
         let along = dt * u_n.abs();
         let every = if round { 0.0 } else { dt * (u_t.abs() + u_n.abs()) };
         let [p_t, p_n] = facts.impulse.map(f64::abs);
 
-        let of_impulse =
-            |body: &Moving<f64>, size: &Size, k: usize| body.mass * (eta * size.speed[k] + q);
+        let of_impulse = |body: &Moving<f64>, size: &Size, k: usize| body.mass * size.off(k, eta);
         let tangential = of_impulse(&event.first, &first, 0) + tau * p_n;
         let normal = of_impulse(&event.first, &first, 1) + tau * p_t;
         let moment = |body: &Moving<f64>, size: &Size| {
             let [x, y] = body.arm.map(f64::abs);
-            let rounding = eta * body.inertia * size.spin + q * body.inertia;
+            let rounding = body.inertia * size.off(2, eta);
             let arms = y * of_impulse(body, size, 0) + x * of_impulse(body, size, 1);
             let shift = (along + tau * size.arm) * p_t + (every + tau * size.arm) * (p_t + p_n);
             // on round bodies the tilt turns arm and impulse alike
@@ -165,13 +174,14 @@ impl Tolerance {
         let [mut slip, mut separation, mut before] = [0.0; 3];
         let mut add = |body: &Moving<f64>, size: &Size| {
             let [x, y] = body.arm.map(f64::abs);
-            slip += eta * (size.speed[0] + y * size.spin) + q * (1.0 + y);
-            before += eta * (size.speed[0] + y * size.spin) + q * (1.0 + y);
-            separation += eta * (size.speed[1] + x * size.spin) + q * (1.0 + x);
-            let shift = (along + tau * size.arm + every) * size.spin;
+            let [off_t, off_n, off_spin] = [0, 1, 2].map(|k| size.off(k, eta));
+            slip += off_t + y * off_spin;
+            before += off_t + y * off_spin;
+            separation += off_n + x * off_spin;
+            let shift = (along + tau * size.arm + every) * size.speed[2];
             slip += shift;
             before += shift;
-            separation += if round { 0.0 } else { (every + tau * size.arm) * size.spin };
+            separation += if round { 0.0 } else { (every + tau * size.arm) * size.speed[2] };
         };
         add(&event.first, &first);
         if let Some((body, size)) = &second {
@@ -186,11 +196,11 @@ impl Tolerance {
         let e = given.restitution.unwrap_or(1.0);
         let mut reaction =
             of_impulse(&event.first, &first, 0) + of_impulse(&event.first, &first, 1);
-        let mut energy = energy_scale(&event.first, &first, eta, q);
+        let mut energy = energy_scale(&event.first, &first, eta);
         let mut other_moment = 0.0;
         if let Some((body, size)) = &second {
             reaction += of_impulse(body, size, 0) + of_impulse(body, size, 1);
-            energy += energy_scale(body, size, eta, q);
+            energy += energy_scale(body, size, eta);
             other_moment = moment(body, size);
         }
         energy += kick[0].abs() * p_t + kick[1].abs() * p_n;
@@ -210,8 +220,7 @@ impl Tolerance {
     }
 }
 
-fn energy_scale(body: &Moving<f64>, size: &Size, eta: f64, q: f64) -> f64 {
-    let [t, n] = size.speed;
-    let square = body.mass * (t * t + n * n) + body.inertia * size.spin * size.spin;
-    eta * square + q * (body.mass * (t + n) + body.inertia * size.spin)
+fn energy_scale(body: &Moving<f64>, size: &Size, eta: f64) -> f64 {
+    let of = |k: usize| size.speed[k] * size.off(k, eta);
+    body.mass * (of(0) + of(1)) + body.inertia * of(2)
 }

@@ -1,9 +1,9 @@
 //! What a log cannot tell, whatever it was made by.
 
-use crate::format::Format;
 use crate::friction::{FrictionFit, FrictionLaw};
 use crate::restitution::Factor;
 use crate::seen::Seen;
+use crate::told::Told;
 use crate::tolerance::Precision;
 
 /// Something that the rows leave open.
@@ -23,16 +23,16 @@ pub enum Untold {
     SameFriction(Vec<FrictionLaw>),
     /// μ or e is not stated, so that no law can be asked with it.
     NoCoefficients,
-    /// The numbers may have been rounded to this format, and may be binary64.
-    Format(Format),
+    /// The numbers may have been rounded as they seem to be, and may be of a stricter format.
+    Format(Told),
 }
 
 /// What these rows leave open.
 #[must_use]
 pub fn untold(rows: &[Seen], friction: &[FrictionFit], precision: &Precision) -> Vec<Untold> {
     let mut open = Vec::new();
-    if precision.doubt {
-        open.push(Untold::Format(precision.format));
+    if precision.told.or.is_some() {
+        open.push(Untold::Format(precision.told));
     }
     if rows.is_empty() {
         return open;

@@ -52,7 +52,7 @@ fn rapier_0_34_is_coulombs_and_rapier_0_36_is_bounded_by_the_compression() {
 #[test]
 fn box2d_is_coulombs_about_a_contact_point_within_its_margin() {
     let study = studied(include_str!("data/box2d-2.3.10_v2x_above_threshold.csv"));
-    assert_eq!(study.precision.format.name(), "binary32");
+    assert_eq!(study.precision.told.format.name(), "binary32");
     assert_eq!(friction(&study), FrictionLaw::Coulomb);
     assert_eq!(study.restitution.as_ref().map(|found| found.law), Some(NormalLaw::Stated));
     assert!(failed(&study, Check::Moment) > 0);

@@ -155,7 +155,7 @@ fn a_law_is_named_among_those_that_give_its_log() {
                     own.rows,
                     own.worst,
                     own.worst_line,
-                    study.precision.format.name()
+                    study.precision.told.format.name()
                 ));
             }
         }

@@ -11,6 +11,7 @@ use kane_records::format::Format;
 use kane_records::reader::Kind;
 use kane_records::restitution::NormalLaw;
 use kane_records::study::{Options, Study, study};
+use kane_records::told::Told;
 
 /// The points of a file: the angle from the normal in degrees, and what was measured.
 fn points(file: &str) -> Vec<(f64, f64)> {
@@ -53,7 +54,7 @@ fn log() -> String {
 /// Digitised values are uncertain by some hundredths of what they are counted in here.
 fn studied() -> Study {
     let mut options = Options::new(laws());
-    options.format = Some(Format::Decimals(2));
+    options.format = Some(Told::stated(Format::Decimals(2)));
     options.extent = 0.0;
     study(log().as_bytes(), Kind::Csv, &options).expect("it is a log")
 }

@@ -11,6 +11,7 @@ use kane_records::format::Format;
 use kane_records::reader::{Kind, ReadFault};
 use kane_records::study::{Options, Study, study};
 use kane_records::suspicion::Suspicion;
+use kane_records::told::Told;
 use kane_records::untold::Untold;
 
 const HEAD: &str = "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
@@ -24,7 +25,7 @@ fn studied(log: &str) -> Study {
 /// The same with the format of its numbers stated.
 fn stated(log: &str, format: Format) -> Study {
     let mut options = Options::new(laws());
-    options.format = Some(format);
+    options.format = Some(Told::stated(format));
     study(log.as_bytes(), Kind::Csv, &options).expect("the log is a log")
 }
 
@@ -180,7 +181,13 @@ fn a_short_number_does_not_excuse_a_row() {
     let log = format!("{HEAD}\n{GOOD}\n{off}\n{GOOD}\n");
     let study = studied(&log);
     assert_eq!(fared(&study, Check::Restitution), (0, 1));
-    assert!(!study.as_expected() && study.untold.contains(&Untold::Format(Format::Decimals(6))));
+    assert!(
+        !study.as_expected()
+            && study.untold.contains(&Untold::Format(Told {
+                or: Some(Format::Binary64),
+                ..Told::stated(Format::Decimals(6))
+            }))
+    );
     assert_eq!(fared(&stated(&log, Format::Binary64), Check::Restitution), (1, 0));
     assert!(stated(&log, Format::Decimals(6)).as_expected());
     // one number with all its digits tells the format of all
@@ -206,7 +213,7 @@ fn rounded_decimals_raise_no_alarm() {
                 assert_eq!(checked.failed, 0, "{decimals} {rows} {checked:?}");
             }
             // the numbers of twelve impacts are enough to tell
-            let doubt = study.precision.doubt;
+            let doubt = study.precision.told.or.is_some();
             assert!(doubt || study.as_expected(), "{decimals} {rows} {:?}", study.checks);
             assert!(!doubt || rows < 12 || decimals < 4, "{decimals}");
             let stated =
@@ -214,6 +221,39 @@ fn rounded_decimals_raise_no_alarm() {
             assert!(stated.as_expected(), "{decimals} {rows} {:?}", stated.checks);
         }
     }
+}
+
+#[test]
+fn each_column_is_judged_by_its_own_digits() {
+    let rounded = |places: [usize; 3], digits: bool| {
+        discs(|row| {
+            for i in 5..11 {
+                let n = places[(i - 5) % 3];
+                let text = if digits {
+                    format!("{:.*e}", n - 1, row[i])
+                } else {
+                    format!("{:.*}", n, row[i])
+                };
+                row[i] = text.parse().expect("a float");
+            }
+        })
+    };
+    // v_x, v_y and omega, as decimals and as digits
+    for places in [[6, 6, 3], [3, 7, 7], [7, 3, 5]] {
+        for digits in [false, true] {
+            let log = rounded(places, digits);
+            let study = studied(&log);
+            assert!(study.checks.iter().all(|checked| checked.failed == 0), "{:?}", study.checks);
+        }
+    }
+    // a spin that is off by more than its own three decimals is found
+    let mut lines: Vec<String> = rounded([6, 6, 3], false).lines().map(str::to_owned).collect();
+    let last = lines.pop().expect("it has rows");
+    let (rest, spin) = last.rsplit_once(',').expect("it has cells");
+    let spin: f64 = spin.parse().expect("a float");
+    lines.push(format!("{rest},{}", spin + 0.02));
+    let study = studied(&lines.join("\n"));
+    assert_eq!(study.checked(Check::Moment).map(|checked| checked.failed), Some(1));
 }
 
 #[test]
@@ -281,7 +321,7 @@ fn a_verdict_at_its_tolerance_is_exact() {
         let mut options = Options::new(laws());
         options.extent = 0.0;
         // a miss of 1e-9 alone might be one of nine decimals
-        options.format = Some(Format::Binary64);
+        options.format = Some(Told::stated(Format::Binary64));
         let log = format!("{HEAD}\n{row}\n");
         let study = study(log.as_bytes(), Kind::Csv, &options).expect("it is a log");
         let checked = study.checked(Check::Restitution).expect("it is asked").clone();

@@ -120,3 +120,14 @@ async fn a_ragged_csv_is_an_error_and_an_odd_cell_a_rejected_row() {
     let study = check(&session, &log).await.expect("it has rows");
     assert_eq!(study.rejections.of_kind("no number in"), 1);
 }
+
+#[tokio::test]
+async fn a_quote_that_nothing_closes_is_an_error_with_its_line() {
+    let text = fs::read_to_string(recorded(LOG)).expect("it is there");
+    let dir = tempfile::tempdir().expect("there is room");
+    let last = text.lines().last().expect("it has rows");
+    let open = file(dir.path(), "open.csv", format!("{text}\"{last}\n{last}\n").as_bytes());
+    let told = fault(&[open]).await;
+    let line = format!("line {}: a quote opens", text.lines().count() + 1);
+    assert!(told.contains("open.csv") && told.contains(&line), "{told}");
+}

@@ -4,11 +4,11 @@ use datafusion::prelude::SessionContext;
 use kane_lake::{Asked, Numbers, Quantity, register};
 use kane_records::case::Case;
 use kane_records::check::Check;
-use kane_records::format::Told;
 use kane_records::header::Header;
 use kane_records::reader::{Kind, Pairs, Sink, read};
 use kane_records::rejection::Rejected;
 use kane_records::row::Row;
+use kane_records::told::Told;
 
 use crate::{column, opened, recorded, session};
 

@@ -5,9 +5,10 @@ use std::io::BufReader;
 
 use datafusion::arrow::ipc::writer::FileWriter;
 use kane_lake::{Numbers, Reading, check, open};
-use kane_records::format::{Format, Told};
+use kane_records::format::Format;
 use kane_records::reader::Kind;
 use kane_records::study::{Options, Study, study};
+use kane_records::told::Told;
 use kane_report::records::{RecordsReport, headline, json};
 
 use crate::{LOGS, opened, parquet, recorded, session};

@@ -165,8 +165,12 @@ pub fn json(report: &RecordsReport<'_>) -> String {
         "suspected": study.suspicions.iter().map(suspicion).collect::<Vec<_>>(),
         "not_read": study.header.unread,
         "si_assumed": study.header.unitless,
-        "format": study.precision.format.name(),
-        "format_in_doubt": study.precision.doubt,
+        "format": study.precision.told.format.name(),
+        "format_in_doubt": study.precision.told.or.is_some(),
+        "column_formats": study.precision.told.columns().map(|(column, format)| json!({
+            "column": column.name(),
+            "format": format.name(),
+        })).collect::<Vec<Value>>(),
         "checks": checks,
         "energy": {
             "before": study.energy.before,

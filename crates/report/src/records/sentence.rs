@@ -7,7 +7,7 @@ use kane_records::restitution::{NormalLaw, Restitution, Threshold};
 use kane_records::statistics::percent;
 use kane_records::study::Study;
 
-use super::wording::{at_line, brief, factor, friction};
+use super::wording::{at_line, brief, factor, formats, friction};
 
 /// What the log follows, in a sentence.
 #[must_use]
@@ -149,7 +149,7 @@ fn counts(study: &Study) -> Vec<String> {
     if undecided > 0 {
         parts.push(format!(
             "{undecided} of {rows} impacts are undecided, since too few numbers tell whether they were rounded to {}",
-            study.precision.format.name()
+            formats(&study.precision.told)
         ));
     }
     parts

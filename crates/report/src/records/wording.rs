@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use kane_records::check::{Check, Finding};
 use kane_records::fit::{Fitted, PairFit};
+use kane_records::format::Format;
 use kane_records::friction::{FrictionLaw, Pyramid};
 use kane_records::replay::Replay;
 use kane_records::restitution::Factor;
@@ -12,6 +13,7 @@ use kane_records::schema::{Column, SCHEMA_VERSION, Word};
 use kane_records::study::Study;
 use kane_records::suspicion::Suspicion;
 use kane_records::tally::Checked;
+use kane_records::told::Told;
 use kane_records::untold::Untold;
 use kane_records::worst::Worst;
 
@@ -245,25 +247,35 @@ pub(super) fn untold(untold: &Untold) -> String {
             let names: Vec<String> = laws.iter().map(|law| friction_name(*law)).collect();
             format!("these give the same impulses here: {}", names.join("; "))
         }
-        Untold::Format(format) => format!(
-            "the numbers may have been rounded to {}, and may be binary64: too few tell which, and a check that holds by the one and not by the other is undecided; --float says it",
-            format.name()
+        Untold::Format(told) => format!(
+            "the numbers may have been rounded to {}, and may be {}: too few tell which, and a check that holds by the one and not by the other is undecided; --float says it",
+            formats(told),
+            told.or.map_or_else(String::new, Format::name)
         ),
         Untold::NoCoefficients => "mu or e is not stated, so that no rigid law can be asked".to_owned(),
     }
+}
+
+/// The formats of the numbers.
+pub(super) fn formats(told: &Told) -> String {
+    let own =
+        told.columns().map(|(column, format)| format!("{} to {}", column.name(), format.name()));
+    let own: Vec<String> = own.collect();
+    let all = told.format.name();
+    if own.is_empty() { all } else { format!("{all} ({})", own.join(", ")) }
 }
 
 /// What the log is.
 pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
     let study = report.study;
     let precision = &study.precision;
-    let told = match (study.format_stated, precision.doubt) {
-        (true, _) => "as stated",
-        (_, true) => "or binary64, which too few tell",
-        _ => "as the numbers tell",
+    let told = match (study.format_stated, precision.told.or) {
+        (true, _) => "as stated".to_owned(),
+        (_, Some(or)) => format!("or {}, which too few tell", or.name()),
+        _ => "as the numbers tell".to_owned(),
     };
     let mut text =
-        format!("{} rows checked, numbers in {} ({told})", study.rows, precision.format.name());
+        format!("{} rows checked, numbers in {} ({told})", study.rows, formats(&precision.told));
     let rejected = study.rejections.total();
     if rejected > 0 {
         let _ = write!(text, ", {rejected} rows REJECTED");
