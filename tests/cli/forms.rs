@@ -30,13 +30,11 @@ fn the_paper_ends_with_where_its_question_is_answered() {
 #[test]
 fn there_is_no_colour_in_a_pipe() {
     for arguments in [&["audit"][..], &["audit", "--explain", "16"], &["audit", "--help"]] {
-        let mut command = command();
-        let output =
-            command.args(arguments).env("CLICOLOR", "1").output().expect("the program starts");
-        assert!(!finish(output).stdout.contains('\u{1b}'), "{arguments:?}");
-        let unforced = command().args(arguments).env("CLICOLOR_FORCE", "0").output();
-        let unforced = finish(unforced.expect("the program starts"));
-        assert!(!unforced.stdout.contains('\u{1b}'), "{arguments:?} with CLICOLOR_FORCE=0");
+        for (name, value) in [("CLICOLOR", "1"), ("CLICOLOR_FORCE", "0")] {
+            let output = command().args(arguments).env(name, value).output();
+            let run = finish(output.expect("the program starts"));
+            assert!(!run.stdout.contains('\u{1b}'), "{arguments:?} with {name}={value}");
+        }
     }
 }
 

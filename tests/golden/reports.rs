@@ -242,7 +242,10 @@ fn answers_of_other_judges_stand_beside_each_claim() {
     let value: serde_json::Value =
         serde_json::from_str(&json(std::slice::from_ref(&report))).expect("it is JSON");
     assert!(value["judges"][0]["summary"]["z3"].as_str().is_some_and(|s| s == news[0]));
-    for text in [html(&without), markdown(&without), latex(&without), json(&[without])] {
+    // the head of the page has a font in it, in letters and digits
+    let page = html(&without);
+    let body = page.split_once("<body>").expect("a body").1.to_owned();
+    for text in [body, markdown(&without), latex(&without), json(&[without])] {
         assert!(!text.contains("z3") && !text.contains("\"judges\""), "nobody was asked");
     }
 }

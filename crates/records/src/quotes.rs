@@ -1,13 +1,13 @@
-//! Quotes of a CSV file, followed while its bytes pass by: one that nothing closes would make one cell of all
-//! the lines behind it.
+//! Quotes and line ends of a CSV file, followed while its bytes pass by: a quote that nothing closes would make
+//! one cell of all the lines behind it, and CR LF a line of its own of each LF.
 
 use std::io::{Error, ErrorKind, Read, Result};
 
-use memchr::{memchr_iter, memchr2, memrchr2};
+use memchr::{memchr, memchr_iter, memchr2, memrchr};
 
 use crate::opening::LONGEST;
 
-/// A CSV file whose quotes are seen to. Reading it is an error where a quote opens a cell and nothing closes it,
+/// A CSV file whose quotes are seen to, and of which every line ends at LF. Reading it is an error where a quote opens a cell and nothing closes it,
 /// where a cell goes on behind the quote that closes it, and where a record is longer than 16 MiB.
 #[derive(Debug)]
 pub struct Quotes<R> {
@@ -22,6 +22,8 @@ pub struct Quotes<R> {
     goes_on: bool,
     /// bytes of the record so far
     length: usize,
+    /// the byte that came last, as it was written
+    last: u8,
 }
 
 /// What may stand before the text of a file in UTF-8.
@@ -55,6 +57,7 @@ impl<R: Read> Quotes<R> {
             opened: 1,
             goes_on: false,
             length: 0,
+            last: b'\n',
         }
     }
 
@@ -74,7 +77,7 @@ impl<R: Read> Quotes<R> {
             self.length += bytes.len();
             return;
         }
-        let end = memrchr2(b'\n', b'\r', bytes);
+        let end = memrchr(b'\n', bytes);
         let rest = end.map_or(bytes, |end| &bytes[end + 1..]);
         self.length = if end.is_some() { rest.len() } else { self.length + rest.len() };
         self.state = match rest.last() {
@@ -99,7 +102,7 @@ impl<R: Read> Quotes<R> {
                 }
                 (State::Open, b'"') => State::Closed,
                 (State::Open, _) | (State::Closed, b'"') => State::Open,
-                (_, b'\n' | b'\r') => State::Record,
+                (_, b'\n') => State::Record,
                 (_, byte) if byte == self.delimiter => State::Cell,
                 (State::Closed, b' ' | b'\t') => State::Closed,
                 (State::Closed, _) => {
@@ -118,6 +121,29 @@ impl<R: Read> Quotes<R> {
         Ok(())
     }
 
+    /// The next bytes with LF in place of CR LF and CR, and behind the last line; how many there are.
+    fn lines(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        loop {
+            let read = self.input.read(buffer)?;
+            let Some(&last) = buffer[..read].last() else {
+                let is_cut = !matches!(self.last, b'\n' | b'\r') && self.state != State::Open;
+                self.last = b'\n';
+                return Ok(match buffer.first_mut() {
+                    Some(first) if is_cut => {
+                        *first = b'\n';
+                        1
+                    }
+                    _ => 0,
+                });
+            };
+            let before = std::mem::replace(&mut self.last, last);
+            let kept = with_line_feeds(&mut buffer[..read], before);
+            if kept > 0 {
+                return Ok(kept);
+            }
+        }
+    }
+
     fn fault(&self, why: &str) -> Error {
         Error::new(ErrorKind::InvalidData, format!("line {}: a quote {why}", self.opened))
     }
@@ -125,7 +151,7 @@ impl<R: Read> Quotes<R> {
 
 impl<R: Read> Read for Quotes<R> {
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
-        let read = self.input.read(buffer)?;
+        let read = self.lines(buffer)?;
         let bytes = &buffer[..read];
         let first = self.state == State::Record && self.line == 1;
         let bytes = bytes.strip_prefix(MARK).filter(|_| first).unwrap_or(bytes);
@@ -149,6 +175,23 @@ impl<R: Read> Read for Quotes<R> {
     }
 }
 
+/// Puts LF in place of CR LF and CR; how many bytes are left of these, which follow one `before`.
+fn with_line_feeds(bytes: &mut [u8], mut before: u8) -> usize {
+    if before != b'\r' && memchr(b'\r', bytes).is_none() {
+        return bytes.len();
+    }
+    let mut kept = 0;
+    for at in 0..bytes.len() {
+        let byte = bytes[at];
+        if (before, byte) != (b'\r', b'\n') {
+            bytes[kept] = if byte == b'\r' { b'\n' } else { byte };
+            kept += 1;
+        }
+        before = byte;
+    }
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use std::io::BufReader;
@@ -164,6 +207,31 @@ mod tests {
                 Ok(0) => return None,
                 Ok(_) => {}
                 Err(error) => return Some(error.to_string()),
+            }
+        }
+    }
+
+    #[test]
+    fn every_line_ends_at_a_line_feed_however_the_bytes_come() {
+        for part in [1, 2, 3, 5, 1000] {
+            for (text, lines) in [
+                ("", ""),
+                ("a", "a\n"),
+                ("a\n", "a\n"),
+                ("a\r\nb\r\n", "a\nb\n"),
+                ("a\rb\r", "a\nb\n"),
+                ("a\r\r\n\nb", "a\n\n\nb\n"),
+                ("\"a\r\nb\"\r\nc", "\"a\nb\"\nc\n"),
+            ] {
+                let (mut quotes, mut read) = (Quotes::new(text.as_bytes(), b','), String::new());
+                let mut buffer = vec![0; part];
+                loop {
+                    match quotes.read(&mut buffer).expect("its quotes are closed") {
+                        0 => break,
+                        n => read.push_str(std::str::from_utf8(&buffer[..n]).expect("it is ASCII")),
+                    }
+                }
+                assert_eq!(read, lines, "{text:?} in parts of {part}");
             }
         }
     }

@@ -164,7 +164,7 @@ fn csv_rows(
     sink.header(&header, &pairs);
     let (mut record, mut row) = (csv::ByteRecord::new(), Row::empty(0));
     while reader.read_byte_record(&mut record)? {
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = first_line(&record, reader.position().line());
         row.clear(line);
         let filled = if record.len() == names.len() {
             let cells = header.fields.iter().zip(record.iter());
@@ -182,6 +182,17 @@ fn csv_rows(
     }
     sink.end(&pairs);
     Ok(header)
+}
+
+/// The line in which a record begins, from that behind it. That in which its reading began may be above it:
+/// lines without cells and comments are read with the record that follows.
+fn first_line(record: &csv::ByteRecord, behind: u64) -> u64 {
+    let last = behind.saturating_sub(1);
+    if record.position().is_some_and(|position| position.line() == last) {
+        return last;
+    }
+    let within = memchr::memchr_iter(b'\n', record.as_slice()).count();
+    last.saturating_sub(u64::try_from(within).unwrap_or(0))
 }
 
 /// What separates the cells of the first line that is no comment.

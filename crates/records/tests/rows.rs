@@ -278,6 +278,24 @@ fn a_quote_that_nothing_closes_is_an_error() {
 }
 
 #[test]
+fn a_line_is_counted_as_an_editor_counts_however_lines_end() {
+    let head = format!("# of an engine\n\n{HEAD},id,pair");
+    let bad = GOOD.replacen('1', "one", 1);
+    let text = format!(
+        "{head}\n{bad},a,\n# a comment\n\n{bad},b,\n{GOOD},c,\"two\nlines\"\n{bad},d,\"two\nlines\"\n{bad},e,"
+    );
+    for end in ["\n", "\r\n", "\r"] {
+        let study = studied(&text.replace('\n', end));
+        let lines: Vec<u64> = study
+            .rejections
+            .kinds()
+            .flat_map(|(_, _, listed)| listed.iter().map(|r| r.line))
+            .collect();
+        assert_eq!(lines, [4, 7, 10, 12], "{end:?}");
+    }
+}
+
+#[test]
 fn a_line_without_an_end_is_not_held() {
     let endless = |start: &str, kind| {
         let start = std::io::Cursor::new(start.as_bytes().to_vec());
