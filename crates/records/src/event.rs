@@ -138,11 +138,15 @@ impl<N: FromFloat> Event<N> {
     }
 }
 
+/// The least mass, inertia or radius by which what comes of a motion is divided without leaving the floats.
+const LEAST: f64 = 1e-100;
+
 /// That a body has a mass, an inertia, a place of the contact and a motion.
 #[inline]
 fn check_body(row: &Row, side: Side) -> Result<(), Reason> {
     let positive = |column| match row.need(column)? {
-        value if value > 0.0 => Ok(()),
+        value if value >= LEAST => Ok(()),
+        value if value > 0.0 => Err(Reason::Extreme(column, value)),
         value => Err(Reason::NotPositive(column, value)),
     };
     positive(Column::Mass(side))?;

@@ -69,6 +69,9 @@ pub struct Pairs {
     places: BTreeMap<String, u32>,
 }
 
+/// The largest magnitude of which products of three are floats.
+const MOST: f64 = 1e100;
+
 /// How many pairs are told apart; what comes later is counted with the last.
 const MOST_PAIRS: usize = 1000;
 
@@ -224,11 +227,14 @@ pub fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Resu
 /// Takes a number.
 ///
 /// # Errors
-/// [`Reason::NotFinite`].
+/// [`Reason::NotFinite`] or [`Reason::Extreme`].
 #[inline]
 pub fn number(row: &mut Row, column: Column, value: f64) -> Result<(), Reason> {
     if !value.is_finite() {
         return Err(Reason::NotFinite(column));
+    }
+    if value.abs() > MOST {
+        return Err(Reason::Extreme(column, value));
     }
     row.set(column, value);
     Ok(())

@@ -22,6 +22,9 @@ pub enum Reason {
     NotANumber(Column, String),
     /// NaN or an infinity.
     NotFinite(Column),
+    /// A magnitude with products that floats cannot hold: above 1e100, and of a mass, an inertia or a radius also
+    /// below 1e-100.
+    Extreme(Column, f64),
     /// A cell that is needed is empty.
     Missing(Column),
     /// A mass, an inertia or a radius that is not above zero.
@@ -52,6 +55,7 @@ impl Reason {
             Self::Ragged { .. } => "ragged row".to_owned(),
             Self::NotANumber(column, _) => format!("no number in {}", column.name()),
             Self::NotFinite(column) => format!("NaN or infinity in {}", column.name()),
+            Self::Extreme(column, _) => format!("{} is too large or too small", column.name()),
             Self::Missing(column) => format!("{} is empty", column.name()),
             Self::NotPositive(column, _) => format!("{} is not above zero", column.name()),
             Self::Negative(column, _) => format!("{} is negative", column.name()),
@@ -86,6 +90,9 @@ impl fmt::Display for Reason {
             }
             Self::NotPositive(_, value) | Self::Negative(_, value) | Self::Restitution(value) => {
                 write!(f, "{kind}: {value}")
+            }
+            Self::Extreme(_, value) => {
+                write!(f, "{kind}: {value:e}, where energies of up to 1e300 can be told")
             }
             Self::Normal(length) => write!(f, "{kind}: its length is {length}"),
             Self::Apart(speed) => write!(f, "{kind}, at {speed} m/s"),
