@@ -46,7 +46,7 @@ impl<'a> Case<'a> {
         let (given, event) = (Given::of(row), Event::<f64>::of(row, &frame));
         let facts = event.facts();
         let tolerance_of = |log: &Precision| {
-            let written = Written::of(row, &frame, log);
+            let written = Written::of(row, &frame, log.steps.as_ref());
             Tolerance::of(&event, &facts, &given, log, &written)
         };
         let tolerance = tolerance_of(precision);

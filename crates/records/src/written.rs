@@ -1,10 +1,10 @@
 //! How far the decimals of a row may be from what they stand for, in the frame of its contact.
 
+use crate::format::Step;
 use crate::frame::Frame;
 use crate::row::Row;
 use crate::schema::{Side, When};
 use crate::told::motion;
-use crate::tolerance::Precision;
 
 /// What writing a row down did to it.
 pub(crate) struct Written {
@@ -15,19 +15,18 @@ pub(crate) struct Written {
 }
 
 impl Written {
-    /// Of a row. A number before an impact is taken to be written as that behind it.
+    /// Of a row, where `columns` tells how far the numbers of each may be off. A number before an impact is taken to be written as that behind it.
     #[inline(always)]
-    pub(crate) fn of(row: &Row, frame: &Frame, log: &Precision) -> Self {
-        let steps = if log.steps.is_some() { steps(row, frame, log) } else { [[0.0; 3]; 2] };
+    pub(crate) fn of(row: &Row, frame: &Frame, columns: Option<&[[Step; 6]; 2]>) -> Self {
+        let steps = columns.map_or([[0.0; 3]; 2], |columns| steps(row, frame, columns));
         Self { steps, slack: frame.slack }
     }
 }
 
 #[inline(never)]
-fn steps(row: &Row, frame: &Frame, log: &Precision) -> [[f64; 3]; 2] {
-    let Some(steps) = &log.steps else { return [[0.0; 3]; 2] };
+fn steps(row: &Row, frame: &Frame, columns: &[[Step; 6]; 2]) -> [[f64; 3]; 2] {
     [Side::First, Side::Second].map(|side| {
-        let steps = steps[usize::from(side == Side::Second)];
+        let steps = columns[usize::from(side == Side::Second)];
         let mut off = [0.0; 6];
         for when in [When::Pre, When::Post] {
             for (place, column) in motion(side, when).into_iter().enumerate() {

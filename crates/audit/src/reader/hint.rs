@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use kane_algebra::syntax::{Lines, Symbol, canonical_name, nearest};
 
-use super::statement::KEYWORDS;
 use super::{MAX_CANDIDATES, Reader};
 
 /// What to say of a name that is used like a function and is none.
@@ -38,11 +37,11 @@ const BEGINNINGS: [(&str, &[&str]); 4] = [
     ("claim", &["prove", "proof", "theorem", "lemma", "show", "assert", "check", "conclude"]),
 ];
 
-/// The statement that begins with a word like this one.
-pub(super) fn beginning(word: &str) -> Option<String> {
+/// The statement that begins with a word like this one, of those that begin with `keywords`.
+pub(super) fn beginning(word: &str, keywords: [&'static str; 4]) -> Option<String> {
     let word = word.to_lowercase();
     let other = BEGINNINGS.iter().find(|(_, words)| words.contains(&&*word));
-    let meant = other.map(|(keyword, _)| *keyword).or_else(|| nearest(&word, KEYWORDS));
+    let meant = other.map(|(keyword, _)| *keyword).or_else(|| nearest(&word, keywords));
     meant.map(|meant| format!("did you mean `{meant}`?"))
 }
 

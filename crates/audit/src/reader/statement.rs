@@ -29,7 +29,7 @@ impl Reader {
             let error = parser.unexpected("`var`, `let`, `given` or `claim`");
             self.note_errors(vec![error], None);
             if let (Some(fault), hint @ Some(_)) =
-                (self.faults.last_mut(), super::hint::beginning(keyword))
+                (self.faults.last_mut(), super::hint::beginning(keyword, KEYWORDS))
             {
                 fault.note = hint;
             }

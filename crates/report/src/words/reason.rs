@@ -134,10 +134,6 @@ pub(super) fn standing(
     let goes_on = ["at ", "for ", "everywhere"].iter().any(|start| told.starts_with(start));
     let mark = if goes_on { "," } else { ":" };
     let mut parts = Vec::new();
-    let cites = link.accepted.as_ref().is_some_and(|accepted| !accepted.goal.hypotheses.is_empty());
-    if !cites && *standing != Standing::AllMet {
-        parts.push("nothing is cited, there is no `from`".to_owned());
-    }
     match standing {
         Standing::AllMet => {}
         Standing::Unmet(failing) => {
