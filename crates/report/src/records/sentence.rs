@@ -2,10 +2,11 @@
 
 use kane_impact::Restitution as Hypothesis;
 use kane_records::check::Check;
-use kane_records::friction::FrictionLaw;
+use kane_records::friction::{FrictionFit, FrictionLaw};
 use kane_records::restitution::{NormalLaw, Restitution, Threshold};
 use kane_records::statistics::percent;
 use kane_records::study::Study;
+use kane_records::untold::Untold;
 
 use super::wording::{at_line, brief, factor, formats, friction};
 
@@ -96,7 +97,7 @@ fn tangential(study: &Study) -> Option<String> {
     let best = study.friction.first()?;
     let words = friction(best.law);
     Some(if best.consistent == best.rows {
-        format!("friction {words}")
+        format!("friction {words}{}", or_others(study, best))
     } else if best.close == best.rows {
         format!("friction {words}, to 0.01 of k")
     } else if best.close * 10 >= best.rows * 9 {
@@ -116,6 +117,25 @@ fn tangential(study: &Study) -> Option<String> {
             best.close, best.rows
         )
     })
+}
+
+/// The other laws that fit every impact, though they give other impulses: the tolerance of rounded numbers may hold
+/// several.
+fn or_others(study: &Study, best: &FrictionFit) -> String {
+    let same = |law: FrictionLaw| {
+        study
+            .untold
+            .iter()
+            .any(|open| matches!(open, Untold::SameFriction(laws) if laws.contains(&law)))
+    };
+    let fits = |fit: &&FrictionFit| fit.rows == best.rows && fit.consistent == fit.rows;
+    let others = study.friction.iter().skip(1).filter(fits).filter(|fit| !same(fit.law));
+    let others: Vec<String> = others.map(|fit| friction(fit.law)).collect();
+    match others.len() {
+        0 => String::new(),
+        1 => format!(" or {}, which fits every impact as well", others.join(" or ")),
+        _ => format!(" or {}, which fit every impact as well", others.join(" or ")),
+    }
 }
 
 /// Impacts that slide with less friction than they could have.
