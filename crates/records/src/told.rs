@@ -20,7 +20,7 @@ use crate::schema::{Axis, Column, Side, When};
 /// neither do numbers that an impact left as they were. Without a number that tells, the format is binary64, which
 /// asks most.
 ///
-/// A column has a format of its own where it has [some](SOME) numbers that tell another, rounded one than all numbers
+/// A column has a format of its own where it has enough numbers that tell another, rounded one than all numbers
 /// of the log do together, and two in three of them are as long as any: rounding leaves a zero at the end of one in
 /// ten. Products of short decimals vary more in their length.
 ///
