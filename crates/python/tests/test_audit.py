@@ -128,17 +128,14 @@ import os, signal, threading, time
 import kane
 began = []
 def interrupt():
-    # on a busy machine the first may come before the claim is judged, where nobody waits for it
-    while True:
-        time.sleep(0.3)
-        began.append(time.perf_counter())
-        os.kill(os.getpid(), signal.SIGINT)
-        time.sleep(6)
-threading.Thread(target=interrupt, daemon=True).start()
+    time.sleep(0.3)
+    began.append(time.perf_counter())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=interrupt).start()
 try:
     kane.audit({LONG!r}, effort=1_000_000)
 except KeyboardInterrupt:
-    print(time.perf_counter() - began[-1])
+    print(time.perf_counter() - began[0])
 """
 
 
