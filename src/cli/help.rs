@@ -1,6 +1,8 @@
 //! The parts of `--help` that are made of data: the laws' parameters, ids and the names of models.
 
-use clap::builder::{PossibleValuesParser, StyledStr};
+use std::ffi::OsString;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, StyledStr};
 use clap::error::{ContextKind, ContextValue, Error};
 use clap::{Command, CommandFactory as _, ValueHint};
 
@@ -63,14 +65,23 @@ pub(super) fn completed() -> Command {
         })
 }
 
-/// The error with a better tip where a form of report was asked for as if it were a flag, as `--json`.
-pub(super) fn with_format(mut error: Error) -> Error {
-    let forms = ["json", "markdown", "sarif", "github", "text"];
+/// The error with a better tip where a form of report that the verb has was asked for as if it were a flag, as
+/// `--json`.
+pub(super) fn with_format(
+    mut error: Error,
+    mut arguments: impl Iterator<Item = OsString>,
+) -> Error {
     let asked = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(asked)) => asked.strip_prefix("--"),
         _ => None,
     };
-    if let Some(form) = forms.into_iter().find(|form| asked == Some(*form)) {
+    let command = command();
+    let verb = arguments.find_map(|word| command.find_subcommand(word));
+    let format =
+        verb.and_then(|verb| verb.get_arguments().find(|arg| arg.get_long() == Some("format")));
+    let forms = format.map(clap::Arg::get_possible_values).unwrap_or_default();
+    if let Some(form) = forms.iter().map(PossibleValue::get_name).find(|form| asked == Some(*form))
+    {
         let tip = StyledStr::from(format!("the form of a report is `--format {form}`"));
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
     }

@@ -64,7 +64,9 @@ pub(crate) fn run() -> ExitCode {
     // before anything is parsed, so that what clap says has the colours that are asked for, too
     let when = output::When::asked(std::env::args_os());
     let command = help::command().color(when.of_help());
-    let matches = command.try_get_matches().unwrap_or_else(|error| help::with_format(error).exit());
+    let matches = command
+        .try_get_matches()
+        .unwrap_or_else(|error| help::with_format(error, std::env::args_os()).exit());
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     output::choose(cli.color);
     let outcome = match cli.verb {

@@ -162,6 +162,17 @@ fn near_names_are_suggested_for_every_id() {
 }
 
 #[test]
+fn a_form_that_a_verb_has_not_is_not_suggested() {
+    for (verb, flag, told) in
+        [("audit", "--sarif", true), ("collide", "--sarif", false), ("check", "--junit", true)]
+    {
+        let run = kane(&[verb, flag]);
+        assert_eq!(run.code, 2, "{verb} {flag}");
+        assert_eq!(run.stderr.contains("the form of a report is"), told, "{verb}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn what_is_shipped_goes_by_its_name_unless_a_file_is_called_so() {
     let by_name = kane(&["scene", "backspin", "--format", "json"]);
     let by_path = kane(&["scene", "docs/scenes/backspin.toml", "--format", "json"]);
