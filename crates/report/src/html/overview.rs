@@ -7,6 +7,7 @@ use kane_audit::Verdict;
 use maud::{Markup, PreEscaped, html};
 
 use super::verdict_class;
+use crate::shorten::shorten;
 
 /// A section: its title, and the verdicts of its statements in their order.
 pub(super) struct Section<'t> {
@@ -20,7 +21,7 @@ pub(super) struct Section<'t> {
 const ROW: usize = 24;
 const TITLES: usize = 300;
 const CELL: usize = 8;
-/// The most letters of a title, and cells of a line.
+/// The most columns of a title.
 const LETTERS: usize = 40;
 /// The farthest that an arc reaches to the right.
 const REACH: usize = 150;
@@ -49,7 +50,7 @@ pub(super) fn overview(sections: &[Section<'_>], citations: &[(usize, usize)]) -
                     @let y = ROW * row + 4;
                     a href={ "#band-" (section.band) } aria-label={ (section.title) ": " (counted(&section.verdicts)) } {
                         title { (section.title) ": " (counted(&section.verdicts)) }
-                        text.title x="0" y=(y + 13) { (shortened(section.title)) }
+                        text.title x="0" y=(y + 13) { (shorten(section.title, LETTERS)) }
                         @for (cell, verdict) in section.verdicts.iter().enumerate() {
                             rect class=(verdict_class(*verdict)) x=(TITLES + CELL * cell) y=(y)
                                 width=(CELL - 2) height=(ROW - 8) {}
@@ -75,15 +76,6 @@ fn counted(verdicts: &[Verdict]) -> String {
         .map(|(verdict, count)| format!("{count} {verdict}"))
         .collect::<Vec<_>>()
         .join(", ")
-}
-
-fn shortened(title: &str) -> String {
-    if title.chars().count() <= LETTERS {
-        return title.to_owned();
-    }
-    let mut short: String = title.chars().take(LETTERS - 1).collect();
-    short.push('…');
-    short
 }
 
 /// One arc for each pair of sections of which one cites the other, the thicker the more citations it stands for.
