@@ -92,7 +92,10 @@ impl fmt::Display for Reason {
                 write!(f, "{kind}: {value}")
             }
             Self::Extreme(_, value) => {
-                write!(f, "{kind}: {value:e}, where energies of up to 1e300 can be told")
+                write!(
+                    f,
+                    "{kind}: {value:e}; 1e100 is the most, and of masses, inertias and radii 1e-100 the least"
+                )
             }
             Self::Normal(length) => write!(f, "{kind}: its length is {length}"),
             Self::Apart(speed) => write!(f, "{kind}, at {speed} m/s"),
