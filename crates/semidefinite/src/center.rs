@@ -4,7 +4,7 @@
 //! −τ·t − log det(G(y) − t·1) − log(1 − t) + ε/2·|y|², for growing τ (Nesterov and Nemirovskii 1994,
 //! without their predictor). The last term keeps parameters small that do not matter.
 
-use crate::cholesky::Cholesky;
+use crate::cholesky::{Cholesky, dot};
 use crate::{Entry, Matrix, Pencil};
 
 /// A point on the central path.
@@ -30,14 +30,13 @@ const LAST: f64 = 1e10;
 /// The most central point with a margin, or, if the pencil reaches only the boundary of the cone,
 /// a point near it. `None` if it visibly reaches neither, or the arithmetic breaks down.
 ///
-/// `size` is the largest entry that counts as 1: a margin is relative to it.
-#[must_use]
-pub fn center(pencil: &Pencil, most: usize) -> Option<Center> {
+/// `pays` is asked before every Newton step whether there may be one more.
+pub fn center(pencil: &Pencil, pays: &mut dyn FnMut() -> bool) -> Option<Center> {
     let n: usize = pencil.sizes.iter().sum();
     let mut path = Path::new(pencil)?;
     let mut tau = 1.0;
-    while tau < LAST && path.steps < most {
-        if !path.settle(tau) {
+    while tau < LAST {
+        if !path.settle(tau, pays) {
             break;
         }
         if path.t > ENOUGH {
@@ -78,12 +77,16 @@ impl<'a> Path<'a> {
         Center { y: self.y.clone(), margin: self.t, steps: self.steps }
     }
 
-    /// Goes to the minimum of the barrier; whether it got near it.
+    /// Goes to the minimum of the barrier; whether it got near it before the arithmetic or what pays
+    /// for it came to an end.
     ///
     /// The barrier is self-concordant, so a step of 1/(1 + δ) times Newton's, δ² the decrement, stays
     /// in the cone and descends (Nesterov and Nemirovskii): no value of the barrier is needed.
-    fn settle(&mut self, tau: f64) -> bool {
+    fn settle(&mut self, tau: f64, pays: &mut dyn FnMut() -> bool) -> bool {
         for _ in 0..STEPS {
+            if !pays() {
+                return false;
+            }
             self.steps += 1;
             let Some((step, decrement)) = self.newton(tau) else {
                 return false;
@@ -120,9 +123,10 @@ impl<'a> Path<'a> {
         let mut hessian: Matrix = vec![vec![0.0; k + 1]; k + 1];
         for (i, direction) in pencil.directions.iter().enumerate() {
             gradient[i] = RIDGE * self.y[i] - trace(&inverses, direction);
-            hessian[k][i] = -trace(&squares, direction);
-            for (j, other) in pencil.directions[..=i].iter().enumerate() {
-                hessian[i][j] = trace_of_both(&inverses, direction, other);
+            // the upper triangle alone
+            hessian[i][k] = -trace(&squares, direction);
+            for (entry, other) in hessian[i][i..k].iter_mut().zip(&pencil.directions[i..]) {
+                *entry = trace_of_both(&inverses, direction, other);
             }
             hessian[i][i] += RIDGE;
         }
@@ -138,8 +142,7 @@ impl<'a> Path<'a> {
 }
 
 fn squared(m: &Matrix) -> Matrix {
-    let product = |row: &[f64], other: &[f64]| row.iter().zip(other).map(|(x, y)| x * y).sum();
-    m.iter().map(|row| m.iter().map(|other| product(row, other)).collect()).collect()
+    m.iter().map(|row| m.iter().map(|other| dot(row, other)).collect()).collect()
 }
 
 /// tr(V·G)
@@ -188,7 +191,7 @@ mod tests {
             constant: vec![entry(0, 0, 3.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
             directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
         };
-        let found = center(&pencil, 500).expect("it is a sum of squares");
+        let found = center(&pencil, &mut || true).expect("it is a sum of squares");
         assert!(found.margin > 0.0);
         assert!(pencil.is_nearly_definite(&found.y, 0.0));
     }
@@ -201,8 +204,27 @@ mod tests {
             constant: vec![entry(0, 0, 1.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
             directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
         };
-        let found = center(&pencil, 500).expect("it is a square");
+        let found = center(&pencil, &mut || true).expect("it is a square");
         assert!((found.y[0] + 1.0).abs() < 1e-4, "{found:?}");
+    }
+
+    #[test]
+    fn no_step_is_taken_that_is_not_paid_for() {
+        let pencil = Pencil {
+            sizes: vec![3],
+            constant: vec![entry(0, 0, 1.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
+            directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
+        };
+        let all = center(&pencil, &mut || true).expect("it is a square").steps;
+        for most in 0..all {
+            let mut paid = 0;
+            let found = center(&pencil, &mut || {
+                paid += 1;
+                paid <= most
+            });
+            assert_eq!(paid, most + 1, "it asks until it is refused");
+            assert!(found.is_none_or(|found| found.steps == most));
+        }
     }
 
     #[test]
@@ -213,6 +235,6 @@ mod tests {
             constant: vec![entry(0, 0, 1.0), entry(1, 1, -1.0)],
             directions: vec![vec![entry(0, 1, 1.0)]],
         };
-        assert_eq!(center(&pencil, 500), None);
+        assert_eq!(center(&pencil, &mut || true), None);
     }
 }

@@ -25,7 +25,7 @@ pub(super) enum Rounded {
 /// Denominators to try: what people write first, then finer and finer grids.
 const DENOMINATORS: [u64; 18] =
     [1, 2, 3, 4, 6, 8, 12, 24, 30, 60, 100, 360, 1024, 5040, 1 << 14, 1 << 18, 1 << 24, 1 << 30];
-/// Newton steps of one search.
+/// Newton steps of one search, at most.
 const NEWTON: usize = 160;
 /// How far below its margin a rounded matrix may seem to floats, and still be tried exactly.
 const SLACK: f64 = 1e-8;
@@ -35,7 +35,7 @@ const ZEROS: [f64; 3] = [1e-5, 1e-4, 1e-3];
 /// Rounds the middle of what a solution allows.
 pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded {
     let (pencil, units) = pencil(gram, solution);
-    let Some(found) = center(&pencil, newton(&pencil, fuel)) else {
+    let Some(found) = center(&pencil, &mut newton(&pencil, fuel)) else {
         return Rounded::Outside;
     };
     for denominator in DENOMINATORS {
@@ -50,13 +50,18 @@ pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded 
         .map_or(Rounded::Outside, Rounded::Face)
 }
 
-/// How many Newton steps the budget allows; each costs about k³/3 + 16·k² for k parameters. In the
-/// operations of which the whole is a budget they are twice what they are among squares.
-fn newton(pencil: &Pencil, fuel: &Fuel) -> usize {
+/// Whether the budget allows one more Newton step, which it pays for; each costs about k³/3 + 16·k² for
+/// k parameters. In the operations of which the whole is a budget they are twice what they are among squares.
+fn newton<'a>(pencil: &Pencil, fuel: &'a Fuel) -> impl FnMut() -> bool + use<'a> {
     let (k, n) = (pencil.directions.len() as u64, pencil.sizes.iter().sum::<usize>() as u64);
     let cost = (k * k * k / 3 + 16 * k * k + n * n * n) / 16 + 1;
-    let pays = || fuel.spend(cost / 4 + 1).and_then(|()| fuel.spend_beyond(cost / 4 + 1));
-    (0..NEWTON).take_while(|_| pays().is_ok()).count()
+    let mut left = NEWTON;
+    move || {
+        let pays = || fuel.spend(cost / 4 + 1).and_then(|()| fuel.spend_beyond(cost / 4 + 1));
+        let more = left > 0;
+        left = left.saturating_sub(1);
+        more && pays().is_ok()
+    }
 }
 
 /// The Gram matrices as floats, all parameters scaled to matter alike; and what one unit of each is.
