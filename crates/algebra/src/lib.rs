@@ -10,6 +10,7 @@ mod fraction;
 pub mod linear_program;
 pub mod point;
 pub mod rational_function;
+mod ray;
 pub mod ring;
 pub mod sign_table;
 pub mod squares;

@@ -1,10 +1,15 @@
-//! Exact linear feasibility: the simplex method over the rationals with Bland's rule.
+//! Exact linear feasibility: the simplex method with Bland's rule, in whole numbers.
+//!
+//! A row of the tableau counts up to a positive factor, so it is kept without a common one (no fraction is
+//! ever reduced). Signs, ratios and pivots are those of the tableau in fractions.
 
 use kane_kernel::Fuel;
+use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::work::spend_fraction;
+use crate::ray::Ray;
 
 type Q = BigRational;
 
@@ -16,93 +21,60 @@ type Q = BigRational;
 #[must_use]
 pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel) -> Option<Vec<Q>> {
     let (rows, cols) = (b.len(), columns.len());
-    // Tableau of phase one: artificial variables are the initial basis.
-    let mut table = vec![vec![Q::zero(); cols + 1]; rows];
+    // The tableau of phase one in whole numbers: artificial variables are the initial basis.
+    let values = columns.iter().flatten().map(|(_, value)| value).chain(b);
+    let common =
+        values.fold(BigInt::one(), |l, q| if q.is_integer() { l } else { l.lcm(q.denom()) });
+    let of = |q: &Q| q.numer() * (&common / q.denom());
+    let mut table = vec![vec![BigInt::zero(); cols + 1]; rows];
     for (j, column) in columns.iter().enumerate() {
         for (i, value) in column {
-            table[*i][j] = value.clone();
+            table[*i][j] = of(value);
         }
     }
+    let mut cost = vec![BigInt::zero(); cols + 1];
     for (row, value) in table.iter_mut().zip(b) {
-        row[cols] = value.clone();
+        row[cols] = of(value);
         if value.is_negative() {
-            for x in row.iter_mut() {
-                *x = -&*x;
-            }
+            row.iter_mut().for_each(|x| *x = -&*x);
         }
+        cost.iter_mut().zip(&*row).for_each(|(c, x)| *c += x);
     }
+    let mut table: Vec<Ray> = table.into_iter().map(Ray::of).collect();
+    let mut cost = Ray::of(cost);
     let mut basis: Vec<Option<usize>> = vec![None; rows];
-    let mut cost = vec![Q::zero(); cols + 1];
-    for row in &table {
-        for (c, x) in cost.iter_mut().zip(row) {
-            *c += x;
-        }
-    }
     for _ in 0..steps {
-        if cost[cols].is_zero() {
+        if cost.sign(cols) == 0 {
             let mut x = vec![Q::zero(); cols];
             for (row, variable) in table.iter().zip(&basis) {
                 if let Some(j) = variable {
-                    x[*j] = row[cols].clone();
+                    x[*j] = row.quotient(cols, *j);
                 }
             }
             return Some(x);
         }
-        let enter = (0..cols).find(|&j| cost[j].is_positive())?;
+        let enter = cost.first_positive(cols)?;
         // Smallest ratio; ties by the lowest basic variable, artificial ones leave first.
-        let mut best: Option<(Q, Option<usize>, usize)> = None;
-        for (i, row) in table.iter().enumerate() {
-            if row[enter].is_positive() {
-                let candidate = (&row[cols] / &row[enter], basis[i], i);
-                if best.as_ref().is_none_or(|b| (&candidate.0, candidate.1) < (&b.0, b.1)) {
-                    best = Some(candidate);
-                }
-            }
-        }
-        let leave = best?.2;
-        let pivot = table[leave][enter].clone();
-        for x in &mut table[leave] {
-            if !x.is_zero() {
-                *x /= &pivot;
-            }
-        }
-        let source = table[leave].clone();
-        let clear = |row: &mut Vec<Q>| {
-            let factor = row[enter].clone();
-            if factor.is_zero() {
-                return Some(());
-            }
-            for (x, s) in row.iter_mut().zip(&source) {
-                if !s.is_zero() {
-                    let size = words(x) + words(&factor) + words(s);
-                    spend_fraction(size, fuel).ok()?;
-                    *x -= &factor * s;
-                }
-            }
-            Some(())
-        };
+        let able = (0..rows).filter(|&i| table[i].sign(enter) > 0);
+        let leave = able.min_by(|&i, &j| {
+            table[i].compare(&table[j], cols, enter).then(basis[i].cmp(&basis[j]))
+        })?;
+        let pivot = table[leave].clone();
         for (i, row) in table.iter_mut().enumerate() {
-            if i != leave {
-                clear(row)?;
+            if i != leave && row.sign(enter) != 0 {
+                *row = row.cleared(enter, &pivot, fuel).ok()?;
             }
         }
-        clear(&mut cost)?;
+        cost = cost.cleared(enter, &pivot, fuel).ok()?;
         basis[leave] = Some(enter);
     }
     None
 }
 
-/// Machine words of a number. Products and sums are reduced, which takes their square.
-fn words(q: &Q) -> u64 {
-    1 + (q.numer().bits() + q.denom().bits()) / 64
-}
-
 /// A vector of whole numbers in the same ratios.
 #[must_use]
-pub fn whole(values: &[Q]) -> Vec<num_bigint::BigInt> {
-    let common = values
-        .iter()
-        .fold(num_bigint::BigInt::one(), |l, q| num_integer::lcm(l, q.denom().clone()));
+pub fn whole(values: &[Q]) -> Vec<BigInt> {
+    let common = values.iter().fold(BigInt::one(), |l, q| l.lcm(q.denom()));
     values.iter().map(|q| q.numer() * (&common / q.denom())).collect()
 }
 
@@ -137,7 +109,7 @@ mod tests {
     #[test]
     fn whole_numbers_keep_their_ratios() {
         let values = [Q::new(1.into(), 2.into()), Q::new((-2).into(), 3.into()), q(0)];
-        assert_eq!(whole(&values), [3, -4, 0].map(num_bigint::BigInt::from));
+        assert_eq!(whole(&values), [3, -4, 0].map(BigInt::from));
     }
 
     #[test]
