@@ -285,10 +285,11 @@ impl Poly {
             return Err(Rejection::Budget);
         }
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
-        // a term is as long as it has powers, which its own budget does not count
+        // terms are as long as they have powers, and are sorted, which its own budget does not count
         let powers = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
         let long = powers(self).saturating_mul(size(other));
-        fuel.spend_beyond(long.saturating_add(powers(other).saturating_mul(size(self))) / 4)?;
+        let long = long.saturating_add(powers(other).saturating_mul(size(self)));
+        fuel.spend_beyond(long.saturating_mul(1 + u64::from(pairs.max(1).ilog2())) / 12)?;
         let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
         if one(self) || one(other) {
             return Ok(if one(self) { other } else { self }.clone());
