@@ -7,7 +7,8 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::Signed as _;
 
-use crate::ring::{content_in, exact_quotient, gcd};
+use crate::quotient::exact_quotient;
+use crate::ring::{content_in, gcd};
 
 /// Terms of a polynomial beyond which it is not taken apart.
 const WIDEST: usize = 150;
@@ -32,7 +33,7 @@ fn taken_apart(p: &Poly) -> Option<(BigInt, Vec<(Poly, u32)>)> {
     for v in p.vars() {
         let lowest = rest.terms().map(|(m, _)| exponent(m, v)).min().unwrap_or(0);
         if lowest > 0 {
-            rest = exact_quotient(&rest, &Poly::power(v, lowest))?;
+            rest = exact_quotient(&rest, &Poly::power(v, lowest), &budget())?;
             factors.push((Poly::var(v), lowest));
         }
     }
@@ -56,7 +57,7 @@ fn split(p: Poly, n: u32, factors: &mut Vec<(Poly, u32)>) -> Option<()> {
     for &v in &vars {
         let content = content_in(&p, v);
         if !content.is_constant() {
-            let rest = exact_quotient(&p, &content)?;
+            let rest = exact_quotient(&p, &content, &budget())?;
             split(content, n, factors)?;
             return split(rest, n, factors);
         }
@@ -64,7 +65,7 @@ fn split(p: Poly, n: u32, factors: &mut Vec<(Poly, u32)>) -> Option<()> {
     let v = *vars.first()?;
     let common = gcd(&p, &p.derivative(v, &Fuel::new(FUEL)).ok()?);
     if !common.is_constant() {
-        let rest = exact_quotient(&p, &common)?;
+        let rest = exact_quotient(&p, &common, &budget())?;
         split(common, n, factors)?;
         return split(rest, n, factors);
     }
@@ -75,6 +76,11 @@ fn split(p: Poly, n: u32, factors: &mut Vec<(Poly, u32)>) -> Option<()> {
         None => factors.push((p, n)),
     }
     Some(())
+}
+
+/// What one division may take.
+fn budget() -> Fuel {
+    Fuel::new(FUEL).within(FUEL)
 }
 
 fn is_mostly_negative(p: &Poly) -> bool {

@@ -9,6 +9,7 @@ pub mod field;
 mod fraction;
 pub mod linear_program;
 pub mod point;
+pub mod quotient;
 pub mod rational_function;
 mod ray;
 pub mod ring;

@@ -1,6 +1,6 @@
 //! Between the kernel's integer polynomials and the polynomial libraries that the search stands on.
 
-use kane_kernel::{Monomial, Poly, Power};
+use kane_kernel::{Monomial, Poly};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -65,50 +65,6 @@ impl Ring {
     }
 }
 
-/// Quotient q and positive integers a, b with a·p = b·q·d, if d divides p over Q; q is primitive.
-#[must_use]
-pub fn exact_quotient(p: &Poly, d: &Poly) -> Option<Poly> {
-    if d.is_empty() || d.len() > p.len().saturating_mul(8) {
-        return None;
-    }
-    if d.vars().iter().any(|v| d.degree(*v) > p.degree(*v)) {
-        return None;
-    }
-    if let (1, Some((m, c))) = (d.len(), d.terms().next()) {
-        return monomial_quotient(p, m, c.is_negative());
-    }
-    if !divides_at_a_point(p, &d.primitive().1) {
-        return None;
-    }
-    let ring = Ring::of(&[p, d]);
-    let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
-    r.is_zero().then(|| ring.inward(&q.swap_remove(0)).0.primitive().1)
-}
-
-/// Whether d(x) divides p(x) at one integer point, as it must if a primitive d divides p. A cheap
-/// look before a long division.
-fn divides_at_a_point(p: &Poly, d: &Poly) -> bool {
-    const AT: [u32; 12] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41];
-    let value = |p: &Poly| {
-        let mut sum = BigInt::zero();
-        for (m, c) in p.terms() {
-            let mut small = 1u64;
-            let mut product = c.clone();
-            for &(v, e) in m {
-                let base = u64::from(AT[v % AT.len()]);
-                match base.checked_pow(e).and_then(|power| small.checked_mul(power)) {
-                    Some(next) => small = next,
-                    None => product *= num_traits::pow(BigInt::from(base), e as usize),
-                }
-            }
-            sum += product * small;
-        }
-        sum
-    };
-    let at = value(d);
-    at.is_zero() || (value(p) % at).is_zero()
-}
-
 /// Division with remainder in graded reverse lexicographic order: q, r and a positive integer c with
 /// c·p = q·d + r.
 #[must_use]
@@ -121,19 +77,6 @@ pub fn division(p: &Poly, d: &Poly) -> Option<(Poly, Poly, BigInt)> {
     let ((q, a), (r, b)) = (ring.inward(&q.swap_remove(0)), ring.inward(&r));
     let common = num_integer::lcm(a.clone(), b.clone());
     Some((q.scale(&(&common / a)), r.scale(&(&common / b)), common))
-}
-
-fn monomial_quotient(p: &Poly, m: &[Power], negative: bool) -> Option<Poly> {
-    let quotient = |(n, c): (&[Power], &BigInt)| {
-        let mut rest = n.to_vec();
-        for &(v, e) in m {
-            let have = rest.iter_mut().find(|x| x.0 == v)?;
-            have.1 = have.1.checked_sub(e)?;
-        }
-        Some((rest, if negative { -c } else { c.clone() }))
-    };
-    let terms: Option<Vec<_>> = p.terms().map(quotient).collect();
-    Some(Poly::sum(terms?).primitive().1)
 }
 
 /// p/g and q/g for the greatest common divisor g, as primitive polynomials up to a common rational
@@ -286,27 +229,6 @@ mod tests {
             let (a, b) = cancelled(&p, &q);
             prop_assert_eq!(times(&p, &b), times(&a, &q));
             prop_assert!(gcd(&a, &b).is_constant() || q.is_constant());
-        }
-
-        #[test]
-        fn the_quotient_by_a_planted_factor_is_what_was_left(p in poly(), d in poly()) {
-            let product = times(&p, &d);
-            match exact_quotient(&product, &d) {
-                Some(q) => {
-                    prop_assert!(proportional(&q, &p));
-                    // the quotient has the sign of the ratio
-                    prop_assert_eq!(q, p.primitive().1);
-                }
-                // given up for length alone
-                None => prop_assert!(d.len() > 8 * product.len()),
-            }
-        }
-
-        #[test]
-        fn what_does_not_divide_has_no_quotient(p in poly(), d in poly(), r in poly()) {
-            let sum = times(&p, &d).add(&r);
-            prop_assume!(!sum.is_empty());
-            prop_assert_eq!(exact_quotient(&sum, &d).is_some(), divides(&d, &r) || divides(&d, &sum));
         }
 
         #[test]

@@ -1,6 +1,6 @@
 //! The last step of a branch: why what is known there cannot all hold.
 
-use kane_algebra::ring::exact_quotient;
+use kane_algebra::quotient::exact_quotient;
 use kane_kernel::{Atom, Finding, Fuel, Goal, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -86,7 +86,7 @@ fn multiple(state: &State<'_, '_>, terms: &[Term], cofactors: &[(usize, Poly)]) 
     let p = &state.atoms.get(i)?.poly;
     let mut scaled: Vec<(BigRational, Poly, Poly)> = Vec::new();
     for (j, cofactor) in cofactors {
-        let quotient = exact_quotient(cofactor, p)?;
+        let quotient = exact_quotient(cofactor, p, &Fuel::new(FUEL).within(FUEL))?;
         let fuel = Fuel::new(FUEL);
         let product = quotient.mul(p, &fuel).ok()?;
         let lead = |p: &Poly| p.terms().last().map(|(_, c)| c.clone());

@@ -2,7 +2,8 @@
 
 use std::cell::{Cell, RefCell};
 
-use kane_algebra::ring::{common_sign, content_in, exact_quotient};
+use kane_algebra::quotient::exact_quotient;
+use kane_algebra::ring::{common_sign, content_in};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 use num_traits::Zero;
 
@@ -460,7 +461,7 @@ fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {
             continue;
         }
         let mut n = 0;
-        while let Some(q) = exact_quotient(&rest, &a.poly) {
+        while let Some(q) = exact_quotient(&rest, &a.poly, &state.scope.fuel) {
             rest = q;
             n += 1;
         }
@@ -476,7 +477,7 @@ fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
     let mut rest = d.clone();
     for a in &state.atoms {
         if matches!(a.sign, Sign::Positive | Sign::NonZero) && !a.poly.is_constant() {
-            while let Some(q) = exact_quotient(&rest, &a.poly) {
+            while let Some(q) = exact_quotient(&rest, &a.poly, &state.scope.fuel) {
                 rest = q;
             }
         }
@@ -492,7 +493,9 @@ fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
 pub(super) fn positive_factor(state: &State<'_, '_>) -> Option<Poly> {
     let divides = |p: &Poly| {
         let mut order = state.atoms.iter().filter(|a| a.sign.is_order());
-        order.any(|a| may_divide(p, &a.poly) && exact_quotient(&a.poly, p).is_some())
+        order.any(|a| {
+            may_divide(p, &a.poly) && exact_quotient(&a.poly, p, &state.scope.fuel).is_some()
+        })
     };
     let positive = |p: &Poly| {
         let trial = state.with(Atom::new(p.neg(), Sign::Positive));
@@ -525,7 +528,7 @@ fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Poly)> {
             }
             let mut n = 0;
             let mut before = rest.clone();
-            while let Some(q) = exact_quotient(&rest, by) {
+            while let Some(q) = exact_quotient(&rest, by, &state.scope.fuel) {
                 before = std::mem::replace(&mut rest, q);
                 n += 1;
             }

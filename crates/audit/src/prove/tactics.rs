@@ -3,7 +3,8 @@
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
 use kane_algebra::point::specialised;
-use kane_algebra::ring::{Ideal, Ring, exact_quotient, within_gate};
+use kane_algebra::quotient::exact_quotient;
+use kane_algebra::ring::{Ideal, Ring, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
 use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
@@ -108,7 +109,7 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argumen
             {
                 continue;
             }
-            let Some(q) = exact_quotient(&a.poly, &eq.poly) else {
+            let Some(q) = exact_quotient(&a.poly, &eq.poly, &state.scope.fuel) else {
                 continue;
             };
             // a·den = q·eq·num for positive integers num, den.
@@ -134,7 +135,7 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argumen
 
 /// Equation i divided by the non-vanishing atom j that it is a multiple of.
 fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
-    let quotient = exact_quotient(&state.atoms[i].poly, &state.atoms[j].poly)?;
+    let quotient = exact_quotient(&state.atoms[i].poly, &state.atoms[j].poly, &state.scope.fuel)?;
     let then = Box::new(Argument::Absurd(i));
     let proof = Argument::Cancel { atom: i, factors: vec![(j, 1)], quotient, then };
     state.closes(&proof).is_ok().then_some(proof)
