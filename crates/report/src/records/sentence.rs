@@ -97,7 +97,7 @@ fn tangential(study: &Study) -> Option<String> {
     let words = friction(best.law);
     let all = best.rows;
     let most = |rows: usize| rows * 10 >= all * 9;
-    let others = || or_others(study, |fit| format!(" in {}", fit.close));
+    let others = || or_others(study, |fit| format!(", in {}", fit.close));
     Some(if best.consistent == all {
         let named = or_others(study, |_| String::new());
         let fit = match study.friction.iter().filter(|fit| fit.tied).count() {
@@ -113,12 +113,12 @@ fn tangential(study: &Study) -> Option<String> {
     } else if most(best.rough) {
         let which =
             if best.rough == all { "all".to_owned() } else { format!("{} of {all}", best.rough) };
-        let named = or_others(study, |fit| format!(" in {}", fit.rough));
+        let named = or_others(study, |fit| format!(", in {}", fit.rough));
         let close = best.close;
         format!("friction {words}, to 0.05 of k in {which} impacts{named} and to 0.01 in {close}")
     } else if best.close * 2 >= all {
         format!(
-            "friction {words}, to 0.01 of k in {} of {all} impacts{} (the nearest, but no law that is known here gives all)",
+            "friction {words}, to 0.01 of k in {} of {all} impacts{} (the nearest; no law that is known here gives all)",
             best.close,
             others()
         )
@@ -134,7 +134,7 @@ fn tangential(study: &Study) -> Option<String> {
 /// The other laws that are not told from the first, each with its count.
 fn or_others(study: &Study, count: impl Fn(&FrictionFit) -> String) -> String {
     let others = study.friction.iter().skip(1).filter(|fit| fit.tied);
-    others.map(|fit| format!(" or {}{}", friction(fit.law), count(fit))).collect()
+    others.map(|fit| format!(", or {}{}", friction(fit.law), count(fit))).collect()
 }
 
 /// Impacts that slide with less friction than they could have.
