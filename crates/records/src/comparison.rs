@@ -32,6 +32,11 @@ pub struct Comparison {
     pub normal: [Option<NormalLaw>; 2],
     /// the share of rows whose e is as stated, to 0.01
     pub normal_close: [f64; 2],
+    /// by how much e is off what is stated on the whole, [`Restitution::offset`](crate::restitution::Restitution::offset),
+    /// before and now
+    pub normal_offset: [f64; 2],
+    /// [where the impulse acted](Study::arm_offset) beside the stated arm, before and now
+    pub arm: [Option<f64>; 2],
     /// rows rejected, before and now
     pub rejected: [u64; 2],
 }
@@ -39,6 +44,8 @@ pub struct Comparison {
 /// A share of rows, or a share of a residual, by which nothing is called worse: logs of two versions
 /// need not hold the same rows.
 const SLACK: f64 = 0.01;
+/// By how much e or an arm has to be off by another amount to be told.
+const MOVED: f64 = 0.002;
 
 impl Comparison {
     /// Whether a check or a law does worse, or rows are rejected that were not.
@@ -48,6 +55,19 @@ impl Comparison {
             || self.friction_is_worse()
             || self.normal_is_worse()
             || self.rejected[1] > self.rejected[0]
+    }
+
+    /// Whether e is off what is stated by another amount on the whole: nearer or farther, which is for itself nothing
+    /// worse.
+    #[must_use]
+    pub fn normal_moved(&self) -> bool {
+        (self.normal_offset[1] - self.normal_offset[0]).abs() > MOVED
+    }
+
+    /// Whether the impulse misses the stated arm by another amount.
+    #[must_use]
+    pub fn arm_moved(&self) -> bool {
+        matches!(self.arm, [Some(old), Some(new)] if (new - old).abs() > MOVED)
     }
 
     /// Whether e is as stated in fewer rows than before.
@@ -92,6 +112,8 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
         normal: restitution.map(|found| found.map(|found| found.law)),
         normal_close: restitution
             .map(|found| found.map_or(0.0, |found| share(found.close, found.stated))),
+        normal_offset: restitution.map(|found| found.map_or(0.0, |found| found.offset)),
+        arm: studies.map(|study| study.arm_offset),
         rejected: studies.map(|study| study.rejections.total()),
     }
 }

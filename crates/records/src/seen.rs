@@ -34,8 +34,8 @@ pub struct Seen {
     pub given: Given,
     /// tolerances of u_t⁺, of u_n⁺, of p_t and of p_n
     pub within: [f64; 4],
-    /// where the impulse acted along the normal, less the stated arm, by the stated arm; NaN where
-    /// there is too little friction to tell
+    /// 1 − y'/y of the stated arm y and that at which the impulse acted, along the normal; NaN where there is too
+    /// little friction to tell
     pub arm: f64,
     /// by how much the arm may differ
     pub arm_within: f64,
