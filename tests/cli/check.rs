@@ -103,8 +103,8 @@ fn laws_that_the_impacts_do_not_tell_apart_are_named_together() {
     let sentence = run.stdout.replace("\n", " ");
     for says in [
         "the nearest",
-        "friction is absent, to 0.01 of k in 20 of 40 impacts",
-        "or is Coulomb's, which stops the slip, in 20",
+        "friction is Coulomb's, which stops the slip, to 0.01 of k in 20 of 40 impacts",
+        "or is absent, in 20",
     ] {
         assert!(sentence.contains(says), "{says}: {}", run.stdout);
     }

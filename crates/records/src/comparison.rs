@@ -1,7 +1,7 @@
 //! Two logs, the older and the newer version of an engine, check by check.
 
 use crate::check::Check;
-use crate::friction::FrictionLaw;
+use crate::friction::{FrictionFit, FrictionLaw};
 use crate::restitution::NormalLaw;
 use crate::study::Study;
 use crate::tally::Checked;
@@ -26,6 +26,8 @@ pub struct Comparison {
     pub changes: Vec<Change>,
     /// the nearest law of friction, before and now
     pub friction: [Option<FrictionLaw>; 2],
+    /// whether the law that was nearest before is the nearest now, or is not told from it
+    pub friction_kept: bool,
     /// the share of rows that it comes close to
     pub friction_close: [f64; 2],
     /// the restitution, before and now
@@ -79,9 +81,7 @@ impl Comparison {
     /// Whether friction follows another law than before, or its own less.
     #[must_use]
     pub fn friction_is_worse(&self) -> bool {
-        let id = |law: &Option<FrictionLaw>| law.map(FrictionLaw::id);
-        id(&self.friction[0]) != id(&self.friction[1])
-            || self.friction_close[1] < self.friction_close[0] - SLACK
+        !self.friction_kept || self.friction_close[1] < self.friction_close[0] - SLACK
     }
 }
 
@@ -104,10 +104,18 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
     });
     let studies = [old, new];
     let friction = studies.map(|study| study.friction.first());
+    let id = |fit: &FrictionFit| fit.law.id();
+    let tied = |fit: &&FrictionFit| fit.tied;
+    let kept = match friction.map(|fit| fit.map(id)) {
+        [None, None] => true,
+        [Some(old), _] => new.friction.iter().filter(tied).any(|fit| id(fit) == old),
+        [None, Some(_)] => false,
+    };
     let restitution = studies.map(|study| study.restitution.as_ref());
     Comparison {
         changes: changes.collect(),
         friction: friction.map(|fit| fit.map(|fit| fit.law)),
+        friction_kept: kept,
         friction_close: friction.map(|fit| fit.map_or(0.0, |fit| share(fit.close, fit.rows))),
         normal: restitution.map(|found| found.map(|found| found.law)),
         normal_close: restitution

@@ -254,7 +254,9 @@ impl FrictionFit {
 
     /// The better one first.
     fn order(&self, other: &Self) -> Ordering {
-        other.rank().cmp(&self.rank()).then(self.median.total_cmp(&other.median))
+        // among laws that differ by rounding alone the one that is listed first
+        let miss = |fit: &Self| if fit.median < 1e-9 { 0.0 } else { fit.median };
+        other.rank().cmp(&self.rank()).then(miss(self).total_cmp(&miss(other)))
     }
 
     /// Whether the rows do not tell that it does worse than the first.
