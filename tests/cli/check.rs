@@ -84,6 +84,32 @@ fn an_engine_is_named_by_its_log() {
     assert_eq!(kane(&["check", &whole, "--baseline", &whole]).code, 0);
 }
 
+/// Every second impact is Coulomb's, and the others have no friction at all.
+#[test]
+fn laws_that_the_impacts_do_not_tell_apart_are_named_together() {
+    let dir = scratch("check-tied");
+    let mut text = String::from(
+        "mass,radius,inertia,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n",
+    );
+    for place in 1..41 {
+        let vx = 0.31 * f64::from(place);
+        let rub = if place % 2 == 0 { 0.0 } else { -(vx / 3.0).min(0.3 * 1.5) };
+        let _ = writeln!(text, "1,1,0.5,0.3,0.5,{vx},-1,0,{},0.5,{}", vx + rub, 2.0 * rub);
+    }
+    let path = dir.join("log.csv");
+    fs::write(&path, text).expect("the scratch folder is ours");
+    let run = kane(&["check", path.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let sentence = run.stdout.replace("\n", " ");
+    for says in [
+        "the nearest",
+        "friction is Coulomb's, which stops the slip, to 0.01 of k in 20 of 40 impacts",
+        "or is absent, in 20",
+    ] {
+        assert!(sentence.contains(says), "{says}: {}", run.stdout);
+    }
+}
+
 #[test]
 fn a_worst_row_is_replayed_by_the_command_beside_it() {
     let dir = scratch("check-replay");

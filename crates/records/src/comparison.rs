@@ -1,7 +1,7 @@
 //! Two logs, the older and the newer version of an engine, check by check.
 
 use crate::check::Check;
-use crate::friction::FrictionLaw;
+use crate::friction::{FrictionFit, FrictionLaw};
 use crate::restitution::NormalLaw;
 use crate::study::Study;
 use crate::tally::Checked;
@@ -26,12 +26,19 @@ pub struct Comparison {
     pub changes: Vec<Change>,
     /// the nearest law of friction, before and now
     pub friction: [Option<FrictionLaw>; 2],
+    /// whether the law that was nearest before is the nearest now, or is not told from it
+    pub friction_kept: bool,
     /// the share of rows that it comes close to
     pub friction_close: [f64; 2],
     /// the restitution, before and now
     pub normal: [Option<NormalLaw>; 2],
     /// the share of rows whose e is as stated, to 0.01
     pub normal_close: [f64; 2],
+    /// by how much e is off what is stated on the whole, [`Restitution::offset`](crate::restitution::Restitution::offset),
+    /// before and now
+    pub normal_offset: [f64; 2],
+    /// [where the impulse acted](Study::arm_offset) beside the stated arm, before and now
+    pub arm: [Option<f64>; 2],
     /// rows rejected, before and now
     pub rejected: [u64; 2],
 }
@@ -39,6 +46,8 @@ pub struct Comparison {
 /// A share of rows, or a share of a residual, by which nothing is called worse: logs of two versions
 /// need not hold the same rows.
 const SLACK: f64 = 0.01;
+/// By how much e or an arm has to be off by another amount to be told.
+const MOVED: f64 = 0.002;
 
 impl Comparison {
     /// Whether a check or a law does worse, or rows are rejected that were not.
@@ -50,6 +59,19 @@ impl Comparison {
             || self.rejected[1] > self.rejected[0]
     }
 
+    /// Whether e is off what is stated by another amount on the whole: nearer or farther, which is for itself nothing
+    /// worse.
+    #[must_use]
+    pub fn normal_moved(&self) -> bool {
+        (self.normal_offset[1] - self.normal_offset[0]).abs() > MOVED
+    }
+
+    /// Whether the impulse misses the stated arm by another amount.
+    #[must_use]
+    pub fn arm_moved(&self) -> bool {
+        matches!(self.arm, [Some(old), Some(new)] if (new - old).abs() > MOVED)
+    }
+
     /// Whether e is as stated in fewer rows than before.
     #[must_use]
     pub fn normal_is_worse(&self) -> bool {
@@ -59,9 +81,7 @@ impl Comparison {
     /// Whether friction follows another law than before, or its own less.
     #[must_use]
     pub fn friction_is_worse(&self) -> bool {
-        let id = |law: &Option<FrictionLaw>| law.map(FrictionLaw::id);
-        id(&self.friction[0]) != id(&self.friction[1])
-            || self.friction_close[1] < self.friction_close[0] - SLACK
+        !self.friction_kept || self.friction_close[1] < self.friction_close[0] - SLACK
     }
 }
 
@@ -84,14 +104,24 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
     });
     let studies = [old, new];
     let friction = studies.map(|study| study.friction.first());
+    let id = |fit: &FrictionFit| fit.law.id();
+    let tied = |fit: &&FrictionFit| fit.tied;
+    let kept = match friction.map(|fit| fit.map(id)) {
+        [None, None] => true,
+        [Some(old), _] => new.friction.iter().filter(tied).any(|fit| id(fit) == old),
+        [None, Some(_)] => false,
+    };
     let restitution = studies.map(|study| study.restitution.as_ref());
     Comparison {
         changes: changes.collect(),
         friction: friction.map(|fit| fit.map(|fit| fit.law)),
+        friction_kept: kept,
         friction_close: friction.map(|fit| fit.map_or(0.0, |fit| share(fit.close, fit.rows))),
         normal: restitution.map(|found| found.map(|found| found.law)),
         normal_close: restitution
             .map(|found| found.map_or(0.0, |found| share(found.close, found.stated))),
+        normal_offset: restitution.map(|found| found.map_or(0.0, |found| found.offset)),
+        arm: studies.map(|study| study.arm_offset),
         rejected: studies.map(|study| study.rejections.total()),
     }
 }

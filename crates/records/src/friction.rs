@@ -1,5 +1,7 @@
 //! Which law of friction the impacts follow, given the normal impulse that was measured.
 
+use std::cmp::Ordering;
+
 use crate::seen::Seen;
 use crate::statistics::{Spread, median};
 
@@ -56,6 +58,8 @@ pub struct FrictionFit {
     pub median: f64,
     /// the row of the greatest miss
     pub worst_line: u64,
+    /// whether it is not told from the [first](ranked)
+    pub tied: bool,
 }
 
 /// A miss of k that is called close: what the eye cannot tell in a chart of k over α.
@@ -133,9 +137,16 @@ impl FrictionLaw {
         })
     }
 
-    /// How far the law misses k, and whether it is within the row's tolerance.
+    /// How far the law misses k, and whether it is within the row's tolerance: with gravity before the impact or
+    /// after it, whichever is nearer.
     #[must_use]
     pub fn miss(self, seen: &Seen) -> Option<(f64, bool)> {
+        let (miss, holds) = self.miss_of(seen)?;
+        let later = seen.before_gravity().and_then(|seen| self.miss_of(&seen));
+        Some(later.map_or((miss, holds), |(other, within)| (miss.min(other), holds || within)))
+    }
+
+    fn miss_of(self, seen: &Seen) -> Option<(f64, bool)> {
         let expected = self.impulse(seen)?;
         let missed = (seen.tangential - expected).abs();
         let slip = seen.mobility[0] * missed;
@@ -186,6 +197,10 @@ fn smith(seen: &Seen, bound: f64) -> f64 {
 /// A law that gives every row comes before one that comes close to nine rows in ten, and that before
 /// one that comes roughly near to as many; among equals the one with the most rows. A parameter of
 /// its own that was fitted costs a law a tenth of its rows.
+///
+/// A law is [tied](FrictionFit::tied) with the first if both give every row; or if none does, and the rows to which
+/// the first alone comes close are more than those to which it alone does by at most twice the root of the sum of
+/// both counts: a sign test, and heuristic, since rows are not drawn by lot.
 #[must_use]
 pub fn ranked(rows: &[Seen]) -> Vec<FrictionFit> {
     let mut laws = vec![
@@ -197,11 +212,26 @@ pub fn ranked(rows: &[Seen]) -> Vec<FrictionFit> {
         FrictionLaw::Uncapped,
     ];
     laws.extend(share(rows).map(FrictionLaw::Share));
-    laws.extend(rebound(rows).map(FrictionLaw::Walton));
     let mut fits: Vec<FrictionFit> =
         laws.into_iter().filter_map(|law| FrictionFit::of(law, rows)).collect();
-    fits.sort_by(|a, b| b.rank().cmp(&a.rank()).then(a.median.total_cmp(&b.median)));
+    fits.extend(walton(rows));
+    fits.sort_by(FrictionFit::order);
+    if let Some((first, others)) = fits.split_first_mut() {
+        first.tied = true;
+        for other in others {
+            other.tied = other.is_tied(first, rows);
+        }
+    }
     fits
+}
+
+/// Walton's law with the β0 that does best: of the rows with gravity before the impact, or after it.
+fn walton(rows: &[Seen]) -> Option<FrictionFit> {
+    let later: Vec<Seen> =
+        rows.iter().map(|seen| seen.before_gravity().unwrap_or_else(|| seen.clone())).collect();
+    let betas = [rebound(rows), rebound(&later)].into_iter().flatten();
+    let fits = betas.filter_map(|beta| FrictionFit::of(FrictionLaw::Walton(beta), rows));
+    fits.min_by(FrictionFit::order)
 }
 
 impl FrictionFit {
@@ -219,7 +249,35 @@ impl FrictionFit {
         }
         let (worst, worst_line) = spread.worst()?;
         let (rows, median) = (spread.count(), spread.median());
-        Some(Self { law, rows, consistent, close, rough, worst, median, worst_line })
+        Some(Self { law, rows, consistent, close, rough, worst, median, worst_line, tied: false })
+    }
+
+    /// The better one first.
+    fn order(&self, other: &Self) -> Ordering {
+        // among laws that differ by rounding alone the one that is listed first
+        let miss = |fit: &Self| if fit.median < 1e-9 { 0.0 } else { fit.median };
+        other.rank().cmp(&self.rank()).then(miss(self).total_cmp(&miss(other)))
+    }
+
+    /// Whether the rows do not tell that it does worse than the first.
+    fn is_tied(&self, first: &Self, rows: &[Seen]) -> bool {
+        let level = first.rank().0;
+        if level == 3 {
+            return self.rows == first.rows && self.consistent == self.rows;
+        }
+        let most = if level == 1 { ROUGH } else { CLOSE };
+        let near =
+            |law: FrictionLaw, seen| law.miss(seen).is_some_and(|(k, holds)| k <= most || holds);
+        let (mut more, mut less) = (0_u32, 0_u32);
+        for seen in rows {
+            match (near(first.law, seen), near(self.law, seen)) {
+                (true, false) => more += 1,
+                (false, true) => less += 1,
+                _ => {}
+            }
+        }
+        let [more, less] = [more, less].map(f64::from);
+        more - less <= 2.0 * (more + less).sqrt()
     }
 
     /// How well it does: the level, and the rows that count there.
@@ -243,17 +301,37 @@ fn share(rows: &[Seen]) -> Option<f64> {
         (slides && bound > 0.0).then(|| seen.tangential.abs() / bound)
     });
     let share = median(ratios.collect())?;
-    ((share - 1.0).abs() > 1e-3).then_some(share)
+    // less is no friction
+    (share > 1e-3 && (share - 1.0).abs() > 1e-3).then_some(share)
 }
 
-/// β0 of the rows whose slip was reversed: the median of −u_t⁺/u_t.
+/// β0: the median of −u_t⁺/u_t of the rows whose slip was reversed, moved to what every row allows if there is such
+/// a value. On the cone a reversed slip is a lower bound. `None` if nothing tells it from zero.
 fn rebound(rows: &[Seen]) -> Option<f64> {
-    let ratios = rows.iter().filter_map(|seen| {
-        let reversed = seen.slips_after() && seen.slip * seen.slip_after < 0.0;
-        // those on the cone tell nothing of β0
+    let mut ratios = Vec::new();
+    let (mut low, mut high) = (0.0_f64, f64::INFINITY);
+    for seen in rows {
         let bound = seen.given.friction.map_or(f64::INFINITY, |mu| mu * seen.normal);
         let below = seen.tangential.abs() < bound - 2.0 * (seen.within[2] + seen.within[3]);
-        (reversed && below).then(|| -seen.slip_after / seen.slip)
-    });
-    median(ratios.collect()).filter(|beta| *beta > 1e-3)
+        let (ratio, within) = (-seen.slip_after / seen.slip, seen.within[0] / seen.slip.abs());
+        if !ratio.is_finite() || !within.is_finite() {
+            continue;
+        }
+        low = low.max(ratio - within);
+        if below {
+            high = high.min(ratio + within);
+            if seen.slips_after() && ratio > 0.0 {
+                ratios.push(ratio);
+            }
+        }
+    }
+    let one_value = 0.0 < low && low <= high;
+    let told = median(ratios);
+    let beta = match (told, one_value) {
+        (Some(told), true) => Some(told.clamp(low, high)),
+        (None, true) if high.is_finite() => Some(f64::midpoint(low, high)),
+        (None, true) => Some(low),
+        (told, false) => told,
+    };
+    beta.filter(|beta| *beta > 1e-3)
 }

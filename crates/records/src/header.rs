@@ -23,6 +23,12 @@ pub enum HeaderFault {
     /// Two columns mean the same.
     #[error("the columns `{0}` and `{1}` both mean {2}; choose one with --map {2}=NAME")]
     Twice(String, String, String),
+    /// Two columns have one name, and mean something: their places, counted from 1.
+    #[error("columns {1} and {2} are both called `{0}`: rename one of them in the file")]
+    OneName(String, usize, usize),
+    /// `--map` gives a column of the file to two of the schema.
+    #[error("--map gives the column `{0}` of the file to both {1} and {2}; choose one of them")]
+    GivenTwice(String, String, String),
     /// A unit that is not that of the schema.
     #[error("the column `{0}` is in {1}: convert it to SI units (m, kg, s, rad) first")]
     Unit(String, String),
@@ -67,7 +73,17 @@ impl Header {
             let Spelled::Known(field) = spelled(ours) else {
                 return Err(HeaderFault::NotInSchema(ours.clone(), theirs.clone()));
             };
-            header.fields[place] = Some(field);
+            let again = names[place + 1..].iter().position(|name| name == theirs);
+            if let Some(again) = again {
+                return Err(HeaderFault::OneName(theirs.clone(), place + 1, place + again + 2));
+            }
+            match header.fields[place].replace(field) {
+                Some(other) if other != field => {
+                    let [first, second] = [other, field].map(field_name);
+                    return Err(HeaderFault::GivenTwice(theirs.clone(), first, second));
+                }
+                _ => {}
+            }
         }
         let mapped: Vec<Field> = header.fields.iter().flatten().copied().collect();
         for (place, name) in names.iter().enumerate() {
@@ -107,6 +123,9 @@ impl Header {
             let first = self.fields[..place].iter().position(|other| *other == Some(*field));
             if let Some(first) = first {
                 let (a, b) = (names[first].clone(), names[place].clone());
+                if a == b {
+                    return Err(HeaderFault::OneName(a, first + 1, place + 1));
+                }
                 return Err(HeaderFault::Twice(a, b, field_name(*field)));
             }
         }
@@ -224,5 +243,22 @@ mod tests {
     fn two_columns_for_one_thing_are_no_choice() {
         let twice = header(&format!("{PLAIN},vx_before"), &[]);
         assert!(matches!(twice, Err(HeaderFault::Twice(..))), "{twice:?}");
+        // the one that is chosen decides
+        assert!(header(&format!("{PLAIN},vx_before"), &[("vx_pre", "vx_before")]).is_ok());
+    }
+
+    #[test]
+    fn two_columns_of_one_name_are_told_by_their_places() {
+        let told =
+            |names: &str, map: &[(&str, &str)]| header(names, map).map_err(|e| e.to_string());
+        let twice = told(&format!("{PLAIN},vx_pre"), &[]).expect_err("which is it?");
+        assert!(twice.starts_with("columns 4 and 10 are both called `vx_pre`"), "{twice}");
+        // what is not read may have any names, but if a map asks for one of them
+        let names = format!("{PLAIN},foo,bar,foo");
+        assert!(told(&names, &[]).is_ok());
+        let asked = told(&names, &[("time", "foo")]).expect_err("which is it?");
+        assert!(asked.starts_with("columns 10 and 12 are both called `foo`"), "{asked}");
+        let both = told(&names, &[("time", "bar"), ("phase", "bar")]).expect_err("it is one");
+        assert!(both.contains("`bar`") && both.contains("time_s and phase"), "{both}");
     }
 }

@@ -104,6 +104,8 @@ pub struct Restitution {
     pub close: usize,
     /// the least, the median and the greatest e
     pub observed: [f64; 3],
+    /// Σ(u_n⁺ − e·a)/Σa over the rows with a stated e: by how much e is off on the whole; zero without one
+    pub offset: f64,
     /// the greatest miss, and its line
     pub worst: (f64, u64),
     /// on what e depends: the share of its variance that this alone or with others explains
@@ -131,10 +133,13 @@ pub fn restitution(rows: &[Seen]) -> Option<Restitution> {
     let (mut consistent, mut close) = (0, 0);
     let mut hits: Vec<(&Seen, bool)> = Vec::new();
     let mut above_one = 0;
+    let (mut left, mut approach) = (0.0, 0.0);
     for (seen, e) in &measured {
         let allowed = seen.within[1] / seen.approach;
         above_one += usize::from(*e > 1.0 + 2.0 * allowed);
         let Some(stated) = seen.given.restitution else { continue };
+        left += seen.separation - stated * seen.approach;
+        approach += seen.approach;
         let miss = (e - stated).abs();
         spread.add(miss, seen.line);
         let holds = miss <= (1.0 + stated) * allowed;
@@ -168,6 +173,7 @@ pub fn restitution(rows: &[Seen]) -> Option<Restitution> {
         consistent,
         close,
         observed: [least, middle, greatest],
+        offset: if approach > 0.0 { left / approach } else { 0.0 },
         worst: spread.worst().unwrap_or((0.0, 0)),
         depends,
         above_one,

@@ -15,6 +15,9 @@ pub struct Seen {
     pub pair: u32,
     /// u_t before; m/s
     pub slip: f64,
+    /// g·Δt against a fixed body, along tangent and normal, which is in the velocities before and after: gravity may
+    /// act after the impact as well; m/s
+    pub fall: [f64; 2],
     /// a = −u_n before; m/s
     pub approach: f64,
     /// u_t⁺; m/s
@@ -31,8 +34,8 @@ pub struct Seen {
     pub given: Given,
     /// tolerances of u_t⁺, of u_n⁺, of p_t and of p_n
     pub within: [f64; 4],
-    /// where the impulse acted along the normal, less the stated arm, by the stated arm; NaN where
-    /// there is too little friction to tell
+    /// 1 − y'/y of the stated arm y and that at which the impulse acted, along the normal; NaN where there is too
+    /// little friction to tell
     pub arm: f64,
     /// by how much the arm may differ
     pub arm_within: f64,
@@ -69,6 +72,8 @@ impl Seen {
             line: case.row.line,
             pair: case.row.pair,
             slip: facts.before[0],
+            // both bodies of a pair fall alike
+            fall: if case.event.second.is_some() { [0.0; 2] } else { case.event.kick },
             approach: -facts.before[1],
             slip_after: facts.after[0],
             separation: facts.after[1],
@@ -97,6 +102,7 @@ impl Seen {
             line: 0,
             pair: 0,
             slip: 1.0,
+            fall: [0.0; 2],
             approach: 1.0,
             slip_after: 1.0,
             separation: 1.0,
@@ -111,6 +117,20 @@ impl Seen {
             stretch: 1.0,
             gain: (0.0, false),
         }
+    }
+
+    /// The same impact if gravity acts after it; `None` where that is no other one.
+    #[must_use]
+    pub fn before_gravity(&self) -> Option<Self> {
+        let [t, n] = self.fall;
+        (t != 0.0 || n != 0.0).then(|| Self {
+            slip: self.slip - t,
+            approach: self.approach + n,
+            slip_after: self.slip_after - t,
+            separation: self.separation - n,
+            fall: [0.0; 2],
+            ..self.clone()
+        })
     }
 
     /// e as measured, −u_n⁺/u_n; `None` for a contact that does not approach.

@@ -19,6 +19,7 @@ use crate::sample::Sample;
 use crate::scatter::{Spot, spots};
 use crate::schema::Column;
 use crate::seen::Seen;
+use crate::statistics::median;
 use crate::suspicion::{Suspicion, suspicions};
 use crate::tally::{Checked, Energy, Tally};
 use crate::told::Told;
@@ -84,8 +85,11 @@ pub struct Study {
     pub suspicions: Vec<Suspicion>,
     /// the worst rows
     pub worst: Vec<Worst>,
-    /// where the impulse acted, by the stated arm, less one: median and worst of what can be told
+    /// 1 − y'/y of the stated arm y and that at which the impulse acted: by magnitude the median and the worst of what
+    /// can be told
     pub arm: Option<(f64, f64)>,
+    /// the median of the same by sign, below zero where impulses act farther out than stated
+    pub arm_offset: Option<f64>,
     /// the rows in pictures
     pub spots: Vec<Spot>,
 }
@@ -307,6 +311,7 @@ impl Gathered {
         }
         let mut arms: Vec<f64> =
             rows.iter().map(|seen| seen.arm).filter(|arm| arm.is_finite()).collect();
+        let arm_offset = median(arms.clone());
         arms.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         let arm = arms.last().map(|worst| (arms[arms.len() / 2], *worst));
         Study {
@@ -327,6 +332,7 @@ impl Gathered {
             fits: fits(&rows),
             worst: self.worst,
             arm,
+            arm_offset,
             spots: spots(&rows),
         }
     }

@@ -14,8 +14,7 @@ use crate::envelope::{Program, Schema, written};
 /// What changed, for people; the names are those of the older and the newer log.
 #[must_use]
 pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> String {
-    let headline = if comparison.is_worse() { "Worse than before." } else { "Nothing is worse." };
-    let mut out = format!("{new}, against {old}\n{headline}\n\n");
+    let mut out = format!("{new}, against {old}\n{}\n\n", news(comparison));
     for change in &comparison.changes {
         let mark = if change.worse { "WORSE" } else { "  -  " };
         let [before, now] = change.failing.map(|share| format!("{} %", brief(percent(share))));
@@ -36,10 +35,36 @@ pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> Strin
         laws[0], laws[1]
     );
     let [before, now] = comparison.normal_close.map(|share| brief(percent(share)));
-    let _ = writeln!(out, "       restitution as stated in {before} % before, {now} % now");
+    let mark = if comparison.normal_is_worse() { "WORSE" } else { "  -  " };
+    let _ = writeln!(out, "{mark}  restitution as stated in {before} % before, {now} % now");
     let [before, now] = comparison.rejected;
     let _ = writeln!(out, "       rows rejected: {before} before, {now} now");
+    if comparison.normal_moved() {
+        let [before, now] = comparison.normal_offset.map(brief);
+        let _ = writeln!(
+            out,
+            "MOVED  e is off what is stated by {before} on the whole before, {now} now"
+        );
+    }
+    if comparison.arm_moved() {
+        let [before, now] = comparison.arm.map(|arm| brief(percent(arm.unwrap_or(0.0))));
+        let _ = writeln!(
+            out,
+            "MOVED  the stated arm is too long by {before} % in the median before, {now} % now"
+        );
+    }
     out
+}
+
+/// What came of it, in a sentence.
+pub(super) fn news(comparison: &Comparison) -> &'static str {
+    match comparison.is_worse() {
+        true => "Worse than before.",
+        false if comparison.normal_moved() || comparison.arm_moved() => {
+            "Nothing is worse, but e or the arm is off by another amount."
+        }
+        false => "Nothing is worse.",
+    }
 }
 
 /// What changed, for programs.
@@ -56,6 +81,10 @@ struct File<'a> {
     friction_close: [f64; 2],
     restitution: [Option<&'static str>; 2],
     restitution_close: [f64; 2],
+    restitution_off: [f64; 2],
+    restitution_moved: bool,
+    arm_off: [Option<f64>; 2],
+    arm_moved: bool,
     rejected: [u64; 2],
 }
 
@@ -94,6 +123,10 @@ pub fn compared_json(comparison: &Comparison, [old, new]: &[String; 2]) -> Strin
         friction_close: comparison.friction_close,
         restitution: [0, 1].map(|i| comparison.normal[i].as_ref().map(NormalLaw::id)),
         restitution_close: comparison.normal_close,
+        restitution_off: comparison.normal_offset,
+        restitution_moved: comparison.normal_moved(),
+        arm_off: comparison.arm,
+        arm_moved: comparison.arm_moved(),
         rejected: comparison.rejected,
     })
 }

@@ -64,6 +64,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "median": fit.median,
                 "worst": fit.worst,
                 "worst_line": known(fit.worst_line),
+                "tied": fit.tied,
             })
         })
         .collect();

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_records::comparison::Comparison;
 
 use super::RecordsReport;
+use super::compared::news;
 use super::sentence::headline;
 use super::wording::{asks, rejected, residual, suspicion, verdict};
 
@@ -101,8 +102,7 @@ pub fn compared_junit(comparison: &Comparison, [old, new]: &[String; 2]) -> Stri
         asks: "no more rows are rejected".to_owned(),
         came: came(now > before, format!("{before} before and {now} now")),
     });
-    let news = if comparison.is_worse() { "Worse than before." } else { "Nothing is worse." };
-    suite(&format!("{new}, against {old}"), news, &tests)
+    suite(&format!("{new}, against {old}"), news(comparison), &tests)
 }
 
 fn suite(name: &str, headline: &str, tests: &[Test]) -> String {

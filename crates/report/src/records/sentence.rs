@@ -6,7 +6,6 @@ use kane_records::friction::{FrictionFit, FrictionLaw};
 use kane_records::restitution::{NormalLaw, Restitution, Threshold};
 use kane_records::statistics::percent;
 use kane_records::study::Study;
-use kane_records::untold::Untold;
 
 use super::wording::{at_line, brief, factor, formats, friction};
 
@@ -92,50 +91,50 @@ fn depending(restitution: &Restitution) -> String {
     }
 }
 
-/// Friction given the measured normal impulse.
+/// Friction given the measured normal impulse: the nearest law, and those that are not told from it.
 fn tangential(study: &Study) -> Option<String> {
     let best = study.friction.first()?;
     let words = friction(best.law);
-    Some(if best.consistent == best.rows {
-        format!("friction {words}{}", or_others(study, best))
-    } else if best.close == best.rows {
-        format!("friction {words}, to 0.01 of k")
-    } else if best.close * 10 >= best.rows * 9 {
-        format!("friction {words}, to 0.01 of k in {} of {} impacts", best.close, best.rows)
-    } else if best.rough * 10 >= best.rows * 9 {
-        let which = if best.rough == best.rows {
-            "all".to_owned()
-        } else {
-            format!("{} of {}", best.rough, best.rows)
+    let all = best.rows;
+    let most = |rows: usize| rows * 10 >= all * 9;
+    let others = || or_others(study, |fit| format!(", in {}", fit.close));
+    Some(if best.consistent == all {
+        let named = or_others(study, |_| String::new());
+        let fit = match study.friction.iter().filter(|fit| fit.tied).count() {
+            1 => "",
+            2 => ", which fits every impact as well",
+            _ => ", which fit every impact as well",
         };
-        format!("friction {words}, to 0.05 of k in {which} impacts and to 0.01 in {}", best.close)
-    } else if best.close * 2 >= best.rows {
-        format!("friction {words}, to 0.01 of k in {} of {} impacts", best.close, best.rows)
+        format!("friction {words}{named}{fit}")
+    } else if best.close == all {
+        format!("friction {words}, to 0.01 of k{}", others())
+    } else if most(best.close) {
+        format!("friction {words}, to 0.01 of k in {} of {all} impacts{}", best.close, others())
+    } else if most(best.rough) {
+        let which =
+            if best.rough == all { "all".to_owned() } else { format!("{} of {all}", best.rough) };
+        let named = or_others(study, |fit| format!(", in {}", fit.rough));
+        let close = best.close;
+        format!("friction {words}, to 0.05 of k in {which} impacts{named} and to 0.01 in {close}")
+    } else if best.close * 2 >= all {
+        format!(
+            "friction {words}, to 0.01 of k in {} of {all} impacts{} (the nearest; no law that is known here gives all)",
+            best.close,
+            others()
+        )
     } else {
         format!(
-            "friction follows no law that is known here (the nearest {words}, in {} of {} impacts)",
-            best.close, best.rows
+            "friction follows no law that is known here (the nearest {words}, in {} of {all} impacts{})",
+            best.close,
+            others()
         )
     })
 }
 
-/// The other laws that fit every impact, though they give other impulses: the tolerance of rounded numbers may hold
-/// several.
-fn or_others(study: &Study, best: &FrictionFit) -> String {
-    let same = |law: FrictionLaw| {
-        study
-            .untold
-            .iter()
-            .any(|open| matches!(open, Untold::SameFriction(laws) if laws.contains(&law)))
-    };
-    let fits = |fit: &&FrictionFit| fit.rows == best.rows && fit.consistent == fit.rows;
-    let others = study.friction.iter().skip(1).filter(fits).filter(|fit| !same(fit.law));
-    let others: Vec<String> = others.map(|fit| friction(fit.law)).collect();
-    match others.len() {
-        0 => String::new(),
-        1 => format!(" or {}, which fits every impact as well", others.join(" or ")),
-        _ => format!(" or {}, which fit every impact as well", others.join(" or ")),
-    }
+/// The other laws that are not told from the first, each with its count.
+fn or_others(study: &Study, count: impl Fn(&FrictionFit) -> String) -> String {
+    let others = study.friction.iter().skip(1).filter(|fit| fit.tied);
+    others.map(|fit| format!(", or {}{}", friction(fit.law), count(fit))).collect()
 }
 
 /// Impacts that slide with less friction than they could have.
