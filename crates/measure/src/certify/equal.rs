@@ -13,7 +13,13 @@ pub(super) fn equal(old: &Core, new: &Core) -> Option<Verdict> {
     let document = read("repair.md", document.as_bytes()).ok()?;
     // equal forms are proved by normal forms, or not at all: a tenth of the usual effort tells
     let usual = Budget::default();
-    let budget = Budget { steps: usual.steps / 10, fuel: usual.fuel / 10, ..usual };
+    let budget = Budget {
+        steps: usual.steps / 10,
+        fuel: usual.fuel / 10,
+        squares: usual.squares / 10,
+        document: usual.document / 10,
+        ..usual
+    };
     let audit = audit(document, &Options { budget, ..Options::default() }, &mut |_, _| {});
     audit.judgements.last().map(|judgement| judgement.verdict)
 }
