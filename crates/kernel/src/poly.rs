@@ -289,7 +289,7 @@ impl Poly {
         let powers = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
         let long = powers(self).saturating_mul(size(other));
         let long = long.saturating_add(powers(other).saturating_mul(size(self)));
-        fuel.spend_beyond(long.saturating_mul(1 + u64::from(pairs.max(1).ilog2())) / 12)?;
+        fuel.spend_beyond(long.saturating_mul(1 + u64::from(pairs.max(1).ilog2())) / 8)?;
         let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
         if one(self) || one(other) {
             return Ok(if one(self) { other } else { self }.clone());
