@@ -8,12 +8,12 @@
 
 use std::fmt::Write as _;
 
+use kane::algebra::quotient::exact_quotient;
 use kane::algebra::rational_function::RationalFunction;
-use kane::algebra::ring;
 use kane::algebra::syntax::{Scope, parse_relations};
 use kane::audit::{Budget, prove_goal};
 use kane::kernel::{
-    Bound, Conclusion, Context, Expr, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
+    Bound, Conclusion, Context, Expr, Fuel, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
 };
 use kane::matrix::{absurd, compare, negated, rel};
 use kane_impact::{Contact, Delassus, Equation, Law, RegimeOver, laws};
@@ -213,7 +213,7 @@ fn vanishes(function: &Symbolic, polynomial: Option<&Symbolic>) -> bool {
         return true;
     }
     polynomial.is_some_and(|polynomial| {
-        ring::exact_quotient(&numerator, &polynomial.fraction().0).is_some()
+        exact_quotient(&numerator, &polynomial.fraction().0, &Fuel::new(u64::MAX)).is_some()
     })
 }
 

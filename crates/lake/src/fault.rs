@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use datafusion::common::SchemaError;
 use datafusion::error::DataFusionError;
 use kane_records::header::HeaderFault;
 
@@ -32,6 +33,9 @@ pub enum LakeFault {
     /// A table without the columns of an impact, or with columns that cannot be told.
     #[error(transparent)]
     Header(#[from] HeaderFault),
+    /// Two columns have one name, which no query can tell apart.
+    #[error("two columns are both called `{0}`: rename one of them in the file")]
+    OneName(String),
     /// A format of numbers that is none.
     #[error(transparent)]
     Numbers(#[from] NoNumbers),
@@ -43,7 +47,20 @@ pub enum LakeFault {
     Parts(&'static str),
     /// What the query engine says.
     #[error("{0}")]
-    Engine(#[from] DataFusionError),
+    Engine(#[source] DataFusionError),
+}
+
+impl From<DataFusionError> for LakeFault {
+    fn from(error: DataFusionError) -> Self {
+        match error.find_root() {
+            DataFusionError::SchemaError(schema, _) => match &**schema {
+                SchemaError::DuplicateUnqualifiedField { name } => Self::OneName(name.clone()),
+                SchemaError::DuplicateQualifiedField { name, .. } => Self::OneName(name.clone()),
+                _ => Self::Engine(error),
+            },
+            _ => Self::Engine(error),
+        }
+    }
 }
 
 impl From<LakeFault> for DataFusionError {
