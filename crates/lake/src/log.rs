@@ -138,10 +138,16 @@ fn whole(path: &Path) -> Result<(), LakeFault> {
     if &mark != b"PAR1" {
         return Err(LakeFault::Truncated(path.to_owned(), "it does not begin as one"));
     }
-    file.seek(SeekFrom::End(-4)).map_err(io)?;
+    let mut footer = [0; 4];
+    file.seek(SeekFrom::End(-8)).map_err(io)?;
+    file.read_exact(&mut footer).map_err(io)?;
     file.read_exact(&mut mark).map_err(io)?;
     if &mark != b"PAR1" {
         return Err(LakeFault::Truncated(path.to_owned(), "its end is missing"));
+    }
+    if u64::from(u32::from_le_bytes(footer)) > length - 12 {
+        let what = "its end says that it is longer than the file";
+        return Err(LakeFault::Truncated(path.to_owned(), what));
     }
     Ok(())
 }

@@ -126,6 +126,8 @@ claim a: a^4*b^2 + a^2*b^4 + 2*c^6 - 3*a^2*b^2*c^2 + g^4*f^2 + g^2*f^4 - 3*g^2*f
 INTERRUPTED = f"""
 import os, signal, threading, time
 import kane
+# a shell that runs the tests in the background has its children ignore it
+signal.signal(signal.SIGINT, signal.default_int_handler)
 began = []
 def interrupt():
     time.sleep(0.3)

@@ -39,6 +39,11 @@ async fn a_parquet_file_that_was_cut_off_is_named() {
     }
     let other = file(dir.path(), "cut.parquet", &[b"PAR2".as_slice(), &bytes[4..]].concat());
     assert!(fault(&[other]).await.contains("does not begin as one"));
+    for claimed in [u32::MAX, u32::try_from(bytes.len()).expect("it is short")] {
+        let end = [&bytes[..bytes.len() - 8], &claimed.to_le_bytes(), b"PAR1"].concat();
+        let longer = file(dir.path(), "longer.parquet", &end);
+        assert!(fault(&[longer]).await.contains("longer than the file"));
+    }
     // whole at both ends, and damaged between: the query engine says so
     let mut damaged = bytes.clone();
     let end = bytes.len();
