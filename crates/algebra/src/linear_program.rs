@@ -22,9 +22,7 @@ type Q = BigRational;
 pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel) -> Option<Vec<Q>> {
     let (rows, cols) = (b.len(), columns.len());
     // The tableau of phase one in whole numbers: artificial variables are the initial basis.
-    let values = columns.iter().flatten().map(|(_, value)| value).chain(b);
-    let common =
-        values.fold(BigInt::one(), |l, q| if q.is_integer() { l } else { l.lcm(q.denom()) });
+    let common = common(columns.iter().flatten().map(|(_, value)| value).chain(b));
     let of = |q: &Q| q.numer() * (&common / q.denom());
     let mut table = vec![vec![BigInt::zero(); cols + 1]; rows];
     for (j, column) in columns.iter().enumerate() {
@@ -44,7 +42,7 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
     let mut cost = Ray::of(cost);
     let mut basis: Vec<Option<usize>> = vec![None; rows];
     for _ in 0..steps {
-        if cost.sign(cols) == 0 {
+        if cost.sign(cols).is_eq() {
             let mut x = vec![Q::zero(); cols];
             for (row, variable) in table.iter().zip(&basis) {
                 if let Some(j) = variable {
@@ -55,13 +53,13 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
         }
         let enter = cost.first_positive(cols)?;
         // Smallest ratio; ties by the lowest basic variable, artificial ones leave first.
-        let able = (0..rows).filter(|&i| table[i].sign(enter) > 0);
+        let able = (0..rows).filter(|&i| table[i].sign(enter).is_gt());
         let leave = able.min_by(|&i, &j| {
             table[i].compare(&table[j], cols, enter).then(basis[i].cmp(&basis[j]))
         })?;
         let pivot = table[leave].clone();
         for (i, row) in table.iter_mut().enumerate() {
-            if i != leave && row.sign(enter) != 0 {
+            if i != leave && row.sign(enter).is_ne() {
                 *row = row.cleared(enter, &pivot, fuel).ok()?;
             }
         }
@@ -71,10 +69,16 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
     None
 }
 
+/// The least common denominator.
+fn common<'q>(values: impl IntoIterator<Item = &'q Q>) -> BigInt {
+    let fractions = values.into_iter().filter(|q| !q.is_integer());
+    fractions.fold(BigInt::one(), |l, q| l.lcm(q.denom()))
+}
+
 /// A vector of whole numbers in the same ratios.
 #[must_use]
 pub fn whole(values: &[Q]) -> Vec<BigInt> {
-    let common = values.iter().fold(BigInt::one(), |l, q| l.lcm(q.denom()));
+    let common = common(values);
     values.iter().map(|q| q.numer() * (&common / q.denom())).collect()
 }
 

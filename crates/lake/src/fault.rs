@@ -52,14 +52,13 @@ pub enum LakeFault {
 
 impl From<DataFusionError> for LakeFault {
     fn from(error: DataFusionError) -> Self {
-        match error.find_root() {
-            DataFusionError::SchemaError(schema, _) => match &**schema {
-                SchemaError::DuplicateUnqualifiedField { name } => Self::OneName(name.clone()),
-                SchemaError::DuplicateQualifiedField { name, .. } => Self::OneName(name.clone()),
-                _ => Self::Engine(error),
-            },
-            _ => Self::Engine(error),
+        if let DataFusionError::SchemaError(schema, _) = error.find_root()
+            && let SchemaError::DuplicateUnqualifiedField { name }
+            | SchemaError::DuplicateQualifiedField { name, .. } = &**schema
+        {
+            return Self::OneName(name.clone());
         }
+        Self::Engine(error)
     }
 }
 

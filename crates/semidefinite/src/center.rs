@@ -183,6 +183,15 @@ mod tests {
         Entry { block: 0, row, column, value }
     }
 
+    /// (x² − 1)² by (1, x, x²): only y = −1 is left.
+    fn square() -> Pencil {
+        Pencil {
+            sizes: vec![3],
+            constant: vec![entry(0, 0, 1.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
+            directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
+        }
+    }
+
     #[test]
     fn a_pencil_with_room_gets_a_margin() {
         // x⁴ − 2x² + 3 by (1, x, x²): [[3, 0, y], [0, −2 − 2y, 0], [y, 0, 1]]
@@ -198,23 +207,13 @@ mod tests {
 
     #[test]
     fn a_pencil_on_the_boundary_is_followed_to_it() {
-        // (x² − 1)² by (1, x, x²): only y = −1 is left.
-        let pencil = Pencil {
-            sizes: vec![3],
-            constant: vec![entry(0, 0, 1.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
-            directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
-        };
-        let found = center(&pencil, &mut || true).expect("it is a square");
+        let found = center(&square(), &mut || true).expect("it is a square");
         assert!((found.y[0] + 1.0).abs() < 1e-4, "{found:?}");
     }
 
     #[test]
     fn no_step_is_taken_that_is_not_paid_for() {
-        let pencil = Pencil {
-            sizes: vec![3],
-            constant: vec![entry(0, 0, 1.0), entry(1, 1, -2.0), entry(2, 2, 1.0)],
-            directions: vec![vec![entry(0, 2, 1.0), entry(1, 1, -2.0)]],
-        };
+        let pencil = square();
         let all = center(&pencil, &mut || true).expect("it is a square").steps;
         for most in 0..all {
             let mut paid = 0;

@@ -55,13 +55,9 @@ pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded 
 fn newton<'a>(pencil: &Pencil, fuel: &'a Fuel) -> impl FnMut() -> bool + use<'a> {
     let (k, n) = (pencil.directions.len() as u64, pencil.sizes.iter().sum::<usize>() as u64);
     let cost = (k * k * k / 3 + 16 * k * k + n * n * n) / 16 + 1;
-    let mut left = NEWTON;
-    move || {
-        let pays = || fuel.spend(cost / 4 + 1).and_then(|()| fuel.spend_beyond(cost / 4 + 1));
-        let more = left > 0;
-        left = left.saturating_sub(1);
-        more && pays().is_ok()
-    }
+    let pays = move || fuel.spend(cost / 4 + 1).and_then(|()| fuel.spend_beyond(cost / 4 + 1));
+    let mut steps = 0..NEWTON;
+    move || steps.next().is_some() && pays().is_ok()
 }
 
 /// The Gram matrices as floats, all parameters scaled to matter alike; and what one unit of each is.

@@ -136,3 +136,15 @@ async fn a_quote_that_nothing_closes_is_an_error_with_its_line() {
     let line = format!("line {}: a quote opens", text.lines().count() + 1);
     assert!(told.contains("open.csv") && told.contains(&line), "{told}");
 }
+
+#[tokio::test]
+async fn two_columns_of_one_name_are_told_by_it() {
+    let text = fs::read_to_string(recorded(LOG)).expect("it is there");
+    let dir = tempfile::tempdir().expect("there is room");
+    let twice: String = text
+        .lines()
+        .map(|line| format!("{},{line}\n", line.split(',').next().unwrap_or("")))
+        .collect();
+    let told = fault(&[file(dir.path(), "twice.csv", twice.as_bytes())]).await;
+    assert!(told.contains("two columns"), "{told}");
+}

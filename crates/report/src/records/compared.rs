@@ -58,12 +58,12 @@ pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> Strin
 
 /// What came of it, in a sentence.
 pub(super) fn news(comparison: &Comparison) -> &'static str {
-    match comparison.is_worse() {
-        true => "Worse than before.",
-        false if comparison.normal_moved() || comparison.arm_moved() => {
-            "Nothing is worse, but e or the arm is off by another amount."
-        }
-        false => "Nothing is worse.",
+    if comparison.is_worse() {
+        "Worse than before."
+    } else if comparison.normal_moved() || comparison.arm_moved() {
+        "Nothing is worse, but e or the arm is off by another amount."
+    } else {
+        "Nothing is worse."
     }
 }
 
