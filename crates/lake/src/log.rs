@@ -1,5 +1,6 @@
 //! Files of a log as a table.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufRead as _, BufReader, ErrorKind, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,10 @@ use std::sync::Arc;
 use datafusion::arrow::datatypes::{DataType, Field, Schema};
 use datafusion::datasource::file_format::options::ArrowReadOptions;
 use datafusion::prelude::{CsvReadOptions, DataFrame, ParquetReadOptions, SessionContext};
+use kane_records::header::HeaderFault;
+use kane_records::opening::opening;
 use kane_records::quotes::Quotes;
+use kane_records::reader::{Kind, names};
 use url::Url;
 
 use crate::fault::LakeFault;
@@ -80,6 +84,7 @@ pub async fn table(session: &SessionContext, files: &[PathBuf]) -> Result<DataFr
             let delimiter = delimiter(first)?;
             let mut goes_on = false;
             for path in files {
+                names_differ(path)?;
                 goes_on |= quotes_close(path, delimiter)?;
             }
             let options = CsvReadOptions::new()
@@ -160,6 +165,20 @@ fn quotes_close(path: &Path, delimiter: u8) -> Result<bool, LakeFault> {
     let mut buffer = vec![0; 1 << 18];
     while quotes.read(&mut buffer).map_err(io)? > 0 {}
     Ok(quotes.goes_on())
+}
+
+/// That no two columns of a CSV file have one name; the query engine would count them as one.
+fn names_differ(path: &Path) -> Result<(), LakeFault> {
+    let io = |error| LakeFault::Io(path.to_owned(), error);
+    let (start, _) = opening(BufReader::new(File::open(path).map_err(io)?)).map_err(io)?;
+    let mut places = BTreeMap::new();
+    for (name, place) in names(&start, Kind::Csv).into_iter().zip(1..) {
+        if let Some(first) = places.get(&name) {
+            return Err(HeaderFault::OneName(name, *first, place).into());
+        }
+        places.insert(name, place);
+    }
+    Ok(())
 }
 
 /// What separates the cells of the first line that is no comment.
