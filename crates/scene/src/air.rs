@@ -31,19 +31,15 @@ impl<N> Air<N> {
 }
 
 impl Air<f64> {
-    /// The acceleration of a body by air and gravity; m/s².
-    fn acceleration(&self, body: &Round<f64>, [vx, vy]: [f64; 2], gravity: f64) -> [f64; 2] {
-        let r = body.radius;
+    /// The acceleration of a body by air and gravity, in m/s², and what the air takes from its energy in a
+    /// second, −ρ·π·r²/2·C_d·|v|³, in W; the lift does no work.
+    fn slope(&self, body: &Round<f64>, [vx, vy]: [f64; 2], gravity: f64) -> ([f64; 2], f64) {
+        let (r, speed) = (body.radius, vx.hypot(vy));
         let by_mass = self.density * PI * r * r / (2.0 * body.mass);
-        let drag = -by_mass * self.drag * vx.hypot(vy);
+        let drag = -by_mass * self.drag * speed;
         let lift = by_mass * self.lift * r * body.motion.omega;
-        [drag.mul_add(vx, -lift * vy), drag.mul_add(vy, lift * vx) - gravity]
-    }
-
-    /// What the air takes from a body's energy in a second, −ρ·π·r²/2·C_d·|v|³; the lift does no work; W.
-    fn power(&self, body: &Round<f64>, [vx, vy]: [f64; 2]) -> f64 {
-        let speed = vx.hypot(vy);
-        -self.density * PI * body.radius * body.radius / 2.0 * self.drag * speed * speed * speed
+        let power = -self.density * PI * r * r / 2.0 * self.drag * speed * speed * speed;
+        ([drag.mul_add(vx, -lift * vy), drag.mul_add(vy, lift * vx) - gravity], power)
     }
 
     /// The body after one step of the classical method of Runge and Kutta, of fourth order, and the work of
@@ -52,11 +48,14 @@ impl Air<f64> {
         let start = [body.motion.vx, body.motion.vy];
         let at =
             |slope: [f64; 2], part: f64| [0, 1].map(|k| slope[k].mul_add(part * step, start[k]));
-        let slope = |velocity: [f64; 2]| self.acceleration(body, velocity, gravity);
-        let one = slope(start);
-        let (two_v, two) = (at(one, 0.5), slope(at(one, 0.5)));
-        let (three_v, three) = (at(two, 0.5), slope(at(two, 0.5)));
-        let (four_v, four) = (at(three, 1.0), slope(at(three, 1.0)));
+        let slope = |velocity: [f64; 2]| self.slope(body, velocity, gravity);
+        let (one, first) = slope(start);
+        let two_v = at(one, 0.5);
+        let (two, second) = slope(two_v);
+        let three_v = at(two, 0.5);
+        let (three, third) = slope(three_v);
+        let four_v = at(three, 1.0);
+        let (four, last) = slope(four_v);
         let mean = |a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]| {
             [0, 1].map(|k| step * (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
         };
@@ -65,8 +64,6 @@ impl Air<f64> {
         after.position = [0, 1].map(|k| body.position[k] + way[k]);
         after.motion.vx += gain[0];
         after.motion.vy += gain[1];
-        let [first, second, third, last] =
-            [start, two_v, three_v, four_v].map(|velocity| self.power(body, velocity));
         (after, step * (first + 2.0 * (second + third) + last) / 6.0)
     }
 
@@ -92,7 +89,7 @@ impl Air<f64> {
     pub(crate) fn step(&self, bodies: &[Round<f64>], gravity: f64) -> f64 {
         let of = |body: &Round<f64>| {
             let velocity = [body.motion.vx, body.motion.vy];
-            let [ax, ay] = self.acceleration(body, velocity, gravity);
+            let ([ax, ay], _) = self.slope(body, velocity, gravity);
             let (speed, pull) = (velocity[0].hypot(velocity[1]), ax.hypot(ay));
             // from rest it takes a while to fly so far
             let fallen = (body.radius / pull).sqrt();

@@ -29,17 +29,20 @@ struct Flight<'a> {
     taken: Vec<f64>,
 }
 
+/// Bodies at a later time, and the work of the air on each until then.
+type Ahead = (Vec<Round<f64>>, Vec<f64>);
+
 impl Flight<'_> {
-    fn flown(&self, step: f64) -> Vec<Round<f64>> {
+    /// All bodies after so long, and the work of the air on each.
+    fn ahead(&self, step: f64) -> Ahead {
         let gravity = self.world.gravity;
-        self.bodies.iter().map(|body| self.air.stepped(body, gravity, step).0).collect()
+        self.bodies.iter().map(|body| self.air.stepped(body, gravity, step)).unzip()
     }
 
     /// Flies on.
-    fn fly(&mut self, step: f64) {
-        for (body, taken) in self.bodies.iter_mut().zip(&mut self.taken) {
-            let (after, work) = self.air.stepped(body, self.world.gravity, step);
-            *body = after;
+    fn fly(&mut self, (bodies, work): Ahead) {
+        self.bodies = bodies;
+        for (taken, work) in self.taken.iter_mut().zip(work) {
             *taken += work;
         }
     }
@@ -94,14 +97,18 @@ impl Flight<'_> {
         }
     }
 
-    /// When in a step the two meet, if they do; `Err` if they leave and meet again so soon that the steps
-    /// do not see it: they rest on each other.
-    fn meets(&self, encounter: Encounter, step: f64) -> Result<Option<f64>, ()> {
-        let gap = |part: f64| self.gap(encounter, &self.flown(part), self.time + part);
-        let (end, _) = gap(step);
-        if end >= 0.0 {
+    /// When in a step the two meet, if they do, given all bodies at its end; `Err` if they leave and meet
+    /// again so soon that the steps do not see it: they rest on each other.
+    fn meets(
+        &self,
+        encounter: Encounter,
+        step: f64,
+        end: &[Round<f64>],
+    ) -> Result<Option<f64>, ()> {
+        if self.gap(encounter, end, self.time + step).0 >= 0.0 {
             return Ok(None);
         }
+        let gap = |part: f64| self.gap(encounter, &self.ahead(part).0, self.time + part);
         let mut low = 0.0;
         if self.touching(encounter) {
             let mut parts = PARTS.iter().map(|part| part * step);
@@ -164,23 +171,26 @@ pub(crate) fn run_in_air(
         {
             (step, over) = (end - flight.time, Some(*end));
         }
+        let ahead = flight.ahead(step);
         let mut first: Option<(f64, Encounter)> = None;
         for encounter in &encounters {
             let rests = |()| Stopped::Undecided { impact: impacts, time: flight.time };
-            let Some(part) = flight.meets(*encounter, step).map_err(rests)? else { continue };
+            let Some(part) = flight.meets(*encounter, step, &ahead.0).map_err(rests)? else {
+                continue;
+            };
             if first.is_none_or(|(best, _)| part < best) {
                 first = Some((part, *encounter));
             }
         }
         let Some((part, encounter)) = first else {
-            flight.fly(step);
+            flight.fly(ahead);
             flight.time = over.unwrap_or(flight.time + step);
             continue;
         };
         if impacts == budget.impacts {
             break;
         }
-        flight.fly(part);
+        flight.fly(flight.ahead(part));
         flight.time += part;
         impacts += 1;
         let bounce = meet(&mut flight, resolver, encounter, impacts)?;
