@@ -402,25 +402,34 @@ fn a_claim_and_its_negation_are_never_both_accepted(all: &[(Case, Certificate)])
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-#[test]
-fn what_is_proved_holds_at_points_of_its_hypotheses() {
-    let (mut chance, start) = (Chance::new(8), Instant::now());
-    let (mut claims, mut points, mut unknown) = (0, 0, 0);
-    let (mut open, mut limits, mut wrong): (Vec<String>, usize, Vec<String>) =
-        (Vec::new(), 0, Vec::new());
-    for case in documents("docs/derivations").iter().flat_map(cases) {
-        let relation = matches!(case.goal.conclusion, Conclusion::Link(Link::Relation(_)));
-        if !relation {
-            continue;
+/// What sampling says of proved claims.
+#[derive(Default)]
+struct Sampled {
+    /// how many hold at as many points as were wanted
+    claims: usize,
+    points: usize,
+    /// how many rest on limits, which no point shows
+    limits: usize,
+    /// points at which the value is irrational
+    unknown: usize,
+    /// what was sampled less, with its points
+    open: Vec<String>,
+    wrong: Vec<String>,
+}
+
+impl Sampled {
+    /// Evaluates a claim, if it is a relation and proved, at points of its hypotheses.
+    fn sample(&mut self, case: &Case, chance: &mut Chance) {
+        if !matches!(case.goal.conclusion, Conclusion::Link(Link::Relation(_))) {
+            return;
         }
         let found = judge_goal(&case.goal, &case.by, Budget::default()).decided;
         if found.is_none_or(|c| c.finding != Finding::Proved) {
-            continue;
+            return;
         }
         if has_limits(&case.goal) {
-            // what premised limits say cannot be seen at a point
-            limits += 1;
-            continue;
+            self.limits += 1;
+            return;
         }
         let mut sampler = Sampler::new(&case.goal);
         let (wanted, mut seen) = (many(1_000), 0);
@@ -428,10 +437,10 @@ fn what_is_proved_holds_at_points_of_its_hypotheses() {
         let (most, mut tries, mut failures) = (many(2_500), 0, 0);
         while seen < wanted && failures < 300 && tries < most && (seen > 0 || tries < 100) {
             tries += 1;
-            match sampler.point(&mut chance, 10) {
+            match sampler.point(chance, 10) {
                 None => failures += 1,
                 Some((_, At::Unknown)) => {
-                    unknown += 1;
+                    self.unknown += 1;
                     failures += 1;
                 }
                 Some((_, At::True)) => {
@@ -440,24 +449,62 @@ fn what_is_proved_holds_at_points_of_its_hypotheses() {
                 }
                 Some((point, says)) => {
                     seen += 1;
-                    wrong.push(format!("{} is {says:?} at {point:?}", case.name));
+                    self.wrong.push(format!("{} is {says:?} at {point:?}", case.name));
                 }
             }
         }
-        points += seen;
+        self.points += seen;
         if seen == wanted {
-            claims += 1;
+            self.claims += 1;
         } else {
-            open.push(format!("{} ({seen})", case.name));
+            self.open.push(format!("{} ({seen})", case.name));
         }
     }
+
+    fn and(mut self, other: Self) -> Self {
+        self.claims += other.claims;
+        self.points += other.points;
+        self.limits += other.limits;
+        self.unknown += other.unknown;
+        self.open.extend(other.open);
+        self.wrong.extend(other.wrong);
+        self
+    }
+}
+
+#[test]
+fn what_is_proved_holds_at_points_of_its_hypotheses() {
+    /// The longest test of all, and by its name the last: alone it would leave a core idle.
+    const SHARES: usize = 2;
+    let start = Instant::now();
+    let share = |number: usize| {
+        let (mut chance, mut sampled) = (Chance::new(8 + number as u64), Sampled::default());
+        let documents = documents("docs/derivations");
+        for case in documents.iter().flat_map(cases).skip(number).step_by(SHARES) {
+            sampled.sample(&case, &mut chance);
+        }
+        sampled
+    };
+    let sampled = std::thread::scope(|scope| {
+        let shares: Vec<_> = (0..SHARES).map(|n| scope.spawn(move || share(n))).collect();
+        shares
+            .into_iter()
+            .map(|one| one.join().expect("a share panicked"))
+            .fold(Sampled::default(), Sampled::and)
+    });
     println!(
-        "evaluation: {claims} proved claims hold at {} points each, {points} in all; {limits} rest \
-         on limits; {} were sampled less: {}; {unknown} points irrational; {:.1} s",
+        "evaluation: {} proved claims hold at {} points each, {} in all; {} rest on limits; {} were \
+         sampled less: {}; {} points irrational; {:.1} s",
+        sampled.claims,
         many(1_000),
-        open.len(),
-        open.join(", "),
+        sampled.points,
+        sampled.limits,
+        sampled.open.len(),
+        sampled.open.join(", "),
+        sampled.unknown,
         start.elapsed().as_secs_f64()
     );
+    assert!(sampled.claims > 0, "nothing was sampled");
+    let wrong = &sampled.wrong;
     assert!(wrong.is_empty(), "{}", wrong[..wrong.len().min(20)].join("\n"));
 }
