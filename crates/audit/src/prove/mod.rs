@@ -358,16 +358,25 @@ impl Prover<'_> {
             self.witness(goal, Finding::Proved, Ways::Far, out);
             return;
         }
-        if let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, out)
+        let counter = self.counterexample(goal, out);
+        if counter.is_none()
+            && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, out)
             && self.decide(goal, Finding::Proved, grounds, out)
         {
             return;
         }
-        let found = self.witness(goal, Finding::IllDefined, Ways::Near, out)
-            || self.witness(goal, Finding::Refuted, Ways::Near, out)
-            || self.witness(goal, Finding::IllDefined, Ways::Far, out)
+        let near = self.witness(goal, Finding::IllDefined, Ways::Near, out)
+            || self.witness(goal, Finding::Refuted, Ways::Near, out);
+        if near {
+            return;
+        }
+        if let Some(decided) = counter {
+            (out.decided, out.open) = (Some(decided), None);
+            return;
+        }
+        let far = self.witness(goal, Finding::IllDefined, Ways::Far, out)
             || self.witness(goal, Finding::Refuted, Ways::Far, out);
-        if !found && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Far, out) {
+        if !far && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Far, out) {
             self.decide(goal, Finding::Proved, grounds, out);
         }
     }

@@ -106,6 +106,14 @@ impl Prover<'_> {
         earlier.iter().rev().take(REMEMBERED).filter(fits).find(holds).cloned()
     }
 
+    /// The point that shows that the hypotheses can hold, if the claim fails there. Then there is no
+    /// proof to look for, and what is left is to look for a point that is easier to follow.
+    pub(super) fn counterexample(&self, goal: &Goal, out: &Verdicts) -> Option<Decided> {
+        let grounds = Grounds::Model(out.model.clone()?);
+        let certificate = self.accept(goal, Finding::Refuted, &grounds).ok()?;
+        Some(Decided { certificate, grounds })
+    }
+
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.
     pub(super) fn consistent(&self, goal: &Goal, out: &mut Verdicts) -> bool {
         if let Some(model) = self.remembered(goal) {
