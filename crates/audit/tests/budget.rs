@@ -127,3 +127,14 @@ fn more_effort_is_more_of_the_budget_of_a_document() {
     let usual = Budget::default();
     assert_eq!(usual.times(3).document, 3 * usual.document);
 }
+
+#[test]
+fn limits_of_quotients_of_high_powers_are_judged_within_the_default_budget() {
+    let text = "```kane\nvar x\n\
+        claim right: x^1885/(1 + x^1885) -> 1 as x -> oo\n\
+        claim wrong: x^1885/(1 + x^1885) -> 2 as x -> oo\n```\n";
+    let document = read("powers.md", text.as_bytes()).expect("it can be read");
+    let audit = audit(document, &Options::default(), &mut |_, _| {});
+    let verdicts: Vec<Verdict> = audit.judgements.iter().map(|j| j.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Proved, Verdict::Refuted]);
+}

@@ -4,7 +4,7 @@
 
 use kane_algebra::point::specialised;
 use kane_algebra::quotient::exact_quotient;
-use kane_algebra::ring::{Ideal, Ring, within_gate};
+use kane_algebra::ring::{Ideal, Ring, common_sign, within_gate};
 use kane_algebra::sign_table::{Cell, SignTable};
 use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
@@ -197,6 +197,9 @@ pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
                 b.2 = None;
             }
         }
+        if let Some(proof) = one_sign_above_zero(state, i, &bounds) {
+            return Some(proof);
+        }
         if bounds.iter().all(|b| b.1.is_some() || b.2.is_some()) {
             let may_fit = !mixed_at_ends(state, atom, &bounds);
             let proof = Argument::Orthant { atom: i, bounds };
@@ -206,6 +209,22 @@ pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
         }
     }
     even_powers(state, i)
+}
+
+/// Atom i contradicts that its variables are not below 0, where all coefficients have one sign as they are:
+/// then no upper bound is needed, and nothing is mapped, which takes long in high degrees.
+fn one_sign_above_zero(
+    state: &State<'_, '_>,
+    i: usize,
+    bounds: &[(usize, Option<usize>, Option<usize>)],
+) -> Option<Argument> {
+    let from_zero = |&(v, l, _): &(usize, Option<usize>, Option<usize>)| {
+        l.filter(|&l| bound_value(state, l, v).is_zero()).map(|l| (v, Some(l), None))
+    };
+    common_sign(&state.atoms[i].poly)?;
+    let bounds = bounds.iter().map(from_zero).collect::<Option<Vec<_>>>()?;
+    let proof = Argument::Orthant { atom: i, bounds };
+    state.closes(&proof).is_ok().then_some(proof)
 }
 
 /// Whether coefficients already have another sign where all variables with two ends are at their lower or
