@@ -241,12 +241,19 @@ class Exact:
 def evaluate(e, at, system):
     """The value of an expression; names are looked up in `at`."""
     if isinstance(e, str):
-        return at[e] if e in at else system.constant(e)
+        value = at[e] if e in at else system.constant(e)
+        if isinstance(value, Exception):
+            raise value
+        return value
     head = e[0]
     if head in ("let", "let*"):
         inner = dict(at)
         for name, value in e[1]:
-            inner[name] = evaluate(value, inner if head == "let*" else at, system)
+            # what has no value is a fault where it is read: a NaN that nothing reads is no part of a result
+            try:
+                inner[name] = evaluate(value, inner if head == "let*" else at, system)
+            except (Undefined, Unknown) as why:
+                inner[name] = why
         return evaluate(e[2], inner, system)
     if head == "if":
         return evaluate(e[2] if holds(e[1], at, system) else e[3], at, system)
