@@ -5,7 +5,7 @@ use kane_impact::batch::{self, Batched, Columns, Contacts, Survey};
 use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
-use kane_impact::{Alpha, ImpactLaw, Ratios};
+use kane_impact::{Alpha, ImpactLaw, Ratios, laws};
 use kane_number::{Rational, decode, error_in_ulps};
 use proptest::prelude::*;
 
@@ -145,6 +145,63 @@ proptest! {
             let row = Ratios { k: k[row], impulse: impulse[row], energy: energy[row] };
             prop_assert_eq!(row, expected);
         }
+    }
+
+    /// For every law whose k is a function of α: the very floats of the law, and where it has fractions, within
+    /// 20 units of 2^-52 of them, or of 1 where k goes through 0 (each law states 15 at most).
+    #[test]
+    fn rows_of_any_law_are_those_of_the_law(alphas in prop::collection::vec(0.0..4.0, 1..9)) {
+        for law in laws().iter().filter(|law| !law.has_frame()) {
+            let [mut k, mut impulse, mut energy] = [(); 3].map(|()| vec![9.0; alphas.len()]);
+            let out = Columns { k: &mut k, impulse: &mut impulse, energy: &mut energy };
+            batch::evaluate_singly(law, &alphas, out);
+            let rows = k.iter().zip(&impulse).zip(&energy);
+            for (&alpha, ((&k, &impulse), &energy)) in alphas.iter().zip(rows) {
+                let Some(single) = law.over().ratios(&Alpha::Finite(alpha)) else {
+                    prop_assert!([k, impulse, energy].iter().all(|of| of.is_nan()));
+                    continue;
+                };
+                prop_assert_eq!(Ratios { k, impulse, energy }, single);
+                let Some(truth) = law.over().ratios(&Alpha::Finite(exact(alpha))) else { continue };
+                for (got, truth) in
+                    [(k, truth.k), (impulse, truth.impulse), (energy, truth.energy)]
+                {
+                    let off = size(exact(got) - &truth);
+                    let unit = (size(truth) + rational(1, 1)) * two_to(-52);
+                    prop_assert!(off <= unit * rational(20, 1), "{} at {alpha}", law.info.id);
+                }
+            }
+            let found = batch::survey_singly(law, &alphas);
+            let outside = k.iter().filter(|k| k.is_nan()).count();
+            let gains = energy.iter().filter(|&&energy| energy > 0.0).count();
+            prop_assert_eq!(found.rows, alphas.len());
+            prop_assert_eq!(found.gains, u64::try_from(gains).expect("few"), "{}", law.info.id);
+            prop_assert_eq!(found.outside, u64::try_from(outside).expect("few"), "{}", law.info.id);
+        }
+    }
+
+    /// A row without a meaning is NaN alone, and so is every row of a law with a frame of its own.
+    #[test]
+    fn a_row_of_any_law_without_a_meaning_is_nan(alpha in 0.0..3.0) {
+        for law in laws() {
+            let [mut k, mut impulse, mut energy] = [[9.0; 4]; 3];
+            let out = Columns { k: &mut k, impulse: &mut impulse, energy: &mut energy };
+            batch::evaluate_singly(law, &[alpha, -1.0, f64::NAN, alpha], out);
+            prop_assert!([k, impulse, energy].iter().all(|of| of[1].is_nan() && of[2].is_nan()));
+            prop_assert!(!law.has_frame() || k[0].is_nan());
+            prop_assert_eq!(k[0].to_bits(), k[3].to_bits());
+        }
+    }
+
+    /// i_x = 1/α has no value there: no exact number either, and no panic.
+    #[test]
+    fn the_superball_has_no_answer_where_nothing_slides_it(exponent in 1_i32..60) {
+        let garwin = kane_impact::laws::Garwin;
+        prop_assert_eq!(garwin.ratios(&Alpha::Finite(rational(0, 1))), None);
+        prop_assert_eq!(garwin.ratios(&Alpha::Finite(0.0)), None);
+        let alpha = two_to(-exponent);
+        let found = garwin.ratios(&Alpha::Finite(alpha.clone())).expect("α > 0");
+        prop_assert_eq!(found.impulse * alpha, rational(1, 1));
     }
 
     #[test]

@@ -1,16 +1,16 @@
 //! Laws over columns of floats that NumPy owns; nothing is copied.
 
-use kane_impact::LawInfo;
 use kane_impact::batch::{self as lanes, Batched, Columns, Contacts, Survey};
 use kane_impact::laws::{
     GarwinCapped, Smith1991, Walton, WangSuLi, WhittakerStop, WhittakerUncapped,
 };
+use kane_impact::{Law, LawInfo, laws};
 use numpy::{PyArrayMethods as _, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 
 use crate::bad_input;
 
-/// A law that has a lane for columns.
+/// A law with a kernel of its own for columns.
 struct Lane {
     law: &'static LawInfo,
     evaluate: fn(&[f64], Columns<'_>),
@@ -27,13 +27,6 @@ impl Lane {
             survey: |alpha| lanes::survey(&L::default(), alpha),
         }
     }
-
-    /// The lane of the law with an id.
-    fn with(id: &str) -> PyResult<&'static Self> {
-        LANES.iter().find(|lane| lane.law.id == id).ok_or_else(|| {
-            bad_input(format!("{id} has no lane for columns; there are {}", batched().join(", ")))
-        })
-    }
 }
 
 const LANES: [Lane; 6] = [
@@ -45,18 +38,64 @@ const LANES: [Lane; 6] = [
     Lane::of::<Smith1991>(),
 ];
 
+/// How a law goes over a column.
+enum Way {
+    Lane(&'static Lane),
+    /// row by row, as the law stands
+    Single(&'static Law),
+}
+
+impl Way {
+    /// The way of the law with an id.
+    fn with(id: &str) -> PyResult<Self> {
+        if let Some(lane) = LANES.iter().find(|lane| lane.law.id == id) {
+            return Ok(Self::Lane(lane));
+        }
+        match laws().iter().find(|law| law.info.id == id) {
+            Some(law) if law.has_frame() => Err(bad_input(format!(
+                "{id} has a frame of its own: its k depends on e, mu and the angle one by one, and not on alpha; \
+                 kane.collide puts it to one collision"
+            ))),
+            Some(law) => Ok(Self::Single(law)),
+            None => {
+                let known = batched().join(", ");
+                Err(bad_input(format!("there is no law {id} for columns; there are {known}")))
+            }
+        }
+    }
+
+    fn evaluate(&self, alpha: &[f64], out: Columns<'_>) {
+        match self {
+            Self::Lane(lane) => (lane.evaluate)(alpha, out),
+            Self::Single(law) => lanes::evaluate_singly(law, alpha, out),
+        }
+    }
+
+    fn contacts(&self, contacts: Contacts<'_>, out: Columns<'_>) {
+        match self {
+            Self::Lane(lane) => (lane.contacts)(contacts, out),
+            Self::Single(law) => lanes::evaluate_contacts_singly(law, contacts, out),
+        }
+    }
+
+    fn survey(&self, alpha: &[f64]) -> Survey {
+        match self {
+            Self::Lane(lane) => (lane.survey)(alpha),
+            Self::Single(law) => lanes::survey_singly(law, alpha),
+        }
+    }
+}
+
 /// Rows that are computed at once, before it is asked which of them had a meaning: their numbers are still in
 /// a near cache then.
 const BLOCK: usize = 4096;
 
-impl Lane {
+impl Way {
     /// k, i_x and Δe for a column of α: NaN in all three where α is negative or NaN.
     fn fill(&self, alpha: &[f64], out: Columns<'_>) {
         for (alpha, [k, impulse, energy]) in alpha.chunks(BLOCK).zip(blocks(out)) {
-            (self.evaluate)(
-                alpha,
-                Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy },
-            );
+            let out = Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy };
+            self.evaluate(alpha, out);
             blank(alpha.iter().map(|&alpha| alpha >= 0.0), [k, impulse, energy]);
         }
     }
@@ -67,7 +106,7 @@ impl Lane {
         let rows = slip.chunks(BLOCK).zip(sliding.chunks(BLOCK)).zip(mobility.chunks(BLOCK));
         for (((slip, sliding), mobility), [k, impulse, energy]) in rows.zip(blocks(out)) {
             let out = Columns { k: &mut *k, impulse: &mut *impulse, energy: &mut *energy };
-            (self.contacts)(Contacts { slip, sliding, mobility }, out);
+            self.contacts(Contacts { slip, sliding, mobility }, out);
             let inside =
                 slip.iter().zip(sliding).zip(mobility).map(|((&slip, &sliding), &mobility)| {
                     let moves = (slip.abs() < f64::INFINITY) & ((slip != 0.0) | (sliding > 0.0));
@@ -97,10 +136,17 @@ fn blank(inside: impl Iterator<Item = bool> + Clone, [k, impulse, energy]: [&mut
     }
 }
 
-/// The ids of the laws that [`batch`] knows.
+/// The ids of the laws that [`batch`] knows: those with kernels of their own first.
 #[pyfunction]
 pub(crate) fn batched() -> Vec<&'static str> {
-    LANES.iter().map(|lane| lane.law.id).collect()
+    let mut ids: Vec<_> = LANES.iter().map(|lane| lane.law.id).collect();
+    let others = laws().iter().filter(|law| !law.has_frame()).map(|law| law.info.id);
+    for id in others {
+        if !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids
 }
 
 /// Fills k, i_x and Δe for a column of α.
@@ -120,8 +166,8 @@ pub(crate) fn batch(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[alpha.len()], &out)?;
-    let lane = Lane::with(law)?;
-    py.detach(|| lane.fill(alpha, out));
+    let way = Way::with(law)?;
+    py.detach(|| way.fill(alpha, out));
     Ok(())
 }
 
@@ -144,8 +190,8 @@ pub(crate) fn batch_contacts(
     let (mut k, mut impulse, mut energy) = (k, impulse, energy);
     let out = columns(&mut k, &mut impulse, &mut energy)?;
     same_length(&[contacts.slip.len(), contacts.sliding.len(), contacts.mobility.len()], &out)?;
-    let lane = Lane::with(law)?;
-    py.detach(|| lane.fill_contacts(contacts, out));
+    let way = Way::with(law)?;
+    py.detach(|| way.fill_contacts(contacts, out));
     Ok(())
 }
 
@@ -160,8 +206,8 @@ pub(crate) fn survey(
     alpha: PyReadonlyArray1<'_, f64>,
 ) -> PyResult<(usize, u64, u64, u64, f64, f64)> {
     let alpha = filled(&alpha)?;
-    let lane = Lane::with(law)?;
-    let s = py.detach(|| (lane.survey)(alpha));
+    let way = Way::with(law)?;
+    let s = py.detach(|| way.survey(alpha));
     Ok((s.rows, s.outside, s.gains, s.beyond_cone, s.greatest_energy, s.least_k))
 }
 

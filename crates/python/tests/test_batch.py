@@ -80,8 +80,10 @@ def test_a_survey_counts_what_the_rows_show():
 
 def test_bad_columns_are_errors_and_never_panics():
     alpha = np.linspace(0, 1, 4)
-    with pytest.raises(ValueError, match="no lane for columns; there are wang-su-li"):
+    with pytest.raises(ValueError, match="no law smith for columns; there are wang-su-li"):
         kane.batch("smith", alpha)
+    with pytest.raises(ValueError, match="frame of its own"):
+        kane.batch("tilted-2002", alpha)
     with pytest.raises(ValueError, match="dimensions"):
         kane.batch("walton", np.zeros((2, 2)))
     with pytest.raises(ValueError, match="one length"):

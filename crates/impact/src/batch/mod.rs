@@ -22,6 +22,9 @@
 #![allow(clippy::float_arithmetic, reason = "the float lanes of the laws")]
 
 mod kernel;
+mod single;
+
+pub use single::{evaluate_contacts_singly, evaluate_singly, survey_singly};
 
 pub use kernel::{
     Batched, FadingKernel, Kernel, ReboundKernel, Row, SlidingKernel, WeightedKernel,
@@ -55,7 +58,7 @@ pub struct Contacts<'a> {
 pub struct Survey {
     /// How many rows there were.
     pub rows: usize,
-    /// Rows whose α is negative or NaN; the others are the law's.
+    /// Rows whose α is negative or NaN, or at which the law has no value; the others are the law's.
     pub outside: u64,
     /// Rows inside where friction gains energy, Δe > 0.
     pub gains: u64,
@@ -145,8 +148,8 @@ impl Tally {
         let (mut energies, mut ks) = ([0.0; BLOCK], [0.0; BLOCK]);
         let (mut outside, mut gains, mut beyond_cone) = (0, 0, 0);
         for ((&alpha, e), l) in alpha.iter().zip(&mut energies).zip(&mut ks) {
-            let inside = alpha >= 0.0;
             let Row { k, impulse, energy } = kernel.row(alpha);
+            let inside = (alpha >= 0.0) & !k.is_nan();
             outside += u64::from(!inside);
             gains += u64::from(inside & (energy > 0.0));
             beyond_cone += u64::from(inside & (impulse.abs() > 1.0));
@@ -174,7 +177,10 @@ impl Tally {
 /// Exact about the floats that [`evaluate`] would give.
 #[must_use]
 pub fn survey<L: Batched>(law: &L, alpha: &[f64]) -> Survey {
-    let kernel = law.kernel();
+    surveyed(law.kernel(), alpha)
+}
+
+fn surveyed<K: Kernel>(kernel: K, alpha: &[f64]) -> Survey {
     let mut tally = Tally {
         outside: 0,
         gains: 0,

@@ -2,8 +2,9 @@
 
 use kane_number::{Number, Rational};
 
-use super::walton::{PULL, Rebounds, rebound, slide_on};
-use crate::{ImpactLaw, LawInfo, Provenance, Regime};
+use super::walton::{PULL, Rebounds, pushes, rebound, slide_on};
+use crate::law::guards;
+use crate::{Contact, Guard, ImpactLaw, LawInfo, Provenance, Regime, Relation};
 
 /// The superball: the slip is reversed whatever friction it takes, k = −1 (id `garwin`).
 ///
@@ -62,7 +63,18 @@ impl ImpactLaw for Garwin {
     }
 
     fn regimes<N: Number>(&self) -> &'static [Regime<Self, N>] {
-        const { &[reverse()] }
+        // at α = 0 nothing moves by an impulse along the tangent, and no impulse reverses the slip
+        const {
+            &[Regime {
+                guards: guards![
+                    Guard::new(Relation::Positive, |_: &Self, contact: &Contact<N>| contact
+                        .delassus()
+                        .determinant()),
+                    Guard::new(Relation::NotNegative, pushes),
+                ],
+                ..reverse()
+            }]
+        }
     }
 }
 

@@ -73,12 +73,15 @@ pub(crate) const fn rebound<L: Rebounds, N: Number>(name: &'static str) -> Regim
         slip: Some(|law: &L, contact, _| law.slip(contact)),
         ..Regime::new(
             name,
-            guards![Guard::new(Relation::NotNegative, |law: &L, contact: &Contact<N>| {
-                contact.numerators_ending_at(&law.slip(contact)).1
-            })],
+            guards![Guard::new(Relation::NotNegative, pushes)],
             |law, contact, _| contact.ending_at(&law.slip(contact)),
         )
     }
+}
+
+/// det W times the normal impulse of the rebound, which must push.
+pub(crate) fn pushes<L: Rebounds, N: Number>(law: &L, contact: &Contact<N>) -> N {
+    contact.numerators_ending_at(&law.slip(contact)).1
 }
 
 pub(crate) const PULL: &str = "the rebound of the slip has no normal impulse that pushes";
