@@ -2,6 +2,7 @@
 #![allow(clippy::float_arithmetic, reason = "directed rounding is a float operation and a step")]
 
 use crate::error_free::{two_product, two_sum};
+use crate::format::Format;
 
 /// To which side a result is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,65 +13,62 @@ pub(crate) enum Outward {
     Up,
 }
 
-/// Below this, 2^−960, the error of a product may underflow: its sign is no longer known.
-const SMALL: f64 = f64::from_bits((1023 - 960) << 52);
-
 /// a + b, to the next float in the direction. Correctly rounded unless it overflows.
-pub(crate) fn sum(a: f64, b: f64, direction: Outward) -> f64 {
+pub(crate) fn sum<F: Format>(a: F, b: F, direction: Outward) -> F {
     let (sum, error) = two_sum(a, b);
     settle(sum, error, direction, a.is_infinite() || b.is_infinite())
 }
 
 /// a·b, with 0·∞ = 0: an infinite end is a bound, and zero times any number is zero.
-pub(crate) fn product(a: f64, b: f64, direction: Outward) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        return 0.0;
+pub(crate) fn product<F: Format>(a: F, b: F, direction: Outward) -> F {
+    let zero = F::zero();
+    if a == zero || b == zero {
+        return zero;
     }
     let infinite = a.is_infinite() || b.is_infinite();
     let (product, error) = two_product(a, b);
-    if product.abs() < SMALL {
+    if product.abs() < F::small() {
         return step(product, direction);
     }
     settle(product, error, direction, infinite)
 }
 
 /// a/b for b ≠ 0; ∞/∞ may be anything from 0 on, and a corner of it is given as 0 or ±∞.
-pub(crate) fn quotient(a: f64, b: f64, direction: Outward) -> f64 {
-    if a == 0.0 {
-        return 0.0;
-    }
-    if b.is_infinite() {
-        // Bounded over beyond all bounds: as near to 0 as one likes, from one side. With an
-        // infinite numerator the other corners reach ∞ already, and this one adds 0.
-        return 0.0;
+pub(crate) fn quotient<F: Format>(a: F, b: F, direction: Outward) -> F {
+    let zero = F::zero();
+    // Bounded over beyond all bounds: as near to 0 as one likes, from one side. With an
+    // infinite numerator the other corners reach ∞ already, and this one adds 0.
+    if a == zero || b.is_infinite() {
+        return zero;
     }
     let quotient = a / b;
     let infinite = a.is_infinite();
-    let small = |x: f64| x.abs() < SMALL;
+    let small = |x: F| x.abs() < F::small();
     if small(quotient) || (small(a) && !infinite) {
         return step(quotient, direction);
     }
     if infinite || quotient.is_infinite() {
-        return settle(quotient, 0.0, direction, infinite);
+        return settle(quotient, zero, direction, infinite);
     }
     // The residue a − q·b is a float; over b it has the sign of the error.
     let (product, error) = two_product(quotient, b);
     let residue = (a - product) - error;
-    if !residue.is_finite() {
+    if residue.is_nan() || residue.is_infinite() {
         return step(quotient, direction);
     }
-    let sign = if b < 0.0 { -residue } else { residue };
+    let sign = if b < zero { -residue } else { residue };
     settle(quotient, sign, direction, false)
 }
 
 /// √a for a ≥ 0.
-pub(crate) fn root(a: f64, direction: Outward) -> f64 {
+pub(crate) fn root<F: Format>(a: F, direction: Outward) -> F {
     let root = a.sqrt();
-    if a == 0.0 || a.is_infinite() {
+    if a == F::zero() || a.is_infinite() {
         return root;
     }
-    if a < SMALL {
-        return step(root, direction).max(0.0);
+    if a < F::small() {
+        // it is not below 0: the least float has a root that is greater by far
+        return step(root, direction);
     }
     let (square, error) = two_product(root, root);
     settle(root, (a - square) - error, direction, false)
@@ -87,25 +85,27 @@ pub(crate) fn power_range(lower: f64, upper: f64) -> (f64, f64) {
 ///
 /// A finite operation that overflowed lies beyond the greatest float: toward zero that float
 /// bounds it.
-fn settle(nearest: f64, error: f64, direction: Outward, from_infinite: bool) -> f64 {
+fn settle<F: Format>(nearest: F, error: F, direction: Outward, from_infinite: bool) -> F {
     if from_infinite {
         return nearest;
     }
     if nearest.is_infinite() {
+        let positive = nearest > F::zero();
         return match direction {
-            Outward::Down => nearest.min(f64::MAX),
-            Outward::Up => nearest.max(f64::MIN),
+            Outward::Down if positive => F::greatest(),
+            Outward::Up if !positive => -F::greatest(),
+            Outward::Down | Outward::Up => nearest,
         };
     }
     let beyond = match direction {
-        Outward::Down => error < 0.0,
-        Outward::Up => error > 0.0,
+        Outward::Down => error < F::zero(),
+        Outward::Up => error > F::zero(),
     };
     // NaN stands for an error that is not known.
     if beyond || error.is_nan() { step(nearest, direction) } else { nearest }
 }
 
-fn step(float: f64, direction: Outward) -> f64 {
+fn step<F: Format>(float: F, direction: Outward) -> F {
     match direction {
         Outward::Down => float.next_down(),
         Outward::Up => float.next_up(),

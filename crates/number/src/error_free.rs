@@ -1,54 +1,67 @@
 //! Error-free transformations: a float operation together with its rounding error.
 #![allow(clippy::float_arithmetic, reason = "rounding errors are themselves found by floats")]
 
+use crate::format::Format;
+
 /// a + b as (s, e) with s the nearest float and s + e = a + b.
 ///
 /// Exact unless s overflows (Knuth, TAOCP 2, section 4.2.2, theorem B).
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_sum<F: Format>(a: F, b: F) -> (F, F) {
     let sum = a + b;
     let b_part = sum - a;
     let a_part = sum - b_part;
-    (sum, (a - a_part) + (b - b_part))
+    let error = (a - a_part) + (b - b_part);
+    if error.is_nan() { ordered_two_sum(a, b) } else { (sum, error) }
+}
+
+/// The same where a part overflows though s does not: with the greatest float as b and a sum that is rounded away from 0
+/// (Boldo, Graillat and Muller 2017, "On the robustness of the 2Sum and Fast2Sum algorithms", section 3).
+#[cold]
+fn ordered_two_sum<F: Format>(a: F, b: F) -> (F, F) {
+    if a.abs() < b.abs() { fast_two_sum(b, a) } else { fast_two_sum(a, b) }
 }
 
 /// The same for |a| ≥ |b| or a = 0, at half the cost (Dekker 1971).
-pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn fast_two_sum<F: Format>(a: F, b: F) -> (F, F) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
 /// a·b as (p, e) with p the nearest float and p + e = a·b.
 ///
-/// Exact if p does not overflow and |a·b| ≥ 2^−968, or if the product is zero: below that the
-/// error itself may underflow. By a fused multiply-add where the target has one, by the splitting
+/// Exact if p does not overflow and |a·b| ≥ 2^(LEAST_EXPONENT + 2·PRECISION), which is 2^−968 in `f64`, or if the product
+/// is zero: below that the error itself may underflow. By a fused multiply-add where the target has one, by the splitting
 /// of Dekker and Veltkamp elsewhere (Dekker 1971).
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_product<F: Format>(a: F, b: F) -> (F, F) {
+    // Splitting multiplies by 2^27 + 1, which would overflow; and the upper halves, rounded up, have a product above that
+    // of the floats. The library's fused operation is slow there but right.
+    let top = F::power_of_two(F::GREATEST_EXPONENT);
+    let splits = a.abs() < F::splittable() && b.abs() < F::splittable() && (a * b).abs() < top;
+    if F::FUSED || !splits { fused_product(a, b) } else { split_product(a, b) }
+}
+
+pub(crate) fn fused_product<F: Format>(a: F, b: F) -> (F, F) {
     let product = a * b;
-    // Splitting multiplies by 2^27, which would overflow; the library's fused operation is slow
-    // there but right.
-    let splits = a.abs() < SPLITTABLE && b.abs() < SPLITTABLE;
-    if cfg!(target_feature = "fma") || !splits {
-        return (product, a.mul_add(b, -product));
-    }
+    (product, a.mul_add(b, -product))
+}
+
+pub(crate) fn split_product<F: Format>(a: F, b: F) -> (F, F) {
+    let product = a * b;
     let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
     let rest = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
     (product, rest)
 }
 
-/// 2^990.
-const SPLITTABLE: f64 = f64::from_bits((1023 + 990) << 52);
-
-/// A float as the sum of two of at most 26 bits, the second signed (Veltkamp).
-fn split(a: f64) -> (f64, f64) {
-    let spread = 134_217_729.0 * a; // 2^27 + 1
+/// A float as the sum of two of half its bits, the second signed (Veltkamp).
+fn split<F: Format>(a: F) -> (F, F) {
+    let spread = F::spread() * a;
     let high = spread - (spread - a);
     (high, a - high)
 }
 
 /// The power of two 2^exponent, for −1022 ≤ exponent ≤ 1023.
 pub(crate) fn power_of_two(exponent: i64) -> f64 {
-    debug_assert!((-1022..=1023).contains(&exponent), "2^{exponent} is not a normal float");
-    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
+    Format::power_of_two(exponent)
 }
 
 /// x·2^exponent, rounded once: overflow gives ±∞, underflow the nearest subnormal or zero.

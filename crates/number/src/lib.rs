@@ -74,10 +74,13 @@ mod error_free;
 mod exact_sum;
 mod fixed;
 mod float;
+mod format;
 mod interval;
 mod number;
 mod odd_fraction;
 mod operators;
+#[cfg(test)]
+mod pairs;
 mod parse;
 mod rational;
 mod root;

@@ -114,3 +114,20 @@ fn intervals_are_written_by_their_ends() -> Result<(), kane_number::ParseError> 
     assert_eq!(Interval::WHOLE.midpoint(), 0.0);
     Ok(())
 }
+
+/// A float within 2^26 units below a power of two is parted into that power and the rest. Where its square is next to
+/// the greatest float, the square of the power overflows.
+#[test]
+fn roots_of_the_greatest_floats_are_enclosed() {
+    let mut lacking = 0;
+    for steps in 0..3_000_u64 {
+        let square = f64::from_bits(f64::MAX.to_bits() - steps * steps * 11);
+        let root = Interval::from(square).sqrt().expect("it is positive");
+        let exact = decode(square).expect("it is finite");
+        let [lower, upper] =
+            [root.lower(), root.upper()].map(|end| decode(end).expect("it is finite"));
+        assert!(&lower * &lower <= exact && exact <= &upper * &upper, "√{square:e} in {root}");
+        lacking += u32::from(root.lower().next_up() < root.upper());
+    }
+    assert_eq!(lacking, 0, "the ends are neighbours");
+}

@@ -14,6 +14,8 @@ mod fractions;
 mod intervals;
 /// What is read, what is refused, and where.
 mod parsing;
+/// Floats byte by byte, with the numbers that they are.
+mod reference;
 /// The greatest root of a polynomial, in every system.
 mod roots;
 /// Float to rational and back, on random bit patterns.

@@ -37,6 +37,25 @@ fn ties_and_subnormals_round_once() {
 }
 
 #[test]
+fn sums_and_products_next_to_the_greatest_float_are_exact() {
+    let unit = f64::MAX - f64::MAX.next_down();
+    let exact = |x: f64| decode(x).expect("it is finite");
+    for steps in 0..200_u32 {
+        // the greatest float and a few halves of a unit less
+        let less = -unit * f64::from(steps) / 2.0;
+        for (a, b) in [(f64::MAX, less), (less, f64::MAX)] {
+            let sum = DoubleDouble::from(a) + DoubleDouble::from(b);
+            assert_eq!(sum.to_rational().ok(), Some(exact(a) + exact(b)), "{a:e} + {b:e}");
+        }
+        // factors below a power of two, whose upper halves are the power
+        let a = f64::from_bits(2_f64.powi(512).to_bits() - 1 - u64::from(steps));
+        let b = f64::from_bits(2_f64.powi(512).to_bits() - 1 - u64::from(7 * steps));
+        let product = DoubleDouble::from(a) * DoubleDouble::from(b);
+        assert_eq!(product.to_rational().ok(), Some(exact(a) * exact(b)), "{a:e}·{b:e}");
+    }
+}
+
+#[test]
 fn every_float_survives_widening() {
     fn f64_survives(bits: u64) -> bool {
         let float = f64::from_bits(bits);
