@@ -68,10 +68,11 @@ pub(super) const COLLISIONS: [Document; 4] = carried!("collisions", ".toml":
 );
 
 /// Scenes that are answered by the least model.
-pub(super) const SCENES: [Document; 18] = carried!("scenes", ".toml":
+pub(super) const SCENES: [Document; 20] = carried!("scenes", ".toml":
     "paper-sphere", "alumina", "backspin", "rest", "superball", "two-spheres", "double-pendulum",
     "rod-jam", "cradle-touching", "cradle-apart", "discs", "tennis-clay", "table-tennis",
-    "superball-groove", "putt", "squeezed", "dropped-rod", "tumbling-brick",
+    "superball-groove", "putt", "squeezed", "dropped-rod", "tumbling-brick", "billiard-cushion",
+    "cradle-in-space",
 );
 
 #[cfg(test)]

@@ -29,7 +29,9 @@ fn every_shipped_scene_is_answered_and_drawn() {
     let names = [
         "alumina",
         "backspin",
+        "billiard-cushion",
         "cradle-apart",
+        "cradle-in-space",
         "cradle-touching",
         "discs",
         "double-pendulum",

@@ -21,8 +21,16 @@ pub enum Kind {
     Vx,
     /// And along y; m/s.
     Vy,
-    /// Its spin; rad/s.
+    /// Its spin, about z; rad/s.
     Omega,
+    /// The centre of a sphere in space along z, at the end; m.
+    Z,
+    /// Its velocity along z; m/s.
+    Vz,
+    /// Its spin about x; rad/s.
+    OmegaX,
+    /// And about y; rad/s.
+    OmegaY,
     /// By what a body with corners has turned since the start, at the end; rad.
     Turned,
     /// The kinetic energy of all bodies at the end; J.
@@ -43,13 +51,17 @@ pub enum Kind {
 }
 
 impl Kind {
-    const ALL: [(Self, &'static str, &'static str); 14] = [
+    const ALL: [(Self, &'static str, &'static str); 18] = [
         (Self::Time, "time_s", "s"),
         (Self::X, "x_m", "m"),
         (Self::Y, "y_m", "m"),
         (Self::Vx, "v_x_m_s", "m/s"),
         (Self::Vy, "v_y_m_s", "m/s"),
         (Self::Omega, "omega_rad_s", "rad/s"),
+        (Self::Z, "z_m", "m"),
+        (Self::Vz, "v_z_m_s", "m/s"),
+        (Self::OmegaX, "omega_x_rad_s", "rad/s"),
+        (Self::OmegaY, "omega_y_rad_s", "rad/s"),
         (Self::Turned, "turned_rad", "rad"),
         (Self::Energy, "kinetic_energy_j", "J"),
         (Self::EnergyRatio, "energy_ratio", ""),
@@ -62,7 +74,12 @@ impl Kind {
 
     /// Whether it is of one body, of which there may be several.
     const fn is_of_a_body(self) -> bool {
-        matches!(self, Self::X | Self::Y | Self::Vx | Self::Vy | Self::Omega)
+        self.is_off_plane() || matches!(self, Self::X | Self::Y | Self::Vx | Self::Vy | Self::Omega)
+    }
+
+    /// Whether it is of spheres in space.
+    pub(crate) const fn is_off_plane(self) -> bool {
+        matches!(self, Self::Z | Self::Vz | Self::OmegaX | Self::OmegaY)
     }
 
     /// Whether one impact of a tip answers it.
@@ -133,6 +150,7 @@ impl Quantity {
         end: &End<N>,
     ) -> Option<N> {
         let body = end.bodies.get(self.body);
+        let off_plane = || body.and_then(|body| body.off_plane.as_deref());
         let energy = || end.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
         match self.kind {
             Kind::Time => Some(end.time.clone()),
@@ -141,6 +159,10 @@ impl Quantity {
             Kind::Vx => body.map(|body| body.motion.vx.clone()),
             Kind::Vy => body.map(|body| body.motion.vy.clone()),
             Kind::Omega => body.map(|body| body.motion.omega.clone()),
+            Kind::Z => off_plane().map(|off| off.z.clone()),
+            Kind::Vz => off_plane().map(|off| off.vz.clone()),
+            Kind::OmegaX => off_plane().map(|off| off.omega_x.clone()),
+            Kind::OmegaY => off_plane().map(|off| off.omega_y.clone()),
             Kind::Turned => end.turned.clone(),
             Kind::Energy => Some(energy()),
             Kind::EnergyRatio => {

@@ -20,6 +20,11 @@ pub trait Resolver<N> {
     /// What it makes of the slip of a ball that comes to rest, whose next impact is this one; the
     /// contact does not couple.
     fn lasting(&self, next: &Contact<N>) -> Lasting<N>;
+
+    /// Whether it turns the axes of a contact, which says nothing where these are not in one plane.
+    fn turns(&self, _: &Contact<N>) -> bool {
+        false
+    }
 }
 
 /// What becomes of the slip through infinitely many impacts, each with e times the approach of the
@@ -52,6 +57,10 @@ impl<N: NumberSystem> Resolver<N> for Law {
             _ => Lasting::Unsummed,
         }
     }
+
+    fn turns(&self, contact: &Contact<N>) -> bool {
+        self.over().frame(contact).is_some()
+    }
 }
 
 /// No tangential impulse: one dimension. It looks at no slip, so that none need be decided.
@@ -65,6 +74,10 @@ impl<N, R: Resolver<N> + ?Sized> Resolver<N> for &R {
 
     fn lasting(&self, next: &Contact<N>) -> Lasting<N> {
         (**self).lasting(next)
+    }
+
+    fn turns(&self, contact: &Contact<N>) -> bool {
+        (**self).turns(contact)
     }
 }
 

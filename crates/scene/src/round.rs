@@ -4,8 +4,11 @@ use kane_impact::bodies::Motion;
 use kane_number::Number;
 
 use crate::coordinate::half;
+use crate::off_plane::OffPlane;
+use crate::vector::Vector;
 
-/// A round body and where it is; SI units, y upwards, ω from x to y.
+/// A round body and where it is; SI units, y upwards, ω from x to y. It moves in the plane of x and y, or as
+/// a sphere in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Round<N> {
     /// m > 0; kg.
@@ -18,6 +21,8 @@ pub struct Round<N> {
     pub position: [N; 2],
     /// Its velocity and the spin.
     pub motion: Motion<N>,
+    /// Of a sphere in space the rest; `None` for what stays in the plane.
+    pub off_plane: Option<Box<OffPlane<N>>>,
 }
 
 impl<N: Number> Round<N> {
@@ -25,7 +30,44 @@ impl<N: Number> Round<N> {
     #[must_use]
     pub fn kinetic_energy(&self) -> N {
         let Motion { vx, vy, omega } = &self.motion;
-        half((vx.square() + vy.square()) * &self.mass + omega.square() * &self.inertia)
+        let (mut speed, mut spin) = (vx.square() + vy.square(), omega.square());
+        if let Some(off) = &self.off_plane {
+            speed = speed + off.vz.square();
+            spin = spin + off.omega_x.square() + off.omega_y.square();
+        }
+        half(speed * &self.mass + spin * &self.inertia)
+    }
+
+    /// The centre in space.
+    pub(crate) fn place(&self) -> Vector<N> {
+        let [x, y] = self.position.clone();
+        [x, y, self.off_plane.as_ref().map_or_else(N::zero, |off| off.z.clone())]
+    }
+
+    /// Its velocity in space.
+    pub(crate) fn velocity(&self) -> Vector<N> {
+        let Motion { vx, vy, .. } = &self.motion;
+        let vz = self.off_plane.as_ref().map_or_else(N::zero, |off| off.vz.clone());
+        [vx.clone(), vy.clone(), vz]
+    }
+
+    /// The spin as a vector.
+    pub(crate) fn spin(&self) -> Vector<N> {
+        let of_off = |part: fn(&OffPlane<N>) -> &N| {
+            self.off_plane.as_ref().map_or_else(N::zero, |off| part(off).clone())
+        };
+        [of_off(|off| &off.omega_x), of_off(|off| &off.omega_y), self.motion.omega.clone()]
+    }
+
+    /// The same sphere elsewhere in space, in another motion.
+    pub(crate) fn moved(&self, place: Vector<N>, velocity: Vector<N>, spin: Vector<N>) -> Self {
+        let ([x, y, z], [vx, vy, vz], [omega_x, omega_y, omega]) = (place, velocity, spin);
+        Self {
+            position: [x, y],
+            motion: Motion { vx, vy, omega },
+            off_plane: Some(Box::new(OffPlane { z, vz, omega_x, omega_y })),
+            ..self.clone()
+        }
     }
 
     /// The body after a flight of the given time under gravity; s, m/s².
@@ -35,9 +77,15 @@ impl<N: Number> Round<N> {
         let [x, y] = &self.position;
         let gained = gravity.clone() * time;
         let mean = vy.clone() - half(gained.clone());
+        let off_plane = self.off_plane.as_ref().map(|off| {
+            let OffPlane { z, vz, omega_x, omega_y } = &**off;
+            let [vz, omega_x, omega_y] = [vz, omega_x, omega_y].map(N::clone);
+            Box::new(OffPlane { z: vz.mul_add(time, z), vz, omega_x, omega_y })
+        });
         Self {
             position: [vx.mul_add(time, x), mean.mul_add(time, y)],
             motion: Motion { vx: vx.clone(), vy: vy.clone() - gained, omega: omega.clone() },
+            off_plane,
             ..self.clone()
         }
     }
@@ -59,6 +107,7 @@ impl<N> Round<N> {
             radius: to(&self.radius),
             position: [to(x), to(y)],
             motion: Motion { vx: to(vx), vy: to(vy), omega: to(omega) },
+            off_plane: self.off_plane.as_ref().map(|off| Box::new(off.map(&mut to))),
         }
     }
 }

@@ -14,6 +14,10 @@ pub enum Side {
     Left,
     /// at the greatest x
     Right,
+    /// at the least z
+    Back,
+    /// at the greatest z
+    Front,
     /// a [`Plane`](crate::Plane), by its index
     Plane(u8),
 }
@@ -34,6 +38,8 @@ impl Side {
             Self::Ceiling => "ceiling",
             Self::Left => "left",
             Self::Right => "right",
+            Self::Back => "back",
+            Self::Front => "front",
             Self::Plane(index) => PLANES[(index as usize) % MOST_PLANES],
         }
     }
@@ -46,6 +52,8 @@ impl Side {
             Self::Ceiling => "ceiling",
             Self::Left => "left wall",
             Self::Right => "right wall",
+            Self::Back => "back wall",
+            Self::Front => "front wall",
             Self::Plane(index) => PLANES_IN_WORDS[(index as usize) % MOST_PLANES],
         }
     }

@@ -91,6 +91,7 @@ fn ball(
             radius: integer(1),
             position: [integer(0), integer(1)],
             motion: kane_impact::bodies::Motion { vx, vy, omega: integer(0) },
+            off_plane: None,
         }],
         friction: ratio(1, 5),
         restitution,

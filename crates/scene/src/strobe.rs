@@ -26,6 +26,8 @@ pub struct Strobe {
     pub shows_impacts: bool,
     /// The way of each body's centre, finely.
     pub paths: Vec<Vec<[f64; 2]>>,
+    /// Whether spheres move in space; the picture is what one sees along z, and has no orientation.
+    pub is_in_space: bool,
     /// r of each body, or how far its corners reach; m.
     pub radii: Vec<f64>,
     /// Of a body with corners: these from its centre, where it is not turned; m.
@@ -141,6 +143,7 @@ impl Strobe {
             apart: moment(1, count),
             shows_impacts,
             paths,
+            is_in_space: world.is_in_space(),
             radii,
             corners,
             walls: world.walls.iter().map(|wall| (wall.side, wall.at)).collect(),

@@ -16,7 +16,7 @@ use crate::terms::{Restitution, Terms};
 pub struct Wall<N> {
     /// Which side of the room it bounds.
     pub side: Side,
-    /// Its height, or its x; m.
+    /// Its height, its x, or its z; m.
     pub at: N,
 }
 
@@ -61,7 +61,7 @@ impl<N: Coordinate> World<N> {
         Some(motion + heights)
     }
 
-    /// All walls as planes, those of the room first.
+    /// All walls as planes that bodies in the plane of x and y may meet, those of the room first.
     pub(crate) fn as_planes(&self) -> Vec<(Side, Plane<N>)> {
         let zero = N::zero;
         let (one, at_rest) = (N::one(), [zero(), zero()]);
@@ -70,12 +70,16 @@ impl<N: Coordinate> World<N> {
                 Side::Left => ([one.clone(), zero()], [wall.at.clone(), zero()]),
                 Side::Right => ([-one.clone(), zero()], [wall.at.clone(), zero()]),
                 Side::Ceiling => ([zero(), -one.clone()], [zero(), wall.at.clone()]),
-                Side::Floor | Side::Plane(_) => ([zero(), one.clone()], [zero(), wall.at.clone()]),
+                Side::Floor | Side::Plane(_) | Side::Back | Side::Front => {
+                    ([zero(), one.clone()], [zero(), wall.at.clone()])
+                }
             };
             (wall.side, Plane { normal, through, velocity: at_rest.clone() })
         };
         let planes = (0..).map(Side::Plane).zip(self.planes.iter().cloned());
-        self.walls.iter().map(of_side).chain(planes).collect()
+        // what stays in the plane meets nothing behind or in front
+        let in_plane = |wall: &&Wall<N>| !matches!(wall.side, Side::Back | Side::Front);
+        self.walls.iter().filter(in_plane).map(of_side).chain(planes).collect()
     }
 
     /// μ of a contact.
@@ -123,6 +127,11 @@ impl<N: Coordinate> World<N> {
 }
 
 impl<N> World<N> {
+    /// Whether its bodies are spheres in space, which all of them are then.
+    pub fn is_in_space(&self) -> bool {
+        self.bodies.iter().any(|body| body.off_plane.is_some())
+    }
+
     /// Every μ that is stated.
     pub fn frictions(&self) -> impl Iterator<Item = &N> {
         let own = self.terms.iter().filter_map(|terms| terms.friction.as_ref());

@@ -13,14 +13,18 @@ use crate::sheet::csv;
 pub fn states_csv(report: &SceneReport<'_>) -> String {
     let answer = report.answer;
     let in_air = answer.bounces.iter().any(|bounce| bounce.air.is_some());
+    let in_space = matches!(&answer.stated, Setup::Bodies(world) if world.is_in_space());
     let turns = answer.bounces.iter().any(|bounce| bounce.corner.is_some());
     let mut rows = Vec::new();
     let state = |body: &Round<Shown>| {
         let [x, y] = &body.position;
         let m = &body.motion;
-        [x, y, &m.vx, &m.vy, &m.omega].map(|number| number.text.clone())
+        let off_plane = body.off_plane.iter();
+        let off_plane = off_plane.flat_map(|off| [&off.z, &off.vz, &off.omega_x, &off.omega_y]);
+        let numbers = [x, y, &m.vx, &m.vy, &m.omega].into_iter().chain(off_plane);
+        numbers.map(|number| number.text.clone()).collect::<Vec<_>>()
     };
-    let unmoved = |when: &str, time: &str, index: usize, state: [String; 5]| {
+    let unmoved = |when: &str, time: &str, index: usize, state: Vec<String>| {
         let mut row = [when, time, "", ""].map(str::to_owned).to_vec();
         row.push(body_id(index));
         row.extend(state);
@@ -54,10 +58,12 @@ pub fn states_csv(report: &SceneReport<'_>) -> String {
             rows.push(unmoved("end", &end.time.text, index, state(body)));
         }
     }
-    let names = "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s,dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j";
+    let names = "impact,time_s,who,regime,body,x_m,y_m,v_x_m_s,v_y_m_s,omega_rad_s";
+    let of_space = if in_space { ",z_m,v_z_m_s,omega_x_rad_s,omega_y_rad_s" } else { "" };
+    let of_energy = ",dT_normal_j,dT_tangential_j,dT_rotational_j,gravity_j";
     let of_air = if in_air { ",air_j" } else { "" };
     let of_corners = if turns { ",corner,turned_rad" } else { "" };
-    csv(&[names, of_air, of_corners].concat(), rows)
+    csv(&[names, of_space, of_energy, of_air, of_corners].concat(), rows)
 }
 
 /// A row for each model that was tried.

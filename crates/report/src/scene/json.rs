@@ -196,13 +196,22 @@ impl Serialize for Texts<'_> {
 /// The numbers of a body in motion.
 fn motion(body: &Round<Shown>) -> Vec<(&'static str, &Shown)> {
     let ([x, y], after) = (&body.position, &body.motion);
-    vec![
+    let mut numbers = vec![
         ("x_m", x),
         ("y_m", y),
         ("v_x_m_s", &after.vx),
         ("v_y_m_s", &after.vy),
         ("omega_rad_s", &after.omega),
-    ]
+    ];
+    numbers.extend(body.off_plane.iter().flat_map(|off| {
+        [
+            ("z_m", &off.z),
+            ("v_z_m_s", &off.vz),
+            ("omega_x_rad_s", &off.omega_x),
+            ("omega_y_rad_s", &off.omega_y),
+        ]
+    }));
+    numbers
 }
 
 fn state(index: usize, body: &Round<Shown>, exact: bool) -> State<'_> {
@@ -396,6 +405,17 @@ pub fn json(report: &SceneReport<'_>) -> String {
                 numbers.pairs.extend(bounce.air.iter().map(|air| ("air_j", air)));
                 let turned = bounce.corner.iter().map(|(_, angle)| ("turned_rad", angle));
                 numbers.pairs.extend(turned);
+                numbers.pairs.extend(bounce.axes.iter().flat_map(|axes| {
+                    let [[tx, ty, tz], [nx, ny, nz]] = &**axes;
+                    [
+                        ("tangent_x", tx),
+                        ("tangent_y", ty),
+                        ("tangent_z", tz),
+                        ("normal_x", nx),
+                        ("normal_y", ny),
+                        ("normal_z", nz),
+                    ]
+                }));
                 Impact {
                     regime: bounce.regime,
                     corner: bounce.corner.as_ref().map(|(corner, _)| corner + 1),

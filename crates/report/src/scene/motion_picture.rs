@@ -38,7 +38,7 @@ impl Scale {
                 Side::Ceiling => high[1] = high[1].max(*at),
                 Side::Left => low[0] = low[0].min(*at),
                 Side::Right => high[0] = high[0].max(*at),
-                Side::Plane(_) => {}
+                Side::Plane(_) | Side::Back | Side::Front => {}
             }
         }
         let extent = [high[0] - low[0], high[1] - low[1]];
@@ -106,7 +106,8 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
                 let x = scale.at([*at, 0.0]).0;
                 [(x, HEAD + edge), (x, height - edge)]
             }
-            Side::Plane(_) => continue,
+            // what is behind or in front covers the sheet
+            Side::Plane(_) | Side::Back | Side::Front => continue,
         };
         canvas.line(&line, Pen::new(Ink::Quiet, 3.0));
     }
@@ -145,6 +146,9 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
                 continue;
             }
             canvas.ring(middle, (radius * scale.by).max(2.0), Pen::new(ink, 2.0).faint(strength));
+            if strobe.is_in_space {
+                continue;
+            }
             let rim = [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()];
             canvas.line(&[middle, scale.at(rim)], Pen::new(ink, 1.0).faint(strength));
         }
@@ -168,6 +172,9 @@ fn caption(strobe: &Strobe) -> String {
         false if !strobe.corners.is_empty() => format!(
             "Every {apart} s{impacts}, later is stronger; the line is the way of the centre."
         ),
+        false if strobe.is_in_space => {
+            format!("Seen along z. Every {apart} s{impacts}, later is stronger.")
+        }
         false => {
             format!("Every {apart} s{impacts}, later is stronger; the spoke turns with the body.")
         }

@@ -195,7 +195,7 @@ fn near(nominal: &Setup<Rational>) -> Vec<Setup<Rational>> {
     let one = Rational::from_integer(1.into());
     let mut all = Vec::new();
     for factor in [part(99), part(101)] {
-        for which in 0..5 {
+        for which in 0..6 {
             let mut setup = nominal.clone();
             let scaled = |x: &mut Rational, this: usize| {
                 if this == which {
@@ -210,6 +210,11 @@ fn near(nominal: &Setup<Rational>) -> Vec<Setup<Rational>> {
                         scaled(&mut body.motion.vx, 2);
                         scaled(&mut body.motion.vy, 3);
                         scaled(&mut body.motion.omega, 4);
+                        if let Some(off) = &mut body.off_plane {
+                            scaled(&mut off.omega_x, 4);
+                            scaled(&mut off.omega_y, 4);
+                            scaled(&mut off.vz, 5);
+                        }
                     }
                     world.restitutions_mut().for_each(|e| *e = e.clone().min(one.clone()));
                 }

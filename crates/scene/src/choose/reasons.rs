@@ -93,6 +93,9 @@ fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
     (!said.is_empty()).then(|| said.join(" "))
 }
 
+/// Why a sphere's contact in space is one in a plane.
+const IN_SPACE: &str = " At a sphere one contact at a time keeps the direction of its slip, so that friction stays in one plane through the normal.";
+
 /// Coupling and α.
 fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
     match &scene.setup {
@@ -102,7 +105,7 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
         Setup::Bodies(world) if world.corners.is_some() => Some(
             "A corner is off the normal through the centre of mass, so that its contact couples and neither direction can be left out.".to_owned(),
         ),
-        Setup::Bodies(_) => {
+        Setup::Bodies(world) => {
             let found = match &reference.over {
                 Some(Ok(found)) => found,
                 _ => reference.at.as_ref().ok()?,
@@ -129,7 +132,8 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
                 "not every impact slides all the time"
             };
             Some(format!(
-                "Round bodies do not couple (W_tn = 0), so that normal and tangential motion separate; |alpha| = {stated} at the first impact, and {what}."
+                "Round bodies do not couple (W_tn = 0), so that normal and tangential motion separate; |alpha| = {stated} at the first impact, and {what}.{}",
+                if world.is_in_space() { IN_SPACE } else { "" }
             ))
         }
     }

@@ -11,6 +11,7 @@ use super::source::{Fault, Number, Source};
 use crate::quantity::{Kind, Quantity};
 use crate::scene::{Asked, Setup};
 use crate::simulate::Until;
+use crate::world::World;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -21,9 +22,10 @@ pub(super) struct UntilTable {
 }
 
 /// When to stop.
-pub(super) fn until(
+pub(super) fn until<N>(
     source: Source<'_>,
     table: &Spanned<UntilTable>,
+    world: &World<N>,
 ) -> Result<Until<Rational>, Fault> {
     let UntilTable { impacts, duration_s, rest } = table.get_ref();
     match (impacts, duration_s, rest) {
@@ -35,6 +37,11 @@ pub(super) fn until(
         },
         (None, Some(time), None) => {
             Ok(Until::Duration(source.number(time, "duration_s", Domain::Positive)?))
+        }
+        (None, None, Some(rest)) if *rest.get_ref() && world.is_in_space() => {
+            let message =
+                "rest is described in the plane of x and y alone; give impacts or duration_s";
+            Err(source.fault(rest.span(), message))
         }
         (None, None, Some(rest)) if *rest.get_ref() => Ok(Until::Rest),
         (None, None, Some(rest)) => Err(source.fault(rest.span(), "rest can only be true")),
@@ -69,6 +76,10 @@ pub(super) fn asked<N>(
             }
             Setup::Bodies(world) if quantity.kind == Kind::Turned && world.corners.is_none() => {
                 return Err(source.fault(key.span(), "turned_rad is of a [polygon] or a [rod]"));
+            }
+            Setup::Bodies(world) if quantity.kind.is_off_plane() && !world.is_in_space() => {
+                let message = format!("{quantity} is of spheres in space");
+                return Err(source.fault(key.span(), message));
             }
             Setup::Tip(_) if !quantity.kind.is_of_a_tip() => {
                 return Err(source.fault(

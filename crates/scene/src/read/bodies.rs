@@ -20,9 +20,13 @@ pub(super) struct Body {
     pub(super) radius_m: Number,
     pub(super) shape: Option<Spanned<String>>,
     pub(super) mobility_ratio: Option<Number>,
-    pub(super) position_m: [Number; 2],
-    pub(super) velocity_m_s: [Number; 2],
+    /// Two numbers, or three in space.
+    pub(super) position_m: Spanned<Vec<Number>>,
+    pub(super) velocity_m_s: Spanned<Vec<Number>>,
+    /// About z.
     pub(super) spin_rad_s: Option<Number>,
+    /// About x, y and z.
+    pub(super) spins_rad_s: Option<[Number; 3]>,
 }
 
 /// Equal discs on a grid, each flying in another direction.
@@ -114,6 +118,7 @@ pub(super) fn discs(source: Source<'_>, table: &Discs) -> Result<Vec<Round<State
                 vy: (sin * &speed).into(),
                 omega: turn.into(),
             },
+            off_plane: None,
         });
     }
     Ok(bodies)

@@ -16,6 +16,7 @@ use super::contacts::{ContactTable, PlaneTable, planes, terms};
 use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
+use super::spheres::{in_plane, spheres};
 use super::stated::{Stated, stated};
 use super::tumbling::{FlyingRod, Polygon, outside, polygon, rod};
 use crate::round::Round;
@@ -23,16 +24,17 @@ use crate::scene::{MOST_UNCERTAIN, Scene, Setup, Tangential};
 use crate::side::Side;
 use crate::simulate::Until;
 use crate::tip::Tip;
+use crate::vector::{minus, square};
 use crate::world::{Wall, World};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-struct File {
+pub(super) struct File {
     title: Option<String>,
     friction: Number,
     restitution: Number,
     #[serde(rename = "rolling_resistance")]
-    rolling: Option<Number>,
+    pub(super) rolling: Option<Number>,
     #[serde(rename = "tangential_restitution")]
     grip: Option<Number>,
     #[serde(rename = "poisson_ratio")]
@@ -41,7 +43,7 @@ struct File {
     stiffness_ratio: Option<Number>,
     loss: Option<Spanned<String>>,
     #[serde(rename = "hertz_stiffness_n_m_3_2")]
-    stiffness: Option<Number>,
+    pub(super) stiffness: Option<Number>,
     #[serde(rename = "gravity_m_s2")]
     gravity: Option<Number>,
     #[serde(rename = "floor_m")]
@@ -52,7 +54,11 @@ struct File {
     left: Option<Number>,
     #[serde(rename = "right_m")]
     right: Option<Number>,
-    air: Option<Spanned<AirTable>>,
+    #[serde(rename = "back_m")]
+    pub(super) back: Option<Number>,
+    #[serde(rename = "front_m")]
+    pub(super) front: Option<Number>,
+    pub(super) air: Option<Spanned<AirTable>>,
     #[serde(default)]
     wall: Vec<Spanned<PlaneTable>>,
     #[serde(default)]
@@ -91,7 +97,7 @@ fn read(source: Source<'_>) -> Result<Scene, Fault> {
             .collect::<Vec<_>>()
             .join(" "),
         until: match (&file.until, &setup) {
-            (Some(table), Setup::Bodies(_)) => until(source, table)?,
+            (Some(table), Setup::Bodies(world)) => until(source, table, world)?,
             (Some(table), Setup::Tip(_)) => {
                 return Err(source.fault(table.span(), "a tip has one impact; leave [until] out"));
             }
@@ -250,6 +256,8 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
         (&file.ceiling, Side::Ceiling, "ceiling_m"),
         (&file.left, Side::Left, "left_m"),
         (&file.right, Side::Right, "right_m"),
+        (&file.back, Side::Back, "back_m"),
+        (&file.front, Side::Front, "front_m"),
     ] {
         if let Some(number) = number {
             walls.push(Wall { side, at: source.number(number, key, Domain::Any)?.into() });
@@ -263,11 +271,12 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     let (centre, corners) = tumbling.unzip();
     let bodies = match (&file.body, &file.discs) {
         (Some(bodies), _) => {
-            bodies.iter().map(|body| round(&mut reader, body)).collect::<Result<Vec<_>, _>>()?
+            spheres(&mut reader, bodies, file.back.is_some() || file.front.is_some())?
         }
         (None, Some(table)) => discs(source, table.get_ref())?,
         (None, None) => centre.into_iter().collect(),
     };
+    in_plane(source, file, &bodies)?;
     let planes = planes(source, &mut reader, &file.wall)?;
     let terms = terms(source, &file.contact, &walls, planes.len(), bodies.len())?;
     let gravity = gravity.into();
@@ -293,24 +302,18 @@ fn setup(source: Source<'_>, file: &File) -> Result<Setup<Stated>, Fault> {
     Ok(Setup::Bodies(world))
 }
 
-fn round(reader: &mut Reader<'_>, body: &Body) -> Result<Round<Stated>, Fault> {
-    let Body { mass_kg, radius_m, shape, mobility_ratio, .. } = body;
-    let [mass, radius, inertia] =
-        reader.round([mass_kg, radius_m], shape.as_ref(), mobility_ratio.as_ref(), "")?;
-    let place = ["x", "y"];
-    Ok(Round {
-        inertia: inertia.into(),
-        mass: mass.into(),
-        radius: radius.into(),
-        position: reader.pair(&body.position_m, "position_m", place, "m", Domain::Any)?,
-        motion: reader.motion(&body.velocity_m_s, body.spin_rad_s.as_ref(), "0")?,
-    })
+/// The centre of a body as stated.
+fn place(body: &Round<Stated>) -> [Rational; 3] {
+    body.map(|stated| stated.value.clone()).place()
 }
 
 /// No body may be inside another or inside a wall.
 fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), Fault> {
     let span = |index: usize| match (&file.body, &file.discs) {
-        (Some(bodies), _) => bodies[index].position_m[0].span(),
+        (Some(bodies), _) => {
+            let place = &bodies[index].position_m;
+            place.get_ref().first().map_or_else(|| place.span(), Spanned::span)
+        }
         (None, Some(discs)) => discs.get_ref().spacing_m.span(),
         (None, None) => 0..0,
     };
@@ -318,7 +321,7 @@ fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), F
         return Err(source.fault(0..0, format!("a scene has 1 to {MOST_BODIES} bodies")));
     }
     for (i, body) in world.bodies.iter().enumerate() {
-        let [x, y] = [&body.position[0].value, &body.position[1].value];
+        let [x, y, z] = &place(body);
         let r = &body.radius.value;
         for wall in &world.walls {
             let at = &wall.at.value;
@@ -327,6 +330,8 @@ fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), F
                 Side::Ceiling => at - y - r,
                 Side::Left => x - at - r,
                 Side::Right => at - x - r,
+                Side::Back => z - at - r,
+                Side::Front => at - z - r,
                 Side::Plane(_) => continue,
             };
             if gap < Rational::default() {
@@ -343,9 +348,8 @@ fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), F
             }
         }
         for (j, other) in world.bodies.iter().enumerate().skip(i + 1) {
-            let [dx, dy] = [0, 1].map(|k| &body.position[k].value - &other.position[k].value);
             let reach = r + &other.radius.value;
-            if &dx * &dx + &dy * &dy < &reach * &reach {
+            if square(&minus(&place(body), &place(other))) < &reach * &reach {
                 let message = format!("bodies {} and {} overlap", i + 1, j + 1);
                 return Err(source.fault(span(j), message));
             }

@@ -11,6 +11,7 @@ mod flags;
 mod number;
 mod reader;
 mod source;
+mod spheres;
 mod stated;
 mod tumbling;
 

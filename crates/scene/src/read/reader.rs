@@ -99,7 +99,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The same where the value may be uncertain.
-    fn stated(&mut self, number: &Number, name: Name<'_>, domain: Domain) -> Result<Stated, Fault> {
+    pub(super) fn stated(
+        &mut self,
+        number: &Number,
+        name: Name<'_>,
+        domain: Domain,
+    ) -> Result<Stated, Fault> {
         if self.uncertain && number.get_ref().is_table() {
             return stated(self.source, number, name.key, domain);
         }

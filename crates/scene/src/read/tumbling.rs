@@ -115,6 +115,7 @@ fn flying(
         radius: Stated::default(),
         position: reader.pair(position, "position_m", ["x", "y"], "m", Domain::Any)?,
         motion,
+        off_plane: None,
     };
     Ok((centre, turned.map(|x| x.clone().into())))
 }

@@ -33,6 +33,9 @@ pub struct Bounce<N> {
     pub gravity: N,
     /// The work of the air on these bodies since then; `None` where there is no air; J.
     pub air: Option<N>,
+    /// Of spheres in space: the direction of the slip, zero without slip, and the normal, out of the wall or
+    /// the second body.
+    pub axes: Option<Box<[[N; 3]; 2]>>,
     /// Of a body with corners: which one struck, from 0, and by what the body has turned since the start; rad.
     pub corner: Option<(usize, N)>,
     /// The bodies afterwards; the second is absent at a wall.
@@ -69,6 +72,14 @@ impl<N> Bounce<N> {
             },
             gravity: to(&self.gravity),
             air: self.air.as_ref().map(&mut to),
+            axes: self.axes.as_ref().map(|axes| {
+                let mut vector = |v: &[N; 3]| {
+                    let [x, y, z] = v;
+                    [to(x), to(y), to(z)]
+                };
+                let [tangent, normal] = &**axes;
+                Box::new([vector(tangent), vector(normal)])
+            }),
             corner: self.corner.as_ref().map(|(corner, angle)| (*corner, to(angle))),
             after: (self.after.0.map(&mut to), self.after.1.as_ref().map(|body| body.map(&mut to))),
         }
@@ -91,7 +102,7 @@ impl<N: Coordinate> World<N> {
 pub(super) fn normal_of<N: Coordinate>(world: &World<N>, side: Side) -> [N; 2] {
     let (zero, one) = (N::zero(), N::one());
     match side {
-        Side::Floor => [zero, one],
+        Side::Floor | Side::Back | Side::Front => [zero, one],
         Side::Ceiling => [zero, -one],
         Side::Left => [one, zero],
         Side::Right => [-one, zero],
@@ -142,6 +153,7 @@ impl<N> Struck<N> {
             ledger,
             gravity,
             air: None,
+            axes: None,
             corner: None,
             after,
         }

@@ -60,8 +60,8 @@ pub(super) fn to_wall<N: Coordinate>(
             let root = square.sqrt().ok_or(Unknown)?;
             Ok(Some(gap.double() / (root + up)))
         }
-        // these are no sides of a room
-        Side::Plane(_) => Ok(None),
+        // these are no sides of a room, or not met in the plane
+        Side::Plane(_) | Side::Back | Side::Front => Ok(None),
     }
 }
 

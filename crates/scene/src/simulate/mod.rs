@@ -9,6 +9,8 @@ mod penalty;
 mod rest;
 mod rolling;
 mod run;
+mod space;
+mod space_contact;
 mod state;
 mod tumble;
 

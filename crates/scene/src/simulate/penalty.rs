@@ -59,7 +59,7 @@ fn overlaps(world: &World<f64>) -> Vec<Overlap> {
                 Side::Ceiling => ([0.0, 1.0], wall.at - y),
                 Side::Left => ([-1.0, 0.0], x - wall.at),
                 Side::Right => ([1.0, 0.0], wall.at - x),
-                Side::Plane(_) => continue,
+                Side::Plane(_) | Side::Back | Side::Front => continue,
             };
             if distance < a.radius {
                 let depth = a.radius - distance;

@@ -3,6 +3,7 @@
 use kane_impact::NoImpulse;
 
 use super::bounce::Bounce;
+use super::space::run_in_space;
 use super::state::State;
 use crate::coordinate::Coordinate;
 use crate::resolver::Resolver;
@@ -141,6 +142,21 @@ pub enum Stopped {
         "a flight in air is followed in floats, from impact to impact; give `impacts` or `duration_s`"
     )]
     InAir,
+    /// The sums of a ball that comes to rest are of motion in one plane.
+    #[error(
+        "`rest` is described in one plane, and these spheres move in space; give `impacts` or `duration_s`"
+    )]
+    RestInSpace,
+    /// Friction of several contacts at once in space.
+    #[error(
+        "impact {impact} at {time} s: a sphere has several contacts at once, with friction; in space friction stays in the plane of its slip for one contact alone, and several at once are not described"
+    )]
+    AtOnce {
+        /// Counted from 1.
+        impact: u64,
+        /// s, rounded
+        time: f64,
+    },
     /// The bouncing has no sum.
     #[error(
         "`rest` needs a restitution that does not depend on the speed; give `impacts` or `duration_s`"
@@ -177,7 +193,8 @@ pub enum Stopped {
 ///
 /// A flight is in closed form, and the next impact is the earliest root of a polynomial of degree two.
 /// Each body keeps the state of its own last impact, so that what does not meet is not rounded. A
-/// ball that comes to rest is followed to the end of infinitely many impacts in closed form.
+/// ball that comes to rest is followed to the end of infinitely many impacts in closed form. Spheres in
+/// space are followed likewise, but for rest.
 ///
 /// Exact in exact numbers, and enclosing on intervals, as far as they can tell the order of events; in
 /// floats heuristic: each impact rounds, and the errors grow as the motion amplifies them.
@@ -193,6 +210,9 @@ pub fn run<N: Coordinate>(
 ) -> Result<End<N>, Stopped> {
     if world.air.is_some() {
         return Err(Stopped::InAir);
+    }
+    if world.is_in_space() {
+        return run_in_space(world, resolver, until, budget, observer);
     }
     let mut state = State::new(world);
     if matches!(until, Until::Rest) {

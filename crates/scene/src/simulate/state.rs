@@ -365,7 +365,7 @@ fn at_wall<N: Coordinate>(body: &mut Round<N>, wall: &Wall<N>) {
         Side::Right => body.position[0] = wall.at.clone() - r,
         Side::Floor => body.position[1] = wall.at.clone() + r,
         Side::Ceiling => body.position[1] = wall.at.clone() - r,
-        Side::Plane(_) => {}
+        Side::Plane(_) | Side::Back | Side::Front => {}
     }
 }
 

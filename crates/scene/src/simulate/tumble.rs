@@ -273,6 +273,7 @@ impl<'a, N: Coordinate> Tumbling<'a, N> {
             ledger,
             gravity,
             air: None,
+            axes: None,
             corner: Some((next.corner, angle)),
             after: (struck, None),
         })

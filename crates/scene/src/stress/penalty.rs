@@ -94,6 +94,7 @@ fn spheres() -> Contrast {
         radius: 0.01,
         position: [x, 0.0],
         motion: Motion { vx, vy: 0.0, omega: 0.0 },
+        off_plane: None,
     };
     let bodies = vec![sphere(-0.03, 1.0), sphere(0.0, 0.0), sphere(0.02, 0.0)];
     let (gravity, friction, restitution) = (0.0, 0.0, 1.0);

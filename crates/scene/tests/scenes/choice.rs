@@ -5,7 +5,7 @@ use kane_impact::laws;
 use kane_scene::{Answer, Effort, Known, Model, Place, Scene, Verdict, answer, read};
 
 /// The shipped scenes, and the model that each is answered by.
-const SHIPPED: [(&str, &str, &str); 18] = [
+const SHIPPED: [(&str, &str, &str); 20] = [
     (
         "paper-sphere",
         include_str!("../../../../docs/scenes/paper-sphere.toml"),
@@ -39,6 +39,16 @@ const SHIPPED: [(&str, &str, &str); 18] = [
         "superball-groove",
         include_str!("../../../../docs/scenes/superball-groove.toml"),
         "walton/f64",
+    ),
+    (
+        "billiard-cushion",
+        include_str!("../../../../docs/scenes/billiard-cushion.toml"),
+        "whittaker-uncapped/f64",
+    ),
+    (
+        "cradle-in-space",
+        include_str!("../../../../docs/scenes/cradle-in-space.toml"),
+        "normal-only/rational",
     ),
 ];
 

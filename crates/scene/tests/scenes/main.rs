@@ -8,6 +8,7 @@ mod motion; // flights and impacts, each by two ways
 mod picture; // what pictures show
 mod rest; // every model to the end of infinitely many impacts, its own way
 mod rolling; // what lies on the floor skids, rolls, stops
+mod space; // spheres in space, against the plane, turned, and by hand
 mod stress; // drift, reversal, Zeno, grazing, penalty steps
 mod tumbling; // bodies with corners, against closed forms and what no law may change
 mod walls; // walls at an angle or in motion, terms of single contacts
@@ -53,6 +54,7 @@ fn ball(mass: &str, radius: &str, position: [&str; 2], motion: [&str; 3]) -> Rou
         radius,
         position: [x, y],
         motion: Motion { vx, vy, omega },
+        off_plane: None,
     }
 }
 

@@ -97,7 +97,7 @@ fn every_side_of_a_room_is_the_floor_turned() {
         body.motion.vy = integer(yt) * &vt + integer(yn) * &vn;
         let away = match side {
             Side::Floor | Side::Left => n("-1"),
-            Side::Ceiling | Side::Right | Side::Plane(_) => n("1"),
+            _ => n("1"),
         };
         let world = World {
             gravity: n("0"),
