@@ -14,6 +14,7 @@ sys.dont_write_bytecode = True
 
 import tips  # noqa: E402
 from simulator import HALF, LAWS, Unfit, follow  # noqa: E402
+from spheres import follow_in_space  # noqa: E402
 from staging import FAMILIES  # noqa: E402
 from trial import Trial  # noqa: E402
 from tumbler import CONTACTS, follow_tumbling  # noqa: E402
@@ -23,20 +24,22 @@ ROUNDED = D(10) ** -14  # a wall at an angle in degrees has a normal of length 1
 POINTS = 6  # looked at within an uncertainty
 
 
-def quantity(key, scene, run):
+def quantity(key, draft, run):
     name, _, number = key.partition("_of_")
     ball = run.balls[int(number or 1) - 1]
     if name == "kinetic_energy_j":
         return sum(b.energy() for b in run.balls)
     if name == "turned_rad":
         return run.turned
+    if name in ("z_m", "v_z_m_s", "omega_x_rad_s", "omega_y_rad_s"):
+        return {"z_m": ball.at[2:], "v_z_m_s": ball.v[2:], "omega_x_rad_s": ball.w[:1], "omega_y_rad_s": ball.w[1:2]}[name][0]
     return {
         "time_s": run.time,
         "x_m": ball.at[0],
         "y_m": ball.at[1],
         "v_x_m_s": ball.v[0],
         "v_y_m_s": ball.v[1],
-        "omega_rad_s": ball.w,
+        "omega_rad_s": ball.w[2] if draft.in_space else ball.w,
     }[name]
 
 
@@ -57,9 +60,11 @@ def answers(draft, model, pick=lambda value, within: value):
     until = {"impacts": int(limit)} if kind == "impacts" else {"rest": True} if kind == "rest" else {"duration": D(limit)}
     if draft.tumbler:
         run = follow_tumbling(scene, model, until.get("impacts"), until.get("duration"))
+    elif draft.in_space:
+        run = follow_in_space(scene, law_of(draft, model), until.get("impacts"), until.get("duration"))
     else:
         run = follow(scene, law_of(draft, model), **until)
-    return run, {key: quantity(key, scene, run) for key in draft.ask}
+    return run, {key: quantity(key, draft, run) for key in draft.ask}
 
 
 def slack(draft, value):
@@ -122,7 +127,11 @@ def motion(draft, report, run, trial):
     state = {b["id"]: b for b in report["scene"]["bodies"]}
     mass = {b["id"]: (b["mass_kg"], b["inertia_kg_m2"]) for b in report["scene"]["bodies"]}
     rough = 1e-4 if system == "f32" else 1e-9
-    energy = lambda i, s: (mass[i][0] * (s["v_x_m_s"] ** 2 + s["v_y_m_s"] ** 2) + mass[i][1] * s["omega_rad_s"] ** 2) / 2
+    squares = lambda s, *keys: sum(s.get(key, 0) ** 2 for key in keys)
+    energy = lambda i, s: (
+        mass[i][0] * squares(s, "v_x_m_s", "v_y_m_s", "v_z_m_s")
+        + mass[i][1] * squares(s, "omega_rad_s", "omega_x_rad_s", "omega_y_rad_s")
+    ) / 2
     for n, impact in enumerate(impacts):
         parts = [impact[part] for part in impact if part.endswith("_j")]
         gained = sum(energy(s["id"], s) - energy(s["id"], state[s["id"]]) for s in impact["after"])
@@ -149,6 +158,7 @@ def motion(draft, report, run, trial):
         numbers |= {"p_t_n_s": event.impulse[0], "p_n_n_s": event.impulse[1]} | event.works
         if draft.tumbler:
             numbers |= {"corner": D(event.corner), "turned_rad": event.turned}
+        numbers |= event.axes if draft.in_space else {}
         for key, value in numbers.items():
             if key not in impact:
                 yield f"impact {n + 1} has no {key}"

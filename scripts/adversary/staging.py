@@ -6,6 +6,7 @@ from decimal import Decimal as D
 from fractions import Fraction
 
 from simulator import PI, ZERO, Ball, Plane, Scene
+from spheres import Sphere
 
 SHAPES = {"sphere": D(2) / 5, "hollow-sphere": D(2) / 3, "disc": D(1) / 2, "hoop": D(1)}
 
@@ -40,6 +41,7 @@ class Draft:
     air: dict = field(default_factory=dict)
     tumbler: dict = field(default_factory=dict)
     tip: dict = field(default_factory=dict)
+    in_space: bool = False
     until: tuple = ("impacts", 1)
     ask: dict = field(default_factory=dict)
 
@@ -98,7 +100,17 @@ class Draft:
             else:
                 j = SHAPES[body.get("shape", "sphere")] * m * r * r
             at, v = tuple(map(number, body["position_m"])), tuple(map(number, body["velocity_m_s"]))
-            balls.append(Ball(m, j, r, at, v, number(body.get("spin_rad_s"))))
+            if self.in_space:
+                at, v = (at + (ZERO,))[:3], (v + (ZERO,))[:3]
+                spins = body.get("spins_rad_s", ["0", "0", body.get("spin_rad_s", "0")])
+                balls.append(Sphere(m, j, r, at, v, tuple(map(number, spins))))
+            else:
+                balls.append(Ball(m, j, r, at, v, number(body.get("spin_rad_s"))))
+        if self.in_space:
+            planes = [Plane(p.name, (*p.n, ZERO), (*p.through, ZERO), (*p.v, ZERO)) for p in planes]
+            for key, n in (("back", 1), ("front", -1)):
+                if key + "_m" in self.top:
+                    planes.append(Plane(key, (ZERO, ZERO, D(n)), (ZERO, ZERO, number(self.top[key + "_m"])), (ZERO,) * 3))
         corners = None
         if self.tumbler:
             body, corners = self.cornered(number)
@@ -383,6 +395,46 @@ def tumbling(rng):
     return draft
 
 
+def spheres(rng):
+    """Spheres in space, in rooms of which any wall may be missing, among walls at angles and in motion."""
+    draft = (own_terms if rng.random() < 0.3 else slopes if rng.random() < 0.3 else box)(rng)
+    draft.family, draft.in_space = "spheres", True
+    draft.top |= {"back_m": "0", "front_m": "3"}
+    for key in ("ceiling_m", "left_m", "right_m", "floor_m", "back_m", "front_m"):
+        if not draft.contacts and rng.random() < 0.25:
+            draft.top.pop(key, None)
+    levels = rng.sample(("0.5", "1.1", "1.7", "2.3"), len(draft.bodies))
+    at_one_level = rng.random() < 0.5
+    for body, level in zip(draft.bodies, levels):
+        body["position_m"].append(levels[0] if at_one_level else level)
+        body["velocity_m_s"].append(between(rng, -3, 3) if rng.random() < 0.8 else "0")
+        if body.get("shape") in ("disc", "hoop"):
+            body["shape"] = "hollow-sphere"
+        if "mobility_ratio" in body:
+            body["mobility_ratio"] = rng.choice(["5/2", "7/2", "3", between(rng, 2.5, 6, 2)])
+        if rng.random() < 0.8:
+            spins = [between(rng, -30, 30, 2) if rng.random() < 0.8 else "0" for _ in range(3)]
+            body["spins_rad_s"] = spins
+            body.pop("spin_rad_s")
+    if rng.random() < 0.2:
+        # towards each other, a little off centre
+        pair = draft.bodies[:2]
+        if len(pair) == 2:
+            a, b = (list(map(float, body["position_m"])) for body in pair)
+            pair[0]["velocity_m_s"] = [f"{(y - x) + rng.uniform(-0.05, 0.05):.3f}" for x, y in zip(a, b)]
+            pair[1]["velocity_m_s"] = ["0", "0", "0"]
+    tolerance = tolerance_of(rng)
+    keys = ["z_m", "v_z_m_s", "omega_x_rad_s", "omega_y_rad_s", "x_m", "y_m", "v_x_m_s", "v_y_m_s", "omega_rad_s"]
+    keys += [f"{key}_of_{k}" for k in range(2, len(draft.bodies) + 1) for key in keys[:9]]
+    draft.ask = dict.fromkeys(rng.sample(keys, 5) + ["kinetic_energy_j", "time_s"], tolerance)
+    if rng.random() < 0.15:
+        draft.ask = dict.fromkeys(draft.ask, "1e-3")
+        body, key = draft.bodies[0], rng.choice(["position_m", "velocity_m_s"])
+        body[key][2] = (body[key][2], between(rng, 0.0001, 0.01, 5))
+        draft.until = ("impacts", str(rng.randint(1, 3)))
+    return draft
+
+
 def uncertain(rng):
     """The first three families with up to three uncertain numbers."""
     draft = rng.choice([box, slopes, own_terms])(rng)
@@ -417,5 +469,6 @@ FAMILIES = {
     "rests": rests,
     "air": in_air,
     "tumbling": tumbling,
+    "spheres": spheres,
     "uncertain": uncertain,
 }
