@@ -1,7 +1,7 @@
 //! Routh's diagram: an impact as a path in the plane of its impulse.
 
-use kane_impact::Contact;
 use kane_impact::oracle::{Event, integrate};
+use kane_impact::{Contact, Law};
 
 use crate::choose::{Failed, Mechanics, resolve_tip};
 use crate::picture::contact_of;
@@ -30,13 +30,24 @@ pub struct ImpulsePlane {
     /// Both ends of each line within the frame; the two edges of the cone are two lines.
     pub lines: Vec<(PlaneLine, [[f64; 2]; 2])>,
     /// The events of the process, from the origin to the impulse; of a law that is no process the
-    /// start and the end alone.
+    /// start and the end alone, and nothing where no law is looked at by itself.
     pub path: Vec<(Event, [f64; 2])>,
+    /// Impulses that leave the kinetic energy as it is, around a closed curve: inside it falls.
+    pub equal_energy: Vec<[f64; 2]>,
+    /// Where laws end, with the ids of those that end there.
+    pub ends: Vec<(Vec<&'static str>, [f64; 2])>,
 }
+
+/// Points of the curve of equal energy.
+const POINTS: u32 = 180;
+/// Ends so near to each other, by the size of the frame, are one.
+const SAME: f64 = 1e-9;
+/// Ends so many times as far as the usual ones are not in the frame.
+const FAR: f64 = 3.0;
 
 impl ImpulsePlane {
     /// The diagram of a tip in floats, for the model's way to resolve impacts.
-    pub(crate) fn of(scene: &Scene, mechanics: Mechanics) -> Result<Self, Failed> {
+    pub(crate) fn of(scene: &Scene, mechanics: Mechanics, laws: &[Law]) -> Result<Self, Failed> {
         let missing = || Failed::Invalid("no single contact".to_owned());
         let contact = contact_of(scene).ok_or_else(missing)?;
         let process = match mechanics {
@@ -55,14 +66,59 @@ impl ImpulsePlane {
                 vec![(Event::Start, [0.0, 0.0]), (Event::End, [impulse.tangential, impulse.normal])]
             }
         };
-        Ok(Self::around(&contact, path))
+        // parameters that nobody stated would be invented
+        let plain = laws.iter().filter(|law| law.info.parameters.is_empty());
+        Ok(Self::around(&contact, path, plain))
     }
 
-    fn around(contact: &Contact<f64>, path: Vec<(Event, [f64; 2])>) -> Self {
-        let most = |k: usize| path.iter().map(|(_, p)| p[k].abs()).fold(0.0, f64::max);
+    /// The diagram of a contact with the ends of laws; of one alone with its path, if it is a process. `None`
+    /// where none has an end.
+    pub(crate) fn of_laws(contact: &Contact<f64>, laws: &[Law]) -> Option<Self> {
+        let process = match laws {
+            [law] if law.info.is_process => integrate(contact, law.info.restitution).ok(),
+            _ => None,
+        };
+        let event = |event: &kane_impact::oracle::PathEvent<f64>| {
+            (event.event, [event.impulse.tangential, event.impulse.normal])
+        };
+        let path = process.map_or_else(Vec::new, |path| path.events.iter().map(event).collect());
+        let plane = Self::around(contact, path, laws.iter());
+        (!plane.ends.is_empty()).then_some(plane)
+    }
+
+    fn around<'a>(
+        contact: &Contact<f64>,
+        path: Vec<(Event, [f64; 2])>,
+        laws: impl Iterator<Item = &'a Law>,
+    ) -> Self {
+        let end = |law: &'a Law| {
+            let impulse = law.over::<f64>().resolve(contact).ok()?.impulse;
+            let end = [impulse.tangential, impulse.normal];
+            end.iter().all(|p| p.is_finite()).then_some((law.info.id, end))
+        };
+        let found: Vec<(&'static str, [f64; 2])> = laws.filter_map(end).collect();
+        let mut heights: Vec<f64> =
+            found.iter().map(|(_, end)| end[1]).chain(path.last().map(|(_, p)| p[1])).collect();
+        heights.sort_by(f64::total_cmp);
+        let usual = heights.get(heights.len() / 2).copied().unwrap_or(1.0);
+        let most = |k: usize| {
+            let near = |p: &f64| *p <= FAR * usual * (1.0 + *contact.friction());
+            let ends = found.iter().map(|(_, end)| end[k].abs()).filter(near);
+            path.iter().map(|(_, p)| p[k].abs()).chain(ends).fold(0.0, f64::max)
+        };
         let height = most(1).max(f64::MIN_POSITIVE) * 1.2;
         // as wide on both sides, so that the cone stands upright
         let width = (most(0) * 1.5).max(height / 2.0);
+        let mut ends: Vec<(Vec<&'static str>, [f64; 2])> = Vec::new();
+        for (id, end) in found {
+            let same = |other: &[f64; 2]| {
+                (0..2).all(|k| (other[k] - end[k]).abs() <= SAME * (width + height))
+            };
+            match ends.iter_mut().find(|(_, other)| same(other)) {
+                Some((ids, _)) => ids.push(id),
+                None => ends.push((vec![id], end)),
+            }
+        }
         let frame = [[-width, 0.0], [width, height]];
         let (w, mu) = (contact.delassus(), *contact.friction());
         let lines = [
@@ -73,8 +129,27 @@ impl ImpulsePlane {
         ];
         let lines =
             lines.into_iter().filter_map(|(line, of)| Some((line, within(of, &frame)?))).collect();
-        Self { frame, lines, path }
+        Self { frame, lines, path, equal_energy: equal_energy(contact), ends }
     }
+}
+
+/// v·p + p·W·p/2 = 0 around its centre −W⁻¹·v, by a factor of Cholesky of W.
+fn equal_energy(contact: &Contact<f64>) -> Vec<[f64; 2]> {
+    let w = contact.delassus();
+    let (tt, tn, nn) = (*w.tt(), *w.tn(), *w.nn());
+    let (slip, out) = (*contact.slip(), -*contact.approach());
+    let determinant = tt * nn - tn * tn;
+    let centre = [(tn * out - nn * slip) / determinant, (tn * slip - tt * out) / determinant];
+    // twice the energy that is there to be lost
+    let size = -(slip * centre[0] + out * centre[1]);
+    let (first, cross) = (tt.sqrt(), tn / tt.sqrt());
+    let second = (nn - cross * cross).sqrt();
+    let point = |n: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(n) / f64::from(POINTS)).sin_cos();
+        let y = size.sqrt() * sin / second;
+        [centre[0] + (size.sqrt() * cos - cross * y) / first, centre[1] + y]
+    };
+    (0..=POINTS).map(point).collect()
 }
 
 /// Where the line c + a·x + b·y = 0 enters and leaves a frame, if it does.

@@ -5,6 +5,7 @@ use crate::impulse_plane::ImpulsePlane;
 use crate::scene::{Scene, Setup};
 use crate::simulate::{ContactTime, watch_chain};
 use crate::strobe::Strobe;
+use kane_impact::Law;
 use kane_number::Lane as _;
 
 /// The picture that belongs to a scene under a model.
@@ -23,9 +24,11 @@ const STEPS: u32 = 128;
 
 impl Picture {
     /// In floats; `None` where the model has no such picture.
-    pub(crate) fn of(scene: &Scene, model: Model) -> Option<Self> {
+    pub(crate) fn of(scene: &Scene, model: Model, laws: &[Law]) -> Option<Self> {
         match &scene.setup {
-            Setup::Tip(_) => ImpulsePlane::of(scene, model.mechanics).ok().map(Self::ImpulsePlane),
+            Setup::Tip(_) => {
+                ImpulsePlane::of(scene, model.mechanics, laws).ok().map(Self::ImpulsePlane)
+            }
             Setup::Bodies(_) => match Strobe::of(scene, model) {
                 Some(strobe) => Some(Self::Motion(strobe)),
                 None => {

@@ -5,6 +5,7 @@ use crate::plane::Plane;
 use crate::round::Round;
 use crate::scene::{Scene, Setup};
 use crate::side::Side;
+use crate::simulate::Ending;
 
 /// The bodies at one moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +29,8 @@ pub struct Strobe {
     pub paths: Vec<Vec<[f64; 2]>>,
     /// Whether spheres move in space; the picture is what one sees along z, and has no orientation.
     pub is_in_space: bool,
+    /// Velocities of the bodies right after the last impact, if the motion ends there: where they go on; m/s.
+    pub leaving: Vec<[f64; 2]>,
     /// r of each body, or how far its corners reach; m.
     pub radii: Vec<f64>,
     /// Of a body with corners: these from its centre, where it is not turned; m.
@@ -124,6 +127,10 @@ impl Strobe {
                 times.into_iter().map(|time| at(index, time).0).collect()
             })
             .collect();
+        let leaving = match end.ending {
+            Ending::Impacts => end.bodies.iter().map(|b| [b.motion.vx, b.motion.vy]).collect(),
+            _ => Vec::new(),
+        };
         let corners = world.corners.as_ref().map_or_else(Vec::new, |corners| corners.0.clone());
         let reach = corners.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
         let radii: Vec<f64> = world.bodies.iter().map(|body| body.radius.max(reach)).collect();
@@ -143,6 +150,7 @@ impl Strobe {
             apart: moment(1, count),
             shows_impacts,
             paths,
+            leaving,
             is_in_space: world.is_in_space(),
             radii,
             corners,

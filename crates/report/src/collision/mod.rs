@@ -144,6 +144,7 @@ mod tests {
             notes: Vec::new(),
             before: Vec::new(),
             laws: vec![law],
+            plane: None,
             in_depth: true,
             command: "kane".to_owned(),
         };

@@ -3,6 +3,7 @@
 use kane_scene::collide::{Answer, Collision, Energy, LawAnswer, Reading};
 
 use super::{brief, full, headline, in_words, ulps};
+use crate::scene::drawn_impulse;
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
 /// The least that the columns of regimes and of meanings are cut to.
@@ -26,6 +27,11 @@ pub fn sheet(collision: &Collision) -> Sheet<'_> {
     match collision.laws.first() {
         Some(law) if collision.in_depth => depth(&mut sheet, law),
         _ => all(&mut sheet, collision),
+    }
+    if let Some(plane) = &collision.plane {
+        sheet.figure("impulse", "Impulse", || {
+            drawn_impulse(&collision.title, &collision.command, plane)
+        });
     }
     sheet
 }

@@ -12,6 +12,7 @@ mod stress_picture;
 
 pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};
+pub(crate) use impulse_picture::drawn_impulse;
 pub use json::json;
 #[cfg(feature = "schema")]
 pub(crate) use json::schema;
@@ -86,7 +87,7 @@ pub fn picture(report: &SceneReport<'_>) -> Option<Drawn> {
     let (name, heading) = drawn(report)?;
     let svg = match report.answer.picture.as_ref()? {
         Picture::Motion(strobe) => motion_picture::motion_picture(report, strobe),
-        Picture::ImpulsePlane(plane) => impulse_picture::impulse_picture(report, plane),
+        Picture::ImpulsePlane(plane) => drawn_impulse(&report.title, &report.command, plane),
         Picture::ContactTime(contact) => contact_picture::contact_picture(report, contact),
     };
     Some(Drawn { name, heading, svg })
@@ -106,7 +107,12 @@ const WIDTH: f64 = 860.0;
 
 /// What stands below a picture: what is to be known of it, and where it comes from.
 fn notes(report: &SceneReport<'_>, note: &str) -> Vec<String> {
-    let from = format!("kane {}: {}", env!("CARGO_PKG_VERSION"), report.command);
+    notes_of(&report.command, note)
+}
+
+/// The same by the command.
+fn notes_of(command: &str, note: &str) -> Vec<String> {
+    let from = format!("kane {}: {command}", env!("CARGO_PKG_VERSION"));
     [note.to_owned(), from].into_iter().filter(|note| !note.is_empty()).collect()
 }
 

@@ -153,8 +153,62 @@ pub(super) fn motion_picture(report: &SceneReport<'_>, strobe: &Strobe) -> Strin
             canvas.line(&[middle, scale.at(rim)], Pen::new(ink, 1.0).faint(strength));
         }
     }
+    numbers(&mut canvas, &scale, strobe);
+    arrows(&mut canvas, &scale, strobe);
     scale.bar(&mut canvas);
     canvas.finish()
+}
+
+/// The least of a ring in which a number has room, in pixels.
+const ROOM: f64 = 9.0;
+
+/// Bodies by their numbers, at the start and at the end; one alone needs none.
+fn numbers(canvas: &mut Canvas, scale: &Scale, strobe: &Strobe) {
+    let ends = [strobe.frames.first(), strobe.frames.last()];
+    if strobe.radii.len() < 2 {
+        return;
+    }
+    for (index, radius) in strobe.radii.iter().enumerate() {
+        let mut drawn: Option<[f64; 2]> = None;
+        for frame in ends.iter().flatten() {
+            let Some((centre, _)) = frame.bodies.get(index) else { continue };
+            // what rests has one number
+            if drawn.replace(*centre) == Some(*centre) {
+                continue;
+            }
+            let ((x, y), reach) = (scale.at(*centre), radius * scale.by);
+            let y = if reach < ROOM { y - reach - 8.0 } else { y };
+            canvas.words((x, y), &(index + 1).to_string(), NUMBERS, Anchor::Middle);
+        }
+    }
+}
+
+/// An arrow from where the motion ends, by the velocity: the fastest is as long as this, in pixels.
+const ARROW: f64 = 30.0;
+
+/// Where bodies go on after the last impact.
+fn arrows(canvas: &mut Canvas, scale: &Scale, strobe: &Strobe) {
+    let Some(last) = strobe.frames.last() else { return };
+    let fastest = strobe.leaving.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    for (index, ((centre, _), [vx, vy])) in last.bodies.iter().zip(&strobe.leaving).enumerate() {
+        let speed = vx.hypot(*vy);
+        // what hardly moves has no direction to show
+        if speed <= 0.05 * fastest {
+            continue;
+        }
+        let (x, y) = scale.at(*centre);
+        let (along, up) = (vx / speed, -vy / speed);
+        let radius = strobe.radii.get(index).copied().unwrap_or(0.0);
+        let is_round = strobe.corners.is_empty();
+        let reach = if is_round { (radius * scale.by).max(2.0) + 3.0 } else { 0.0 };
+        let length = ARROW * speed / fastest;
+        let at =
+            |far: f64, beside: f64| (x + along * far - up * beside, y + up * far + along * beside);
+        let tip = reach + length;
+        let pen = Pen::new(Ink::Series(index), 1.5);
+        canvas.line(&[at(reach, 0.0), at(tip, 0.0)], pen);
+        canvas.line(&[at(tip - 6.0, 3.5), at(tip, 0.0), at(tip - 6.0, -3.5)], pen);
+    }
 }
 
 /// The corners of a body that is turned, and the first again.
@@ -167,16 +221,20 @@ fn outline(corners: &[[f64; 2]], [x, y]: [f64; 2], angle: f64) -> Vec<[f64; 2]> 
 fn caption(strobe: &Strobe) -> String {
     let apart = brief(strobe.apart);
     let impacts = if strobe.shows_impacts { " and at each impact" } else { "" };
+    let goes_on = match strobe.leaving.is_empty() {
+        true => "",
+        false => " Arrows: velocities after the last impact.",
+    };
     match strobe.radii.len() > FEW {
-        true => "First and last position (full), and the ways between.".to_owned(),
+        true => format!("First and last position (full), and the ways between.{goes_on}"),
         false if !strobe.corners.is_empty() => format!(
-            "Every {apart} s{impacts}, later is stronger; the line is the way of the centre."
+            "Every {apart} s{impacts}, later is stronger; the line is the way of the centre.{goes_on}"
         ),
         false if strobe.is_in_space => {
-            format!("Seen along z. Every {apart} s{impacts}, later is stronger.")
+            format!("Seen along z. Every {apart} s{impacts}, later is stronger.{goes_on}")
         }
-        false => {
-            format!("Every {apart} s{impacts}, later is stronger; the spoke turns with the body.")
-        }
+        false => format!(
+            "Every {apart} s{impacts}, later is stronger; the spoke turns with the body.{goes_on}"
+        ),
     }
 }

@@ -26,7 +26,7 @@ use crate::coordinate::Coordinate;
 use crate::picture::Picture;
 use crate::quantity::Quantity;
 use crate::scene::{Scene, Setup};
-use crate::simulate::{Bounce, End, Until};
+use crate::simulate::{Bounce, End};
 pub(crate) use evaluate::{Failed, chain_of, resolve_tip};
 use evaluate::{Found, evaluate};
 use reference::Reference;
@@ -197,7 +197,7 @@ pub fn answer(
         chosen,
         shown,
         reasons,
-        picture: Picture::of(scene, shown),
+        picture: Picture::of(scene, shown, laws),
         judged,
         sums: sums(&told.bounces),
         bounces: told.bounces,
@@ -247,26 +247,15 @@ fn of_model(scene: &Scene, model: Model) -> Result<Told, String> {
     }
 }
 
-/// The motion in floats for a picture: more impacts than a table shows, and a while after the last.
+/// The motion in floats for a picture, with more impacts than a table shows.
 pub(crate) fn run_for_picture(
     scene: &Scene,
     world: &crate::world::World<f64>,
     mechanics: Mechanics,
 ) -> Option<(End<f64>, Vec<Bounce<f64>>)> {
     let setup = crate::scene::Setup::Bodies(world.clone());
-    let follow = |scene: &Scene| {
-        let found = evaluate::evaluate_with(scene, &setup, mechanics, KEPT, PICTURED).ok()?;
-        Some((found.end?, found.bounces))
-    };
-    let (end, bounces) = follow(scene)?;
-    if !matches!(scene.until, Until::Impacts(_)) {
-        return Some((end, bounces));
-    }
-    // after the last impact there is a while to see where it goes
-    let time = end.time * 1.2 + 1e-3;
-    let Ok(time) = kane_number::decode(time) else { return Some((end, bounces)) };
-    let longer = Scene { until: Until::Duration(time), ..scene.clone() };
-    Some(follow(&longer).unwrap_or((end, bounces)))
+    let found = evaluate::evaluate_with(scene, &setup, mechanics, KEPT, PICTURED).ok()?;
+    Some((found.end?, found.bounces))
 }
 
 /// Impacts of a ball that comes to rest, followed one by one for a picture: later ones are too small

@@ -1,5 +1,7 @@
 //! What laws say of one collision, as data.
 
+use crate::impulse_plane::ImpulsePlane;
+
 /// A collision, and what laws say of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision {
@@ -13,6 +15,8 @@ pub struct Collision {
     pub before: Vec<Reading>,
     /// The laws that were asked.
     pub laws: Vec<LawAnswer>,
+    /// The impact in the plane of its impulse, in floats; `None` where no law has an end there.
+    pub plane: Option<ImpulsePlane>,
     /// Whether one law is shown with every quantity, instead of all laws in a table.
     pub in_depth: bool,
     /// A command that prints this report.

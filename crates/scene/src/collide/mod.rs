@@ -37,7 +37,9 @@ mod system;
 mod written;
 
 use kane_impact::{InvalidInput, Law};
-use kane_number::Rational;
+use kane_number::{Lane as _, Rational};
+
+use crate::impulse_plane::ImpulsePlane;
 
 pub use collision::{Answer, Check, Collision, Energy, Errors, Given, LawAnswer, Reading};
 pub use system::System;
@@ -108,6 +110,7 @@ fn answered(
         notes: question.notes.iter().cloned().chain(caveats(laws)).collect(),
         before: readings::before(&question.system, &contact),
         laws: laws.iter().map(answer).collect(),
+        plane: ImpulsePlane::of_laws(&contact.map(Rational::to_f64), laws),
         in_depth,
         command: question.command.clone(),
     })

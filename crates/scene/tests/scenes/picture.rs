@@ -72,6 +72,62 @@ fn the_impulse_grows_along_the_cone_and_the_line_of_no_slip() {
 }
 
 #[test]
+fn a_law_ends_inside_the_curve_of_equal_energy_unless_it_creates_energy() {
+    let mut creates = 0;
+    for text in [ROD, PENDULUM] {
+        let scene = read::scene("scene", text).expect("it is well formed");
+        let kane_scene::Setup::Tip(tip) = scene.nominal() else { panic!("a tip") };
+        let (contact, _) = tip.contact().expect("it is a contact");
+        let answer = answered(text, None);
+        let Some(Picture::ImpulsePlane(plane)) = &answer.picture else { panic!("a tip") };
+        let change = |[t, n]: [f64; 2]| {
+            let w = contact.delassus();
+            let [tt, tn, nn] = [w.tt(), w.tn(), w.nn()].map(kane_number::Lane::to_f64);
+            let [slip, a] = [contact.slip(), contact.approach()].map(kane_number::Lane::to_f64);
+            slip * t - a * n + (tt * t * t + 2.0 * tn * t * n + nn * n * n) / 2.0
+        };
+        let size: f64 = plane.equal_energy.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
+        for point in &plane.equal_energy {
+            assert!(change(*point).abs() < 1e-11 * (1.0 + size * size), "{point:?}");
+        }
+        let mut drawn = 0;
+        for law in laws().iter().filter(|law| law.info.parameters.is_empty()) {
+            let Ok(outcome) = law.over::<kane_number::Rational>().resolve(&contact) else {
+                continue;
+            };
+            let [t, n] = [&outcome.impulse.tangential, &outcome.impulse.normal]
+                .map(kane_number::Lane::to_f64);
+            let end = plane.ends.iter().find(|(ids, _)| ids.contains(&law.info.id));
+            let (_, [x, y]) = end.expect("every law with an outcome has its end");
+            assert!((x - t).abs() + (y - n).abs() < 1e-9, "{}", law.info.id);
+            // inside is where energy is lost
+            let total = kane_number::Lane::to_f64(&outcome.work.total());
+            assert!((change([*x, *y]) - total).abs() < 1e-9, "{}", law.info.id);
+            creates += u32::from(total > 1e-9);
+            drawn += 1;
+        }
+        assert!(drawn > 5, "{drawn}");
+    }
+    assert!(creates > 0, "kane-levinson does in the pendulum");
+}
+
+#[test]
+fn a_motion_ends_where_it_is_asked_to_and_shows_the_impact() {
+    let text = include_str!("../../../../docs/scenes/two-spheres.toml");
+    let answer = answered(text, None);
+    let Some(Picture::Motion(strobe)) = &answer.picture else { panic!("a motion") };
+    let (end, last) = (answer.end.expect("it ends"), strobe.frames.last().expect("frames"));
+    assert!((last.time - end.time.value).abs() < 1e-6 && strobe.shows_impacts);
+    // the two touch there, and go on as the impact leaves them
+    let [a, b] = [0, 1].map(|body| last.bodies[body].0);
+    assert!((a[0] - b[0]).hypot(a[1] - b[1]) < strobe.radii.iter().sum::<f64>() + 1e-6);
+    for (leaving, body) in strobe.leaving.iter().zip(&end.bodies) {
+        assert!((leaving[0] - body.motion.vx.value).abs() < 1e-6);
+    }
+    assert_eq!(strobe.leaving.len(), 2);
+}
+
+#[test]
 fn spheres_in_contact_keep_their_momentum_and_end_as_the_answer_says() {
     let answer = answered(CRADLE, None);
     let Some(Picture::ContactTime(contact)) = &answer.picture else { panic!("a chain") };
