@@ -1,7 +1,7 @@
 //! Routh's diagram: an impact as a path in the plane of its impulse.
 
-use kane_impact::oracle::{Event, integrate};
-use kane_impact::{Contact, Law};
+use kane_impact::oracle::{Event, Path, integrate};
+use kane_impact::{Contact, Law, Restitution};
 
 use crate::choose::{Failed, Mechanics, resolve_tip};
 use crate::picture::contact_of;
@@ -56,11 +56,7 @@ impl ImpulsePlane {
         };
         let followed = process.and_then(|restitution| integrate(&contact, restitution).ok());
         let path = match followed {
-            Some(path) => path
-                .events
-                .iter()
-                .map(|event| (event.event, [event.impulse.tangential, event.impulse.normal]))
-                .collect(),
+            Some(path) => points(path),
             None => {
                 let impulse = resolve_tip(scene, &contact, mechanics)?.impulse;
                 vec![(Event::Start, [0.0, 0.0]), (Event::End, [impulse.tangential, impulse.normal])]
@@ -68,35 +64,31 @@ impl ImpulsePlane {
         };
         // parameters that nobody stated would be invented
         let plain = laws.iter().filter(|law| law.info.parameters.is_empty());
-        Ok(Self::around(&contact, path, plain))
-    }
-
-    /// The diagram of a contact with the ends of laws; of one alone with its path, if it is a process. `None`
-    /// where none has an end.
-    pub(crate) fn of_laws(contact: &Contact<f64>, laws: &[Law]) -> Option<Self> {
-        let process = match laws {
-            [law] if law.info.is_process => integrate(contact, law.info.restitution).ok(),
-            _ => None,
-        };
-        let event = |event: &kane_impact::oracle::PathEvent<f64>| {
-            (event.event, [event.impulse.tangential, event.impulse.normal])
-        };
-        let path = process.map_or_else(Vec::new, |path| path.events.iter().map(event).collect());
-        let plane = Self::around(contact, path, laws.iter());
-        (!plane.ends.is_empty()).then_some(plane)
-    }
-
-    fn around<'a>(
-        contact: &Contact<f64>,
-        path: Vec<(Event, [f64; 2])>,
-        laws: impl Iterator<Item = &'a Law>,
-    ) -> Self {
-        let end = |law: &'a Law| {
-            let impulse = law.over::<f64>().resolve(contact).ok()?.impulse;
+        let end = |law: &Law| {
+            let impulse = law.over::<f64>().resolve(&contact).ok()?.impulse;
             let end = [impulse.tangential, impulse.normal];
             end.iter().all(|p| p.is_finite()).then_some((law.info.id, end))
         };
-        let found: Vec<(&'static str, [f64; 2])> = laws.filter_map(end).collect();
+        Ok(Self::around(&contact, path, plain.filter_map(end).collect()))
+    }
+
+    /// The diagram of a contact with the ends of laws, and the path of a process with such a restitution. `None`
+    /// without ends.
+    pub(crate) fn of_ends(
+        contact: &Contact<f64>,
+        process: Option<Restitution>,
+        ends: Vec<(&'static str, [f64; 2])>,
+    ) -> Option<Self> {
+        let path = process.and_then(|restitution| integrate(contact, restitution).ok());
+        (!ends.is_empty())
+            .then(|| Self::around(contact, path.map(points).unwrap_or_default(), ends))
+    }
+
+    fn around(
+        contact: &Contact<f64>,
+        path: Vec<(Event, [f64; 2])>,
+        found: Vec<(&'static str, [f64; 2])>,
+    ) -> Self {
         let mut heights: Vec<f64> =
             found.iter().map(|(_, end)| end[1]).chain(path.last().map(|(_, p)| p[1])).collect();
         heights.sort_by(f64::total_cmp);
@@ -131,6 +123,12 @@ impl ImpulsePlane {
             lines.into_iter().filter_map(|(line, of)| Some((line, within(of, &frame)?))).collect();
         Self { frame, lines, path, equal_energy: equal_energy(contact), ends }
     }
+}
+
+/// The events of a path.
+fn points(path: Path<f64>) -> Vec<(Event, [f64; 2])> {
+    let events = path.events.into_iter();
+    events.map(|at| (at.event, [at.impulse.tangential, at.impulse.normal])).collect()
 }
 
 /// v·p + p·W·p/2 = 0 around its centre −W⁻¹·v, by a factor of Cholesky of W.

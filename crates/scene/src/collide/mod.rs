@@ -97,6 +97,13 @@ fn caveats(laws: &[Law]) -> impl Iterator<Item = String> {
     told.map(|(id, caveat)| format!("{id}: {caveat}."))
 }
 
+/// The impulse of a law, tangential and normal.
+fn end(law: &LawAnswer) -> Option<(&'static str, [f64; 2])> {
+    let readings = &law.answer.as_ref().ok()?.readings;
+    let value = |symbol| readings.iter().find(|reading| reading.symbol == symbol)?.float;
+    Some((law.id, [value("p_t")?, value("p_n")?]))
+}
+
 fn answered(
     question: &Question,
     laws: &[Law],
@@ -104,13 +111,20 @@ fn answered(
 ) -> Result<Collision, InvalidInput<Rational>> {
     let contact = question.system.contact()?;
     let answer = |law: &Law| readings::answer(law, &question.system, in_depth);
+    let answers: Vec<LawAnswer> = laws.iter().map(answer).collect();
+    let process = laws.first().filter(|law| in_depth && law.info.is_process);
+    let plane = ImpulsePlane::of_ends(
+        &contact.map(Rational::to_f64),
+        process.map(|law| law.info.restitution),
+        answers.iter().filter_map(end).collect(),
+    );
     Ok(Collision {
         title: question.title.clone(),
         given: question.given.clone(),
         notes: question.notes.iter().cloned().chain(caveats(laws)).collect(),
         before: readings::before(&question.system, &contact),
-        laws: laws.iter().map(answer).collect(),
-        plane: ImpulsePlane::of_laws(&contact.map(Rational::to_f64), laws),
+        laws: answers,
+        plane,
         in_depth,
         command: question.command.clone(),
     })
