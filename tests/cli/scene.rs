@@ -72,7 +72,7 @@ fn every_shipped_scene_with_its_pictures_takes_less_than_two_seconds() {
         assert!(out.join(format!("{name}.html")).is_file(), "{name}");
         scenes += 1;
     }
-    assert_eq!(scenes, 18);
+    assert_eq!(scenes, 20);
 }
 
 #[test]
