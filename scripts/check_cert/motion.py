@@ -185,7 +185,21 @@ class Motion:
                     units = [other for other in units if other is not unit]
                     break
             else:
-                raise Rejected("the premises are not solved for derivatives of functions")
+                demand(self.together(units), "the premises are not solved for derivatives of functions")
+                return
+
+    def together(self, units):
+        """Can single equations be solved together for as many highest derivatives?"""
+        if any(len(unit) > 1 for unit in units):
+            return False
+        names = set().union(*(self.ties.ring.variables(unit[0]) for unit in units))
+        highest = []
+        for name in sorted(names - set(self.document.points)):
+            jet = self.jet(name)
+            if jet and jet[1] == self.top[jet[0]]:
+                highest.append(name)
+        rows = [[self.at(self.slope(unit[0], name)) for name in highest] for unit in units]
+        return independent(rows)
 
     def solves(self, name, unit, others):
         jet = self.jet(name)
@@ -198,10 +212,26 @@ class Motion:
             jets = filter(None, map(self.jet, self.ties.ring.variables(p)))
             if any(other == base and n >= order for other, n in jets):
                 return False
+        return not self.is_zero(self.slope(unit[0], name))
+
+    def slope(self, p, name):
+        """The derivative of a polynomial by a symbol."""
         slope = {}
         one = next(iter(self.ties.ring.variable(name)))
-        for monomial, coefficient in unit[0].items():
+        for monomial, coefficient in p.items():
             n = dict(self.ties.ring.exponents(monomial)).get(name, 0)
             if n:
                 slope[monomial - one] = coefficient * n
-        return not self.is_zero(slope)
+        return slope
+
+
+def independent(rows):
+    """Are the rows of a matrix linearly independent?"""
+    rows = list(rows)
+    while rows:
+        first = rows.pop()
+        pivot = next((i for i, value in enumerate(first) if value), None)
+        if pivot is None:
+            return False
+        rows = [[a - b * row[pivot] / first[pivot] for a, b in zip(row, first)] for row in rows]
+    return True

@@ -351,8 +351,12 @@ fn judge(
                 resting: &resting,
             };
             let mut found = prover.judge(&goal, doubt);
-            let complete = found.behind_met || complete_behind;
-            only_motions(document, (&resting, &ids), complete, &mut found);
+            if document.motion.concerns(&resting) {
+                if !complete_behind {
+                    prover.of_all(&mut found);
+                }
+                only_motions(document, (&resting, &ids), complete_behind, &mut found);
+            }
             if claim.exists {
                 only_proofs(&mut found);
             }
@@ -418,15 +422,15 @@ fn only_motions(
     found: &mut Verdicts,
 ) {
     let motion = &document.motion;
-    if !motion.concerns(resting) {
-        return;
-    }
     // what is behind and cannot be held against a point has no hypothesis
     let all = resting.hypotheses.len() == ids.len();
     let met = |evidence: &Evidence| all && motion.is_met(resting, ids, evidence);
     found.model = found.model.take().filter(|model| met(&Evidence::Model(model.clone())));
     let model = |decided: &&Decided| matches!(decided.certificate.evidence, Evidence::Model(_));
-    let unmet = |decided: &Decided| !(complete && met(&decided.certificate.evidence));
+    let unmet = |decided: &Decided| {
+        let complete = complete || decided.certificate.goal == kane_kernel::digest(resting);
+        !(complete && met(&decided.certificate.evidence))
+    };
     if found.decided.as_ref().filter(model).is_some_and(unmet) {
         found.decided = None;
         found.open = Some(Open::Motion);

@@ -18,6 +18,8 @@ use kane_kernel::{
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
+use crate::prove::rank;
+
 /// Steps that one differentiation of a polynomial may take.
 const FUEL: u64 = 1_000_000;
 
@@ -141,10 +143,36 @@ impl Motion {
             });
             match solved {
                 Some(i) => _ = units.swap_remove(i),
-                None => return Some(false),
+                None => return Some(self.solve_together(&units, jets, context, point)),
             }
         }
         Some(true)
+    }
+
+    /// Whether equations can be solved together for as many highest derivatives: the slopes by these
+    /// are independent rows. Equations that are cited with their derivatives are not.
+    fn solve_together(
+        &self,
+        units: &[Unit],
+        jets: &BTreeSet<Jet>,
+        context: &Context,
+        point: &Point,
+    ) -> bool {
+        let equations: Option<Vec<&Poly>> =
+            units.iter().map(|unit| if let [one] = &unit[..] { Some(one) } else { None }).collect();
+        let Some(equations) = equations else { return false };
+        let is_highest = |u: &usize| {
+            let plain = !self.angles.iter().any(|(_, a)| [a.cos, a.sin].contains(u));
+            let jet = self.jet(*u, context).filter(|_| plain);
+            jet.is_some_and(|(base, order)| !jets.iter().any(|j| j.0 == base && j.1 > order))
+        };
+        let found: BTreeSet<usize> = equations.iter().flat_map(|p| p.vars()).collect();
+        let highest: Vec<usize> = found.into_iter().filter(is_highest).collect();
+        let row = |p: &&Poly| -> Option<Vec<BigRational>> {
+            highest.iter().map(|u| at(&p.derivative(*u, &Fuel::new(FUEL)).ok()?, point)).collect()
+        };
+        let rows: Option<Vec<_>> = equations.iter().map(row).collect();
+        rows.is_some_and(|rows| rank(rows) == equations.len())
     }
 
     /// The statement that a derived one comes from, and how often it is differentiated.

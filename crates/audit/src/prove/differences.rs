@@ -155,7 +155,8 @@ fn reduce(rows: &mut [Vec<Q>], columns: usize) -> usize {
     done
 }
 
-fn rank(mut rows: Vec<Vec<Q>>) -> usize {
+/// The number of independent rows.
+pub(crate) fn rank(mut rows: Vec<Vec<Q>>) -> usize {
     let columns = rows.first().map_or(0, Vec::len);
     reduce(&mut rows, columns)
 }
