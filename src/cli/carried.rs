@@ -56,11 +56,11 @@ macro_rules! carried {
 }
 
 /// The derivations, the paper's first.
-pub(super) const DERIVATIONS: [Document; 16] = carried!("derivations", ".md":
+pub(super) const DERIVATIONS: [Document; 18] = carried!("derivations", ".md":
     "oblique-collision", "answers-to-the-conditions", "coupled-collision", "spatial-sphere",
     "two-body-collision", "bouncing-ball", "sliding-to-rolling", "physical-pendulum", "kepler",
     "equal-forms", "free-top", "rolling-disc", "painleve-rod", "double-pendulum", "routh-diagram",
-    "hertz",
+    "hertz", "billiard-ball", "collision-chain",
 );
 
 /// Collisions that are put to every law.

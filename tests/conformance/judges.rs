@@ -16,8 +16,10 @@ use crate::many;
 use crate::support::installed;
 
 /// The shipped documents. Every link with a verdict is emitted for Coq.
-const DOCUMENTS: [&str; 11] = [
+const DOCUMENTS: [&str; 13] = [
     "answers-to-the-conditions.md",
+    "billiard-ball.md",
+    "collision-chain.md",
     "coupled-collision.md",
     "equal-forms.md",
     "free-top.md",
