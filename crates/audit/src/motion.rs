@@ -18,8 +18,6 @@ use kane_kernel::{
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use crate::prove::rank;
-
 /// Steps that one differentiation of a polynomial may take.
 const FUEL: u64 = 1_000_000;
 
@@ -172,7 +170,7 @@ impl Motion {
             highest.iter().map(|u| at(&p.derivative(*u, &Fuel::new(FUEL)).ok()?, point)).collect()
         };
         let rows: Option<Vec<_>> = equations.iter().map(row).collect();
-        rows.is_some_and(|rows| rank(rows) == equations.len())
+        rows.is_some_and(are_independent)
     }
 
     /// The statement that a derived one comes from, and how often it is differentiated.
@@ -194,6 +192,20 @@ impl Motion {
                 .iter()
                 .any(|(_, a)| relation.lhs == Expr::Add(square(a.cos).into(), square(a.sin).into()))
     }
+}
+
+/// Whether the rows of a matrix are linearly independent.
+fn are_independent(mut rows: Vec<Vec<BigRational>>) -> bool {
+    while let Some(first) = rows.pop() {
+        let Some(pivot) = first.iter().position(|x| !x.is_zero()) else { return false };
+        for row in &mut rows {
+            let factor = &row[pivot] / &first[pivot];
+            for (x, y) in row.iter_mut().zip(&first) {
+                *x -= &factor * y;
+            }
+        }
+    }
+    true
 }
 
 /// The equations of one premise, each with its derivatives; nothing if one between is missing.

@@ -155,8 +155,7 @@ fn reduce(rows: &mut [Vec<Q>], columns: usize) -> usize {
     done
 }
 
-/// The number of independent rows.
-pub(crate) fn rank(mut rows: Vec<Vec<Q>>) -> usize {
+fn rank(mut rows: Vec<Vec<Q>>) -> usize {
     let columns = rows.first().map_or(0, Vec::len);
     reduce(&mut rows, columns)
 }

@@ -48,7 +48,6 @@ const WIDE: u64 = 256;
 
 pub(crate) use attempt::Attempt;
 use budget::Ways;
-pub(crate) use differences::rank;
 use functions::Effort;
 use germs::Germs;
 use hints::Hint;
@@ -130,17 +129,6 @@ impl Prover<'_> {
         match check(goal, &certificate, self.work.within(self.budget.check)) {
             Ok(()) => Ok(certificate),
             Err(why) => Err(Open::Rejected(why)),
-        }
-    }
-
-    /// Has a witness count for all premises that the goal rests on, if the kernel accepts it for them.
-    pub(crate) fn of_all(&self, found: &mut Verdicts) {
-        let Some(Decided { certificate, grounds }) = &mut found.decided else { return };
-        if found.behind_met
-            && matches!(grounds, Grounds::Model(_))
-            && let Ok(of_all) = self.accept(self.resting, certificate.finding, grounds)
-        {
-            *certificate = of_all;
         }
     }
 

@@ -61,6 +61,17 @@ impl Prover<'_> {
         false
     }
 
+    /// Has a witness count for all premises that the goal rests on, if the kernel accepts it for them.
+    pub(crate) fn of_all(&self, found: &mut Verdicts) {
+        let Some(Decided { certificate, grounds }) = &mut found.decided else { return };
+        if found.behind_met
+            && matches!(grounds, Grounds::Model(_))
+            && let Ok(of_all) = self.accept(self.resting, certificate.finding, grounds)
+        {
+            *certificate = of_all;
+        }
+    }
+
     /// A witness of the goal found as a model of a source with further hypotheses, and the whole model.
     pub(crate) fn witness_within(
         &self,
