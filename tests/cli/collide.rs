@@ -340,7 +340,12 @@ fn out_writes_every_form() {
         assert!(written.expect("it was written").starts_with(beginning), "{ending}");
     }
     let count = fs::read_dir(&target).expect("it was made").count();
-    assert_eq!(count, 5, "no temporary file is left");
+    let drawn = fs::read_to_string(target.join("rod-tip-impulse.svg")).expect("it was drawn");
+    // every law that answers is named in the plane of the impulse, or beyond it
+    for law in ["routh-newton", "stronge-1990", "kane-levinson"] {
+        assert!(drawn.contains(law), "{law}");
+    }
+    assert_eq!(count, 6, "no temporary file is left");
 }
 
 #[test]

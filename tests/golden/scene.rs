@@ -55,6 +55,7 @@ fn every_shipped_scene_is_answered_and_drawn() {
                 assert!(line.chars().count() <= 100, "more than 100 columns: {line}");
             }
             settings().bind(|| insta::assert_snapshot!(name, shown));
+            assert_valid("scene", &json(report));
             // every scene has its picture; what flies has a ledger too
             let drawn = picture(report).expect("it has a picture");
             let shows = match name {

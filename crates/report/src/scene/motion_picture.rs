@@ -225,6 +225,9 @@ fn caption(strobe: &Strobe) -> String {
         true => "",
         false => " Arrows: velocities after the last impact.",
     };
+    if strobe.apart == 0.0 {
+        return format!("The impact, at the start.{goes_on}");
+    }
     match strobe.radii.len() > FEW {
         true => format!("First and last position (full), and the ways between.{goes_on}"),
         false if !strobe.corners.is_empty() => format!(
