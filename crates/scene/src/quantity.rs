@@ -150,7 +150,7 @@ impl Quantity {
         end: &End<N>,
     ) -> Option<N> {
         let body = end.bodies.get(self.body);
-        let off_plane = || body.and_then(|body| body.off_plane.as_deref());
+        let off_plane = || body.and_then(|body| body.off_plane.as_ref());
         let energy = || end.bodies.iter().fold(N::zero(), |sum, body| sum + body.kinetic_energy());
         match self.kind {
             Kind::Time => Some(end.time.clone()),

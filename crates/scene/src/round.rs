@@ -22,7 +22,7 @@ pub struct Round<N> {
     /// Its velocity and the spin.
     pub motion: Motion<N>,
     /// Of a sphere in space the rest; `None` for what stays in the plane.
-    pub off_plane: Option<Box<OffPlane<N>>>,
+    pub off_plane: Option<OffPlane<N>>,
 }
 
 impl<N: Number> Round<N> {
@@ -65,7 +65,7 @@ impl<N: Number> Round<N> {
         Self {
             position: [x, y],
             motion: Motion { vx, vy, omega },
-            off_plane: Some(Box::new(OffPlane { z, vz, omega_x, omega_y })),
+            off_plane: Some(OffPlane { z, vz, omega_x, omega_y }),
             ..self.clone()
         }
     }
@@ -78,9 +78,9 @@ impl<N: Number> Round<N> {
         let gained = gravity.clone() * time;
         let mean = vy.clone() - half(gained.clone());
         let off_plane = self.off_plane.as_ref().map(|off| {
-            let OffPlane { z, vz, omega_x, omega_y } = &**off;
+            let OffPlane { z, vz, omega_x, omega_y } = off;
             let [vz, omega_x, omega_y] = [vz, omega_x, omega_y].map(N::clone);
-            Box::new(OffPlane { z: vz.mul_add(time, z), vz, omega_x, omega_y })
+            OffPlane { z: vz.mul_add(time, z), vz, omega_x, omega_y }
         });
         Self {
             position: [vx.mul_add(time, x), mean.mul_add(time, y)],
@@ -107,7 +107,7 @@ impl<N> Round<N> {
             radius: to(&self.radius),
             position: [to(x), to(y)],
             motion: Motion { vx: to(vx), vy: to(vy), omega: to(omega) },
-            off_plane: self.off_plane.as_ref().map(|off| Box::new(off.map(&mut to))),
+            off_plane: self.off_plane.as_ref().map(|off| off.map(&mut to)),
         }
     }
 }

@@ -406,7 +406,7 @@ pub fn json(report: &SceneReport<'_>) -> String {
                 let turned = bounce.corner.iter().map(|(_, angle)| ("turned_rad", angle));
                 numbers.pairs.extend(turned);
                 numbers.pairs.extend(bounce.axes.iter().flat_map(|axes| {
-                    let [[tx, ty, tz], [nx, ny, nz]] = &**axes;
+                    let [[tx, ty, tz], [nx, ny, nz]] = axes;
                     [
                         ("tangent_x", tx),
                         ("tangent_y", ty),

@@ -58,7 +58,7 @@ fn round(reader: &mut Reader<'_>, body: &Body, in_space: bool) -> Result<Round<S
         radius: radius.into(),
         position: [x, y],
         motion: Motion { vx, vy, omega },
-        off_plane: in_space.then(|| Box::new(off_plane)),
+        off_plane: in_space.then_some(off_plane),
     })
 }
 

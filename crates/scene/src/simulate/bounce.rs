@@ -35,7 +35,7 @@ pub struct Bounce<N> {
     pub air: Option<N>,
     /// Of spheres in space: the direction of the slip, zero without slip, and the normal, out of the wall or
     /// the second body.
-    pub axes: Option<Box<[[N; 3]; 2]>>,
+    pub axes: Option<[[N; 3]; 2]>,
     /// Of a body with corners: which one struck, from 0, and by what the body has turned since the start; rad.
     pub corner: Option<(usize, N)>,
     /// The bodies afterwards; the second is absent at a wall.
@@ -77,8 +77,8 @@ impl<N> Bounce<N> {
                     let [x, y, z] = v;
                     [to(x), to(y), to(z)]
                 };
-                let [tangent, normal] = &**axes;
-                Box::new([vector(tangent), vector(normal)])
+                let [tangent, normal] = axes;
+                [vector(tangent), vector(normal)]
             }),
             corner: self.corner.as_ref().map(|(corner, angle)| (*corner, to(angle))),
             after: (self.after.0.map(&mut to), self.after.1.as_ref().map(|body| body.map(&mut to))),

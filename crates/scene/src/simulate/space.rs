@@ -302,7 +302,7 @@ impl<'a, N: Coordinate> Space<'a, N> {
         };
         let gravity = indices.iter().zip(&arrived).map(fallen).fold(N::zero(), |a, b| a + b);
         let slip = times(&struck.slip[1], &tangent);
-        let axes = Some(Box::new([tangent, touch.normal]));
+        let axes = Some([tangent, touch.normal]);
         let bounce = Bounce { axes, ..struck.at(time.clone(), encounter, gravity) };
         let after = std::iter::once(&bounce.after.0).chain(&bounce.after.1);
         for (index, body) in indices.iter().zip(after) {

@@ -21,7 +21,7 @@ fn sphere(
     let planar = ball(mass, radius, [place[0], place[1]], [velocity[0], velocity[1], spin[2]]);
     let off =
         OffPlane { z: n(place[2]), vz: n(velocity[2]), omega_x: n(spin[0]), omega_y: n(spin[1]) };
-    Round { off_plane: Some(Box::new(off)), ..planar }
+    Round { off_plane: Some(off), ..planar }
 }
 
 /// The same bodies as spheres in space.
@@ -29,7 +29,7 @@ fn lifted(world: &World<Rational>) -> World<Rational> {
     let mut world = world.clone();
     for body in &mut world.bodies {
         let [z, vz, omega_x, omega_y] = [(); 4].map(|()| n("0"));
-        body.off_plane = Some(Box::new(OffPlane { z, vz, omega_x, omega_y }));
+        body.off_plane = Some(OffPlane { z, vz, omega_x, omega_y });
     }
     world
 }
@@ -46,7 +46,7 @@ fn with(body: &Round<Rational>, [place, velocity, spin]: [Vector; 3]) -> Round<R
     Round {
         position: [x, y],
         motion: Motion { vx, vy, omega },
-        off_plane: Some(Box::new(OffPlane { z, vz, omega_x, omega_y })),
+        off_plane: Some(OffPlane { z, vz, omega_x, omega_y }),
         ..body.clone()
     }
 }
