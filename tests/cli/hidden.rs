@@ -90,6 +90,37 @@ fn a_label_or_a_comment_with_a_control_character_is_an_error_with_its_place() {
     }
 }
 
+/// A spreadsheet computes what begins with one of four characters; a name or a formula may begin so.
+#[test]
+fn a_spreadsheet_computes_no_name_and_no_formula() {
+    let dir = scratch("hidden-csv");
+    let out = dir.join("out");
+    let out = out.to_str().expect("UTF-8");
+    let core = "(FPCore (x) :name \"=HYPERLINK(1)\" :precision binary64 :pre (<= 1 x 2) (- x))";
+    let core = write(&dir.join("one.fpcore"), core);
+    let run = kane(&["chart", &core, "--out", out]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let lets = "# T\n\n```kane\nvar x > 0\nlet f := -x/(1 + x) + 1\n```\n";
+    let lets = write(&dir.join("two.md"), lets);
+    let run = kane(&["stability", &lets, "--out", out]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let tables = files(Path::new(out)).into_iter();
+    let tables: Vec<_> =
+        tables.filter(|path| path.extension().is_some_and(|e| e == "csv")).collect();
+    assert_eq!(tables.len(), 2, "{tables:?}");
+    let mut marked = 0;
+    for table in tables {
+        let text = fs::read_to_string(table).expect("UTF-8");
+        for cell in text.lines().flat_map(|line| line.split(',')) {
+            let cell = cell.trim_start_matches('"');
+            marked += usize::from(cell.starts_with('\''));
+            let signed = cell.starts_with(['=', '+', '-', '@']);
+            assert!(!signed || cell.parse::<f64>().is_ok(), "{cell}: {text}");
+        }
+    }
+    assert!(marked > 1, "the name and the formula");
+}
+
 #[test]
 fn the_title_of_a_scene_cannot_speak_for_the_program() {
     let dir = scratch("hidden-scene");

@@ -192,6 +192,12 @@ fn hypotheses_are_consistent_where_the_condition_of_the_claim_holds() {
     let f = |x: Q| functions(&goal, inverse(1), &far(1), &at(x));
     assert_eq!(judge(&goal, Finding::Consistent, &f(q(2, 1))), Ok(()));
     assert!(judge(&goal, Finding::Consistent, &f(q(1, 1))).is_err());
+    // It does not matter what is claimed, which may be a limit.
+    let l = limit(var(K), Target::Finite(number(5, 1)), Approach::PlusInf);
+    let limiting = Goal { conclusion: Conclusion::Link(Link::Limit(l)), ..goal.clone() };
+    let f = |x: Q| functions(&limiting, inverse(1), &far(1), &at(x));
+    assert_eq!(judge(&limiting, Finding::Consistent, &f(q(2, 1))), Ok(()));
+    assert!(judge(&limiting, Finding::Consistent, &f(q(1, 1))).is_err());
     let nowhere = Goal { when: vec![relation(var(X), Rel::Lt, number(0, 1))], ..goal.clone() };
     let f = |x: Q| functions(&nowhere, inverse(1), &far(1), &at(x));
     assert!(
@@ -311,6 +317,7 @@ fn nothing_is_passed_to_a_limit_for_explicit_functions() {
     let refused = Err(Rejection::OutsideDomain);
     assert_eq!(with(&|f| f.ranges[0] = pass()), refused);
     assert_eq!(with(&|f| f.premises[1].0 = pass()), refused);
+    assert_eq!(with(&|f| f.premises[2].0 = pass()), refused, "nor where the premise is a limit");
     assert_eq!(with(&|f| *f.premises[2].1[0][0].at_zero = pass()), refused);
     assert_eq!(with(&|f| *f.premises[2].1[0][0].along = pass()), refused);
     assert_eq!(with(&|f| f.premises[2].1[0][0].germ.inside[0].proof = pass()), refused);
