@@ -12,7 +12,8 @@ use crate::{Comparison, NotFinite, Number, Ordered, Rational, Real, Rounding, de
 /// Every operation returns an interval that holds the result for every choice of operands from
 /// the given ones; its ends are the exact ends rounded outward, and stay exact where they are
 /// floats, so small integers and halves do not widen. (Products and quotients below 2^−960 may be a
-/// step wider, since a rounding error may underflow there; a fused product and sum rounds twice.)
+/// step wider, since a rounding error may underflow there, and quotients next to the greatest float, where a product may
+/// overflow; a fused product and sum rounds twice.)
 ///
 /// The lower end may be −∞ and the upper +∞. Where nothing is known, as at a division by an
 /// interval that contains 0 or from NaN, the interval is the whole line. It is never empty.
