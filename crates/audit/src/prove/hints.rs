@@ -83,7 +83,7 @@ impl Hint {
     }
 
     /// The hint as square² · Π atoms, if its odd factors are atoms.
-    fn as_term(&self, state: &State<'_, '_>) -> Option<(Poly, Factors)> {
+    pub(super) fn as_term(&self, state: &State<'_, '_>) -> Option<(Poly, Factors)> {
         let (mut halves, mut known) = (Vec::new(), Factors::new());
         for (p, n) in &self.factors {
             halves.push((p.clone(), n / 2));

@@ -11,7 +11,7 @@ use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, Step, positive_factor, since};
 use super::squares::{Reach, squares};
-use super::{cases, expansion, tactics};
+use super::{cases, conjugates, expansion, pairs, tactics, written};
 use crate::argument::{Argument, Rules as _};
 use crate::open::Method;
 
@@ -140,12 +140,22 @@ impl Search<'_> {
                     return self.split(state, poly, trail, splits + CASE);
                 }
             }
+            if combined.is_none()
+                && splits < MAX_SPLITS
+                && self.squares.spend(ORDER).is_ok()
+                && let Some(poly) = conjugates::telling(state)
+            {
+                return self.split(state, poly, trail, splits + 1);
+            }
             let proof = combined
+                .or_else(|| conjugates::closed(state))
                 .or_else(differences)
                 .or_else(|| products(1))
+                .or_else(|| pairs::pairs(state, &vars))
                 .or_else(|| squares(Reach::Atoms))
                 .or_else(|| squares(Reach::Pairs))
                 .or_else(|| products(2))
+                .or_else(|| pairs::by_sign(state, &vars))
                 .or_else(ideal)
                 .or_else(|| squares(Reach::Higher))
                 .or_else(boxes)
@@ -177,6 +187,19 @@ impl Search<'_> {
         }
         self.note(Method::Hints);
         hinted(state, &self.hints_after(state, trail), Wealth::Few)
+    }
+
+    /// A proof by the summands of the goal as they are written.
+    pub(super) fn as_written(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+    ) -> Option<Argument> {
+        if self.written.is_empty() || !self.proofs {
+            return None;
+        }
+        let after = |hint: &Hint| hint.after(trail, &state.scope.fuel);
+        written::closed(state, &self.written.iter().filter_map(after).collect::<Vec<_>>())
     }
 
     fn hints_after(&self, state: &State<'_, '_>, trail: &[Elimination]) -> Vec<Hint> {

@@ -9,6 +9,7 @@ mod cases;
 mod cells;
 mod circle;
 mod combination;
+mod conjugates;
 mod differences;
 mod elimination;
 mod enclosure;
@@ -19,6 +20,7 @@ mod hints;
 mod leaf;
 mod limits;
 mod linear;
+mod pairs;
 mod parameter;
 mod ranges;
 mod sample;
@@ -28,6 +30,7 @@ mod squares;
 mod surds;
 mod tactics;
 mod witness;
+mod written;
 
 use std::cell::RefCell;
 
@@ -256,6 +259,9 @@ impl Prover<'_> {
         }
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
+        if !models {
+            search.written = Hint::all(&scope, &written::summands(goal));
+        }
         if guide {
             search.widest = 60;
         }

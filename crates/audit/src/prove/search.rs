@@ -76,6 +76,8 @@ pub(crate) struct Search<'a> {
     pub(crate) far: bool,
     /// what the author says to use
     pub(crate) hints: Vec<Hint>,
+    /// the summands of the goal as they are written
+    pub(crate) written: Vec<Hint>,
     /// what was tried, and the smallest conditions on which all of it failed
     pub(crate) attempt: RefCell<Attempt>,
 }
@@ -84,6 +86,8 @@ pub(crate) struct Search<'a> {
 const STEP: u64 = 5_000;
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
 const MAX_DEPTH: u32 = 160;
+/// Case distinctions after which summands are no longer looked at as they are written.
+const WRITTEN: u32 = 1;
 /// Case distinctions on the sign of a polynomial along one branch.
 pub(super) const MAX_SPLITS: u32 = 10;
 
@@ -107,6 +111,7 @@ impl<'a> Search<'a> {
             cells: Fuel::new(0),
             far: false,
             hints: Vec::new(),
+            written: Vec::new(),
             attempt: RefCell::default(),
         }
     }
@@ -232,6 +237,11 @@ impl<'a> Search<'a> {
             };
         }
         if let Some(proof) = self.by_hints(state, trail) {
+            return Outcome::Closed(proof);
+        }
+        if splits <= WRITTEN
+            && let Some(proof) = self.as_written(state, trail)
+        {
             return Outcome::Closed(proof);
         }
         if splits < MAX_SPLITS {

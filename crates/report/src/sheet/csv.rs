@@ -21,13 +21,17 @@ fn inert(cell: &str) -> String {
     if computed && !is_number(cell) { format!("'{cell}") } else { cell.to_owned() }
 }
 
-/// Whether it is a decimal number, a fraction of two, or infinity, with a sign or without.
+/// Whether it is a decimal number, a power or a fraction of two, or infinity, with a sign or without.
 fn is_number(cell: &str) -> bool {
     let magnitude = cell.strip_prefix(['+', '-']).unwrap_or(cell);
     let is_decimal = |part: &str| {
         part.starts_with(|first: char| first.is_ascii_digit()) && part.parse::<f64>().is_ok()
     };
-    magnitude == "inf" || magnitude.splitn(2, '/').all(is_decimal)
+    let is_power = |part: &str| match part.split_once('^') {
+        Some((base, exponent)) => is_decimal(base) && exponent.parse::<i32>().is_ok(),
+        None => is_decimal(part),
+    };
+    magnitude == "inf" || magnitude.splitn(2, '/').all(is_power)
 }
 
 fn quoted(cell: &str) -> String {
@@ -63,6 +67,7 @@ mod tests {
             " =1+1",
             "-1/3/4",
             "-1/x",
+            "-2^x",
             "-",
             "--1",
             "-.5",
@@ -77,7 +82,8 @@ mod tests {
     #[test]
     fn numbers_and_other_text_stay_as_they_are() {
         for text in [
-            "-1", "-1.5", "+0.25", "-1e-300", "-2.5E+7", "-22/7", "-inf", "x - 1", "1-x", "a=b", "",
+            "-1", "-1.5", "+2^-10", "+0.25", "-1e-300", "-2.5E+7", "-22/7", "-inf", "x - 1", "1-x",
+            "a=b", "",
         ] {
             assert_eq!(row(text), text);
         }
