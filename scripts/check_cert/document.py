@@ -7,7 +7,7 @@ from functools import cache, cached_property
 
 from .blocks import statements
 from .bounds import allows, pi_bounds, rational
-from . import angles, arrays, logic, motion, sequences, templates, terms
+from . import angles, arrays, exponentials, logic, motion, sequences, templates, terms
 from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
@@ -73,11 +73,13 @@ class Document:
     def __init__(self, text):
         wanted = {}  # symbols that are angles, which is seen only where they are used
         orders = {}  # how often functions are differentiated
+        self.exponents = {}  # what is exponentiated, in how many parts, and what has a logarithm
         self.powers = set()  # bases and indices of powers
         while True:
             self.symbols, self.statements, self.claims = {}, {}, []
             self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
             self.points, self.rate_of, self.orders = {}, {}, orders
+            self.exponentials, self.bounds_of = {}, {}  # by symbol: of what, and how many parts; what holds
             self.arrays, self.templates = {}, {}
             self.sequences = sequences.Sequences(self)
             try:
@@ -87,6 +89,8 @@ class Document:
                 break
             except angles.Met as met:
                 wanted[met.name] = met.parts
+            except exponentials.Met as met:
+                self.exponents[met.name, "exp" if met.parts else "log"] = met.parts
             except sequences.MetPower as met:
                 if (met.base, met.index) in self.powers:
                     raise Unreadable("a power is used above its base or its index") from None
@@ -100,6 +104,11 @@ class Document:
                 orders[name] = order
         if self.late:
             raise Unreadable(self.late)
+
+        def fail(reason):
+            raise Unreadable(reason)
+
+        exponentials.check_constants(self, fail)
         Units(self).check()
 
     def use(self, name, reader):
@@ -284,6 +293,22 @@ class Document:
         self.check_range(symbol, reader)
         self.declare(symbol)
         self.declare_rates(symbol)
+        self.declare_exponentials(symbol)
+
+    def declare_exponentials(self, symbol):
+        """The exponential and the logarithm that are spoken of, and the `given` of each."""
+        for function in ("exp", "log"):
+            parts = self.exponents.get((symbol.name, function))
+            if parts is None:
+                continue
+            lower, upper = exponentials.bounds(symbol, parts)
+            name = exponentials.symbol_name(symbol.name, parts)
+            self.declare(Symbol(name, lower=lower, upper=upper))
+            self.exponentials[name] = (symbol.name, parts)
+            relations = exponentials.relations(symbol.name, parts)
+            given = Statement("given", f"{function} {symbol.name}", relations)
+            self.add(given)
+            self.bounds_of[symbol.name, name] = given
 
     def declare_rates(self, symbol):
         """The derivatives of a function that are spoken of."""
@@ -329,6 +354,9 @@ class Document:
             for expression in said.expressions():
                 names |= self.mentioned(expression)
         found = {id(self.circles[name]): self.circles[name] for name in names if name in self.circles}
+        for both, given in self.bounds_of.items():
+            if names.issuperset(both):
+                found[id(given)] = given
         order = list(self.statements.values())
         return sorted(found.values(), key=order.index)
 
@@ -450,7 +478,7 @@ class Document:
             if reader.take("expect"):
                 self.read_expectation(statement, reader)
         self.check(statement, reader)
-        if kind == "claim" and self.circles:
+        if kind == "claim" and (self.circles or self.bounds_of):
             statement.cited += [s for s in self.spoken(statement) if s not in statement.cited]
         self.add(statement)
         if kind == "claim":
@@ -549,6 +577,7 @@ class Document:
     def check(self, statement, reader):
         """What has no meaning is an error."""
         self.sequences.check(statement, reader)
+        exponentials.check(self, statement, reader.fail)
         variable = statement.variable
         for _, _, limit in statement.limits:
             if isinstance(limit, tuple) and self.depends(limit, variable):

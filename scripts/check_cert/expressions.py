@@ -9,7 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
-from . import angles, arrays, logic, motion, sequences, templates
+from . import angles, arrays, exponentials, logic, motion, sequences, templates
 from .arrays import Array
 from .errors import Unreadable
 
@@ -232,6 +232,8 @@ class Reader:
             return self.cases()
         if self.kind == "name" and self.word in ("sin", "cos", "tan") and self.is_free(self.word):
             return self.direction(self.take("sin", "cos", "tan"))
+        if self.kind == "name" and self.word in ("exp", "log") and self.is_free(self.word):
+            return self.exponential(self.take("exp", "log"))
         if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
             self.advance()
             return ("pi", 1)
@@ -315,6 +317,16 @@ class Reader:
         self.expect(")")
         cos, sin = angles.direction(total, self.document, self.fail)
         return {"cos": cos, "sin": sin}.get(function) or ("div", sin, cos)
+
+    def exponential(self, function):
+        """Reads the argument of an exponential or a logarithm."""
+        self.expect("(")
+        argument = self.sum()
+        self.no_parameters(argument)
+        self.expect(")")
+        if function == "exp":
+            return exponentials.exponential(angles.summed(argument), self.document, self.fail)
+        return exponentials.logarithm(argument, self.document, self.fail)
 
     def call(self, function):
         self.expect("(")

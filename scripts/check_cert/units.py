@@ -91,7 +91,7 @@ class Units:
             function = known.rate_of[name]
             return product(self.symbol(function), self.symbol(known.symbols[name].argument), -1)
         symbol = known.symbols[name]
-        if symbol.unit is None and (name in known.points or symbol.parts):
+        if symbol.unit is None and (name in known.points or name in known.exponentials or symbol.parts):
             return {}
         return symbol.unit
 

@@ -5,6 +5,7 @@ from .evidence import keys, listed, text
 from .functions import Functions
 from .goal import Goal, rests_on
 from .limits import prove_limit
+from . import exponentials
 from .motion import check_witness
 from .point import check_point
 from .proof import ANY, Proof
@@ -83,6 +84,7 @@ def check_link(document, aims, link, shown):
         prove_limit(proof, content, claim, *item[1:], claim.variable)
     elif kind == "functions":
         check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
+        exponentials.check_witness(goal, kind, content, rests_on(document, claim.cited))
         Functions(goal, content).check(finding)
     else:
         demand(kind == "point", "a witness is expected")
@@ -90,6 +92,7 @@ def check_link(document, aims, link, shown):
         state = goal.at_point(finding)
         check_point(goal, content, goal.mentioned, goal.listed_roots, state.conditions, state.formulas)
         check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
+        exponentials.check_witness(goal, kind, content, rests_on(document, claim.cited))
     return "undecided" if finding == "consistent" else finding
 
 

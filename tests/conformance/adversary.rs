@@ -95,6 +95,14 @@ fn no_verdict_on_angles_is_wrong() {
     }
 }
 
+#[test]
+fn no_verdict_on_exponentials_is_wrong() {
+    if let Some(printed) = trial("exponentials.py", 240) {
+        let kinds = ["true, proved: ", "false, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 /// So many random scenes are answered in the gate.
 const SCENES: usize = 70;
 

@@ -433,7 +433,8 @@ fn only_motions(
     };
     if found.decided.as_ref().filter(model).is_some_and(unmet) {
         found.decided = None;
-        found.open = Some(Open::Motion);
+        let exponentials = motion.concerns_exponentials(resting);
+        found.open = Some(if exponentials { Open::Exponential } else { Open::Motion });
     }
 }
 

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::ops::RangeInclusive;
 
-use kane_algebra::syntax::Angle;
+use kane_algebra::syntax::{Angle, Exponential};
 use kane_kernel::{Definition, Expr, Hypothesis, Link, Model, Relation, Sentence, Var};
 
 use crate::prove::{Budget, REMEMBERED};
@@ -66,6 +66,7 @@ struct Ground {
     vars: Vec<Var>,
     rates: Vec<(usize, usize)>,
     angles: Vec<(usize, usize, usize, u32)>,
+    exponentials: Vec<Exponential>,
     derived: Vec<(usize, usize)>,
     budget: Budget,
 }
@@ -141,6 +142,7 @@ impl Memo {
             vars: document.context.vars.clone(),
             rates: motion.rates.iter().map(|(a, b)| (*a, *b)).collect(),
             angles: motion.angles.iter().map(angle).collect(),
+            exponentials: motion.exponentials.clone(),
             derived: motion.derived.iter().map(|(a, b)| (*a, *b)).collect(),
             budget,
         });

@@ -10,7 +10,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use kane_algebra::rational_function::RationalFunction;
-use kane_algebra::syntax::Angle;
+use kane_algebra::syntax::{Angle, Exponential};
 use kane_kernel::{
     Bound, Context, Evidence, Expr, Fuel, Goal, Link, Model, Point, Poly, Rel, Relation,
     expressions,
@@ -28,6 +28,8 @@ pub(crate) struct Motion {
     pub(crate) rates: BTreeMap<usize, usize>,
     /// angles, and what stands for them
     pub(crate) angles: Vec<(usize, Angle)>,
+    /// what stands for exponentials and logarithms
+    pub(crate) exponentials: Vec<Exponential>,
     /// by statement, of which statement it is the derivative
     pub(crate) derived: BTreeMap<usize, usize>,
 }
@@ -39,10 +41,37 @@ type Jet = (usize, usize);
 type Unit = Vec<Poly>;
 
 impl Motion {
-    /// Whether the goal speaks of derivatives of functions.
+    /// Whether the goal speaks of derivatives of functions, or of exponentials.
     pub(crate) fn concerns(&self, goal: &Goal) -> bool {
+        self.concerns_rates(goal) || self.concerns_exponentials(goal)
+    }
+
+    fn concerns_rates(&self, goal: &Goal) -> bool {
         let rates = &self.rates;
         !rates.is_empty() && mentioned(goal).iter().any(|v| rates.values().any(|rate| rate == v))
+    }
+
+    /// Whether the goal speaks of an exponential or a logarithm.
+    pub(crate) fn concerns_exponentials(&self, goal: &Goal) -> bool {
+        let known = &self.exponentials;
+        !known.is_empty() && mentioned(goal).iter().any(|v| known.iter().any(|e| e.symbol == *v))
+    }
+
+    /// Whether exponentials and logarithms have the values that a point gives them, for some value of
+    /// what is in them: exp(0) is 1, log(1) is 0, and where nothing else is said of x, exp(x) is any
+    /// number that the bounds of x allow.
+    fn are_taken(&self, goal: &Goal, point: &Point) -> bool {
+        let mentioned = mentioned(goal);
+        let spoken: Vec<&Exponential> =
+            self.exponentials.iter().filter(|e| mentioned.contains(&e.symbol)).collect();
+        spoken.iter().all(|e| {
+            if mentioned.contains(&e.of) {
+                let whole = |n: i64| Some(BigRational::from_integer(n.into()));
+                let (of, own) = if e.parts == 0 { (1, 0) } else { (0, 1) };
+                return value(e.of, point) == whole(of) && value(e.symbol, point) == whole(own);
+            }
+            e.exact && spoken.iter().all(|other| other.of != e.of || other.symbol == e.symbol)
+        })
     }
 
     /// Whether functions pass through the model for which all premises hold nearby: `ids` are the
@@ -50,7 +79,8 @@ impl Motion {
     /// among them.
     pub(crate) fn is_met(&self, goal: &Goal, ids: &[usize], evidence: &Evidence) -> bool {
         let Evidence::Model(Model::Point(point)) = evidence else { return false };
-        self.passes(goal, ids, point).unwrap_or(false)
+        self.are_taken(goal, point)
+            && (!self.concerns_rates(goal) || self.passes(goal, ids, point).unwrap_or(false))
     }
 
     /// The function that a symbol is a derivative of, and of which order; cosine and sine are the angle.

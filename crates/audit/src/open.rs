@@ -28,6 +28,8 @@ pub enum Open {
     Rejected(Rejection),
     /// a point was found, but not shown to be one of functions for which the premises hold for all t
     Motion,
+    /// it fails for some values of exponentials, which may be none of theirs
+    Exponential,
     /// the witness of an `exists` does not do
     Witness,
     /// a point was found, but not for numbers in the place of the indices
@@ -77,6 +79,11 @@ impl fmt::Display for Open {
                 "it does not follow from the claim at the index before and from what is cited (it fails \
                  for {at}), but at no index that was tried the claim itself fails; a stronger claim may \
                  be shown by induction"
+            ),
+            Self::Exponential => f.write_str(
+                "it fails for some values of its exponentials and logarithms, but whether these have them is \
+                 not known: of `exp(x)` beside `x`, `1 + x <= exp(x)` and `(1 - x)*exp(x) <= 1` are used; \
+                 speaking of `exp(x/2)`, `exp(x/3)`, … makes that closer",
             ),
             Self::Motion => f.write_str(
                 "it fails for some values of the functions and their derivatives, but whether functions \

@@ -17,6 +17,7 @@ mod citation;
 mod differentiation;
 mod dollars;
 mod existence;
+mod exponential;
 mod hint;
 mod label;
 mod sequence;
@@ -114,6 +115,8 @@ fn read_with(
     }
     if reader.faults.is_empty() {
         reader.check_units();
+        let varying = reader.varying_exponents();
+        reader.faults.extend(varying);
     }
     let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
@@ -124,6 +127,7 @@ fn read_with(
         let motion = Motion {
             rates: reader.scope.rates().clone(),
             angles: reader.scope.angles().collect(),
+            exponentials: reader.scope.exponentials().copied().collect(),
             derived: reader.derived,
         };
         return Ok(Document {
@@ -230,6 +234,8 @@ struct Reader {
     met: Wanted,
     /// by angle, the statement of what holds of it
     circles: BTreeMap<usize, usize>,
+    /// by a symbol and what stands for its exponential or logarithm, the statement of what holds of it
+    exponentials: BTreeMap<(usize, usize), usize>,
     /// by derived statement, what it is the derivative of
     derived: BTreeMap<usize, usize>,
     /// the dimensions of the symbols that have a unit

@@ -17,9 +17,9 @@ const CLAUSES: [&str; 6] = ["as", "when", "from", "using", "by", "expect"];
 const VERDICTS: [&str; 6] =
     ["proved", "refuted", "vacuous", "ill-defined", "unsupported", "undecided"];
 /// Functions, and words of formulas.
-const WORDS: [&str; 15] = [
-    "abs", "min", "max", "sqrt", "sin", "cos", "tan", "pi", "oo", "cases", "else", "and", "or",
-    "implies", "iff",
+const WORDS: [&str; 17] = [
+    "abs", "min", "max", "sqrt", "sin", "cos", "tan", "exp", "log", "pi", "oo", "cases", "else",
+    "and", "or", "implies", "iff",
 ];
 
 /// What the protocol calls these kinds.

@@ -138,6 +138,31 @@ pub enum SyntaxErrorKind {
     /// such as `sin(100*theta)`
     #[error("multiples of an angle are written out up to 24 of its parts")]
     TooOften,
+    /// `exp` of something else than a sum of symbols
+    #[error("`exp` takes a sum of plain symbols with rational factors")]
+    NotAnExponent,
+    /// `log` of something else than a product of symbols
+    #[error("`log` takes a product of powers of plain symbols")]
+    NotALogarithm,
+    /// `log` of a symbol that may be 0 or negative
+    #[error("`log` of `{0}`, which is not declared positive")]
+    NotPositive(String),
+    /// an exponential without a symbol
+    #[error("`exp({name}/{parts})` has no symbol here")]
+    NoExponential {
+        /// the symbol in it
+        name: String,
+        /// the parts that would do
+        parts: u32,
+    },
+    /// a logarithm without a symbol
+    #[error("`log({0})` has no symbol here")]
+    NoLogarithm(String),
+    /// such as `exp(x/13)` or `exp(100*x)`
+    #[error(
+        "exponents are twelfths at the finest, and up to 24 of their parts; those of logarithms are whole"
+    )]
+    TooFinePower,
     /// a function whose derivative has no symbol yet
     #[error("derivatives of functions go up to the sixth order: `{0}` has none here")]
     NoRate(String),
@@ -187,7 +212,9 @@ pub enum SyntaxErrorKind {
     #[error("more than {MAX_PARAMETERS} names")]
     TooManyNames,
     /// a parameter behind `d(…)` or in a sine
-    #[error("`{0}` stands for an argument, and cannot stand in a derivative or in a sine")]
+    #[error(
+        "`{0}` stands for an argument, and cannot stand in a derivative or in a sine, nor in `exp` and `log`"
+    )]
     BoundInside(String),
     /// `exists` beside a limit
     #[error("`exists` goes with relations, not with limits")]
@@ -262,6 +289,14 @@ impl SyntaxErrorKind {
                 "a phase is an angle that moves: `var phi(t)`, `given rate: d(phi, t) = omega`, and \
                  `sin(phi)` in place of `sin(omega*t)`"
             }
+            Self::NotAnExponent => {
+                "a symbol that is equal to the exponent: `var x`, `given x = k*t + 1`, and `exp(x)`; it is \
+                 no function, no index and no angle"
+            }
+            Self::NotALogarithm => {
+                "a symbol that is equal to it: `var y > 0`, `given y = 1 + x^2`, and `log(y)`"
+            }
+            Self::NotPositive(_) => "declare it so: `var y > 0`",
             Self::AngleAlone(_) => {
                 "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \
                  its direction"

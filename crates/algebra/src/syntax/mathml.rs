@@ -39,7 +39,7 @@ pub fn mathml_name(name: &str) -> String {
         return in_parentheses(&format!("<msup>{base}{}</msup>", mathml_name(index)));
     }
     if let Some((function, argument)) = applied(name) {
-        if !["cos", "sin"].contains(&function) {
+        if !["cos", "sin", "exp", "log"].contains(&function) {
             let (function, argument) = (mathml_name(function), mathml_name(argument));
             return format!("<mrow>{function}<mo>(</mo>{argument}<mo>)</mo></mrow>");
         }

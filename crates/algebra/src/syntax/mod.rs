@@ -11,6 +11,7 @@
 //!            indices, n, (n + 1), (2*n)
 //! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
 //!          | "|" sum "|" | sin(angle) | cos(angle) | tan(angle)
+//!          | exp(sum) | log(product)
 //!          | pow(a, exponent)
 //!          | "[" sum { "," sum } "]" | dot(a, b) | cross(a, b) | norm(a)
 //!          | det(a) | transpose(a) | inverse(a) | name "(" sum { "," sum } ")"
@@ -31,6 +32,7 @@ mod diagnostic;
 mod error;
 mod eval;
 mod exponent;
+mod exponential;
 mod foreign;
 mod formula;
 mod hidden;
@@ -62,6 +64,7 @@ pub use coq::{coq, coq_relation};
 pub use diagnostic::{Diagnostic, Lines, Place};
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use eval::{Evaluator, compares, eval, holds};
+pub use exponential::Exponential;
 pub use hidden::{is_control, is_hidden, printable, visible};
 pub use latex::latex_with;
 pub use lexer::Token;

@@ -142,7 +142,7 @@ pub fn latex_name(name: &str) -> String {
         return format!("\\left({base}^{{{}}}\\right)", latex_name(index));
     }
     if let Some((function, argument)) = applied(name) {
-        if !["cos", "sin"].contains(&function) {
+        if !["cos", "sin", "exp", "log"].contains(&function) {
             return format!("{}({})", latex_name(function), latex_name(argument));
         }
         let argument = match argument.split_once('/') {

@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
+use super::exponential::{Exponential, bounds_of_exponential, bounds_of_logarithm};
 use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
 use super::sequence::{Sequences, bounds_of_power};
 use super::template::{Template, parameter};
@@ -84,6 +85,8 @@ pub struct Scope {
     heights: Vec<usize>,
     /// what stands for the symbols that are angles
     angles: HashMap<usize, Angle>,
+    /// by symbol, what stands for its exponential and for its logarithm
+    exponentials: BTreeMap<(usize, bool), Exponential>,
     /// by function, the symbol for its derivative
     rates: BTreeMap<usize, usize>,
     /// vectors and matrices: how their components are arranged, and what stands for each
@@ -144,12 +147,19 @@ impl Scope {
                 self.powers.insert((canonical_name(base).into_owned(), n), index);
             }
         } else if let Some((sequence, n)) =
-            applied(name).filter(|(f, _)| !["cos", "sin"].contains(f))
+            applied(name).filter(|(f, _)| !["cos", "sin", "exp", "log"].contains(f))
         {
             if let Some(n) = symbol(n) {
                 self.sequences.add_index(n);
                 let name = canonical_name(sequence).into_owned();
                 self.terms.insert(name, (n, Expr::Var(index)));
+            }
+        } else if let Some((function @ ("exp" | "log"), part)) = applied(name) {
+            let (of, parts) = part.split_once('/').unwrap_or((part, "1"));
+            if let (Some(of), Ok(parts)) = (symbol(of), parts.parse()) {
+                let parts = if function == "log" { 0 } else { parts };
+                let found = Exponential { symbol: index, of, parts, exact: false };
+                self.exponentials.insert((of, parts == 0), found);
             }
         } else if let Some(("cos", part)) = applied(name) {
             let (angle, parts) = part.split_once('/').unwrap_or((part, "1"));
@@ -459,6 +469,60 @@ impl Scope {
         let angle = Angle { cos: cos?, sin: sin?, parts };
         self.angles.insert(index, angle);
         Ok((index, angle))
+    }
+
+    /// Declares the symbol for the exponential of a part of a symbol; of 0 parts for the logarithm.
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_exponential(
+        &mut self,
+        of: usize,
+        parts: u32,
+    ) -> Result<Exponential, DeclareError> {
+        let var = self.context.vars.get(of);
+        let (name, ends) = var.map_or(("?", [None, None]), |var| {
+            (var.name.as_str(), [var.lower.as_ref(), var.upper.as_ref()])
+        });
+        let (whole, ([lower, upper], exact)) = match parts {
+            0 => (format!("log({name})"), bounds_of_logarithm(ends)),
+            1 => (format!("exp({name})"), bounds_of_exponential(ends)),
+            n => (format!("exp({name}/{n})"), bounds_of_exponential(ends)),
+        };
+        let symbol = self.declare_compound(Var { name: whole, of: None, lower, upper })?;
+        let found = Exponential { symbol, of, parts, exact };
+        self.exponentials.insert((of, parts == 0), found);
+        Ok(found)
+    }
+
+    /// All exponentials and logarithms, in the order of their symbols' arguments.
+    pub fn exponentials(&self) -> impl Iterator<Item = &Exponential> {
+        self.exponentials.values()
+    }
+
+    /// What stands for the exponential of a symbol.
+    #[must_use]
+    pub fn exponential(&self, of: usize) -> Option<Exponential> {
+        self.exponentials.get(&(of, false)).copied()
+    }
+
+    /// What stands for the logarithm of a symbol.
+    #[must_use]
+    pub fn logarithm(&self, of: usize) -> Option<Exponential> {
+        self.exponentials.get(&(of, true)).copied()
+    }
+
+    /// What a symbol stands for, if it is an exponential or a logarithm.
+    #[must_use]
+    pub fn exponential_at(&self, symbol: usize) -> Option<Exponential> {
+        self.exponentials().find(|known| known.symbol == symbol).copied()
+    }
+
+    /// The name of a symbol that is no function, no index and no angle, and depends on none.
+    pub(crate) fn constant(&self, v: usize) -> Option<&str> {
+        let var = self.context.vars.get(v).filter(|var| var.of.is_none())?;
+        let angle = self.angle(v).is_some() || self.angle_at(v).is_some();
+        (!angle && self.sequences.index_of(v).is_none()).then_some(var.name.as_str())
     }
 
     /// Declares symbols for the first derivatives of a function, up to an order; nothing for a plain

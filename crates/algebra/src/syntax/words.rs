@@ -9,6 +9,7 @@ use super::angle::{Direction, PI, Turn, negative, product};
 use super::arrays::FUNCTIONS;
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
+use super::exponential::{exponential, logarithm};
 use super::lexer::Token;
 use super::names::canonical_name;
 use super::parser::{Node, Parser, excerpt};
@@ -54,6 +55,8 @@ impl Parser<'_> {
             word @ ("sin" | "cos" | "tan") if self.scope().is_unused(word) => {
                 self.call(|p| p.direction(word))
             }
+            "exp" if self.scope().is_unused("exp") => self.call(|p| p.lowered(exponential)),
+            "log" if self.scope().is_unused("log") => self.call(|p| p.lowered(logarithm)),
             "pow" if self.scope().is_unused("pow") => self.power_call(),
             word => match FUNCTIONS.into_iter().find(|function| *function == word) {
                 Some(function) if self.scope().is_unused(word) => self.function_of_arrays(function),
@@ -219,6 +222,28 @@ impl Parser<'_> {
                     "cos" => cos,
                     _ => Expr::Div(sin.into(), cos.into()),
                 };
+                let height = self.scope().height(&expr);
+                Ok((expr, height))
+            }
+            Err(kind) => {
+                self.report(kind, span);
+                Ok((Expr::int(1), 1))
+            }
+        }
+    }
+
+    /// The argument of an exponential or a logarithm, which is written out.
+    fn lowered(
+        &mut self,
+        write: fn(&Expr, &Scope) -> Result<Expr, SyntaxErrorKind>,
+    ) -> Result<(Expr, usize), SyntaxError> {
+        let node = self.node()?;
+        let (span, e) = (node.span.clone(), self.number_of(node));
+        if self.has_placeholder(&e, &span) {
+            return Ok((Expr::int(1), 1));
+        }
+        match write(&e, self.scope()) {
+            Ok(expr) => {
                 let height = self.scope().height(&expr);
                 Ok((expr, height))
             }

@@ -127,9 +127,13 @@ impl Reader {
             [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
         let spoken: Vec<usize> = spoken.collect();
         faults.extend(self.index_beside_variation(index, &spoken));
+        faults.extend(self.exponential_beside_variation(index, &spoken));
         let spoken = spoken.into_iter();
         let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
-        let circles = self.circles_of(sides);
+        let sides: Vec<&Expr> = sides.collect();
+        let bounds = self.bounds_of(sides.iter().copied());
+        resolved.from.extend(bounds.into_iter().filter(|bound| seen.insert(*bound)));
+        let circles = self.circles_of(sides.into_iter());
         resolved.from.extend(circles.into_iter().filter(|circle| seen.insert(*circle)));
         resolved
     }

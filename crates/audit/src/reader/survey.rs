@@ -13,8 +13,13 @@ use crate::outline::{Citation, Kind, Label, Name, Outline};
 impl Reader {
     /// The outline of a text, of which these are the blocks.
     pub(super) fn outline(&self, text: &str, blocks: &[Range<usize>], origin: &Origin) -> Outline {
-        let made: BTreeSet<usize> =
-            self.circles.values().chain(self.derived.keys()).copied().collect();
+        let made: BTreeSet<usize> = self
+            .circles
+            .values()
+            .chain(self.exponentials.values())
+            .chain(self.derived.keys())
+            .copied()
+            .collect();
         let mut outline = Outline {
             blocks: blocks.iter().map(|block| origin.in_file(block.clone())).collect(),
             names: self.names(text, origin),

@@ -80,7 +80,8 @@ impl Reader {
         match self.scope.declare(var) {
             Ok(symbol) => {
                 self.var_sites.push(item.span.start);
-                self.declare_rates(symbol, &item.name, item.span);
+                self.declare_rates(symbol, &item.name, item.span.clone());
+                self.declare_exponentials(symbol, &item.name, &item.span);
             }
             Err(error) => self.refuse(&error, item.span),
         }

@@ -166,6 +166,9 @@ impl Reader {
                 symbols.entry(symbol).or_default();
             }
         }
+        for known in self.scope.exponentials() {
+            symbols.entry(known.symbol).or_default();
+        }
         // a derivative is declared behind what it is the derivative of
         for (function, rate) in self.scope.rates() {
             let of = self.scope.context().vars.get(*function).and_then(|var| var.of);

@@ -18,6 +18,10 @@ pub(super) struct Wanted {
     parts: BTreeMap<String, u32>,
     /// how often a function is differentiated
     orders: BTreeMap<String, u32>,
+    /// into how many parts an exponent is cut
+    exponents: BTreeMap<String, u32>,
+    /// of which symbols there are logarithms
+    logarithms: BTreeSet<String>,
     /// bases of powers, and their indices
     powers: BTreeSet<(String, String)>,
 }
@@ -33,6 +37,14 @@ impl Wanted {
         self.orders.get(canonical_name(name).as_ref()).copied().unwrap_or(0)
     }
 
+    /// Which of `exp` and `log` is taken of the symbol, and of how many parts; 0 for a logarithm.
+    pub(super) fn exponentials(&self, name: &str) -> Vec<(&'static str, u32)> {
+        let name = canonical_name(name);
+        let parts = self.exponents.get(name.as_ref()).map(|parts| ("exp", *parts));
+        let logarithm = self.logarithms.contains(name.as_ref()).then_some(("log", 0));
+        parts.into_iter().chain(logarithm).collect()
+    }
+
     /// The bases of powers and their indices, in the order in which they are declared.
     pub(super) fn powers(&self) -> impl Iterator<Item = &(String, String)> {
         self.powers.iter()
@@ -44,6 +56,13 @@ impl Wanted {
             SyntaxErrorKind::NoAngle { name, parts } => {
                 let known = self.parts.entry(canonical_name(name).into_owned()).or_insert(1);
                 *known = num_integer::lcm(*known, *parts);
+            }
+            SyntaxErrorKind::NoExponential { name, parts } => {
+                let known = self.exponents.entry(canonical_name(name).into_owned()).or_insert(1);
+                *known = num_integer::lcm(*known, *parts);
+            }
+            SyntaxErrorKind::NoLogarithm(name) => {
+                self.logarithms.insert(canonical_name(name).into_owned());
             }
             SyntaxErrorKind::NoPower { base, index } => {
                 let name = |name: &String| canonical_name(name).into_owned();
