@@ -10,6 +10,7 @@ Nothing is written out by functional equations here. A verdict is wrong if numbe
     python3 scripts/adversary/exponentials.py KANE [COUNT [SEED]] [--certificates]
 """
 
+import json
 import random
 import re
 import sys
@@ -26,7 +27,6 @@ getcontext().prec = 50
 CLAIMS, NEAR = 8, Decimal(10) ** -30
 DECLARED = {"x": "x", "y": "y", "z": "z >= 0", "w": "w < 0", "s": "s > 0", "r": "r > 0", "t": "t >= 1"}
 POSITIVE, ALL = "srt", "xyzwsrt"
-VALUE = re.compile(r"((?:exp|log)\([a-z](?:/\d+)?\)|\b[a-z]) = (-?[\d/]+)(?=[,: ]|$)")
 
 
 def dec(q):
@@ -184,11 +184,13 @@ def document(rng):
     return "# Exponentials\n\n```kane\n" + "\n".join(lines) + "\n```\n", claims
 
 
-def named(reason):
-    """The point that a report names, and whether it tells all; exponentials give what is in them."""
-    at, known = {}, set()
-    for name, text in VALUE.findall(reason):
-        value = dec(text)
+def named(values):
+    """The point of a certificate; exponentials give what is in them. None if it is irrational."""
+    at = {}
+    for name, coefficients in values.items():
+        if len(coefficients) > 1:
+            return None, ""
+        value = dec(coefficients[0]) if coefficients else Decimal(0)
         found = re.fullmatch(r"(exp|log)\(([a-z])(?:/(\d+))?\)", name)
         if not found:
             of, told = name, value
@@ -196,10 +198,8 @@ def named(reason):
             of, told = found[2], value.ln() * int(found[3] or 1)
         else:
             of, told = found[2], value.exp()
-        if of in known and abs(at[of] - told) > NEAR:
-            return None, f"`{of}` has two values"
-        at[of] = told
-        known.add(of)
+        if abs(at.setdefault(of, told) - told) > NEAR:
+            return at, f"`{of}` has two values"
     for name in DECLARED:
         at.setdefault(name, Decimal({"w": -1}.get(name, 1)))
     return at, ""
@@ -209,7 +209,7 @@ def inside(at):
     return at["z"] >= 0 and at["w"] < 0 and at["s"] > 0 and at["r"] > 0 and at["t"] >= 1
 
 
-def judged_wrong(claim, statement, places):
+def judged_wrong(claim, statement, places, values):
     """Why a verdict is wrong, if it is."""
     verdict = statement["verdict"]
     meant = [at for at in places if claim.meant(at)]
@@ -221,12 +221,11 @@ def judged_wrong(claim, statement, places):
     if verdict == "proved" and failing:
         return f"proved, and false at {failing}"
     if verdict == "refuted":
-        reason = statement["links"][0]["reason"]
-        if "the root of" in reason or "…" in reason:
+        at, why = named(values)
+        if at is None:
             return None
-        at, why = named(reason)
         if why or not inside(at) or not claim.meant(at) or claim.holds(at):
-            return f"refuted, and {why or at}: {reason}"
+            return f"refuted, and {why or at}: {values}"
     return None
 
 
@@ -235,6 +234,8 @@ def main():
     rng = random.Random(trial.seed)
     for source, claims, statements in trial.documents(document, rng, 100_000):
         places = list(points(rng))
+        certificate = json.loads(Path(trial.folder.name, "out", "d.cert.json").read_text())
+        evidence = {c["label"]: c["links"][0].get("evidence", {}) for c in certificate["claims"]}
         for statement in statements:
             claim = claims.get(statement["label"])
             if not claim:
@@ -242,7 +243,8 @@ def main():
             trial.judged += 1
             false = any(claim.meant(at) and not claim.holds(at) for at in places)
             trial.count_one(f"{'false' if false else 'true'}, {statement['verdict']}")
-            why = judged_wrong(claim, statement, places)
+            values = evidence[statement["label"]].get("point", {}).get("values", {})
+            why = judged_wrong(claim, statement, places, values)
             if why:
                 trial.wrong.append((source, f"{statement['label']}: {why}"))
     return trial.told()

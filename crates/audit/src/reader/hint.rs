@@ -11,11 +11,12 @@ const FUNCTIONS: &str = "functions are `abs`, `min`, `max`, `sqrt`, and `sin`, `
                          declared, `var f(x)`, or defined, `let f(x) := …`";
 
 /// Functions that others have, and how what they are is said here.
-const ELSEWHERE: [(&[&str], &str); 6] = [
+const ELSEWHERE: [(&[&str], &str); 7] = [
     (
-        &["exp", "log", "ln", "sinh", "cosh", "tanh"],
-        "there is none; what is used of it can be assumed: `var E(x) > 0`, `given rate: d(E, x) = E`",
+        &["sinh", "cosh", "tanh"],
+        "it is made of exponentials: `(exp(x) - exp(-x))/2`; where it varies assume what is used of it: `var E(x) > 0`, `given rate: d(E, x) = E`",
     ),
+    (&["ln"], "the natural logarithm is `log(x)`, of what is declared positive: `var x > 0`"),
     (
         &["arcsin", "arccos", "arctan", "asin", "acos", "atan", "atan2"],
         "an angle is declared, and what is known of it given: `var theta`, `given slope: tan(theta) = y/x`",
