@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random claims on exponentials and logarithms, evaluated in decimals of 50 digits at many points.
+"""Random claims on exponentials and logarithms, evaluated in decimals of 180 digits at many points.
 
 Nothing is written out by functional equations here. A verdict is wrong if numbers speak against it:
 
@@ -23,8 +23,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from trial import Trial  # noqa: E402
 
-getcontext().prec = 50
-CLAIMS, NEAR = 8, Decimal(10) ** -30
+getcontext().prec = 180
+CLAIMS, NEAR = 8, Decimal(10) ** -150
 DECLARED = {"x": "x", "y": "y", "z": "z >= 0", "w": "w < 0", "s": "s > 0", "r": "r > 0", "t": "t >= 1"}
 POSITIVE, ALL = "srt", "xyzwsrt"
 
