@@ -266,7 +266,16 @@ def holds(e, at, system):
     if e[0] == "not":
         return not holds(e[1], at, system)
     if e[0] in ("and", "or"):
-        return (all if e[0] == "and" else any)([holds(part, at, system) for part in e[1:]])
+        telling, open_part = e[0] == "or", None
+        for part in e[1:]:
+            try:
+                if holds(part, at, system) == telling:
+                    return telling  # whatever the others are, and whether or not they have a value
+            except (Undefined, Unknown) as why:
+                open_part = open_part or why
+        if open_part:
+            raise open_part
+        return not telling
     values = [evaluate(part, at, system) for part in e[1:]]
     return all(system.less(e[0], a, b) for a, b in zip(values, values[1:]))
 
