@@ -120,12 +120,15 @@ def test_a_row_without_a_meaning_is_nan_and_its_neighbours_are_not(law):
     alpha[bad] = [np.nan, -1.0, -np.inf, -5e-324, np.nan, np.nan]
     for column, was in zip(kane.batch(law, alpha), good):
         assert np.isnan(column[bad]).all()
-        assert np.array_equal(np.delete(column, bad), np.delete(was, bad))
+        assert np.array_equal(np.delete(column, bad), np.delete(was, bad), equal_nan=True)
     slip, sliding, mobility = (np.array(column, dtype=float) for column in zip(
         (1, 1, 1), (-2, 0, 1), (0, 1, 1), (0, 0, 1), (np.nan, 1, 1), (np.inf, 1, 1), (1, -1, 1), (1, 1, 0), (1, 1, np.nan)
     ))
     k = kane.batch_contacts(law, slip, sliding, mobility).k
-    assert list(np.isnan(k)) == [False] * 3 + [True] * 6
+    # some laws have no value at α = 0, as garwin, or at ∞, as those without a bound
+    without = list(np.isnan(kane.batch(law, np.array([0.5, 0.0, np.inf])).k))
+    assert list(np.isnan(k)) == without + [True] * 6
+    assert not any(without) or law in ("garwin", "brach", "keller-printed", "smith-printed")
 
 
 def unaligned(rows):
