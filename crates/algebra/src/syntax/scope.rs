@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
-use super::exponential::{Exponential, bounds_of_exponential, bounds_of_logarithm};
+use super::exponential_symbol::{Exponential, bounds_of_exponential, bounds_of_logarithm};
 use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
 use super::sequence::{Sequences, bounds_of_power};
 use super::template::{Template, parameter};

@@ -16,7 +16,7 @@ use super::contacts::{ContactTable, PlaneTable, planes, terms};
 use super::number::Domain;
 use super::reader::Reader;
 use super::source::{Fault, Number, Source};
-use super::spheres::{in_plane, spheres};
+use super::spheres::spheres;
 use super::stated::{Stated, stated};
 use super::tumbling::{FlyingRod, Polygon, outside, polygon, rod};
 use crate::round::Round;
@@ -353,6 +353,30 @@ fn apart(source: Source<'_>, world: &World<Stated>, file: &File) -> Result<(), F
                 let message = format!("bodies {} and {} overlap", i + 1, j + 1);
                 return Err(source.fault(span(j), message));
             }
+        }
+    }
+    Ok(())
+}
+
+/// What is described in one plane alone is not stated of spheres in space, and what is behind or in front is
+/// of them alone.
+fn in_plane(source: Source<'_>, file: &File, bodies: &[Round<Stated>]) -> Result<(), Fault> {
+    if !bodies.iter().any(|body| body.off_plane.is_some()) {
+        let depth = file.back.as_ref().or(file.front.as_ref());
+        return depth.map_or(Ok(()), |number| {
+            Err(source
+                .fault(number.span(), "back_m and front_m are for [[body]], spheres in space"))
+        });
+    }
+    let planar = [
+        (file.air.as_ref().map(Spanned::span), "[air]"),
+        (file.rolling.as_ref().map(Spanned::span), "rolling_resistance"),
+        (file.stiffness.as_ref().map(Spanned::span), "a stiffness"),
+    ];
+    for (place, what) in planar {
+        if let Some(place) = place {
+            let message = format!("{what} is described for motion in the plane of x and y alone");
+            return Err(source.fault(place, message));
         }
     }
     Ok(())

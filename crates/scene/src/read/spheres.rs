@@ -4,10 +4,9 @@ use kane_impact::bodies::{Motion, Shape};
 use toml::Spanned;
 
 use super::bodies::Body;
-use super::file::File;
 use super::number::Domain;
 use super::reader::{Reader, name};
-use super::source::{Fault, Number, Source};
+use super::source::{Fault, Number};
 use super::stated::Stated;
 use crate::off_plane::OffPlane;
 use crate::round::Round;
@@ -97,32 +96,4 @@ fn spins(reader: &mut Reader<'_>, body: &Body) -> Result<[Stated; 3], Fault> {
             Err(reader.fault(spin.span(), "spin_rad_s, about z, and spins_rad_s; give one of them"))
         }
     }
-}
-
-/// What is described in one plane alone is not stated of spheres in space, and what is behind or in front is
-/// of them alone.
-pub(super) fn in_plane(
-    source: Source<'_>,
-    file: &File,
-    bodies: &[Round<Stated>],
-) -> Result<(), Fault> {
-    if !bodies.iter().any(|body| body.off_plane.is_some()) {
-        let depth = file.back.as_ref().or(file.front.as_ref());
-        return depth.map_or(Ok(()), |number| {
-            Err(source
-                .fault(number.span(), "back_m and front_m are for [[body]], spheres in space"))
-        });
-    }
-    let planar = [
-        (file.air.as_ref().map(Spanned::span), "[air]"),
-        (file.rolling.as_ref().map(Spanned::span), "rolling_resistance"),
-        (file.stiffness.as_ref().map(Spanned::span), "a stiffness"),
-    ];
-    for (place, what) in planar {
-        if let Some(place) = place {
-            let message = format!("{what} is described for motion in the plane of x and y alone");
-            return Err(source.fault(place, message));
-        }
-    }
-    Ok(())
 }

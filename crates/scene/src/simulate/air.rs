@@ -1,7 +1,7 @@
 //! Motion in air, whose flights have no closed form: in steps, in floats.
 
 use super::bounce::{Bounce, normal_of, strike};
-use super::run::{Budget, End, Ending, Stopped, Until};
+use super::ending::{Budget, End, Ending, Stopped, Until};
 use crate::air::Air;
 use crate::encounter::Encounter;
 use crate::resolver::Resolver;

@@ -3,7 +3,7 @@
 use kane_number::System;
 
 use super::bounce::Bounce;
-use super::run::{Budget, End, Ending, Stopped, Until};
+use super::ending::{Budget, End, Ending, Stopped, Until};
 use super::space_contact::{StruckInSpace, Touch, strike_in_space};
 use crate::coordinate::Coordinate;
 use crate::encounter::Encounter;

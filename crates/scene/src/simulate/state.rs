@@ -1,10 +1,10 @@
 //! Where all bodies are between two events, and what they meet next.
 
 use super::bounce::{Bounce, normal_of, strike};
+use super::ending::{Budget, End, Ending, Stopped, Until};
 use super::flight::{Unknown, again, to_body, to_plane, to_wall};
 use super::rest::{Tail, rest, tail};
 use super::rolling::crept;
-use super::run::{Budget, End, Ending, Stopped, Until};
 use crate::coordinate::Coordinate;
 use crate::encounter::Encounter;
 use crate::resolver::Resolver;

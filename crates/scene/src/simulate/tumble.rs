@@ -6,7 +6,7 @@ use kane_number::System;
 
 use super::bounce::{Bounce, turned as components, turned_back};
 use super::corner_path::{CornerPath, Untold};
-use super::run::{Budget, End, Ending, Stopped, Until};
+use super::ending::{Budget, End, Ending, Stopped, Until};
 use crate::coordinate::{Coordinate, half};
 use crate::corners::Corners;
 use crate::encounter::Encounter;
