@@ -4,11 +4,9 @@
 //! (2a·x + b)² + 4ac − b².
 
 use kane_algebra::ring::{common_sign, content_in};
-use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
-use num_bigint::BigInt;
-use num_traits::One;
+use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 
-use super::combination::{Multiple, Size, Summand, combined};
+use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::tactics;
 use crate::argument::Argument;
@@ -54,20 +52,9 @@ pub(super) fn closed(state: &State<'_, '_>, vars: &[usize], fuel: &Fuel) -> Opti
     }
     let mut summands: Vec<Summand> = Vec::new();
     for (square, factors) in named {
-        let mut poly = square.pow(2, fuel).ok()?;
-        for (i, n) in &factors {
-            poly = poly.mul(&state.atoms[*i].poly.pow(*n, fuel).ok()?, fuel).ok()?;
-        }
-        let sure =
-            |(i, _): &(usize, u32)| matches!(state.atoms[*i].sign, Sign::Positive | Sign::NonZero);
-        let strict = square.is_constant() && factors.iter().all(sure);
-        summands.push((Term { weight: BigInt::one(), square, factors }, poly, strict));
+        summands.push(summand(state, square, factors)?);
     }
-    summands.push((
-        Term { weight: BigInt::one(), square: one.clone(), factors: Vec::new() },
-        one.clone(),
-        true,
-    ));
+    summands.push(summand(state, one.clone(), Vec::new())?);
     let mut multiples: Vec<Multiple> = Vec::new();
     for &i in &equations {
         let bases = ordered.iter().map(|&j| state.atoms[j].poly.clone());

@@ -3,16 +3,32 @@
 use std::collections::BTreeMap;
 
 use kane_algebra::linear_program::{feasible, whole};
-use kane_kernel::{Poly, Power, State, Term};
+use kane_kernel::{Poly, Power, Sign, State, Term};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
 
 /// A term that is not negative, as a polynomial, and whether it is positive.
 pub(super) type Summand = (Term, Poly, bool);
+
+/// square² · Π atoms: positive where the square is a number and none of the atoms can vanish; `None` if it does
+/// not fit the budget.
+pub(super) fn summand(state: &State<'_, '_>, square: Poly, factors: Factors) -> Option<Summand> {
+    let fuel = &state.scope.fuel;
+    let mut poly = square.pow(2, fuel).ok()?;
+    for (i, n) in &factors {
+        poly = poly.mul(&state.atoms[*i].poly.pow(*n, fuel).ok()?, fuel).ok()?;
+    }
+    let sure =
+        |(i, _): &(usize, u32)| matches!(state.atoms[*i].sign, Sign::Positive | Sign::NonZero);
+    let strict = square.is_constant() && factors.iter().all(sure);
+    Some((Term { weight: BigInt::one(), square, factors }, poly, strict))
+}
 
 /// An equation, what it is multiplied by, and the product. Each stands with its opposite.
 pub(super) type Multiple = (usize, Poly, Poly);

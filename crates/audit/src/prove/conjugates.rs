@@ -1,12 +1,13 @@
 //! A difference of two sides that are not negative, times their sum: (P − Q)·(P + Q) = P² − Q². Where P and Q
 //! are made of roots the squares say more than the sides.
 
-use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Sign, State};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
-use super::combination::{Multiple, Size, Summand, combined};
+use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::Factors;
+use super::hints::is_told;
 use crate::argument::Argument;
 
 /// Terms of a difference.
@@ -86,23 +87,17 @@ pub(super) fn closed(state: &State<'_, '_>) -> Option<Argument> {
 fn multiplied(state: &State<'_, '_>, i: usize, roots: &[(usize, usize)]) -> Option<Argument> {
     let fuel = &state.scope.fuel;
     let poly = &state.atoms[i].poly;
-    let unit = |factors| Term { weight: BigInt::one(), square: Poly::one(), factors };
-    let mut summands: Vec<Summand> = vec![
-        (unit(Vec::new()), Poly::one(), true),
-        (unit(vec![(i, 2)]), poly.pow(2, fuel).ok()?, true),
-    ];
+    let mut summands: Vec<Summand> =
+        vec![summand(state, Poly::one(), Vec::new())?, summand(state, Poly::one(), vec![(i, 2)])?];
     for (m, _) in poly.terms() {
         let (square, mut factors) = known(state, m)?;
         factors.push((i, 1));
         factors.sort_unstable();
-        let product = Poly::term(m.to_vec(), BigInt::one()).mul(poly, fuel).ok()?;
-        let square = Poly::term(square, BigInt::one());
-        summands.push((Term { weight: BigInt::one(), square, factors }, product, false));
+        summands.push(summand(state, Poly::term(square, BigInt::one()), factors)?);
     }
     for (j, atom) in state.atoms.iter().enumerate() {
         if j != i && atom.sign.is_order() && atom.decided().is_none() && atom.poly.len() <= TERMS {
-            let strict = atom.sign == Sign::Positive;
-            summands.push((unit(vec![(j, 1)]), atom.poly.clone(), strict));
+            summands.push(summand(state, Poly::one(), vec![(j, 1)])?);
         }
     }
     let mut vars = poly.vars();
@@ -149,17 +144,12 @@ fn monomials(vars: &[usize], degree: u32) -> Option<Vec<Monomial>> {
 /// squares of two sides differ by, if no condition tells its sign.
 pub(super) fn telling(state: &State<'_, '_>) -> Option<Poly> {
     let roots = roots(state);
-    let told = |p: &Poly| {
-        state.atoms.iter().any(|a| {
-            let q = a.poly.primitive().1;
-            a.sign != Sign::NonNegative && a.sign != Sign::NonZero && (q == *p || q == p.neg())
-        })
-    };
     state.atoms.iter().filter(|a| a.decided().is_none() && a.sign != Sign::Zero).find_map(|atom| {
         let left = squared(state, &atom.poly, &roots)?;
         let candidates = [atom.poly.primitive().1, left.primitive().1];
-        let useful =
-            |p: &&Poly| !p.is_constant() && squared(state, p, &roots).is_some() && !told(p);
+        let useful = |p: &&Poly| {
+            !p.is_constant() && squared(state, p, &roots).is_some() && !is_told(state, p)
+        };
         candidates.iter().find(useful).cloned()
     })
 }

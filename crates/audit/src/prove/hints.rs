@@ -3,11 +3,9 @@
 //! what is made of them is a proof like any other.
 
 use kane_algebra::syntax::rebuild;
-use kane_kernel::{Context, Expr, Fuel, Poly, Scope, Sign, State, Term};
-use num_bigint::BigInt;
-use num_traits::One;
+use kane_kernel::{Context, Expr, Fuel, Poly, Scope, Sign, State};
 
-use super::combination::{Multiple, Size, Summand, combined};
+use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::{Elimination, Factors, open_vars};
 use crate::argument::Argument;
 
@@ -196,16 +194,7 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
                 a.1 += if same { b.1 } else { 0 };
                 same
             });
-            let mut poly = square.pow(2, fuel).ok()?;
-            for (i, n) in &factors {
-                poly = poly.mul(&state.atoms[*i].poly.pow(*n, fuel).ok()?, fuel).ok()?;
-            }
-            let strict = square.is_constant()
-                && factors
-                    .iter()
-                    .all(|(i, _)| matches!(state.atoms[*i].sign, Sign::Positive | Sign::NonZero));
-            let term = Term { weight: BigInt::one(), square: square.clone(), factors };
-            columns.push((term, poly, strict));
+            columns.push(summand(state, square.clone(), factors)?);
         }
     }
     let mut multiples: Vec<Multiple> = Vec::new();
@@ -223,13 +212,15 @@ pub(crate) fn hinted(state: &State<'_, '_>, hints: &[Hint], wealth: Wealth) -> O
     combined(state, columns, multiples, &Size { rows: ROWS, columns: COLUMNS, pivots: PIVOTS })
 }
 
+/// Whether an atom tells the sign of a primitive polynomial.
+pub(super) fn is_told(state: &State<'_, '_>, p: &Poly) -> bool {
+    state.atoms.iter().any(|a| {
+        let q = a.poly.primitive().1;
+        a.sign != Sign::NonNegative && a.sign != Sign::NonZero && (q == *p || q == p.neg())
+    })
+}
+
 /// The first polynomial of a hint whose sign no atom tells.
 pub(crate) fn untold(state: &State<'_, '_>, hints: &[Hint]) -> Option<Poly> {
-    let told = |p: &Poly| {
-        state.atoms.iter().any(|a| {
-            let q = a.poly.primitive().1;
-            a.sign != Sign::NonNegative && a.sign != Sign::NonZero && (q == *p || q == p.neg())
-        })
-    };
-    hints.iter().flat_map(Hint::bases).find(|p| !told(p)).cloned()
+    hints.iter().flat_map(Hint::bases).find(|p| !is_told(state, p)).cloned()
 }

@@ -1,10 +1,9 @@
 //! Products of two conditions, where there are too many variables for products with squares.
 
-use kane_kernel::{Atom, Poly, Sign, State, Term};
-use num_bigint::BigInt;
-use num_traits::One;
+use kane_kernel::{Atom, Poly, Sign, State};
 
-use super::combination::{Multiple, Size, Summand, combined};
+use super::combination::{Multiple, Size, Summand, combined, summand};
+use super::elimination::Factors;
 use super::linear::combination;
 use super::tactics;
 use crate::argument::Argument;
@@ -32,19 +31,14 @@ pub(super) fn pairs(state: &State<'_, '_>, vars: &[usize]) -> Option<Argument> {
     if known.len() > CONDITIONS {
         return None;
     }
-    let unit = |factors| Term { weight: BigInt::one(), square: Poly::one(), factors };
-    let strict = |i: usize| state.atoms[i].sign == Sign::Positive;
-    let mut summands: Vec<Summand> = vec![(unit(Vec::new()), Poly::one(), true)];
+    let mut factors: Vec<Factors> = vec![Vec::new()];
     for (n, &i) in known.iter().enumerate() {
-        let poly = &state.atoms[i].poly;
-        summands.push((unit(vec![(i, 1)]), poly.clone(), strict(i)));
-        for &j in &known[..n] {
-            let product = poly.mul(&state.atoms[j].poly, fuel).ok()?;
-            summands.push((unit(vec![(j, 1), (i, 1)]), product, strict(i) && strict(j)));
-        }
-        let square = poly.pow(2, fuel).ok()?;
-        summands.push((unit(vec![(i, 2)]), square, strict(i)));
+        factors.push(vec![(i, 1)]);
+        factors.extend(known[..n].iter().map(|&j| vec![(j, 1), (i, 1)]));
+        factors.push(vec![(i, 2)]);
     }
+    let summands = factors.into_iter().map(|factors| summand(state, Poly::one(), factors));
+    let summands: Vec<Summand> = summands.collect::<Option<_>>()?;
     let mut multiples: Vec<Multiple> = Vec::new();
     let by: Vec<Poly> =
         std::iter::once(Poly::one()).chain(vars.iter().map(|&v| Poly::var(v))).collect();

@@ -1,11 +1,9 @@
 //! Summands as they are written. A square, or a product whose odd factors are known not to be negative, stays
 //! one whatever it is multiplied out to: sums of such summands are told without a search.
 
-use kane_kernel::{Conclusion, Expr, Goal, Link, Poly, Relation, Sign, State, Term};
-use num_bigint::BigInt;
-use num_traits::One;
+use kane_kernel::{Conclusion, Expr, Goal, Link, Poly, Relation, Sign, State};
 
-use super::combination::{Multiple, Size, Summand, combined};
+use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::hints::{Hint, expanded};
 use crate::argument::Argument;
 
@@ -76,25 +74,20 @@ fn is_sum(e: &Expr) -> bool {
 
 /// A sum of such summands, atoms and multiples of equations that is 0 although one of them is positive.
 pub(super) fn closed(state: &State<'_, '_>, written: &[Hint]) -> Option<Argument> {
-    let fuel = &state.scope.fuel;
     let mut summands: Vec<Summand> = Vec::new();
     for (square, factors) in written.iter().filter_map(|hint| hint.as_term(state)) {
-        let mut poly = square.pow(2, fuel).ok()?;
-        for (i, n) in &factors {
-            poly = poly.mul(&state.atoms[*i].poly.pow(*n, fuel).ok()?, fuel).ok()?;
-        }
-        summands.push((Term { weight: BigInt::one(), square, factors }, poly, false));
+        summands.push(summand(state, square, factors)?);
     }
     if summands.iter().all(|(term, ..)| term.square.is_constant()) {
         return None;
     }
-    let unit = |factors| Term { weight: BigInt::one(), square: Poly::one(), factors };
-    summands.push((unit(Vec::new()), Poly::one(), true));
+    summands.push(summand(state, Poly::one(), Vec::new())?);
     let mut multiples: Vec<Multiple> = Vec::new();
     for (i, atom) in state.atoms.iter().enumerate().filter(|(_, a)| a.decided().is_none()) {
         match atom.sign {
-            Sign::Positive => summands.push((unit(vec![(i, 1)]), atom.poly.clone(), true)),
-            Sign::NonNegative => summands.push((unit(vec![(i, 1)]), atom.poly.clone(), false)),
+            Sign::Positive | Sign::NonNegative => {
+                summands.push(summand(state, Poly::one(), vec![(i, 1)])?);
+            }
             Sign::Zero => {
                 let one = Poly::one();
                 multiples.push((i, one.clone(), atom.poly.clone()));

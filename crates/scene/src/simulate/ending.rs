@@ -2,6 +2,8 @@
 
 use kane_impact::NoImpulse;
 
+use super::flight::Unknown;
+use crate::coordinate::Coordinate;
 use crate::round::Round;
 
 /// When to stop.
@@ -23,6 +25,23 @@ impl<N> Until<N> {
             Self::Duration(time) => Until::Duration(to(time)),
             Self::Rest => Until::Rest,
         }
+    }
+
+    /// Whether so many impacts are what is asked for.
+    pub(super) fn is_met(&self, impacts: u64) -> bool {
+        matches!(self, Self::Impacts(asked) if *asked <= impacts)
+    }
+}
+
+impl<N: Coordinate> Until<N> {
+    /// The time asked for, if the next event, should there be one, comes later.
+    pub(super) fn before(&self, next: Option<&N>) -> Result<Option<&N>, Unknown> {
+        let Self::Duration(end) = self else { return Ok(None) };
+        let over = match next {
+            Some(time) => end.compare(time).is_less().ok_or(Unknown)?,
+            None => true,
+        };
+        Ok(over.then_some(end))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::bounce::Bounce;
 use super::ending::{Budget, End, Ending, Stopped, Until};
+use super::flight::Unknown;
 use super::space::run_in_space;
 use super::state::State;
 use crate::coordinate::Coordinate;
@@ -41,18 +42,13 @@ pub fn run<N: Coordinate>(
         state.predict(index)?;
     }
     loop {
-        if matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
+        if until.is_met(state.impacts) {
             return Ok(state.end(Ending::Impacts));
         }
         let next = state.earliest()?;
-        if let Until::Duration(end) = until {
-            let over = match &next {
-                Some((time, _)) => end.compare(time).is_less().ok_or_else(|| state.undecided())?,
-                None => true,
-            };
-            if over {
-                return Ok(state.end_at(end.clone()));
-            }
+        let over = until.before(next.as_ref().map(|(time, _)| time));
+        if let Some(end) = over.map_err(|Unknown| state.undecided())? {
+            return Ok(state.end_at(end.clone()));
         }
         let Some((time, encounter)) = next else {
             return Ok(state.end(Ending::Quiet));
@@ -72,7 +68,7 @@ pub fn run<N: Coordinate>(
         }
         let looked = state.refresh(encounter);
         // what would come after the last impact is no matter
-        if !matches!(until, Until::Impacts(asked) if *asked <= state.impacts) {
+        if !until.is_met(state.impacts) {
             looked?;
         }
     }

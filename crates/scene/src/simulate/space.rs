@@ -4,6 +4,7 @@ use kane_number::System;
 
 use super::bounce::Bounce;
 use super::ending::{Budget, End, Ending, Stopped, Until};
+use super::flight::Unknown;
 use super::space_contact::{StruckInSpace, Touch, strike_in_space};
 use crate::coordinate::Coordinate;
 use crate::encounter::Encounter;
@@ -104,9 +105,6 @@ struct Space<'a, N> {
     /// when those meet that will, if nothing comes between
     ahead: Vec<(Encounter, Option<N>)>,
 }
-
-/// The number system cannot tell.
-struct Unknown;
 
 fn involves(encounter: Encounter, index: usize) -> bool {
     match encounter {
@@ -380,7 +378,7 @@ pub(super) fn run_in_space<N: Coordinate>(
     let mut space = Space::new(world);
     let mut moved: Vec<usize> = (0..world.bodies.len()).collect();
     loop {
-        if matches!(until, Until::Impacts(asked) if *asked <= space.impacts) {
+        if until.is_met(space.impacts) {
             return Ok(space.end(Ending::Impacts));
         }
         if space.impacts > 0 && moved.iter().any(|index| space.lies(*index)) {
@@ -388,14 +386,9 @@ pub(super) fn run_in_space<N: Coordinate>(
         }
         space.look(&moved).map_err(|Unknown| space.undecided())?;
         let next = space.earliest()?;
-        if let Until::Duration(end) = until {
-            let over = match &next {
-                Some((time, _)) => end.compare(time).is_less().ok_or_else(|| space.undecided())?,
-                None => true,
-            };
-            if over {
-                return Ok(space.end_at(end.clone()));
-            }
+        let over = until.before(next.as_ref().map(|(time, _)| time));
+        if let Some(end) = over.map_err(|Unknown| space.undecided())? {
+            return Ok(space.end_at(end.clone()));
         }
         let Some((time, encounter)) = next else {
             return Ok(space.end(Ending::Quiet));
