@@ -7,7 +7,7 @@ from functools import cache, cached_property
 
 from .blocks import statements
 from .bounds import allows, pi_bounds, rational
-from . import angles, arrays, exponentials, logic, motion, sequences, templates, terms
+from . import angles, arrays, bounds, exponentials, logic, motion, sequences, templates, terms
 from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
@@ -26,6 +26,8 @@ class Symbol:
     argument: str = None  # of which variable it is a function
     lower: tuple = None  # (rational, whether the bound is strict)
     upper: tuple = None
+    floor: tuple = None  # (expression, whether the bound is strict)
+    ceiling: tuple = None
     body: tuple = None  # of a definition
     parts: int = None  # of an angle: into how many equal parts it is cut
     unit: dict = None  # powers of base units
@@ -81,6 +83,7 @@ class Document:
             self.points, self.rate_of, self.orders = {}, {}, orders
             self.exponentials, self.bounds_of = {}, {}  # by symbol: of what, and how many parts; what holds
             self.arrays, self.templates = {}, {}
+            self.ranges = {}  # by symbol: what its bounds say that are expressions
             self.sequences = sequences.Sequences(self)
             try:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
@@ -230,32 +233,25 @@ class Document:
 
     def read_symbol(self, reader):
         """Reads a name with its bounds on either side."""
-        symbol, sides, signs = None, [], []
-        while True:
-            if reader.kind == "name" and reader.word not in RESERVED and not pi_bounds(reader, symbol):
-                if symbol:
-                    reader.fail("bounds are rational constants")
-                symbol = Symbol(reader.name())
-                sides.append(None)
-                if reader.take("("):
-                    symbol.argument = reader.name()
-                    reader.expect(")")
-                    if not self.is_plain(symbol.argument):
-                        reader.fail("a function is one of a plain variable")
-            else:
-                sides.append(self.bound(reader))
-            sign = reader.take("<", "<=", ">", ">=")
-            if not sign:
-                break
-            signs.append(sign)
-        if not symbol or len(sides) > 3 or (len(sides) == 3 and sides[1] is not None):
-            reader.fail("expected a name with bounds")
-        for number, sign in enumerate(signs):
-            left = sides[number] is None
-            bound = sides[number + 1] if left else sides[number]
-            key = "upper" if left == (sign[0] == "<") else "lower"
-            if getattr(symbol, key):
+        ends = []
+        if pi_bounds(reader, None) or bounds.stands_first(reader):
+            end = self.bound(reader)
+            ends.append((end, reader.take("<", "<=", ">", ">=") or reader.fail("expected `<`"), True))
+        symbol = Symbol(reader.name())
+        if reader.take("("):
+            symbol.argument = reader.name()
+            reader.expect(")")
+            if not self.is_plain(symbol.argument):
+                reader.fail("a function is one of a plain variable")
+        if sign := reader.take("<", "<=", ">", ">="):
+            ends.append((self.bound(reader), sign, False))
+        signs = [sign for _, sign, _ in ends]
+        for bound, sign, before in ends:
+            lower = before == (sign[0] == "<")
+            written = isinstance(bound, tuple)
+            if (symbol.lower or symbol.floor) if lower else (symbol.upper or symbol.ceiling):
                 reader.fail("a bound is given twice")
+            key = ("floor" if lower else "ceiling") if written else "lower" if lower else "upper"
             setattr(symbol, key, (bound, len(sign) == 1))
         within = reader.take("in")
         if within and reader.take("N"):
@@ -292,6 +288,11 @@ class Document:
                 setattr(symbol, key, None)
         self.check_range(symbol, reader)
         self.declare(symbol)
+        if said := bounds.relations(symbol):
+            if any(bounds.unfit(side, self) for item in said for side in item[1:] if side != ("sym", symbol.name)):
+                reader.fail("a bound is an expression in plain symbols")
+            self.ranges[symbol.name] = Statement("given", f"bounds {symbol.name}", said)
+            self.add(self.ranges[symbol.name])
         self.declare_rates(symbol)
         self.declare_exponentials(symbol)
 
@@ -320,6 +321,8 @@ class Document:
 
     def declare_angle(self, symbol, reader):
         """An angle, the point of its part, and the `given` that says where that lies."""
+        if bounds.relations(symbol):
+            reader.fail("the bounds of an angle are multiples of pi")
         ends = []
         for key, infinite in (("lower", "-oo"), ("upper", "oo")):
             bound, strict = getattr(symbol, key) or (infinite, True)
@@ -374,13 +377,19 @@ class Document:
                 reader.fail(f"the domain of `{symbol.name}` is empty")
 
     def bound(self, reader):
-        """Reads a rational constant, or an infinite one."""
+        """Reads a number, an infinite one, a multiple of pi, or another expression."""
         if infinite := self.infinite(reader):
             return infinite
-        total = reader.angle()
-        if total is None or not set(total) <= {"", "pi"} or len(total) > 1:
-            reader.fail("a bound is a number, or a multiple of pi")
-        return total if "pi" in total else total.get("", Fraction(0))
+        outer, reader.in_angle = reader.in_angle, True
+        expression = reader.sum()
+        reader.in_angle = outer
+        value = bounds.number(expression)
+        if value is not None:
+            return value
+        total = angles.summed(expression)
+        if total is not None and bounds.of_pi(expression) and set(total) <= {"pi"}:
+            return {"pi": total.get("pi", Fraction(0))}
+        return expression
 
     def infinite(self, reader):
         """Reads `oo` or `-oo`, if one is there."""
@@ -477,9 +486,16 @@ class Document:
             self.put_witnesses(statement, bound, reader)
             if reader.take("expect"):
                 self.read_expectation(statement, reader)
+        written = list(statement.cited)
+        if kind == "claim" and self.ranges:
+            others = [statement.other] if statement.other else []
+            ranges = bounds.spoken(self, (statement, *statement.cited, *others))
+            statement.cited += [s for s in ranges if s not in statement.cited]
         self.check(statement, reader)
-        if kind == "claim" and (self.circles or self.bounds_of):
-            statement.cited += [s for s in self.spoken(statement) if s not in statement.cited]
+        if kind == "claim" and (self.circles or self.bounds_of or self.ranges):
+            order = list(self.statements.values())
+            made = {id(s): s for s in (*statement.cited, *self.spoken(statement)) if s not in written}
+            statement.cited = written + sorted(made.values(), key=order.index)
         self.add(statement)
         if kind == "claim":
             self.claims.append(statement)

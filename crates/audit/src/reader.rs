@@ -13,6 +13,7 @@
 
 mod angle;
 mod blocks;
+mod bounds;
 mod citation;
 mod differentiation;
 mod dollars;
@@ -234,6 +235,8 @@ struct Reader {
     met: Wanted,
     /// by angle, the statement of what holds of it
     circles: BTreeMap<usize, usize>,
+    /// by symbol, the statement of the bounds that are expressions
+    ranges: BTreeMap<usize, usize>,
     /// by a symbol and what stands for its exponential or logarithm, the statement of what holds of it
     exponentials: BTreeMap<(usize, usize), usize>,
     /// by derived statement, what it is the derivative of

@@ -6,10 +6,10 @@ use kane_kernel::{Approach, Context, Expr, Limit, Link, Relation, Sentence, Targ
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use super::angle::Turn;
+use super::angle::{PI, Turn};
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
-use super::lexer::Token;
+use super::lexer::{self, Token};
 use super::names::CONNECTIVES;
 use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
@@ -264,29 +264,63 @@ impl Parser<'_> {
         Ok(value)
     }
 
-    /// Passes the bound of a symbol: a rational number, a rational multiple of `pi`, or an infinity.
-    /// `None` after a fault that was recorded.
+    /// Passes the bound of a symbol: a rational number, a rational multiple of `pi`, an infinity, or
+    /// another expression, with its place.
     ///
     /// # Errors
     /// As [`Parser::expr`].
-    pub fn bound(&mut self) -> Result<Option<Endpoint>, SyntaxError> {
+    pub fn bound(&mut self) -> Result<Endpoint, SyntaxError> {
         if let Some(positive) = self.infinity()? {
-            return Ok(Some(if positive { Endpoint::PlusInf } else { Endpoint::MinusInf }));
+            return Ok(if positive { Endpoint::PlusInf } else { Endpoint::MinusInf });
         }
         let node = self.with_angles()?;
         let (span, expr) = (node.span.clone(), self.number_of(node));
         if let Ok(value) = eval(&expr, &Context::default(), &[]) {
-            return Ok(Some(Endpoint::Finite(value)));
+            return Ok(Endpoint::Finite(value));
         }
-        match Turn::of(&expr) {
-            Some(Turn { angles, half_turns, number }) if angles.is_empty() && number.is_zero() => {
-                Ok(Some(Endpoint::HalfTurns(half_turns)))
+        // `L - L` is no angle, though nothing is left of it
+        let of_pi = self.scope().symbols(&expr).into_iter().all(|v| v == PI);
+        Ok(match Turn::of(&expr) {
+            Some(Turn { half_turns, number, .. }) if of_pi && number.is_zero() => {
+                Endpoint::HalfTurns(half_turns)
             }
-            _ => {
-                self.report(SyntaxErrorKind::NotConstant, span);
-                Ok(None)
+            _ => Endpoint::Expression(expr, span),
+        })
+    }
+
+    /// Whether what is ahead, up to the next comma, is a bound and then a symbol, and not a symbol first:
+    /// `a < x < b` and `2*a < x`, but neither `x < a` nor `x(t) < a`.
+    #[must_use]
+    pub fn bound_stands_first(&self) -> bool {
+        if self.token() != Token::Name {
+            return true;
+        }
+        let mut tokens = Vec::new();
+        let (mut depth, mut relations) = (0_usize, 0);
+        let (text, mut at) = self.ahead();
+        loop {
+            let (token, span) = lexer::next(text, at);
+            at = span.end;
+            match token {
+                Token::OpenParen | Token::OpenBracket | Token::OpenBrace => depth += 1,
+                Token::CloseParen | Token::CloseBracket | Token::CloseBrace => {
+                    depth = depth.saturating_sub(1);
+                }
+                Token::Rel(_) if depth == 0 => relations += 1,
+                Token::Comma if depth == 0 => break,
+                Token::End => break,
+                _ => {}
+            }
+            if relations == 0 {
+                tokens.push(token);
             }
         }
+        let function = [Token::Name, Token::OpenParen, Token::Name, Token::CloseParen];
+        let goes_on = tokens.get(1).is_some_and(|token| {
+            use Token::{Caret, Minus, OpenParen, Plus, Slash, Star, Superscript};
+            [Plus, Minus, Star, Slash, Caret, Superscript, OpenParen].contains(token)
+        });
+        relations == 2 || relations == 1 && goes_on && tokens != function
     }
 
     fn close_links(
@@ -335,6 +369,8 @@ pub enum Endpoint {
     Finite(BigRational),
     /// a multiple of π
     HalfTurns(BigRational),
+    /// an expression that is neither, and where it stands
+    Expression(Expr, Range<usize>),
     /// +∞
     PlusInf,
     /// −∞

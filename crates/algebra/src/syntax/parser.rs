@@ -126,6 +126,12 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// The collected faults, wherever the text goes on.
+    #[must_use]
+    pub fn into_faults(self) -> Vec<SyntaxError> {
+        self.errors
+    }
+
     /// The names in force.
     #[must_use]
     pub fn scope(&self) -> &'a Scope {

@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
+use super::angle::PI;
 use super::exponential_symbol::{Exponential, bounds_of_exponential, bounds_of_logarithm};
 use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
 use super::sequence::{Sequences, bounds_of_power};
@@ -516,6 +517,25 @@ impl Scope {
     #[must_use]
     pub fn exponential_at(&self, symbol: usize) -> Option<Exponential> {
         self.exponentials().find(|known| known.symbol == symbol).copied()
+    }
+
+    /// What a symbol is, in words, if it is no plain constant: a function, an index, an angle, or what
+    /// stands for a power or an exponential.
+    #[must_use]
+    pub fn kind_of(&self, v: usize) -> Option<&'static str> {
+        if v == PI {
+            Some("a multiple of it is a bound by itself alone")
+        } else if self.angle(v).is_some() || self.angle_at(v).is_some() {
+            Some("it is an angle")
+        } else if self.sequences.index_of(v) == Some(v) {
+            Some("it is an index")
+        } else if self.sequences.index_of(v).is_some() {
+            Some("it varies with an index")
+        } else if self.exponential_at(v).is_some() {
+            Some("it is an exponential or a logarithm")
+        } else {
+            self.context.vars.get(v).and_then(|var| var.of).map(|_| "it is a function")
+        }
     }
 
     /// The name of a symbol that is no function, no index and no angle, and depends on none.

@@ -142,6 +142,16 @@ impl Sequences {
         }
     }
 
+    /// The expressions that the values of a power or of a term come from.
+    #[must_use]
+    pub fn made_of(&self, symbol: usize) -> Vec<&Expr> {
+        match self.sources.get(&symbol) {
+            Some((_, Source::Power(base))) => vec![base],
+            Some((_, Source::Recursion(first, next))) => vec![first, next],
+            None => Vec::new(),
+        }
+    }
+
     /// What an expression is as a sum of whole multiples of indices; nothing if it is none.
     pub(crate) fn linear(&self, e: &Expr) -> Option<Linear> {
         let pair = |a: &Expr, b: &Expr| Some((self.linear(a)?, self.linear(b)?));

@@ -52,6 +52,9 @@ impl Reader {
         let square = |v| Expr::Pow(Expr::Var(v).into(), 2);
         let lhs = Expr::Add(square(angle.cos).into(), square(angle.sin).into());
         let mut relations = vec![Relation { lhs, rel: Rel::Eq, rhs: Expr::int(1) }];
+        if item.ends.iter().any(Option::is_some) {
+            return Err(format!("the bounds of the angle `{}` are multiples of `pi`", item.name));
+        }
         let mut ends = item.turns.clone();
         for (end, bound) in ends.iter_mut().zip([&item.lower, &item.upper]) {
             match bound {

@@ -1,6 +1,6 @@
 //! What statements cite: labels become indices, and what cannot be cited is refused.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::ops::Range;
 
 use kane_kernel::{Expr, Link, Relation, Sentence};
@@ -122,19 +122,25 @@ impl Reader {
                 Err(fault) => faults.push(fault),
             }
         }
+        let stated =
+            [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
+        let ranges: Vec<(usize, Cited)> = self.ranges_of(stated, index);
+        let fresh = ranges.iter().filter(|(given, _)| seen.insert(*given));
+        cites.extend(fresh.map(|(given, cited)| (*given, cited)));
         faults.extend(ties.find(index, &cites, resolved.target));
         let spoken =
             [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
         let spoken: Vec<usize> = spoken.collect();
         faults.extend(self.index_beside_variation(index, &spoken));
         faults.extend(self.exponential_beside_variation(index, &spoken));
-        let spoken = spoken.into_iter();
+        let mut made: BTreeSet<usize> = ranges.iter().map(|(given, _)| *given).collect();
+        let spoken = spoken.into_iter().chain(made.clone());
         let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
         let sides: Vec<&Expr> = sides.collect();
-        let bounds = self.bounds_of(sides.iter().copied());
-        resolved.from.extend(bounds.into_iter().filter(|bound| seen.insert(*bound)));
-        let circles = self.circles_of(sides.into_iter());
-        resolved.from.extend(circles.into_iter().filter(|circle| seen.insert(*circle)));
+        made.extend(self.bounds_of(sides.iter().copied()));
+        made.extend(self.circles_of(sides.into_iter()));
+        let fresh = made.into_iter().filter(|given| !resolved.from.contains(given));
+        resolved.from.extend(fresh.collect::<Vec<_>>());
         resolved
     }
 

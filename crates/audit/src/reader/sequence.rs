@@ -151,8 +151,7 @@ pub(super) fn induction(p: &mut Parser<'_>, range: Option<From>) -> Result<Induc
 impl Reader {
     /// Enters an index.
     pub(super) fn declare_index(&mut self, item: &Item) {
-        let bounded = item.lower.is_some() || item.upper.is_some();
-        if bounded || item.turns.iter().any(Option::is_some) || item.of.is_some() {
+        if item.is_bounded() || item.of.is_some() {
             let message = format!("the index `{}` has no bounds, and is no function", item.name);
             let note = "it is 0, 1, 2, …; a claim states its range by `for n >= 1`, or by `when`";
             self.faults.push(Fault::new(item.whole.clone(), message).with_note(note));

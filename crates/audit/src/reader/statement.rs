@@ -12,7 +12,7 @@ use num_rational::BigRational;
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
 use super::label::CLAUSES;
 use super::sequence::{self, Recursion};
-use super::{Fault, Reader, existence, label, symbol};
+use super::{Fault, Reader, existence, label};
 use crate::{Parts, Verdict};
 
 /// The words with which statements begin.
@@ -39,14 +39,12 @@ impl Reader {
         }
         parser.advance();
         if keyword == "var" {
-            let (vars, errors, faults) = symbol::list(parser);
+            self.scope = scope;
+            let errors = self.symbols(text, span.start);
             if !errors.is_empty() {
                 self.lose(text);
             }
             self.note_errors(errors, None);
-            self.faults.extend(faults);
-            self.scope = scope;
-            self.declare(vars);
             self.declare_powers(span.start);
             return;
         }

@@ -17,6 +17,7 @@ impl Reader {
             .circles
             .values()
             .chain(self.exponentials.values())
+            .chain(self.ranges.values())
             .chain(self.derived.keys())
             .copied()
             .collect();

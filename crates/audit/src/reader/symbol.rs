@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use kane_algebra::syntax::{Endpoint, Parser, Shape, Symbol, SyntaxError, Token, canonical_name};
-use kane_kernel::{Bound, Rel, Var};
+use kane_kernel::{Bound, Expr, Rel, Var};
 use num_rational::BigRational;
 
 use super::unit::{self, Dimension};
@@ -22,7 +22,7 @@ impl Reader {
 
     /// Enters the components of a vector or a matrix, and its name.
     fn declare_array(&mut self, item: Item, shape: Shape) {
-        if item.lower.is_some() || item.upper.is_some() || item.turns.iter().any(Option::is_some) {
+        if item.is_bounded() {
             let message = format!("`{}` is {shape} and has no bounds", item.name);
             let note = format!("state them of `{}`", shape.names(&item.name).join("`, `"));
             self.faults.push(Fault::new(item.whole, message).with_note(note));
@@ -75,11 +75,11 @@ impl Reader {
             let message = format!("the domain of `{}` is empty", item.name);
             self.faults.push(Fault::new(item.whole.clone(), message));
         }
-        let name = item.name.clone();
-        let var = Var { name, of, lower: item.lower, upper: item.upper };
-        match self.scope.declare(var) {
+        let (name, lower, upper) = (item.name.clone(), item.lower.clone(), item.upper.clone());
+        match self.scope.declare(Var { name, of, lower, upper }) {
             Ok(symbol) => {
                 self.var_sites.push(item.span.start);
+                self.declare_bounds(symbol, &item);
                 self.declare_rates(symbol, &item.name, item.span.clone());
                 self.declare_exponentials(symbol, &item.name, &item.span);
             }
@@ -144,37 +144,59 @@ pub(super) struct Item {
     pub(super) upper: Option<Bound>,
     /// lower and upper bound as multiples of π, and whether they are strict
     pub(super) turns: [Option<(BigRational, bool)>; 2],
+    /// lower and upper bound as expressions
+    pub(super) ends: [Option<End>; 2],
 }
 
-/// `[bound <] NAME[(x)] [< bound], …`; after a fault it goes on behind the next comma.
-pub(super) fn list(mut p: Parser<'_>) -> (Vec<Item>, Vec<SyntaxError>, Vec<Fault>) {
-    let mut items = Vec::new();
-    let mut errors = Vec::new();
-    let mut faults = Vec::new();
-    loop {
-        if let Err(error) = item(&mut p, &mut items, &mut faults) {
-            errors.push(error);
-            while !matches!(p.token(), Token::Comma | Token::End) {
+/// A bound that is an expression.
+#[derive(Clone)]
+pub(super) struct End {
+    pub(super) value: Expr,
+    pub(super) strict: bool,
+    pub(super) span: Range<usize>,
+}
+
+impl Reader {
+    /// Reads `[bound <] NAME[(x)] [< bound], …` and enters the symbols; after a fault it goes on behind
+    /// the next comma. Passes the errors that end an item.
+    pub(super) fn symbols(&mut self, text: &str, start: usize) -> Vec<SyntaxError> {
+        let (mut errors, mut at, mut count) = (Vec::new(), 0, 0);
+        loop {
+            // a bound may speak of the symbol before
+            let scope = std::mem::take(&mut self.scope);
+            let mut p = Parser::new(text.get(at..).unwrap_or_default(), start + at, &scope);
+            let mut items = Vec::new();
+            if count == 0 {
                 p.advance();
             }
-        }
-        if p.token() != Token::Comma && p.token() != Token::End {
-            errors.extend(p.expect_end().err());
-            while !matches!(p.token(), Token::Comma | Token::End) {
-                p.advance();
-            }
-        }
-        match p.next_item(items.len()) {
-            Ok(true) => {}
-            Ok(false) => break,
-            Err(error) => {
+            if let Err(error) = item(&mut p, &mut items, &mut self.faults) {
                 errors.push(error);
-                return (items, errors, faults);
+                while !matches!(p.token(), Token::Comma | Token::End) {
+                    p.advance();
+                }
+            }
+            if p.token() != Token::Comma && p.token() != Token::End {
+                errors.extend(p.expect_end().err());
+                while !matches!(p.token(), Token::Comma | Token::End) {
+                    p.advance();
+                }
+            }
+            count += 1;
+            let more = p.next_item(count);
+            at = p.span().start - start;
+            errors.extend(p.into_faults());
+            self.scope = scope;
+            self.declare(items);
+            match more {
+                Ok(true) => {}
+                Ok(false) => return errors,
+                Err(error) => {
+                    errors.push(error);
+                    return errors;
+                }
             }
         }
     }
-    errors.extend(p.finish(Ok(())).err().into_iter().flatten());
-    (items, errors, faults)
 }
 
 fn item(
@@ -186,12 +208,12 @@ fn item(
         return Err(p.unexpected("a name, with its bounds beside it, as in `-1 < x < 1`"));
     }
     let start = p.span().start;
-    let left = if p.token() == Token::Name && !begins_with_pi(p) {
-        None
-    } else {
+    let left = if begins_with_pi(p) || p.bound_stands_first() {
         let end = p.bound()?;
         let rel = bound_relation(p)?;
-        end.map(|end| (mirrored(rel), end))
+        Some((mirrored(rel), end))
+    } else {
+        None
     };
     let (name, span) = p.name()?;
     let mut of = None;
@@ -211,10 +233,11 @@ fn item(
         lower: None,
         upper: None,
         turns: [None, None],
+        ends: [None, None],
     });
     let right = if matches!(p.token(), Token::Rel(_)) {
         let rel = bound_relation(p)?;
-        p.bound()?.map(|end| (rel, end))
+        Some((rel, p.bound()?))
     } else {
         None
     };
@@ -301,14 +324,33 @@ fn mirrored(rel: Rel) -> Rel {
 }
 
 impl Item {
+    /// Whether there is a bound of any kind.
+    pub(super) fn is_bounded(&self) -> bool {
+        let turns = self.turns.iter().any(Option::is_some);
+        turns
+            || self.lower.is_some()
+            || self.upper.is_some()
+            || self.ends.iter().any(Option::is_some)
+    }
+
     /// Takes in `x ⋈ end`.
     fn bind(&mut self, rel: Rel, end: Endpoint) -> Result<(), String> {
         let is_lower = matches!(rel, Rel::Gt | Rel::Ge);
+        let strict = matches!(rel, Rel::Lt | Rel::Gt);
+        let side = usize::from(!is_lower);
+        let is_bound = [&self.lower, &self.upper][side].is_some() || self.ends[side].is_some();
         let value = match end {
-            Endpoint::Finite(value) => value,
+            Endpoint::Finite(value) if self.ends[side].is_none() => value,
+            Endpoint::Expression(value, span) if !is_bound => {
+                self.ends[side] = Some(End { value, strict, span });
+                return Ok(());
+            }
+            Endpoint::Finite(_) | Endpoint::Expression(..) => {
+                let side = if is_lower { "lower" } else { "upper" };
+                return Err(format!("`{}` has two {side} bounds", self.name));
+            }
             Endpoint::HalfTurns(value) => {
-                let slot = &mut self.turns[usize::from(!is_lower)];
-                let strict = matches!(rel, Rel::Lt | Rel::Gt);
+                let slot = &mut self.turns[side];
                 return match slot.replace((value, strict)) {
                     None => Ok(()),
                     Some(_) => Err(format!("`{}` is bounded twice on one side", self.name)),
@@ -320,7 +362,7 @@ impl Item {
                 return Err(format!("the domain of `{}` is empty", self.name));
             }
         };
-        let bound = Bound { value, strict: matches!(rel, Rel::Lt | Rel::Gt) };
+        let bound = Bound { value, strict };
         let (slot, side) =
             if is_lower { (&mut self.lower, "lower") } else { (&mut self.upper, "upper") };
         if slot.replace(bound).is_some() {
