@@ -6,7 +6,7 @@ What stands for an angle is the point (cos, sin) of one of its equal parts.
 from fractions import Fraction
 from math import comb, lcm
 
-from .errors import Unreadable
+from .errors import Unreadable, demand
 
 MAX_MULTIPLE, MAX_PARTS = 24, 12
 ZERO, ONE = ("num", 0, 1), ("num", 1, 1)
@@ -64,6 +64,37 @@ def summed(expression):
 
 def cleared(total):
     return {key: value for key, value in total.items() if value}
+
+
+class MetAlone(Exception):
+    """An angle stands by itself."""
+
+    def __init__(self, name):
+        super().__init__(name)
+        self.name = name
+
+
+TAYLOR = 4  # relations of an arc without a range
+
+
+def arc(symbol, ends):
+    """What cosine and sine of a part are beside it, and that an angle lies in its range: 333/106 < pi < 355/113."""
+    u = ("sym", symbol.name) if symbol.parts == 1 else ("div", ("sym", symbol.name), ("num", symbol.parts, 1))
+    cos, sin = point(symbol.name, symbol.parts)
+    square, fourth = ("pow", u, 2), ("pow", u, 4)
+    low = ("sub", ONE, ("div", square, ("num", 2, 1)))
+    found = [
+        (">=", ("mul", u, sin), ("sub", square, ("div", fourth, ("num", 6, 1)))),
+        ("<=", ("mul", u, sin), square),
+        (">=", cos, low),
+        ("<=", cos, ("add", low, ("div", fourth, ("num", 24, 1)))),
+    ]
+    for sign, end in zip((">", "<"), ends):
+        if end and end[0]:
+            pi = Fraction(333, 106) if (sign == ">") == (end[0] > 0) else Fraction(355, 113)
+            at = end[0] * pi
+            found.append((sign, ("sym", symbol.name), ("num", at.numerator, at.denominator)))
+    return found
 
 
 def negative(a):
@@ -153,7 +184,25 @@ def slope(f, symbol, mentioned):
     up = product(("d", f, sin[1]), cos) if sin[1] in mentioned else ZERO
     down = product(("d", f, cos[1]), sin) if cos[1] in mentioned else ZERO
     found = up if down == ZERO else negative(down) if up == ZERO else ("sub", up, down)
-    return found if symbol.parts == 1 else ("div", found, ("num", symbol.parts, 1))
+    found = found if symbol.parts == 1 else ("div", found, ("num", symbol.parts, 1))
+    return plus(("d", f, symbol.name), found) if symbol.name in mentioned else found
+
+
+def check_witness(goal, kind, content, rests):
+    """An angle beside its point is 0 at a witness, where its sine and cosine are known."""
+    document = goal.document
+    for name in document.arcs:
+        cos, sin = (part[1] for part in point(name, document.symbols[name].parts))
+        if name not in goal.mentioned or not {cos, sin} & set(goal.mentioned):
+            continue
+        demand(kind == "point", "functions do not show what a sine is")
+        demand(all(given in goal.cited for given in rests), "the witness is not one of all premises")
+        demand(not any(other in document.rate_of for other in goal.mentioned), "an angle moves as its point does")
+        for part, value in ((name, 0), (cos, 1), (sin, 0)):
+            if part in goal.mentioned:
+                found = content["values"].get(part)
+                known = found is not None and len(found) < 2
+                demand(known and Fraction(found[0] if found else 0) == value, f"`{part}` need not have such a value")
 
 
 def circle(symbol, ends, document):

@@ -7,7 +7,6 @@ import re
 from fractions import Fraction
 from math import isqrt
 
-from .exponentials import constant, has_derivative
 from .expressions import has_pi, parts, spelled as spelled_out, symbols_in
 
 SIGNS = ("=", "!=", "<", "<=", ">", ">=")
@@ -79,6 +78,21 @@ def root(value):
     return found if found * found == value else None
 
 
+def constant(name, document):
+    """Is it a symbol that varies with nothing?"""
+    symbol = document.symbols[name]
+    angle = symbol.parts or name in document.points
+    return not (symbol.argument or symbol.body or angle or document.sequences.index_of(name))
+
+
+def has_derivative(e, document):
+    if e[0] == "d":
+        return True
+    if e[0] == "def" and has_derivative(document.symbols[e[1]].body, document):
+        return True
+    return any(has_derivative(part, document) for part in parts(e))
+
+
 def unfit(expression, document):
     """Does a bound speak of something that is no constant?"""
     if has_pi(expression) or has_derivative(expression, document):
@@ -111,7 +125,7 @@ def spoken(document, statements):
             continue
         seen.add(name)
         if name in document.exponentials:
-            todo.append(document.exponentials[name][0])
+            todo += [base for base, _ in document.exponentials[name][0]]
         for expression in (*known.powers.get(name, ())[:1], *known.steps.get(name, ())[:2]):
             todo += document.mentioned(expression)
         if name in document.ranges:

@@ -76,11 +76,13 @@ class Document:
         wanted = {}  # symbols that are angles, which is seen only where they are used
         orders = {}  # how often functions are differentiated
         self.exponents = {}  # what is exponentiated, in how many parts, and what has a logarithm
+        self.limited = set()  # the variables of limits
+        self.alone = set()  # angles that stand by themselves, too
         self.powers = set()  # bases and indices of powers
         while True:
             self.symbols, self.statements, self.claims = {}, {}, []
             self.mentions, self.printed, self.circles, self.wanted = {}, {}, {}, wanted
-            self.points, self.rate_of, self.orders = {}, {}, orders
+            self.points, self.rate_of, self.orders, self.arcs = {}, {}, orders, {}
             self.exponentials, self.bounds_of = {}, {}  # by symbol: of what, and how many parts; what holds
             self.arrays, self.templates = {}, {}
             self.ranges = {}  # by symbol: what its bounds say that are expressions
@@ -89,11 +91,16 @@ class Document:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
                 for statement in statements(text):
                     self.read(Reader(statement, self))
-                break
+                met = {s.variable for s in self.statements.values() if s.variable} - self.limited
+                self.limited |= met
+                if not any(exponentials.holding(name, self) or self.is_angle(name) for name in met):
+                    break
             except angles.Met as met:
                 wanted[met.name] = met.parts
+            except angles.MetAlone as met:
+                self.alone.add(met.name)
             except exponentials.Met as met:
-                self.exponents[met.name, "exp" if met.parts else "log"] = met.parts
+                self.exponents[met.of, "exp" if met.parts else "log"] = met.parts
             except sequences.MetPower as met:
                 if (met.base, met.index) in self.powers:
                     raise Unreadable("a power is used above its base or its index") from None
@@ -108,22 +115,27 @@ class Document:
         if self.late:
             raise Unreadable(self.late)
 
-        def fail(reason):
-            raise Unreadable(reason)
-
-        exponentials.check_constants(self, fail)
         Units(self).check()
 
     def use(self, name, reader):
         """The expression that a name stands for."""
         symbol = self.symbols.get(name) or reader.fail("unknown symbol")
-        if symbol.parts and not reader.in_angle:
-            reader.fail("an angle is no number")
+        if not reader.in_angle:
+            self.measured(name)
         return ("def" if symbol.body else "sym", name)
 
     def is_angle(self, name):
         symbol = self.symbols.get(name)
         return symbol is not None and symbol.parts is not None
+
+    def measured(self, name):
+        """An angle that stands by itself is known as a number, too."""
+        if self.is_angle(name) and name not in self.alone | self.limited:
+            raise angles.MetAlone(name)
+
+    def may_tend(self, name):
+        """Is it the variable of a limit, a plain one or an angle that is no function?"""
+        return self.is_plain(name) or self.is_angle(name) and not self.symbols[name].argument
 
     def is_plain(self, name):
         """Is it a variable that is neither a function nor defined?"""
@@ -222,6 +234,7 @@ class Document:
             while reader.take(","):
                 self.read_symbol(reader)
             terms.declare_powers(self)
+            self.declare_exponentials(reader)
         elif reader.take("let"):
             self.read_definition(reader)
             terms.declare_powers(self)
@@ -294,22 +307,21 @@ class Document:
             self.ranges[symbol.name] = Statement("given", f"bounds {symbol.name}", said)
             self.add(self.ranges[symbol.name])
         self.declare_rates(symbol)
-        self.declare_exponentials(symbol)
 
-    def declare_exponentials(self, symbol):
-        """The exponential and the logarithm that are spoken of, and the `given` of each."""
-        for function in ("exp", "log"):
-            parts = self.exponents.get((symbol.name, function))
-            if parts is None:
+    def declare_exponentials(self, reader):
+        """The exponentials and logarithms whose symbols are known by now, and the `given` of each."""
+        by_name = sorted(self.exponents, key=lambda key: (key[1], sorted(key[0])))
+        for of, function in by_name:
+            parts = self.exponents[of, function]
+            name = exponentials.symbol_name(of, parts)
+            if name in self.symbols or not all(base in self.symbols for base, _ in of):
                 continue
-            lower, upper = exponentials.bounds(symbol, parts)
-            name = exponentials.symbol_name(symbol.name, parts)
-            self.declare(Symbol(name, lower=lower, upper=upper))
-            self.exponentials[name] = (symbol.name, parts)
-            relations = exponentials.relations(symbol.name, parts)
-            given = Statement("given", f"{function} {symbol.name}", relations)
+            lower, upper = exponentials.bounds(of, parts, self)
+            self.declare(Symbol(name, exponentials.variable(of, self, reader.fail), lower, upper))
+            self.exponentials[name] = (of, parts)
+            given = Statement("given", name[:-1].replace("(", " ", 1), exponentials.relations(of, parts))
             self.add(given)
-            self.bounds_of[symbol.name, name] = given
+            self.bounds_of[name] = given
 
     def declare_rates(self, symbol):
         """The derivatives of a function that are spoken of."""
@@ -338,9 +350,13 @@ class Document:
                 ends.append((bound, strict))
         symbol.lower = symbol.upper = None
         symbol.parts = self.wanted[symbol.name]
+        alone = symbol.name in self.alone | self.limited
+        if alone:
+            symbol.lower, symbol.upper = (end if end and end[0] == 0 else None for end in ends)
         self.declare(symbol)
+        argument = symbol.name if symbol.name in self.limited else symbol.argument
         for part in angles.point(symbol.name, symbol.parts):
-            self.declare(Symbol(part[1], symbol.argument))
+            self.declare(Symbol(part[1], argument))
             self.points[part[1]] = symbol.name
         rates = self.orders.get(symbol.name, 0)
         self.declare_rates(symbol if rates else Symbol(symbol.name))
@@ -348,6 +364,10 @@ class Document:
         self.add(given)
         for part in angles.point(symbol.name, symbol.parts):
             self.circles[part[1]] = given
+        if alone:
+            given = Statement("given", f"arc {symbol.name}", angles.arc(symbol, ends))
+            self.add(given)
+            self.arcs[symbol.name] = given
 
     def spoken(self, statement):
         """The `given`s of the angles of which a claim or what it cites speaks."""
@@ -356,9 +376,14 @@ class Document:
         for said in (statement, *statement.cited, *others):
             for expression in said.expressions():
                 names |= self.mentioned(expression)
+            names |= {said.variable} - {None}
         found = {id(self.circles[name]): self.circles[name] for name in names if name in self.circles}
-        for both, given in self.bounds_of.items():
-            if names.issuperset(both):
+        for name, given in self.arcs.items():
+            point = {part[1] for part in angles.point(name, self.symbols[name].parts)}
+            if name in names and (names & point or len(given.items) > angles.TAYLOR):
+                found[id(given)] = given
+        for name, given in self.bounds_of.items():
+            if name in names and names & dict(self.exponentials[name][0]).keys():
                 found[id(given)] = given
         order = list(self.statements.values())
         return sorted(found.values(), key=order.index)
@@ -535,7 +560,7 @@ class Document:
     def read_limit_point(self, statement, reader):
         reader.expect("as")
         statement.variable = variable = reader.name()
-        if not self.is_plain(variable):
+        if not self.may_tend(variable):
             reader.fail("the variable of a limit is a plain variable")
         reader.expect("->")
         symbol = self.symbols[variable]
@@ -593,7 +618,6 @@ class Document:
     def check(self, statement, reader):
         """What has no meaning is an error."""
         self.sequences.check(statement, reader)
-        exponentials.check(self, statement, reader.fail)
         variable = statement.variable
         for _, _, limit in statement.limits:
             if isinstance(limit, tuple) and self.depends(limit, variable):
@@ -615,18 +639,21 @@ class Document:
             return set()  # a function, beside which others may vary
         given = self.circles.get(variable)
         together = {name for name, other in self.circles.items() if given and other is given}
-        return together or {variable}
+        together |= {self.points[name] for name in together}
+        return together or {variable, *exponentials.holding(variable, self)}
 
     def check_derivatives(self, expression, variables, ties, seen, reader):
         """What is differentiated is explicit, and nothing in it is tied to the variable."""
         kind, name = expression[:2]
-        if kind == "d":
+        if kind == "d" and expression[2] not in self.exponentials:
+            # beside one by an exponential there is one by what is in it
             variables = (*variables, expression[2])
         elif kind == "sym":
             for variable in variables:
                 if self.symbols[name].argument == variable:
                     reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
-                if any(name in ties().to(v) and name not in self.varied(v) for v in self.varied(variable)):
+                together = self.varied(variable)
+                if name not in together and any(name in ties().to(v) for v in together):
                     reader.fail(f"a premise ties `{name}` to `{variable}`")
         elif kind == "def" and (name, variables) not in seen:
             seen.add((name, variables))

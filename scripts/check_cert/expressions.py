@@ -325,7 +325,7 @@ class Reader:
         self.no_parameters(argument)
         self.expect(")")
         if function == "exp":
-            return exponentials.exponential(angles.summed(argument), self.document, self.fail)
+            return exponentials.exponential(argument, self.document, self.fail)
         return exponentials.logarithm(argument, self.document, self.fail)
 
     def call(self, function):
@@ -365,12 +365,14 @@ class Reader:
             self.fail(f"nothing can be differentiated by `{name}`")
         names = self.document.mentioned(f)
         functions = any(self.document.symbols[other].argument == name for other in names)
-        if functions and not symbol.argument and not symbol.parts:
+        if functions and not symbol.argument:
             return motion.rate(f, name, self.document, self.fail)
-        if any(self.document.symbols[other].parts for other in names):
-            self.fail("an angle is no number")
+        for other in names:
+            self.document.measured(other)
         if symbol.parts:
             return angles.slope(f, symbol, names)
+        if exponentials.holding(name, self.document):
+            return exponentials.by_factor(f, name, names, self.document)
         return ("d", f, name)
 
     def cases(self):

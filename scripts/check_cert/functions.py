@@ -20,7 +20,7 @@ class Functions:
         self.variable, values, self.range_proofs, self.premises, self.failure = keys(
             evidence, "variable", "values", "ranges", "premises", "failure"
         )
-        demand(self.document.is_plain(text(self.variable)), "the variable is no plain variable")
+        demand(self.document.may_tend(text(self.variable)), "the variable is no plain variable")
         self.values = read_values(self.document, values)
         self.names = [name for name in goal.mentioned if name != self.variable]
         demand(set(self.names) == set(self.values), "not each symbol has a value")

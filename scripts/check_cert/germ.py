@@ -44,7 +44,7 @@ def read_germ(goal, value):
     )
     demand(count(power) > 0, "a germ along no power of t")
     ring, names = goal.ring, constant_names(goal, text(variable))
-    demand(goal.document.is_plain(variable), "a germ is one of a plain variable")
+    demand(goal.document.may_tend(variable), "a germ is one of a plain variable")
     demand(isinstance(above, bool), "a side is expected")
     at = None if at is None else rational(at)
     demand(allows(goal.document.symbols[variable], at, above), "the domain does not reach this side")

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from . import angles
+from . import angles, exponentials
 from .errors import Rejected, demand
 from .ties import Ties
 
@@ -28,13 +28,16 @@ def rate_name(document, function):
 
 def rate(f, t, document, fail):
     """d f / d t by the chain rule."""
-    if f[0] == "sym" and f[1] != t and f[1] not in document.points:
+    if f[0] == "sym" and f[1] != t and f[1] not in document.points and f[1] not in document.exponentials:
         if document.symbols[f[1]].argument != t:
             return angles.ZERO
         return ("sym", rate_name(document, f[1]))
     names = document.mentioned(f)
-    if t in names or any(document.symbols[name].parts for name in names):
-        fail(f"`{t}` or an angle stands by itself in what is differentiated")
+    fixed = any(not document.symbols[e].argument for e in exponentials.holding(t, document) if e in names)
+    for name in names:
+        document.measured(name)
+    if t in names or fixed:
+        fail(f"`{t}` stands by itself in what is differentiated")
     total = angles.ZERO
     for name in document.symbols:  # in order of declaration
         if name not in names or document.symbols[name].argument != t:
@@ -43,12 +46,28 @@ def rate(f, t, document, fail):
             angle = document.symbols[document.points[name]]
             cos, sin = angles.point(angle.name, angle.parts)
             slope = angles.negative(sin) if name == cos[1] else cos
-            slope = angles.product(slope, ("sym", rate_name(document, angle.name)))
+            if angle.name != t:
+                slope = angles.product(slope, ("sym", rate_name(document, angle.name)))
             if angle.parts > 1:
                 slope = ("div", slope, ("num", angle.parts, 1))
+        elif name in document.exponentials:
+            slope = exponentials.slope(name, rate_inside(name, t, document), document)
         else:
             slope = ("sym", rate_name(document, name))
         total = angles.plus(total, angles.product(("d", f, name), slope))
+    return total
+
+
+def rate_inside(exponential, t, document):
+    """The derivative of what is in an exponential."""
+    of, total = document.exponentials[exponential][0], angles.ZERO
+    for name, _ in of:
+        if name != t and document.symbols[name].argument != t:
+            continue
+        slope = exponentials.product(of, without=name)
+        if name != t:
+            slope = angles.product(slope, ("sym", rate_name(document, name)))
+        total = angles.plus(total, slope)
     return total
 
 
@@ -61,7 +80,8 @@ def derived(statement, t, document, fail):
         if sign != "=":
             fail("only equations are differentiated")
         for side in both:
-            if t in document.mentioned(side) or not rational(side, document):
+            spoken = document.mentioned(side)
+            if {t, *exponentials.holding(t, document)} & spoken or not rational(side, document):
                 fail("this may not hold for all points, or have no derivative")
         found.append(("=", *(rate(side, t, document, fail) for side in both)))
     return found

@@ -34,8 +34,12 @@ class Ties:
         """The unknowns that an equation speaks of; none of an identity."""
         gap = self.gap(relation)
         if gap:
-            return self.ring.variables(gap[0])
-        return self.document.mentioned(relation[1]) | self.document.mentioned(relation[2])
+            names = self.ring.variables(gap[0])
+        else:
+            names = self.document.mentioned(relation[1]) | self.document.mentioned(relation[2])
+        # what is said of an exponential is said of what is in it
+        inside = [dict(self.document.exponentials[name][0]) for name in names if name in self.document.exponentials]
+        return frozenset(names).union(*inside)
 
     def circular(self, relations):
         """Inequalities that make equations: in a circle, or one against another."""

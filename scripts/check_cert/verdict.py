@@ -5,7 +5,7 @@ from .evidence import keys, listed, text
 from .functions import Functions
 from .goal import Goal, rests_on
 from .limits import prove_limit
-from . import exponentials
+from . import angles, exponentials
 from .motion import check_witness
 from .point import check_point
 from .proof import ANY, Proof
@@ -85,6 +85,7 @@ def check_link(document, aims, link, shown):
     elif kind == "functions":
         check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
         exponentials.check_witness(goal, kind, content, rests_on(document, claim.cited))
+        angles.check_witness(goal, kind, content, rests_on(document, claim.cited))
         Functions(goal, content).check(finding)
     else:
         demand(kind == "point", "a witness is expected")
@@ -93,6 +94,7 @@ def check_link(document, aims, link, shown):
         check_point(goal, content, goal.mentioned, goal.listed_roots, state.conditions, state.formulas)
         check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
         exponentials.check_witness(goal, kind, content, rests_on(document, claim.cited))
+        angles.check_witness(goal, kind, content, rests_on(document, claim.cited))
     return "undecided" if finding == "consistent" else finding
 
 

@@ -96,6 +96,14 @@ fn no_verdict_on_angles_is_wrong() {
 }
 
 #[test]
+fn no_verdict_on_what_grows_is_wrong() {
+    if let Some(printed) = trial("growing.py", 160) {
+        let kinds = ["true Slope, proved: ", "false Slope, refuted: ", "true Limit, proved: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_exponentials_is_wrong() {
     if let Some(printed) = trial("exponentials.py", 240) {
         let kinds = ["true, proved: ", "false, refuted: "];

@@ -143,18 +143,20 @@ fn z3_disagrees_on_no_claim_of_the_shipped_documents() {
     }
 }
 
-/// The document's `given`s of exponentials are theorems of Coq's library about its own.
+/// The document's `given`s of exponentials, and of angles beside their sines, are theorems of Coq's library
+/// about its own.
 #[test]
-fn coq_knows_what_is_assumed_of_exponentials() {
+fn coq_knows_what_is_assumed_of_exponentials_and_arcs() {
     if !installed("coqc") {
         return;
     }
-    let source =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/conformance/data/exponentials.v");
-    let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join("exponentials.v");
-    fs::copy(source, &copy).expect("the file is there");
-    let run = std::process::Command::new("coqc").arg(&copy).output().expect("coqc runs");
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    for name in ["exponentials.v", "arcs.v"] {
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/conformance/data");
+        let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        fs::copy(data.join(name), &copy).expect("the file is there");
+        let run = std::process::Command::new("coqc").arg(&copy).output().expect("coqc runs");
+        assert!(run.status.success(), "{name}: {}", String::from_utf8_lossy(&run.stderr));
+    }
 }
 
 /// A false neighbour of a true claim, with the proof of the true one.

@@ -126,7 +126,7 @@ impl Witnessed<'_> {
         all.context.lets.clone_from(&self.document.context.lets);
         all.hypotheses.extend(given);
         let mut pinned = all.clone();
-        pinned.hypotheses.extend(pins);
+        pinned.hypotheses.extend(pins.into_iter().chain(self.document.motion.pins(&all)));
         let earlier = RefCell::default();
         let prover = self.prover(&all, &earlier);
         let (decided, model) = prover.witness_within(&pinned, self.goal, finding)?;

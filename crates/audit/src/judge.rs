@@ -356,6 +356,7 @@ fn judge(
                     prover.of_all(&mut found);
                 }
                 only_motions(document, (&resting, &ids), complete_behind, &mut found);
+                at_zero(document, (&resting, &ids), &prover, complete_behind, &mut found);
             }
             if claim.exists {
                 only_proofs(&mut found);
@@ -433,8 +434,42 @@ fn only_motions(
     };
     if found.decided.as_ref().filter(model).is_some_and(unmet) {
         found.decided = None;
-        let exponentials = motion.concerns_exponentials(resting);
-        found.open = Some(if exponentials { Open::Exponential } else { Open::Motion });
+        found.open = Some(match motion.concerns_exponentials(resting) {
+            true => Open::Exponential,
+            false if motion.concerns_arcs(resting) => Open::Arc,
+            false => Open::Motion,
+        });
+    }
+}
+
+/// Looks for a point where the exponentials of a goal are known: exp(0) is 1, and log(1) is 0.
+fn at_zero(
+    document: &Document,
+    (resting, ids): (&Goal, &[usize]),
+    prover: &Prover<'_>,
+    complete: bool,
+    found: &mut Verdicts,
+) {
+    let motion = &document.motion;
+    let pins = motion.pins(resting);
+    let of_points = matches!(resting.conclusion, Conclusion::Link(Link::Relation(_)));
+    if pins.is_empty() || !of_points || resting.hypotheses.len() != ids.len() {
+        return;
+    }
+    let mut pinned = resting.clone();
+    pinned.hypotheses.extend(pins);
+    let met = |model: &Model| motion.is_met(resting, ids, &Evidence::Model(model.clone()));
+    if found.decided.is_none() {
+        let witness = [Finding::IllDefined, Finding::Refuted]
+            .into_iter()
+            .find_map(|finding| prover.witness_within(&pinned, resting, finding));
+        if let Some((decided, _)) = witness.filter(|(_, model)| met(model)) {
+            (found.decided, found.open, found.behind_met) = (Some(decided), None, true);
+        }
+    }
+    if found.model.is_none() && complete {
+        let model = prover.witness_within(&pinned, resting, Finding::Consistent);
+        found.model = model.map(|(_, model)| model).filter(met);
     }
 }
 

@@ -67,6 +67,7 @@ struct Ground {
     rates: Vec<(usize, usize)>,
     angles: Vec<(usize, usize, usize, u32)>,
     exponentials: Vec<Exponential>,
+    measured: Vec<usize>,
     derived: Vec<(usize, usize)>,
     budget: Budget,
 }
@@ -143,6 +144,7 @@ impl Memo {
             rates: motion.rates.iter().map(|(a, b)| (*a, *b)).collect(),
             angles: motion.angles.iter().map(angle).collect(),
             exponentials: motion.exponentials.clone(),
+            measured: motion.measured.iter().map(|(theta, _)| *theta).collect(),
             derived: motion.derived.iter().map(|(a, b)| (*a, *b)).collect(),
             budget,
         });

@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use kane_algebra::rational_function::RationalFunction;
 use kane_algebra::syntax::{Angle, Exponential};
 use kane_kernel::{
-    Bound, Context, Evidence, Expr, Fuel, Goal, Link, Model, Point, Poly, Rel, Relation,
-    expressions,
+    Bound, Context, Evidence, Expr, Fuel, Goal, Hypothesis, Link, Model, Point, Poly, Rel,
+    Relation, Sentence, expressions,
 };
 use num_rational::BigRational;
 use num_traits::Zero as _;
@@ -28,6 +28,8 @@ pub(crate) struct Motion {
     pub(crate) rates: BTreeMap<usize, usize>,
     /// angles, and what stands for them
     pub(crate) angles: Vec<(usize, Angle)>,
+    /// angles that stand by themselves, too
+    pub(crate) measured: Vec<(usize, Angle)>,
     /// what stands for exponentials and logarithms
     pub(crate) exponentials: Vec<Exponential>,
     /// by statement, of which statement it is the derivative
@@ -41,9 +43,23 @@ type Jet = (usize, usize);
 type Unit = Vec<Poly>;
 
 impl Motion {
-    /// Whether the goal speaks of derivatives of functions, or of exponentials.
+    /// Whether the goal speaks of derivatives of functions, of exponentials, or of angles themselves.
     pub(crate) fn concerns(&self, goal: &Goal) -> bool {
-        self.concerns_rates(goal) || self.concerns_exponentials(goal)
+        self.concerns_rates(goal) || self.concerns_exponentials(goal) || self.concerns_arcs(goal)
+    }
+
+    /// Whether the goal speaks of an angle by itself and by its point.
+    pub(crate) fn concerns_arcs(&self, goal: &Goal) -> bool {
+        !self.arcs(&mentioned(goal)).is_empty()
+    }
+
+    /// The angles among these symbols by themselves and by their points.
+    fn arcs(&self, mentioned: &BTreeSet<usize>) -> Vec<(usize, Angle)> {
+        let spoken = |(theta, point): &&(usize, Angle)| {
+            mentioned.contains(theta)
+                && (mentioned.contains(&point.cos) || mentioned.contains(&point.sin))
+        };
+        self.measured.iter().filter(spoken).copied().collect()
     }
 
     fn concerns_rates(&self, goal: &Goal) -> bool {
@@ -57,21 +73,61 @@ impl Motion {
         !known.is_empty() && mentioned(goal).iter().any(|v| known.iter().any(|e| e.symbol == *v))
     }
 
-    /// Whether exponentials and logarithms have the values that a point gives them, for some value of
-    /// what is in them: exp(0) is 1, log(1) is 0, and where nothing else is said of x, exp(x) is any
-    /// number that the bounds of x allow.
+    /// Whether exponentials, logarithms, cosines and sines have the values that a point gives them, for
+    /// some values of what is in them: exp(0) is 1, log(1) is 0, cos(0) is 1, and where nothing else is said of u, exp(u) is any
+    /// number that the bounds of its symbols allow.
     fn are_taken(&self, goal: &Goal, point: &Point) -> bool {
         let mentioned = mentioned(goal);
         let spoken: Vec<&Exponential> =
             self.exponentials.iter().filter(|e| mentioned.contains(&e.symbol)).collect();
-        spoken.iter().all(|e| {
-            if mentioned.contains(&e.of) {
-                let whole = |n: i64| Some(BigRational::from_integer(n.into()));
-                let (of, own) = if e.parts == 0 { (1, 0) } else { (0, 1) };
-                return value(e.of, point) == whole(of) && value(e.symbol, point) == whole(own);
-            }
-            e.exact && spoken.iter().all(|other| other.of != e.of || other.symbol == e.symbol)
-        })
+        let is = |v: usize, n: i64| value(v, point) == Some(BigRational::from_integer(n.into()));
+        let at = |e: &Exponential, n: i64| is(e.symbol, n);
+        let spoken_of = |v: usize, n: i64| mentioned.contains(&v) && is(v, n);
+        let straight = |(theta, a): (usize, Angle)| {
+            let unless = |v: usize, n: i64| !mentioned.contains(&v) || is(v, n);
+            is(theta, 0) && unless(a.cos, 1) && unless(a.sin, 0)
+        };
+        self.arcs(&mentioned).into_iter().all(straight)
+            && spoken.iter().all(|e| {
+                if e.of.symbols().any(|v| mentioned.contains(&v)) {
+                    return match e.parts {
+                        0 => e.of.symbols().all(|v| is(v, 1)) && at(e, 0),
+                        // no symbol that divides is 0
+                        _ => {
+                            e.of.powers().iter().any(|(v, n)| *n > 0 && spoken_of(*v, 0))
+                                && at(e, 1)
+                        }
+                    };
+                }
+                let apart = |other: &Exponential| !other.of.symbols().any(|v| e.of.contains(v));
+                e.exact && spoken.iter().all(|other| other.symbol == e.symbol || apart(other))
+            })
+    }
+
+    /// That what stands in the exponentials and sines of a goal is 0, and in its logarithms 1, with what they
+    /// are there; nothing if they stand alone in it.
+    pub(crate) fn pins(&self, goal: &Goal) -> Vec<Hypothesis> {
+        if self.exponentials.is_empty() && self.measured.is_empty() {
+            return Vec::new();
+        }
+        let mentioned = mentioned(goal);
+        let spoken = self.exponentials.iter().filter(|e| {
+            mentioned.contains(&e.symbol) && e.of.symbols().any(|v| mentioned.contains(&v))
+        });
+        let pin = |lhs: Expr, n: i64| {
+            let equation = Relation { lhs, rel: Rel::Eq, rhs: Expr::int(n) };
+            let sentence = Sentence { when: Vec::new(), links: vec![Link::Relation(equation)] };
+            Hypothesis { sentence, given: true }
+        };
+        let both = |e: &Exponential| {
+            let (inside, own) = if e.parts == 0 { (1, 0) } else { (0, 1) };
+            [pin(e.of.expr(), inside), pin(Expr::Var(e.symbol), own)]
+        };
+        let straight = |(theta, a): (usize, Angle)| {
+            [pin(Expr::Var(theta), 0), pin(Expr::Var(a.cos), 1), pin(Expr::Var(a.sin), 0)]
+        };
+        let arcs = self.arcs(&mentioned).into_iter().flat_map(straight);
+        spoken.flat_map(both).chain(arcs).collect()
     }
 
     /// Whether functions pass through the model for which all premises hold nearby: `ids` are the
@@ -79,8 +135,11 @@ impl Motion {
     /// among them.
     pub(crate) fn is_met(&self, goal: &Goal, ids: &[usize], evidence: &Evidence) -> bool {
         let Evidence::Model(Model::Point(point)) = evidence else { return false };
-        self.are_taken(goal, point)
-            && (!self.concerns_rates(goal) || self.passes(goal, ids, point).unwrap_or(false))
+        let moves = self.concerns_rates(goal);
+        // an exponential is no function that equations could be solved for, nor is an angle beside its point
+        !(moves && (self.concerns_exponentials(goal) || self.concerns_arcs(goal)))
+            && self.are_taken(goal, point)
+            && (!moves || self.passes(goal, ids, point).unwrap_or(false))
     }
 
     /// The function that a symbol is a derivative of, and of which order; cosine and sine are the angle.

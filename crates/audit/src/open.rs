@@ -30,6 +30,8 @@ pub enum Open {
     Motion,
     /// it fails for some values of exponentials, which may be none of theirs
     Exponential,
+    /// it fails for some values of angles and their sines, which may be none of theirs
+    Arc,
     /// the witness of an `exists` does not do
     Witness,
     /// a point was found, but not for numbers in the place of the indices
@@ -84,6 +86,12 @@ impl fmt::Display for Open {
                 "it fails for some values of its exponentials and logarithms, but whether these have them is \
                  not known: of `exp(x)` beside `x`, `1 + x <= exp(x)` and `(1 - x)*exp(x) <= 1` are used; \
                  speaking of `exp(x/2)`, `exp(x/3)`, … makes that closer",
+            ),
+            Self::Arc => f.write_str(
+                "it fails for some values of its angles and their sines and cosines, but whether these have \
+                 them is not known: of an angle u beside these `u^2 - u^4/6 <= u*sin(u) <= u^2` and \
+                 `1 - u^2/2 <= cos(u) <= 1 - u^2/2 + u^4/24` are used; speaking of `sin(u/2)`, `sin(u/3)`, … \
+                 makes that closer",
             ),
             Self::Motion => f.write_str(
                 "it fails for some values of the functions and their derivatives, but whether functions \

@@ -116,8 +116,6 @@ fn read_with(
     }
     if reader.faults.is_empty() {
         reader.check_units();
-        let varying = reader.varying_exponents();
-        reader.faults.extend(varying);
     }
     let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
@@ -128,7 +126,8 @@ fn read_with(
         let motion = Motion {
             rates: reader.scope.rates().clone(),
             angles: reader.scope.angles().collect(),
-            exponentials: reader.scope.exponentials().copied().collect(),
+            measured: reader.scope.measured().collect(),
+            exponentials: reader.scope.exponentials().cloned().collect(),
             derived: reader.derived,
         };
         return Ok(Document {
@@ -178,6 +177,7 @@ fn read_once(text: &str, blocks: &Blocks, wanted: Wanted) -> Reader {
         reader.line = line;
         reader.statement(&blocks.code, span, line);
     }
+    reader.meet_limits();
     reader
 }
 
@@ -237,8 +237,10 @@ struct Reader {
     circles: BTreeMap<usize, usize>,
     /// by symbol, the statement of the bounds that are expressions
     ranges: BTreeMap<usize, usize>,
-    /// by a symbol and what stands for its exponential or logarithm, the statement of what holds of it
-    exponentials: BTreeMap<(usize, usize), usize>,
+    /// by angle that stands by itself, too, the statement of what its point is beside it
+    arcs: BTreeMap<usize, usize>,
+    /// by what stands for an exponential or a logarithm, the statement of what holds of it
+    exponentials: BTreeMap<usize, usize>,
     /// by derived statement, what it is the derivative of
     derived: BTreeMap<usize, usize>,
     /// the dimensions of the symbols that have a unit

@@ -5,6 +5,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
+use super::exponential_symbol::{NamedPowers, exponential_name};
 use super::template::MAX_PARAMETERS;
 
 /// A fault in the text and the bytes that it concerns.
@@ -139,8 +140,14 @@ pub enum SyntaxErrorKind {
     #[error("multiples of an angle are written out up to 24 of its parts")]
     TooOften,
     /// `exp` of something else than a sum of symbols
-    #[error("`exp` takes a sum of plain symbols with rational factors")]
+    #[error("`exp` takes a sum of products of symbols with rational factors")]
     NotAnExponent,
+    /// such as `exp(x/m)` where m may be 0
+    #[error("`{0}`, which may be 0, divides in an exponent")]
+    VanishingExponent(String),
+    /// such as `exp(x*y)` of functions of two variables
+    #[error("an exponent varies with two variables")]
+    TwoVariables,
     /// `log` of something else than a product of symbols
     #[error("`log` takes a product of powers of plain symbols")]
     NotALogarithm,
@@ -148,10 +155,10 @@ pub enum SyntaxErrorKind {
     #[error("`log` of `{0}`, which is not declared positive")]
     NotPositive(String),
     /// an exponential without a symbol
-    #[error("`exp({name}/{parts})` has no symbol here")]
+    #[error("`{}` has no symbol here", exponential_name(of, *parts))]
     NoExponential {
-        /// the symbol in it
-        name: String,
+        /// the product in it
+        of: NamedPowers,
         /// the parts that would do
         parts: u32,
     },
@@ -290,16 +297,17 @@ impl SyntaxErrorKind {
                  `sin(phi)` in place of `sin(omega*t)`"
             }
             Self::NotAnExponent => {
-                "a symbol that is equal to the exponent: `var x`, `given x = k*t + 1`, and `exp(x)`; it is \
-                 no function, no index and no angle"
+                "as in `exp(-c*t/m)`; of all else a symbol that is equal to it: `var x`, `given x = k*t + 1`, \
+                 and `exp(x)`; it is no index and no angle"
             }
             Self::NotALogarithm => {
                 "a symbol that is equal to it: `var y > 0`, `given y = 1 + x^2`, and `log(y)`"
             }
+            Self::VanishingExponent(_) => "declare its sign: `var m > 0`",
+            Self::TwoVariables => "one factor is to be a constant",
             Self::NotPositive(_) => "declare it so: `var y > 0`",
             Self::AngleAlone(_) => {
-                "it stands in `sin`, `cos`, `tan` and behind `d(f, …)` alone; its value is not known, only \
-                 its direction"
+                "`pi` stands in `sin`, `cos`, `tan` and in the bounds of angles alone"
             }
             Self::Ambiguous(_) => "write `(a implies b) implies c`, or `a implies (b implies c)`",
             Self::NotANumber(_) => {

@@ -220,7 +220,7 @@ impl Parser<'_> {
         let Some(declared) = self.scope().context().vars.get(var) else {
             return Ok(None);
         };
-        if declared.of.is_some() || self.scope().angle(var).is_some() {
+        if declared.of.is_some() {
             self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
             return Ok(None);
         }

@@ -10,7 +10,7 @@ use num_traits::Signed as _;
 use super::latex::{is_function, is_loose, last_factor};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, greek_letter, greek_subscript, name_parts, power, rate,
+    applied, canonical_name, greek_letter, greek_subscript, name_parts, of_argument, power, rate,
 };
 use super::number::decimal;
 use super::parser::Level;
@@ -43,10 +43,14 @@ pub fn mathml_name(name: &str) -> String {
             let (function, argument) = (mathml_name(function), mathml_name(argument));
             return format!("<mrow>{function}<mo>(</mo>{argument}<mo>)</mo></mrow>");
         }
-        let argument = match argument.split_once('/') {
-            Some((angle, parts)) => format!("{}<mo>/</mo><mn>{parts}</mn>", mathml_name(angle)),
-            None => mathml_name(argument),
-        };
+        let argument =
+            of_argument(argument, ["", "<mo>/</mo>"], |factor| match factor.split_once('^') {
+                Some((name, n)) => format!("<msup>{}<mn>{n}</mn></msup>", mathml_name(name)),
+                None if factor.starts_with(|c: char| c.is_ascii_digit()) => {
+                    format!("<mn>{factor}</mn>")
+                }
+                None => mathml_name(factor),
+            });
         return format!("<mrow><mi>{function}</mi><mo>(</mo>{argument}<mo>)</mo></mrow>");
     }
     let canonical = canonical_name(name);

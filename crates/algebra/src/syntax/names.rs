@@ -145,10 +145,11 @@ pub fn latex_name(name: &str) -> String {
         if !["cos", "sin", "exp", "log"].contains(&function) {
             return format!("{}({})", latex_name(function), latex_name(argument));
         }
-        let argument = match argument.split_once('/') {
-            Some((angle, parts)) => format!("{}/{parts}", latex_name(angle)),
-            None => latex_name(argument),
-        };
+        let argument = of_argument(argument, [" ", "/"], |factor| match factor.split_once('^') {
+            Some((name, n)) => format!("{}^{{{n}}}", latex_name(name)),
+            None if factor.starts_with(|c: char| c.is_ascii_digit()) => factor.to_owned(),
+            None => latex_name(factor),
+        });
         return format!("\\{function}({argument})");
     }
     let canonical = canonical_name(name);
@@ -192,6 +193,17 @@ pub(crate) fn power(name: &str) -> Option<(&str, &str)> {
 /// `cos(theta/2)` as `cos` and `theta/2`; nothing if it is a plain name.
 pub(crate) fn applied(name: &str) -> Option<(&str, &str)> {
     name.strip_suffix(')')?.split_once('(')
+}
+
+/// The argument of an exponential or a sine, `c*t/m/2`, with each factor as it is set, and these signs of
+/// multiplication and division.
+pub(crate) fn of_argument(
+    argument: &str,
+    [times, over]: [&str; 2],
+    factor: impl Fn(&str) -> String,
+) -> String {
+    let product = |text: &str| text.split('*').map(&factor).collect::<Vec<_>>().join(times);
+    argument.split('/').map(product).collect::<Vec<_>>().join(over)
 }
 
 /// A canonical name taken apart: the letters or the word that carry it, and its subscripts.

@@ -9,7 +9,12 @@ use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
 use super::angle::PI;
-use super::exponential_symbol::{Exponential, bounds_of_exponential, bounds_of_logarithm};
+use super::error::SyntaxErrorKind;
+use super::exponential_symbol::{
+    Exponential, bounds_of_exponential, bounds_of_logarithm, bounds_of_product, exponential_name,
+    named_powers,
+};
+use super::monomial::Monomial;
 use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
 use super::sequence::{Sequences, bounds_of_power};
 use super::template::{Template, parameter};
@@ -71,8 +76,17 @@ pub enum DeclareError {
 
 /// `cos(theta/2)` as programs spell it that have names of letters alone.
 fn spelled(name: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() || c == '\'' { c } else { '_' };
-    canonical_name(name).chars().map(plain).collect()
+    let mut out = String::new();
+    for c in canonical_name(name).chars() {
+        match c {
+            '*' => out.push_str("_times_"),
+            '^' => out.push_str("_to_"),
+            '/' => out.push_str("_over_"),
+            c if c.is_alphanumeric() || c == '\'' => out.push(c),
+            _ => out.push('_'),
+        }
+    }
+    out
 }
 
 /// The symbols and definitions known so far, by name.
@@ -86,8 +100,12 @@ pub struct Scope {
     heights: Vec<usize>,
     /// what stands for the symbols that are angles
     angles: HashMap<usize, Angle>,
-    /// by symbol, what stands for its exponential and for its logarithm
-    exponentials: BTreeMap<(usize, bool), Exponential>,
+    /// angles that stand by themselves, as numbers
+    measured: BTreeSet<usize>,
+    /// by what is in them, exponentials and logarithms
+    exponentials: BTreeMap<(Monomial, bool), Exponential>,
+    /// variables of limits
+    limited: BTreeSet<usize>,
     /// by function, the symbol for its derivative
     rates: BTreeMap<usize, usize>,
     /// vectors and matrices: how their components are arranged, and what stands for each
@@ -156,10 +174,13 @@ impl Scope {
                 self.terms.insert(name, (n, Expr::Var(index)));
             }
         } else if let Some((function @ ("exp" | "log"), part)) = applied(name) {
-            let (of, parts) = part.split_once('/').unwrap_or((part, "1"));
-            if let (Some(of), Ok(parts)) = (symbol(of), parts.parse()) {
+            let Some((powers, parts)) = named_powers(part) else { return };
+            let resolved: Option<Vec<(usize, i32)>> =
+                powers.iter().map(|(name, n)| Some((symbol(name)?, *n))).collect();
+            if let Some(powers) = resolved {
                 let parts = if function == "log" { 0 } else { parts };
-                let found = Exponential { symbol: index, of, parts, exact: false };
+                let of = Monomial::of(powers);
+                let found = Exponential { symbol: index, of: of.clone(), parts, exact: false };
                 self.exponentials.insert((of, parts == 0), found);
             }
         } else if let Some(("cos", part)) = applied(name) {
@@ -423,7 +444,7 @@ impl Scope {
     }
 
     /// Whether a product of numbers and symbols is not 0 by what is declared.
-    fn never_vanishes(&self, e: &Expr) -> bool {
+    pub(crate) fn never_vanishes(&self, e: &Expr) -> bool {
         match e {
             Expr::Num(q) => !q.is_zero(),
             Expr::Var(v) => self.context.vars.get(*v).is_some_and(|var| {
@@ -452,13 +473,24 @@ impl Scope {
         Ok(index)
     }
 
-    /// Declares a symbol as an angle, with cosine and sine of one of its equal parts.
+    /// Declares a symbol as an angle, with cosine and sine of one of its equal parts; of the variable of a
+    /// limit these are functions.
     ///
     /// # Errors
     /// As [`declare`](Self::declare).
-    pub fn declare_angle(&mut self, var: Var, parts: u32) -> Result<(usize, Angle), DeclareError> {
+    pub fn declare_angle(
+        &mut self,
+        var: Var,
+        parts: u32,
+        limited: bool,
+    ) -> Result<(usize, Angle), DeclareError> {
         let part = if parts == 1 { var.name.clone() } else { format!("{}/{parts}", var.name) };
-        let point = ["cos", "sin"].map(|f| Var { name: format!("{f}({part})"), ..var.clone() });
+        let point = ["cos", "sin"].map(|f| Var {
+            name: format!("{f}({part})"),
+            of: if limited { Some(self.context.vars.len()) } else { var.of },
+            lower: None,
+            upper: None,
+        });
         for var in &point {
             self.check_free(&spelled(&var.name))?;
         }
@@ -472,51 +504,101 @@ impl Scope {
         Ok((index, angle))
     }
 
-    /// Declares the symbol for the exponential of a part of a symbol; of 0 parts for the logarithm.
+    /// Has an angle stand by itself, too, as the number of its radians.
+    pub fn declare_measured(&mut self, angle: usize) {
+        self.measured.insert(angle);
+    }
+
+    /// Whether a symbol is an angle that is known by its direction alone.
+    #[must_use]
+    pub fn is_unmeasured(&self, symbol: usize) -> bool {
+        self.angle(symbol).is_some() && !self.measured.contains(&symbol)
+    }
+
+    /// The angles that stand by themselves, with what stands for them.
+    pub fn measured(&self) -> impl Iterator<Item = (usize, Angle)> {
+        self.measured.iter().filter_map(|v| Some((*v, *self.angle(*v)?)))
+    }
+
+    /// Notes that a symbol is the variable of a limit: what stands for its exponentials is a function of it.
+    pub fn declare_limited(&mut self, symbol: usize) {
+        self.limited.insert(symbol);
+    }
+
+    /// The variable with which a product varies: that of the functions in it, or the variable of a limit.
+    ///
+    /// # Errors
+    /// When there are two.
+    pub(crate) fn variable_of(&self, of: &Monomial) -> Result<Option<usize>, SyntaxErrorKind> {
+        let var = |v: usize| {
+            let of = self.context.vars.get(v).and_then(|var| var.of);
+            of.or_else(|| self.limited.contains(&v).then_some(v))
+        };
+        let found: BTreeSet<usize> = of.symbols().filter_map(var).collect();
+        match found.len() {
+            0 | 1 => Ok(found.into_iter().next()),
+            _ => Err(SyntaxErrorKind::TwoVariables),
+        }
+    }
+
+    /// The symbols of a product by their names.
+    pub(crate) fn named(&self, of: &Monomial) -> Vec<(String, i32)> {
+        let name = |v: usize| self.context.vars.get(v).map_or("?", |var| &var.name).to_owned();
+        of.powers().iter().map(|(v, n)| (name(*v), *n)).collect()
+    }
+
+    /// Declares the symbol for the exponential of a part of a product of symbols; of 0 parts for the
+    /// logarithm of the symbol that it is.
     ///
     /// # Errors
     /// As [`declare`](Self::declare).
     pub fn declare_exponential(
         &mut self,
-        of: usize,
+        of: &Monomial,
         parts: u32,
     ) -> Result<Exponential, DeclareError> {
-        let var = self.context.vars.get(of);
-        let (name, ends) = var.map_or(("?", [None, None]), |var| {
-            (var.name.as_str(), [var.lower.as_ref(), var.upper.as_ref()])
-        });
-        let (whole, ([lower, upper], exact)) = match parts {
-            0 => (format!("log({name})"), bounds_of_logarithm(ends)),
-            1 => (format!("exp({name})"), bounds_of_exponential(ends)),
-            n => (format!("exp({name}/{n})"), bounds_of_exponential(ends)),
+        let name = exponential_name(&self.named(of), parts);
+        let vars = &self.context.vars;
+        let of_product;
+        let (ends, all) = match of.as_symbol().and_then(|v| vars.get(v)) {
+            Some(var) => ([var.lower.as_ref(), var.upper.as_ref()], true),
+            None => {
+                of_product = bounds_of_product(of.powers(), vars);
+                ([of_product.0[0].as_ref(), of_product.0[1].as_ref()], of_product.1)
+            }
         };
-        let symbol = self.declare_compound(Var { name: whole, of: None, lower, upper })?;
-        let found = Exponential { symbol, of, parts, exact };
-        self.exponentials.insert((of, parts == 0), found);
+        let ([lower, upper], exact) = match parts {
+            0 => bounds_of_logarithm(ends),
+            _ => bounds_of_exponential(ends),
+        };
+        let variable = self.variable_of(of).unwrap_or_default();
+        let symbol = self.declare_compound(Var { name, of: variable, lower, upper })?;
+        let found = Exponential { symbol, of: of.clone(), parts, exact: exact && all };
+        self.exponentials.insert((of.clone(), parts == 0), found.clone());
         Ok(found)
     }
 
-    /// All exponentials and logarithms, in the order of their symbols' arguments.
+    /// All exponentials and logarithms, in the order of what is in them.
     pub fn exponentials(&self) -> impl Iterator<Item = &Exponential> {
         self.exponentials.values()
     }
 
-    /// What stands for the exponential of a symbol.
+    /// What stands for the exponential of a product.
     #[must_use]
-    pub fn exponential(&self, of: usize) -> Option<Exponential> {
-        self.exponentials.get(&(of, false)).copied()
+    pub fn exponential(&self, of: &Monomial) -> Option<&Exponential> {
+        self.exponentials.get(&(of.clone(), false))
     }
 
     /// What stands for the logarithm of a symbol.
     #[must_use]
-    pub fn logarithm(&self, of: usize) -> Option<Exponential> {
-        self.exponentials.get(&(of, true)).copied()
+    pub fn logarithm(&self, of: &Monomial) -> Option<&Exponential> {
+        self.exponentials.get(&(of.clone(), true))
     }
 
     /// What a symbol stands for, if it is an exponential or a logarithm.
     #[must_use]
-    pub fn exponential_at(&self, symbol: usize) -> Option<Exponential> {
-        self.exponentials().find(|known| known.symbol == symbol).copied()
+    pub fn exponential_at(&self, symbol: usize) -> Option<&Exponential> {
+        self.exponentials().find(|known| known.symbol == symbol)
     }
 
     /// What a symbol is, in words, if it is no plain constant: a function, an index, an angle, or what
@@ -538,11 +620,14 @@ impl Scope {
         }
     }
 
-    /// The name of a symbol that is no function, no index and no angle, and depends on none.
-    pub(crate) fn constant(&self, v: usize) -> Option<&str> {
-        let var = self.context.vars.get(v).filter(|var| var.of.is_none())?;
+    /// Whether a symbol may stand in an exponential: it is declared by its name, and is no index and no
+    /// angle.
+    pub(crate) fn is_exponent(&self, v: usize) -> bool {
         let angle = self.angle(v).is_some() || self.angle_at(v).is_some();
-        (!angle && self.sequences.index_of(v).is_none()).then_some(var.name.as_str())
+        let plain = |var: &Var| !var.name.contains('(');
+        !angle
+            && self.sequences.index_of(v).is_none()
+            && self.context.vars.get(v).is_some_and(plain)
     }
 
     /// Declares symbols for the first derivatives of a function, up to an order; nothing for a plain

@@ -5,11 +5,11 @@ use std::ops::Range;
 use kane_kernel::Expr;
 use num_bigint::BigInt;
 
-use super::angle::{Direction, PI, Turn, negative, product};
+use super::angle::{Direction, PI, Turn, negative, product, sum};
 use super::arrays::FUNCTIONS;
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
-use super::exponential::{exponential, logarithm};
+use super::exponential::{by_factor, exponential, logarithm};
 use super::lexer::Token;
 use super::names::canonical_name;
 use super::parser::{Node, Parser, excerpt};
@@ -22,9 +22,9 @@ use super::value::{Value, size};
 /// Makes an expression of two.
 type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
 
-/// d f / dθ = (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
+/// d f / dθ = ∂f/∂θ + (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
 /// value f is one differentiable expression in c and s near the point, and the chain rule holds.
-fn by_angle(f: &Expr, angle: Angle, scope: &Scope) -> Expr {
+fn by_angle(f: &Expr, (theta, angle): (usize, Angle), scope: &Scope) -> Expr {
     let known = scope.symbols(f);
     let part = |by: usize, times: usize| match known.contains(&by) {
         true => product(Expr::Deriv(f.clone().into(), by), Expr::Var(times)),
@@ -36,9 +36,14 @@ fn by_angle(f: &Expr, angle: Angle, scope: &Scope) -> Expr {
         (true, false) => negative(down),
         (false, false) => Expr::Sub(up.into(), down.into()),
     };
-    match angle.parts {
+    let slope = match angle.parts {
         1 => slope,
         n => Expr::Div(slope.into(), Expr::int(n.into()).into()),
+    };
+    // where the angle stands by itself, too
+    match known.contains(&theta) {
+        true => sum(Expr::Deriv(f.clone().into(), theta), slope),
+        false => slope,
     }
 }
 
@@ -86,7 +91,7 @@ impl Parser<'_> {
         }
         let (expr, height) = match self.scope().resolve(name) {
             Some(Symbol::Var(index)) => {
-                if self.scope().angle(index).is_some() && !self.in_angle {
+                if !self.in_angle && self.scope().is_unmeasured(index) {
                     self.report(SyntaxErrorKind::AngleAlone(excerpt(name)), span.clone());
                 }
                 (Expr::Var(index), 1)
@@ -382,7 +387,9 @@ impl Parser<'_> {
                 }
             }
         } else if let Some(angle) = scope.angle(x) {
-            by_angle(&f, *angle, scope)
+            by_angle(&f, (x, *angle), scope)
+        } else if scope.exponentials().any(|e| e.of.contains(x)) {
+            by_factor(&f, x, scope)
         } else {
             Expr::Deriv(Box::new(f), x)
         };
@@ -393,7 +400,7 @@ impl Parser<'_> {
     /// Whether what is differentiated has an angle, or `pi`, by itself, which is noted.
     fn has_angle_alone(&mut self, f: &Expr, span: &Range<usize>) -> bool {
         let scope = self.scope();
-        let alone = |v: &usize| *v == PI || scope.angle(*v).is_some();
+        let alone = |v: &usize| *v == PI || scope.is_unmeasured(*v);
         let found = scope.symbols(f).into_iter().find(alone);
         if let Some(v) = found {
             let name = scope.context().vars.get(v).map_or("pi", |var| &var.name);

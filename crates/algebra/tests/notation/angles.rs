@@ -10,7 +10,7 @@ fn angles() -> (Scope, [[usize; 2]; 2]) {
     let mut scope = Scope::default();
     let points = ["theta", "phi"].map(|name| {
         let var = Var { name: name.to_owned(), of: None, lower: None, upper: None };
-        let (_, angle) = scope.declare_angle(var, 12).expect("the names are free");
+        let (_, angle) = scope.declare_angle(var, 12, false).expect("the names are free");
         [angle.cos, angle.sin]
     });
     (scope, points)

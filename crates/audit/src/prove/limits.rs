@@ -12,6 +12,7 @@ use super::bounds;
 use super::elimination::Elimination;
 use super::germs::Germs;
 use super::search::{Outcome, Search};
+use super::squeeze;
 use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
@@ -187,11 +188,13 @@ pub(crate) fn one_side(
     steps: u64,
 ) -> Option<SideArgument> {
     let by_quotient = by_quotient(state, limit, side, steps);
-    by_quotient.or_else(|| {
-        bounds::one_side(state, limit, side, steps, &|power, argument| {
-            Germs::new(state, side, steps).along(power).all().find_map(argument)
+    by_quotient
+        .or_else(|| {
+            bounds::one_side(state, limit, side, steps, &|power, argument| {
+                Germs::new(state, side, steps).along(power).all().find_map(argument)
+            })
         })
-    })
+        .or_else(|| squeeze::one_side(state, limit, side, steps))
 }
 
 /// A proof of a limit from one side by a quotient that the expression equals.

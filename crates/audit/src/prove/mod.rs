@@ -27,6 +27,7 @@ mod sample;
 mod search;
 mod series;
 mod squares;
+mod squeeze;
 mod surds;
 mod tactics;
 mod witness;

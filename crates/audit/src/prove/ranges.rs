@@ -41,8 +41,21 @@ pub(super) fn inside(state: &State<'_, '_>, germ: &Germ, given: &Sentence) -> Op
     let lists: Vec<Vec<Expr>> = functions.iter().map(|_| simple(x)).collect();
     let choices = diagonal(&lists, TRIES);
     let solved = Solved::of(&state.goal.context, given, &functions);
+    let boundaries = boundaries(&state.goal.context, given, &functions);
     for choice in &choices {
         let chosen: Values = functions.iter().copied().zip(choice.iter().cloned()).collect();
+        let on = |bounds: &[(usize, Expr)]| {
+            let mut values = chosen.clone();
+            for (f, at) in bounds {
+                let at = placed(at, &chosen)?;
+                values.iter_mut().filter(|v| v.0 == *f).for_each(|v| v.1 = at.clone());
+            }
+            proved(values)
+        };
+        let alone = boundaries.iter().map(std::slice::from_ref);
+        if let Some(found) = alone.chain([&boundaries[..]]).find_map(on) {
+            return Some(found);
+        }
         let values = [solved.with(&chosen), eliminated(state, germ, given, &chosen)];
         for values in values.into_iter().flatten() {
             if let Some(found) = proved(values) {
@@ -148,6 +161,32 @@ impl Solved {
         }
         (!self.0.is_empty()).then_some(values)
     }
+}
+
+/// Functions alone on one side of an inequality, or times something, and what they are where both sides are
+/// equal.
+fn boundaries(context: &Context, given: &Sentence, functions: &[usize]) -> Vec<(usize, Expr)> {
+    let mut out = Vec::new();
+    for r in given.relations().filter(|r| !matches!(r.rel, Rel::Eq | Rel::Ne)) {
+        for (one, other) in [(&r.lhs, &r.rhs), (&r.rhs, &r.lhs)] {
+            let (f, at) = match one {
+                Expr::Var(f) => (*f, other.clone()),
+                Expr::Mul(a, b) => match (&**a, &**b) {
+                    (Expr::Var(f), by) | (by, Expr::Var(f)) if functions.contains(f) => {
+                        (*f, Expr::Div(other.clone().into(), by.clone().into()))
+                    }
+                    _ => continue,
+                },
+                _ => continue,
+            };
+            if functions.contains(&f)
+                && let Some(at) = expanded(&at, context, MAX_DEPTH)
+            {
+                out.push((f, at));
+            }
+        }
+    }
+    out
 }
 
 /// An expression without definitions.

@@ -6,10 +6,10 @@
 
 use std::collections::BTreeSet;
 
-use kane_algebra::syntax::Turn;
-use kane_kernel::{Expr, Link, Rel, Relation, Sentence, Var};
+use kane_algebra::syntax::{Angle, Turn};
+use kane_kernel::{Bound, Expr, Link, Rel, Relation, Sentence, Var};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed as _, Zero};
 
 use super::citation::{Draft, DraftBody};
 use super::symbol::Item;
@@ -19,11 +19,24 @@ use crate::Parts;
 impl Reader {
     /// Enters an angle, and what holds of it.
     pub(super) fn declare_angle(&mut self, item: Item, of: Option<usize>, parts: u32) {
-        let var = Var { name: item.name.clone(), of, lower: None, upper: None };
-        let angle = match self.scope.declare_angle(var, parts) {
+        let (alone, limited) =
+            (self.wanted.is_alone(&item.name), self.wanted.is_limited(&item.name));
+        // where the range ends at 0 the number does
+        let [lower, upper] = item.range_in_turns().map(|end| {
+            end.filter(|(end, _)| alone && end.is_zero())
+                .map(|(value, strict)| Bound { value, strict })
+        });
+        let var = Var { name: item.name.clone(), of, lower, upper };
+        let angle = match self.scope.declare_angle(var, parts, limited) {
             Ok((angle, _)) => angle,
             Err(error) => return self.refuse(&error, item.span),
         };
+        if alone {
+            self.scope.declare_measured(angle);
+        }
+        if limited {
+            self.scope.declare_limited(angle);
+        }
         self.declare_rates(angle, &item.name, item.span.clone());
         let links = match self.circle(angle, &item) {
             Ok(relations) => relations.into_iter().map(Link::Relation).collect(),
@@ -41,9 +54,19 @@ impl Reader {
         let parts =
             Parts { label: item.span.clone(), content: item.whole.clone(), ..Parts::default() };
         let label = format!("(angle {})", item.name);
-        let line = self.line;
+        let (line, span) = (self.line, item.whole.clone());
         self.circles.insert(angle, self.drafts.len());
-        self.enter(Draft { label, parts, body, span: item.whole, line });
+        self.enter(Draft { label, parts: parts.clone(), body, span, line });
+        if alone && let Some(point) = self.scope.angle(angle) {
+            let links = arc(angle, *point, &item.range_in_turns())
+                .into_iter()
+                .map(Link::Relation)
+                .collect();
+            let body = DraftBody::Given(Sentence { when: Vec::new(), links });
+            let label = format!("(arc {})", item.name);
+            self.arcs.insert(angle, self.drafts.len());
+            self.enter(Draft { label, parts, body, span: item.whole, line });
+        }
     }
 
     /// cos² + sin² = 1, and that the point lies on the arc that is declared.
@@ -120,12 +143,25 @@ impl Reader {
         Ok(relations)
     }
 
-    /// The `given`s of the angles of which these expressions speak, in the order of the text.
-    pub(super) fn circles_of<'a>(&self, sides: impl Iterator<Item = &'a Expr>) -> BTreeSet<usize> {
-        if self.circles.is_empty() {
-            return BTreeSet::new();
-        }
-        let symbols: BTreeSet<usize> = sides.flat_map(|side| self.scope.symbols(side)).collect();
+    /// The `given`s of the angles that are among these symbols by themselves, and by their points, or have
+    /// a range.
+    pub(super) fn arcs_of(&self, symbols: &BTreeSet<usize>) -> BTreeSet<usize> {
+        let spoken = |(theta, given): (&usize, &usize)| {
+            let angle = self.scope.angle(*theta)?;
+            let by_point = symbols.contains(&angle.cos) || symbols.contains(&angle.sin);
+            let ranged = || {
+                let draft = self.drafts.get(*given)?;
+                let DraftBody::Given(sentence) = &draft.body else { return None };
+                (sentence.links.len() > TAYLOR).then_some(())
+            };
+            let is_spoken = symbols.contains(theta) && (by_point || ranged().is_some());
+            is_spoken.then_some(*given)
+        };
+        self.arcs.iter().filter_map(spoken).collect()
+    }
+
+    /// The `given`s of the angles whose points are among these symbols, in the order of the text.
+    pub(super) fn circles_of(&self, symbols: &BTreeSet<usize>) -> BTreeSet<usize> {
         let spoken = |(symbol, given): (&usize, &usize)| {
             let angle = self.scope.angle(*symbol)?;
             let is_spoken = symbols.contains(&angle.cos) || symbols.contains(&angle.sin);
@@ -133,4 +169,41 @@ impl Reader {
         };
         self.circles.iter().filter_map(spoken).collect()
     }
+}
+
+/// Relations of an arc that hold whatever its range is.
+const TAYLOR: usize = 4;
+
+/// What cosine and sine of a part u are beside u itself: u² − u⁴/6 ≤ u·sin u ≤ u² and
+/// 1 − u²/2 ≤ cos u ≤ 1 − u²/2 + u⁴/24 for all real u; and that the angle lies between the ends of its
+/// range, with 333/106 < π < 355/113.
+fn arc(theta: usize, point: Angle, ends: &[Option<(BigRational, bool)>; 2]) -> Vec<Relation> {
+    let number = |n: i64, d: i64| Expr::Num(BigRational::new(n.into(), d.into()));
+    let u = || match point.parts {
+        1 => Expr::Var(theta),
+        n => Expr::Div(Expr::Var(theta).into(), Expr::int(n.into()).into()),
+    };
+    let power = |n: i32| Expr::Pow(u().into(), n);
+    let over = |a: Expr, n: i64| Expr::Div(a.into(), Expr::int(n).into());
+    let minus = |a: Expr, b: Expr| Expr::Sub(a.into(), b.into());
+    let below = || minus(Expr::int(1), over(power(2), 2));
+    let (cos, sin) = (Expr::Var(point.cos), || Expr::Mul(u().into(), Expr::Var(point.sin).into()));
+    let relation = |lhs, rel, rhs| Relation { lhs, rel, rhs };
+    let mut relations = vec![
+        relation(sin(), Rel::Ge, minus(power(2), over(power(4), 6))),
+        relation(sin(), Rel::Le, power(2)),
+        relation(cos.clone(), Rel::Ge, below()),
+        relation(cos, Rel::Le, Expr::Add(below().into(), over(power(4), 24).into())),
+    ];
+    for (end, rel) in ends.iter().zip([Rel::Gt, Rel::Lt]) {
+        let Some((turns, _)) = end.as_ref().filter(|(turns, _)| !turns.is_zero()) else { continue };
+        // outwards
+        let pi = match (rel == Rel::Gt) == turns.is_positive() {
+            true => number(333, 106),
+            false => number(355, 113),
+        };
+        let at = Expr::Mul(Expr::Num(turns.clone()).into(), pi.into());
+        relations.push(relation(Expr::Var(theta), rel, at));
+    }
+    relations
 }

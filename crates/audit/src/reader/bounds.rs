@@ -88,7 +88,9 @@ impl Reader {
                 continue;
             }
             // exp(x), and the powers of x, speak of x
-            todo.extend(self.scope.exponential_at(v).map(|known| known.of));
+            todo.extend(
+                self.scope.exponential_at(v).into_iter().flat_map(|known| known.of.symbols()),
+            );
             todo.extend(symbols(self.scope.sequences().made_of(v)));
             let Some(given) = self.ranges.get(&v).filter(|given| **given < at) else { continue };
             todo.extend(symbols(sides(*given)));

@@ -132,13 +132,19 @@ impl Reader {
             [index].into_iter().chain(resolved.from.iter().copied()).chain(resolved.target);
         let spoken: Vec<usize> = spoken.collect();
         faults.extend(self.index_beside_variation(index, &spoken));
-        faults.extend(self.exponential_beside_variation(index, &spoken));
         let mut made: BTreeSet<usize> = ranges.iter().map(|(given, _)| *given).collect();
-        let spoken = spoken.into_iter().chain(made.clone());
-        let sides = spoken.filter_map(|i| Some(tie::sides(&self.drafts.get(i)?.body))).flatten();
-        let sides: Vec<&Expr> = sides.collect();
-        made.extend(self.bounds_of(sides.iter().copied()));
-        made.extend(self.circles_of(sides.into_iter()));
+        if self.circles.is_empty() && self.exponentials.is_empty() && made.is_empty() {
+            return resolved;
+        }
+        let mut symbols = BTreeSet::new();
+        let spoken = spoken.iter().chain(&made);
+        for body in spoken.filter_map(|i| Some(&self.drafts.get(*i)?.body)) {
+            symbols.extend(tie::limits(body));
+            symbols.extend(tie::sides(body).into_iter().flat_map(|side| self.scope.symbols(side)));
+        }
+        made.extend(self.bounds_of(&symbols));
+        made.extend(self.arcs_of(&symbols));
+        made.extend(self.circles_of(&symbols));
         let fresh = made.into_iter().filter(|given| !resolved.from.contains(given));
         resolved.from.extend(fresh.collect::<Vec<_>>());
         resolved

@@ -83,7 +83,10 @@ impl Reader {
             };
             let mut slopes = Vec::new();
             for side in [lhs, rhs] {
-                if self.scope.symbols(side).contains(&t) {
+                let symbols = self.scope.symbols(side);
+                let inside =
+                    |v: &usize| self.scope.exponential_at(*v).is_some_and(|e| e.of.contains(t));
+                if symbols.contains(&t) || symbols.iter().any(inside) {
                     return refuse(format!(
                         "`{name}` speaks of `{variable}` itself, and may not hold for all `{variable}`"
                     ));

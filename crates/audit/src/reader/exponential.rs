@@ -1,125 +1,78 @@
-//! Exponentials and logarithms: what stands for them, what is known of it, and where they may stand.
+//! Exponentials and logarithms: what stands for them, and what is known of it.
 //!
-//! The symbol for exp(x) tells neither how it varies with x nor which number it is. So x is a constant of
-//! the document, and what is known is a `given`: 1 + x is at most exp(x), and 1 − x at most exp(−x).
+//! The symbol for exp(u) does not tell which number it is. What is known is a `given`: 1 + u is at most exp(u),
+//! and 1 − u at most exp(−u). Where u varies, by functions in it or with the variable of a limit, so does
+//! the symbol.
 
 use std::collections::BTreeSet;
-use std::ops::Range;
 
-use kane_algebra::syntax::Exponential;
+use kane_algebra::syntax::{Exponential, Monomial, Symbol};
 use kane_kernel::{Expr, Link, Rel, Relation, Sentence};
 
+use super::Reader;
 use super::citation::{Draft, DraftBody};
-use super::{Fault, Reader, tie};
+use super::tie;
 use crate::Parts;
 
 impl Reader {
-    /// Enters what stands for the exponential and for the logarithm of a symbol, where these are
-    /// spoken of.
-    pub(super) fn declare_exponentials(&mut self, symbol: usize, name: &str, span: &Range<usize>) {
-        for (function, parts) in self.wanted.exponentials(name) {
-            let known = match self.scope.declare_exponential(symbol, parts) {
-                Ok(known) => known,
-                Err(error) => return self.refuse(&error, span.clone()),
+    /// Enters what stands for the exponentials and logarithms whose symbols are declared by now.
+    pub(super) fn declare_exponentials(&mut self, site: usize) {
+        for (of, parts) in self.wanted.exponentials() {
+            let symbol = |name: &str| match self.scope.resolve(name) {
+                Some(Symbol::Var(v)) => Some(v),
+                _ => None,
             };
-            self.var_sites.resize(self.scope.context().vars.len(), span.start);
-            let links = bounds(known).map(Link::Relation).to_vec();
+            let powers = of.iter().map(|(name, n)| Some((symbol(name)?, *n)));
+            let Some(powers) = powers.collect::<Option<Vec<_>>>() else { continue };
+            let of = Monomial::of(powers);
+            let is_known = match parts {
+                0 => self.scope.logarithm(&of).is_some(),
+                _ => self.scope.exponential(&of).is_some(),
+            };
+            if is_known {
+                continue;
+            }
+            let known = match self.scope.declare_exponential(&of, parts) {
+                Ok(known) => known,
+                Err(error) => return self.refuse(&error, site..site),
+            };
+            // the words that declare the last of its symbols
+            let last = of.symbols().filter_map(|v| self.var_sites.get(v).copied()).max();
+            let at = last.unwrap_or(site);
+            self.var_sites.resize(self.scope.context().vars.len(), at);
+            let name = self.scope.context().vars.get(known.symbol).map_or("?", |var| &var.name);
+            let label = format!("({})", name.trim_end_matches(')').replacen('(', " ", 1));
+            let links = bounds(&known).map(Link::Relation).to_vec();
             let body = DraftBody::Given(Sentence { when: Vec::new(), links });
-            let parts = Parts { label: span.clone(), content: span.clone(), ..Parts::default() };
-            self.exponentials.insert((symbol, known.symbol), self.drafts.len());
-            let (label, line) = (format!("({function} {name})"), self.line);
-            self.enter(Draft { label, parts, body, span: span.clone(), line });
+            let parts = Parts { label: at..at, content: at..at, ..Parts::default() };
+            self.exponentials.insert(known.symbol, self.drafts.len());
+            let line = self.line;
+            self.enter(Draft { label, parts, body, span: at..at, line });
         }
     }
 
-    /// The `given`s of the exponentials and logarithms of which these expressions speak, if they speak
-    /// of what is in them, too.
-    pub(super) fn bounds_of<'a>(&self, sides: impl Iterator<Item = &'a Expr>) -> BTreeSet<usize> {
-        if self.exponentials.is_empty() {
-            return BTreeSet::new();
-        }
-        let symbols: BTreeSet<usize> = sides.flat_map(|side| self.scope.symbols(side)).collect();
-        let spoken = |((of, symbol), given): (&(usize, usize), &usize)| {
-            (symbols.contains(of) && symbols.contains(symbol)).then_some(*given)
-        };
-        self.exponentials.iter().filter_map(spoken).collect()
-    }
-
-    /// The fault that a claim, or what it cites, speaks of an exponential beside functions, derivatives
-    /// or limits.
-    pub(super) fn exponential_beside_variation(
-        &self,
-        index: usize,
-        spoken: &[usize],
-    ) -> Option<Fault> {
-        if self.exponentials.is_empty() {
-            return None;
-        }
-        let (mut of_exponential, mut varies) = (false, false);
-        for body in spoken.iter().filter_map(|i| Some(&self.drafts.get(*i)?.body)) {
-            varies |= !tie::limits(body).is_empty();
-            for side in tie::sides(body) {
-                self.scope.visit(side, &mut |node| match node {
-                    Expr::Deriv(..) => varies = true,
-                    Expr::Var(v) => {
-                        let var = self.scope.context().vars.get(*v);
-                        varies |= var.is_some_and(|var| var.of.is_some());
-                        of_exponential |= self.scope.exponential_at(*v).is_some();
-                    }
-                    _ => {}
-                });
+    /// Notes the variables of the limits in what was read.
+    pub(super) fn meet_limits(&mut self) {
+        for v in self.drafts.iter().flat_map(|draft| tie::limits(&draft.body)) {
+            if let Some(var) = self.scope.context().vars.get(v) {
+                self.met.limit(&var.name);
             }
         }
-        if !(of_exponential && varies) {
-            return None;
-        }
-        let at = self.drafts.get(index).map(|draft| draft.parts.label.clone());
-        let message = "`exp` and `log` do not go with functions, derivatives and limits".to_owned();
-        let note = "not in one claim, nor in what it cites; an exponential that varies is a function with its \
-                    equation: `var E(t) > 0`, `given law: d(E, t) = -k*E`";
-        Some(Fault::new(at.unwrap_or_default(), message).with_note(note))
     }
 
-    /// The faults that what stands in an exponential or a logarithm varies somewhere.
-    pub(super) fn varying_exponents(&self) -> Vec<Fault> {
-        let bases: BTreeSet<usize> = self.exponentials.keys().map(|(of, _)| *of).collect();
-        let mut faults = Vec::new();
-        if bases.is_empty() {
-            return faults;
-        }
-        let vars = &self.scope.context().vars;
-        let functions = bases.iter().filter(|v| vars.iter().any(|var| var.of == Some(**v)));
-        let mut varying: BTreeSet<usize> = functions.copied().collect();
-        for draft in &self.drafts {
-            varying.extend(tie::limits(&draft.body).into_iter().filter(|v| bases.contains(v)));
-            for side in tie::sides(&draft.body) {
-                self.scope.visit(side, &mut |node| {
-                    if let Expr::Deriv(_, v) = node {
-                        varying.extend(bases.get(v));
-                        let of = self.scope.exponential_at(*v).map(|known| known.of);
-                        varying.extend(of);
-                    }
-                });
-            }
-        }
-        for v in varying {
-            let name = vars.get(v).map_or("?", |var| &var.name);
-            let site = self.var_sites.get(v).copied().unwrap_or_default();
-            let message = format!(
-                "`{name}` stands in `exp` or `log`, and is a constant: no limit, no derivative and no \
-                 function is one by it"
-            );
-            let note = "an exponential that varies is a function with its equation: `var E(t) > 0`, \
-                        `given law: d(E, t) = -k*E`";
-            faults.push(Fault::new(site..site + name.len(), message).with_note(note));
-        }
-        faults
+    /// The `given`s of the exponentials and logarithms among these symbols, if what is in them is among
+    /// these, too.
+    pub(super) fn bounds_of(&self, symbols: &BTreeSet<usize>) -> BTreeSet<usize> {
+        let spoken = self.scope.exponentials().filter(|known| {
+            symbols.contains(&known.symbol) && known.of.symbols().any(|v| symbols.contains(&v))
+        });
+        spoken.filter_map(|known| self.exponentials.get(&known.symbol).copied()).collect()
     }
 }
 
-/// 1 + x ≤ exp(x) and (1 − x)·exp(x) ≤ 1, of a part of x; log(x) ≤ x − 1 and x·log(x) ≥ x − 1.
-fn bounds(known: Exponential) -> [Relation; 2] {
-    let (x, e, one) = (Expr::Var(known.of), Expr::Var(known.symbol), Expr::int(1));
+/// 1 + u ≤ exp(u) and (1 − u)·exp(u) ≤ 1, of a part of u; log(x) ≤ x − 1 and x·log(x) ≥ x − 1.
+fn bounds(known: &Exponential) -> [Relation; 2] {
+    let (x, e, one) = (known.of.expr(), Expr::Var(known.symbol), Expr::int(1));
     let minus_one = || Expr::Sub(x.clone().into(), Expr::int(1).into());
     match known.parts {
         0 => [

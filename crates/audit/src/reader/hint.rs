@@ -12,10 +12,7 @@ const FUNCTIONS: &str = "functions are `abs`, `min`, `max`, `sqrt`, and `sin`, `
 
 /// Functions that others have, and how what they are is said here.
 const ELSEWHERE: [(&[&str], &str); 7] = [
-    (
-        &["sinh", "cosh", "tanh"],
-        "it is made of exponentials: `(exp(x) - exp(-x))/2`; where it varies assume what is used of it: `var E(x) > 0`, `given rate: d(E, x) = E`",
-    ),
+    (&["sinh", "cosh", "tanh"], "it is made of exponentials: `(exp(x) - exp(-x))/2`"),
     (&["ln"], "the natural logarithm is `log(x)`, of what is declared positive: `var x > 0`"),
     (
         &["arcsin", "arccos", "arctan", "asin", "acos", "atan", "atan2"],

@@ -46,6 +46,7 @@ impl Reader {
             }
             self.note_errors(errors, None);
             self.declare_powers(span.start);
+            self.declare_exponentials(span.start);
             return;
         }
         let head = match keyword {
@@ -117,6 +118,7 @@ impl Reader {
         };
         self.refuse_indices(&body, &parts);
         self.declare_powers(span.start);
+        self.declare_exponentials(span.start);
         self.enter(Draft { label: head.label, parts, body, span: span.start..end, line });
     }
 

@@ -16,6 +16,7 @@ impl Reader {
         let made: BTreeSet<usize> = self
             .circles
             .values()
+            .chain(self.arcs.values())
             .chain(self.exponentials.values())
             .chain(self.ranges.values())
             .chain(self.derived.keys())

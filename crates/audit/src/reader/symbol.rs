@@ -81,7 +81,9 @@ impl Reader {
                 self.var_sites.push(item.span.start);
                 self.declare_bounds(symbol, &item);
                 self.declare_rates(symbol, &item.name, item.span.clone());
-                self.declare_exponentials(symbol, &item.name, &item.span);
+                if self.wanted.is_limited(&item.name) {
+                    self.scope.declare_limited(symbol);
+                }
             }
             Err(error) => self.refuse(&error, item.span),
         }
@@ -331,6 +333,14 @@ impl Item {
             || self.lower.is_some()
             || self.upper.is_some()
             || self.ends.iter().any(Option::is_some)
+    }
+
+    /// The ends of an angle's range as multiples of π, and whether they are strict.
+    pub(super) fn range_in_turns(&self) -> [Option<(BigRational, bool)>; 2] {
+        let zero =
+            |bound: &Option<Bound>| bound.as_ref().map(|bound| (bound.value.clone(), bound.strict));
+        let [lower, upper] = self.turns.clone();
+        [lower.or_else(|| zero(&self.lower)), upper.or_else(|| zero(&self.upper))]
     }
 
     /// Takes in `x ⋈ end`.

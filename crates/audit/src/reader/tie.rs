@@ -162,11 +162,17 @@ impl<'a> Ties<'a> {
                         found.push(Derivative { by: t, others, total: true });
                         return;
                     }
+                    // the chain rule has one by the symbol inside beside it
+                    if self.scope.exponential_at(*x).is_some() {
+                        return;
+                    }
                     // cosine and sine vary together
-                    let varied = match self.scope.angle_at(*x) {
-                        Some((_, angle)) => vec![angle.cos, angle.sin],
+                    let mut varied = match self.scope.angle_at(*x) {
+                        Some((theta, angle)) => vec![theta, angle.cos, angle.sin],
                         None => vec![*x],
                     };
+                    let exponentials = self.scope.exponentials().filter(|e| e.of.contains(*x));
+                    varied.extend(exponentials.map(|e| e.symbol));
                     others.retain(|other| !varied.contains(other));
                     let fixed = |by| Derivative { by, others: others.clone(), total: false };
                     found.extend(varied.into_iter().map(fixed));
@@ -199,10 +205,14 @@ impl<'a> Ties<'a> {
         };
         let difference = Expr::Sub(upper.clone().into(), lower.clone().into());
         let value = RationalFunction::from_expr(&difference, self.scope.context()).ok();
-        let symbols = match &value {
+        let mut symbols: BTreeSet<usize> = match &value {
             Some(value) => value.fraction().0.vars().into_iter().collect(),
             None => self.scope.symbols(&difference),
         };
+        // what is said of an exponential is said of what is in it
+        let spoken = self.scope.exponentials().filter(|e| symbols.contains(&e.symbol));
+        let inside: Vec<usize> = spoken.flat_map(|e| e.of.symbols()).collect();
+        symbols.extend(inside);
         let is_equation = relation.rel == Rel::Eq;
         let (lower, upper) = (lower.clone(), upper.clone());
         Some(Difference { lower, upper, is_equation, value, symbols })

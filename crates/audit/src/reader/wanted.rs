@@ -3,10 +3,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kane_algebra::syntax::{SyntaxErrorKind, canonical_name};
+use kane_algebra::syntax::{NamedPowers, SyntaxErrorKind, canonical_name};
 
 /// The highest derivative of a function.
 const MAX_ORDER: u32 = 6;
+
+/// Exponentials, and logarithms.
+const MAX_EXPONENTS: usize = 1_000;
 
 /// Powers with an index for exponent.
 const MAX_POWERS: usize = 100;
@@ -18,10 +21,14 @@ pub(super) struct Wanted {
     parts: BTreeMap<String, u32>,
     /// how often a function is differentiated
     orders: BTreeMap<String, u32>,
-    /// into how many parts an exponent is cut
-    exponents: BTreeMap<String, u32>,
+    /// products of symbols in exponents, and into how many parts they are cut
+    exponents: BTreeMap<NamedPowers, u32>,
     /// of which symbols there are logarithms
     logarithms: BTreeSet<String>,
+    /// angles that stand by themselves
+    alone: BTreeSet<String>,
+    /// variables of limits
+    limited: BTreeSet<String>,
     /// bases of powers, and their indices
     powers: BTreeSet<(String, String)>,
 }
@@ -37,12 +44,26 @@ impl Wanted {
         self.orders.get(canonical_name(name).as_ref()).copied().unwrap_or(0)
     }
 
-    /// Which of `exp` and `log` is taken of the symbol, and of how many parts; 0 for a logarithm.
-    pub(super) fn exponentials(&self, name: &str) -> Vec<(&'static str, u32)> {
-        let name = canonical_name(name);
-        let parts = self.exponents.get(name.as_ref()).map(|parts| ("exp", *parts));
-        let logarithm = self.logarithms.contains(name.as_ref()).then_some(("log", 0));
-        parts.into_iter().chain(logarithm).collect()
+    /// What stands in exponentials and logarithms, and in how many parts; 0 for a logarithm.
+    pub(super) fn exponentials(&self) -> Vec<(NamedPowers, u32)> {
+        let exponents = self.exponents.iter().map(|(of, parts)| (of.clone(), *parts));
+        let logarithms = self.logarithms.iter().map(|name| (vec![(name.clone(), 1)], 0));
+        exponents.chain(logarithms).collect()
+    }
+
+    /// Whether the symbol stands by itself, or a limit is taken in it.
+    pub(super) fn is_alone(&self, name: &str) -> bool {
+        self.alone.contains(canonical_name(name).as_ref()) || self.is_limited(name)
+    }
+
+    /// Whether the symbol is the variable of a limit.
+    pub(super) fn is_limited(&self, name: &str) -> bool {
+        self.limited.contains(canonical_name(name).as_ref())
+    }
+
+    /// Takes in that a symbol is the variable of a limit.
+    pub(super) fn limit(&mut self, name: &str) {
+        self.limited.insert(canonical_name(name).into_owned());
     }
 
     /// The bases of powers and their indices, in the order in which they are declared.
@@ -57,12 +78,22 @@ impl Wanted {
                 let known = self.parts.entry(canonical_name(name).into_owned()).or_insert(1);
                 *known = num_integer::lcm(*known, *parts);
             }
-            SyntaxErrorKind::NoExponential { name, parts } => {
-                let known = self.exponents.entry(canonical_name(name).into_owned()).or_insert(1);
-                *known = num_integer::lcm(*known, *parts);
+            SyntaxErrorKind::NoExponential { of, parts } => {
+                let mut of = of.clone();
+                of.iter_mut().for_each(|(name, _)| *name = canonical_name(name).into_owned());
+                of.sort();
+                if self.exponents.len() < MAX_EXPONENTS || self.exponents.contains_key(&of) {
+                    let known = self.exponents.entry(of).or_insert(1);
+                    *known = num_integer::lcm(*known, *parts);
+                }
+            }
+            SyntaxErrorKind::AngleAlone(name) => {
+                self.alone.insert(canonical_name(name).into_owned());
             }
             SyntaxErrorKind::NoLogarithm(name) => {
-                self.logarithms.insert(canonical_name(name).into_owned());
+                if self.logarithms.len() < MAX_EXPONENTS {
+                    self.logarithms.insert(canonical_name(name).into_owned());
+                }
             }
             SyntaxErrorKind::NoPower { base, index } => {
                 let name = |name: &String| canonical_name(name).into_owned();
