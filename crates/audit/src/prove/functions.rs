@@ -3,19 +3,16 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-use kane_algebra::rational_function::{signed_sum, term};
-use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Conclusion, Context, Expr, Failure, Finding, Fraction, Fuel, Functions, Goal, Hypothesis,
-    Limit, Link, Passages, Place, Poly, Proof, Rel, Relation, Scope, State, Target, claim_state,
-    constants, on_functions, point_state, premises, range_premise, scope, sides,
+    Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
+    Passages, Place, Poly, Proof, Rel, Relation, Scope, State, Target, claim_state, constants,
+    on_functions, point_state, premises, range_premise, scope, sides,
 };
 use num_rational::BigRational;
-use num_traits::{One, Signed as _, Zero};
 
-use super::elimination::Elimination;
 use super::limits;
 use super::search::{Outcome, Search};
+use super::variation::{determined, ratio};
 use crate::argument::{expand, side_proof};
 
 type Q = BigRational;
@@ -208,106 +205,6 @@ const FUNCTIONS: [(Quadratic, Quadratic); 30] = [
     ((3, 0, 0), (1, 0, 0)),
     ((1, 0, 0), (0, 1, 0)),
 ];
-
-/// A polynomial as an expression.
-#[must_use]
-pub fn expression(p: &Poly) -> Expr {
-    expression_in(p, &Expr::Var)
-}
-
-/// A polynomial as an expression in what stands for its variables.
-fn expression_in(p: &Poly, symbol: &dyn Fn(usize) -> Expr) -> Expr {
-    signed_sum(p.terms().map(|(m, c)| (term(m, c, symbol), c.is_negative())))
-}
-
-/// num/den as an expression.
-pub(crate) fn ratio(num: &Poly, den: &Poly) -> Expr {
-    match den.as_constant() {
-        Some(c) if c.is_one() => expression(num),
-        Some(c) => match num.as_constant() {
-            Some(n) => Expr::Num(Q::new(n, c)),
-            None => Expr::Div(expression(num).into(), expression(den).into()),
-        },
-        None => Expr::Div(expression(num).into(), expression(den).into()),
-    }
-}
-
-/// Values for the symbols that the premises determine, from those of the free ones.
-pub(crate) fn determined(
-    state: &State<'_, '_>,
-    (x, constants): (usize, &[usize]),
-    mut values: Vec<(usize, Expr)>,
-    trail: &[Elimination],
-    total: bool,
-) -> Option<Vec<(usize, Expr)>> {
-    let fuel = &state.scope.fuel;
-    // As fractions in x where possible, so that common factors cancel.
-    let fraction = |e: &Expr| -> Option<Fraction> {
-        match &state.scope.pieces(e).ok()?[..] {
-            [one] => one.value.clone(),
-            [a, b] => a
-                .value
-                .clone()
-                .or_else(|| b.value.clone())
-                .filter(|_| a.value.is_none() || b.value.is_none()),
-            _ => None,
-        }
-    };
-    let mut known: Vec<(usize, Option<Fraction>)> =
-        values.iter().map(|(v, e)| (*v, fraction(e))).collect();
-    let symbols = std::iter::once(&x).chain(constants);
-    known.extend(symbols.map(|v| (*v, Some(Fraction::whole(Poly::var(*v))))));
-    let value = |p: &Poly, known: &[(usize, Option<Fraction>)]| -> Option<Fraction> {
-        let mut sum = Fraction::rational(&Q::zero());
-        for (m, c) in p.terms() {
-            let mut product = Fraction::rational(&Q::from_integer(c.clone()));
-            for (v, n) in m {
-                let f = known.iter().find(|k| k.0 == *v)?.1.as_ref()?;
-                for _ in 0..*n {
-                    product = product.mul(f, fuel).ok()?;
-                }
-            }
-            sum = sum.add(&product, fuel).ok()?;
-        }
-        Some(sum)
-    };
-    for e in trail.iter().rev() {
-        let exact = value(&e.e, &known).zip(value(&e.d, &known));
-        let (expr, f) = match exact {
-            Some((n, d)) => {
-                if d.num.is_empty() {
-                    return None;
-                }
-                let num = n.num.mul(&d.den, fuel).ok()?.neg();
-                let den = n.den.mul(&d.num, fuel).ok()?;
-                let (mut num, mut den) = cancelled(&num, &den);
-                if den.as_constant().is_some_and(|c| num_traits::Signed::is_negative(&c)) {
-                    (num, den) = (num.neg(), den.neg());
-                }
-                let mut value = ratio(&num, &den);
-                if total && !den.is_constant() {
-                    let pole = kane_kernel::Relation {
-                        lhs: expression(&den),
-                        rel: kane_kernel::Rel::Eq,
-                        rhs: rational(0, 1),
-                    };
-                    value = Expr::Cases(vec![(vec![pole], rational(0, 1))], Some(value.into()));
-                }
-                (value, Some(Fraction { num, den }))
-            }
-            None => {
-                let value = |v: usize| values.iter().find(|x| x.0 == v).map(|x| x.1.clone());
-                let symbol = |v: usize| value(v).unwrap_or(Expr::Var(v));
-                let put = |p: &Poly| expression_in(p, &symbol);
-                (Expr::Div(Expr::Neg(put(&e.e).into()).into(), put(&e.d).into()), None)
-            }
-        };
-        values.push((e.var, expr));
-        known.push((e.var, f));
-    }
-    values.sort_by_key(|v| v.0);
-    Some(values)
-}
 
 /// Proofs of all that explicit functions must satisfy, if they do.
 fn certified(

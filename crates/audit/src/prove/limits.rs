@@ -1,18 +1,17 @@
 //! Limits: finding what an expression tends to, and what premised limits say about constants.
 
-use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Goal, Limit, Poly, Rejection, Side, Sign, State, Target, constants,
-    differs, exponent, premised, sides,
+    Atom, Fuel, Germ, Goal, Limit, Poly, Side, Sign, State, Target, constants, differs, exponent,
+    premised, sides,
 };
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 use super::bounds;
-use super::elimination::Elimination;
 use super::germs::Germs;
 use super::search::{Outcome, Search};
 use super::squeeze;
+use super::variation::{substituted, varies};
 use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
@@ -21,49 +20,6 @@ pub(crate) struct Found {
     pub(crate) num: Poly,
     pub(crate) den: Poly,
     pub(crate) order: u32,
-}
-
-/// Whether a variable may go along a germ in x: functions of x, x itself, and constants that an
-/// equation among constants determines.
-pub(crate) fn varies(state: &State<'_, '_>, x: usize) -> impl Fn(usize, &Poly) -> bool + use<> {
-    let vars = &state.scope.context.vars;
-    let of_x: Vec<bool> = (0..vars.len()).map(|v| v == x || vars[v].of == Some(x)).collect();
-    move |v, equation| {
-        let constant = |w: &usize| of_x.get(*w) == Some(&false);
-        of_x.get(v) == Some(&true) || (constant(&v) && equation.vars().iter().all(constant))
-    }
-}
-
-/// dⁿ·p(v := −e/d) for n the degree of p in v.
-fn homogeneous(p: &Poly, v: usize, (d, e): (&Poly, &Poly), fuel: &Fuel) -> Result<Poly, Rejection> {
-    let minus_e = e.neg();
-    let (mut sum, mut power) = (Poly::default(), Poly::one());
-    for c in p.coefficients(v).iter().rev() {
-        sum = sum.mul(&minus_e, fuel)?.add(&c.mul(&power, fuel)?);
-        power = power.mul(d, fuel)?;
-    }
-    Ok(sum)
-}
-
-/// A fraction after the eliminations.
-pub(crate) fn substituted(
-    state: &State<'_, '_>,
-    value: &Fraction,
-    trail: &[Elimination],
-) -> Result<(Poly, Poly), Rejection> {
-    let fuel = &state.scope.fuel;
-    let (mut num, mut den) = (value.num.clone(), value.den.clone());
-    for e in trail {
-        let parts = (&e.d, &e.e);
-        let (a, b) = (num.degree(e.var), den.degree(e.var));
-        if a == 0 && b == 0 {
-            continue;
-        }
-        num = homogeneous(&num, e.var, parts, fuel)?.mul(&e.d.pow(b, fuel)?, fuel)?;
-        den = homogeneous(&den, e.var, parts, fuel)?.mul(&e.d.pow(a, fuel)?, fuel)?;
-        (num, den) = cancelled(&num, &den);
-    }
-    Ok(cancelled(&num, &den))
 }
 
 /// What the premised limits on the given sides imply for constants: one atom a pass.

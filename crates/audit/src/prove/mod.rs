@@ -30,6 +30,7 @@ mod squares;
 mod squeeze;
 mod surds;
 mod tactics;
+mod variation;
 mod witness;
 mod written;
 
@@ -59,7 +60,7 @@ pub(crate) use hints::expanded;
 use search::{Outcome, Search};
 
 pub use budget::Budget;
-pub use functions::expression;
+pub use variation::expression;
 
 /// A certificate that the kernel accepted, and what it was written out from.
 #[derive(Clone, Debug)]

@@ -14,10 +14,9 @@ use kane_kernel::{
 use num_rational::BigRational as Q;
 
 use super::elimination::Elimination;
-use super::functions::determined;
-use super::limits::varies;
 use super::sample::diagonal;
 use super::search::{Outcome, Search};
+use super::variation::{determined, varies};
 use crate::argument::expand;
 
 /// Tuples of simple functions that are tried for a given.

@@ -11,8 +11,8 @@ use num_bigint::BigInt;
 
 use super::bounds::at_zero;
 use super::germs::Germs;
-use super::limits::{substituted, varies};
 use super::search::{Outcome, Search};
+use super::variation::{substituted, varies};
 use crate::argument::{Argument, SideArgument};
 
 /// Bounds of one function that are tried.
