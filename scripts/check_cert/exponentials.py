@@ -128,6 +128,8 @@ def exponential(e, document, fail):
                     fail("the parts of an exponent are too fine")
                 raise Met(of, parts)
             base, factor = symbol_name(of, parts), factor * parts
+            if base not in document.symbols:
+                fail("an exponential stands above the end of its declaration")
         if factor.denominator != 1 or abs(factor) > MAX_POWER:
             fail("the multiple of an exponent is too large, or not whole")
         power = ("sym", base) if factor == 1 else ("pow", ("sym", base), int(factor))
@@ -155,6 +157,8 @@ def logarithm(e, document, fail):
             if (of, "log") not in document.exponents:
                 raise Met(of, 0)
             base = ("sym", symbol_name(of, 0))
+            if base[1] not in document.symbols:
+                fail("a logarithm stands above the end of its declaration")
         number = ("num", factor.numerator, factor.denominator)
         whole = angles.plus(whole, angles.product(number, base))
     return whole

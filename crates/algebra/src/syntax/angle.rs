@@ -12,10 +12,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::error::SyntaxErrorKind;
+use super::names::PI;
 use super::scope::Scope;
-
-/// Stands for π while an angle is read; no context has as many symbols.
-pub(crate) const PI: usize = usize::MAX;
 
 /// The greatest multiple of a part that is written out.
 const MAX_MULTIPLE: u32 = 24;

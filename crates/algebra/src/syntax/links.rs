@@ -6,11 +6,11 @@ use kane_kernel::{Approach, Context, Expr, Limit, Link, Relation, Sentence, Targ
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use super::angle::{PI, Turn};
+use super::angle::Turn;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::eval::eval;
 use super::lexer::{self, Token};
-use super::names::CONNECTIVES;
+use super::names::{CONNECTIVES, PI};
 use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
 

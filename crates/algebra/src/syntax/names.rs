@@ -87,6 +87,9 @@ pub fn greek_letter(name: &str) -> Option<char> {
 }
 
 /// The digit that a subscript digit stands for.
+/// Stands for π while an angle is read; no context has as many symbols.
+pub(crate) const PI: usize = usize::MAX;
+
 fn subscript_digit(c: char) -> Option<char> {
     let digit = u32::from(c).checked_sub(u32::from('₀'))?;
     char::from_digit(digit, 10)

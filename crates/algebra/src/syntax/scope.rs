@@ -8,14 +8,13 @@ use num_rational::BigRational;
 use num_traits::{Signed as _, Zero as _};
 use thiserror::Error;
 
-use super::angle::PI;
 use super::error::SyntaxErrorKind;
 use super::exponential_symbol::{
     Exponential, bounds_of_exponential, bounds_of_logarithm, bounds_of_product, exponential_name,
     named_powers,
 };
 use super::monomial::Monomial;
-use super::names::{RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
+use super::names::{PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
 use super::sequence::{Sequences, bounds_of_power};
 use super::template::{Template, parameter};
 use super::value::{Array, Shape, Value};

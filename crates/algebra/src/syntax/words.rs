@@ -5,13 +5,13 @@ use std::ops::Range;
 use kane_kernel::Expr;
 use num_bigint::BigInt;
 
-use super::angle::{Direction, PI, Turn, negative, product, sum};
+use super::angle::{Direction, Turn, negative, product, sum};
 use super::arrays::FUNCTIONS;
 use super::bounds::MAX_ITEMS;
 use super::error::{SyntaxError, SyntaxErrorKind};
 use super::exponential::{by_factor, exponential, logarithm};
 use super::lexer::Token;
-use super::names::canonical_name;
+use super::names::{PI, canonical_name};
 use super::parser::{Node, Parser, excerpt};
 use super::rate::rate;
 use super::scope::{Angle, Scope, Symbol};
