@@ -68,6 +68,7 @@ impl FromStr for Numbers {
 #[cfg(test)]
 mod tests {
     use kane_records::format::Format;
+    use kane_records::schema::{Axis, Column, Side, When};
 
     use super::*;
 
@@ -83,7 +84,9 @@ mod tests {
                 (EXTENT, Some(Format::Decimals(9)), None),
             ] {
                 let mut told = Told { or, ..Told::stated(format) };
-                told.own[1][5] = own;
+                told.own[Column::Spin(Side::Second, Axis::Z, When::Post).index()] =
+                    own.map(Into::into);
+                told.decimals = or.map(|_| 9);
                 let numbers = Numbers { told, extent };
                 assert_eq!(numbers.to_string().parse(), Ok(numbers));
             }

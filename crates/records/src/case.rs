@@ -10,7 +10,7 @@ use crate::frame::Frame;
 use crate::rejection::Reason;
 use crate::row::Row;
 use crate::tolerance::{Precision, Tolerance};
-use crate::written::Written;
+use crate::written::{Settings, Written, turn};
 
 /// An impact with all that the checks ask.
 pub struct Case<'a> {
@@ -41,13 +41,24 @@ impl<'a> Case<'a> {
     #[inline(always)]
     pub fn of(row: &'a Row, spatial: bool, precision: &Precision) -> Result<Self, Reason> {
         Given::check(row)?;
-        let frame = Frame::of(row, spatial)?;
+        let printed = match &precision.steps {
+            Some(steps) if precision.settings => turn(row, steps),
+            _ => 0.0,
+        };
+        let frame = Frame::of(row, spatial, printed)?;
         Event::check(row)?;
         let (given, event) = (Given::of(row), Event::<f64>::of(row, &frame));
         let facts = event.facts();
         let tolerance_of = |log: &Precision| {
-            let written = Written::of(row, &frame, log.steps.as_ref());
-            Tolerance::of(&event, &facts, &given, log, &written)
+            let written = Written::of(row, &frame, log.steps.as_ref(), log.floor);
+            let tolerance = Tolerance::of(&event, &facts, &given, log, &written);
+            match &log.steps {
+                Some(steps) if log.settings => {
+                    let off = Settings::of(row, &frame, &event, steps);
+                    tolerance.widened(&event, &facts, &given, &off)
+                }
+                _ => tolerance,
+            }
         };
         let tolerance = tolerance_of(precision);
         if facts.before[1] > tolerance.separation {
@@ -128,7 +139,8 @@ impl<'a> Case<'a> {
             Check::Penetration => (-after_n, tolerance.separation, speed),
             Check::Cone => {
                 let bound = self.given.friction? * p_n.max(0.0);
-                let rounding = self.given.friction? * tolerance.normal;
+                let rounding =
+                    self.given.friction? * tolerance.normal + tolerance.friction * p_n.abs();
                 (p_t.abs() - bound, tolerance.tangential + rounding, bound.max(push * 1e-3))
             }
             Check::Opposes => {
@@ -137,7 +149,9 @@ impl<'a> Case<'a> {
             }
             Check::Sticks => {
                 let friction = self.given.friction?;
-                let rounding = tolerance.tangential + friction * tolerance.normal;
+                let rounding = tolerance.tangential
+                    + friction * tolerance.normal
+                    + tolerance.friction * p_n.abs();
                 let below = p_t.abs() < friction * p_n - rounding;
                 (if below { after_t.abs() } else { 0.0 }, slip_within(), speed)
             }

@@ -39,13 +39,14 @@ impl Frame {
     };
 
     /// The frame of a row. In space the tangent is that of the longest of the slips before and after and the change
-    /// of velocity along the surface, and whatever would leave the plane is refused.
+    /// of velocity along the surface, and whatever would leave the plane is refused. `printed` is by how much the normal
+    /// may be off by its decimals.
     ///
     /// # Errors
     /// [`Reason::Normal`], [`Reason::Missing`] or [`Reason::OutOfPlane`].
     #[inline]
-    pub fn of(row: &Row, spatial: bool) -> Result<Self, Reason> {
-        let (normal, slack) = normal(row)?;
+    pub fn of(row: &Row, spatial: bool, printed: f64) -> Result<Self, Reason> {
+        let (normal, slack) = normal(row, printed)?;
         if !spatial && normal == Self::UPRIGHT.normal {
             return Ok(Self { slack, ..Self::UPRIGHT });
         }
@@ -64,7 +65,7 @@ impl Frame {
 }
 
 /// The normal, and its slack.
-fn normal(row: &Row) -> Result<([f64; 3], f64), Reason> {
+fn normal(row: &Row, printed: f64) -> Result<([f64; 3], f64), Reason> {
     let given = [Axis::X, Axis::Y, Axis::Z].map(|axis| row.get(Column::Normal(axis)));
     if given.iter().all(Option::is_none) {
         return Ok((Frame::UPRIGHT.normal, 0.0));
@@ -72,7 +73,11 @@ fn normal(row: &Row) -> Result<([f64; 3], f64), Reason> {
     let normal = given.map(|component| component.unwrap_or(0.0));
     let length = norm(normal);
     let off = (length - 1.0).abs();
-    if off > LENGTH { Err(Reason::Normal(length)) } else { Ok((normal, 2.0 * off)) }
+    if off > LENGTH + printed {
+        Err(Reason::Normal(length))
+    } else {
+        Ok((normal, 2.0 * (off + printed)))
+    }
 }
 
 /// A body of a row in space.

@@ -24,6 +24,7 @@
 pub mod case;
 pub mod check;
 pub mod comparison;
+mod digits;
 pub mod event;
 pub mod facts;
 pub mod fit;

@@ -122,6 +122,9 @@ pub fn of_line(
     Ok(file(&event, given.friction.unwrap_or(0.0), given.restitution.unwrap_or(0.0)))
 }
 
+/// By how much a normal may be off by its decimals, three of them.
+const PRINTED: f64 = 2e-3;
+
 struct Seeking {
     line: u64,
     spatial: bool,
@@ -136,7 +139,7 @@ impl Sink for Seeking {
     fn row(&mut self, row: &Row) {
         if row.line == self.line {
             let event = Given::check(row).and_then(|()| {
-                let frame = Frame::of(row, self.spatial)?;
+                let frame = Frame::of(row, self.spatial, PRINTED)?;
                 Event::check(row)?;
                 Ok((Event::of(row, &frame), Given::of(row)))
             });

@@ -68,6 +68,14 @@ impl Seen {
         let turns = lever_arm.abs() > 100.0 * tolerance.moment;
         let turned = if turns { 1.0 + facts.moment / lever_arm } else { f64::NAN };
         let coupling = if tn == 0.0 { 0.0 } else { spin * tolerance.arm * body.arm[0].abs() };
+        // what settings that were rounded do to what a law makes of them
+        let [du_t, du_n] = [0, 1].map(|k: usize| (facts.after[k] - facts.before[k]).abs());
+        let rubbed = tolerance.friction * tt * p_n.abs();
+        let bounced = tolerance.elasticity * facts.before[1].abs();
+        let settings = [
+            2.0 * tolerance.mobility * du_t + rubbed + bounced,
+            2.0 * tolerance.mobility * du_n + bounced,
+        ];
         Self {
             line: case.row.line,
             pair: case.row.pair,
@@ -82,13 +90,13 @@ impl Seen {
             mobility,
             given: case.given,
             within: [
-                tolerance.slip + shift,
-                tolerance.separation + coupling,
+                tolerance.slip + shift + settings[0],
+                tolerance.separation + coupling + settings[1],
                 tolerance.tangential,
                 tolerance.normal,
             ],
             arm,
-            arm_within: tolerance.arm,
+            arm_within: tolerance.arm + tolerance.mobility,
             turned,
             stretch,
             gain: gain(case),
@@ -158,13 +166,23 @@ impl Seen {
         tn.abs() > self.arm_within.max(1e-9) * (tt * nn).sqrt()
     }
 
-    /// The contact as a law sees it, with these coefficients.
+    /// The contact as a law sees it, with these coefficients. A coupling that may be rounding alone would keep laws
+    /// from being the ones of spheres, and is left out.
     #[must_use]
     pub fn contact(&self, friction: f64, restitution: f64) -> Contact<f64> {
-        let [tt, tn, nn] = self.mobility;
-        // a coupling that is rounding alone would keep laws from being the ones of spheres
-        let tn = if self.couples() { tn } else { 0.0 };
-        let w = Delassus::unchecked(tt, tn, nn);
+        let tn = if self.couples() { self.mobility[1] } else { 0.0 };
+        self.with_coupling(tn, friction, restitution)
+    }
+
+    /// The same with the coupling as it is stated, where that is left out.
+    #[must_use]
+    pub(crate) fn coupled(&self, friction: f64, restitution: f64) -> Option<Contact<f64>> {
+        let tn = self.mobility[1];
+        (tn != 0.0 && !self.couples()).then(|| self.with_coupling(tn, friction, restitution))
+    }
+
+    fn with_coupling(&self, tn: f64, friction: f64, restitution: f64) -> Contact<f64> {
+        let w = Delassus::unchecked(self.mobility[0], tn, self.mobility[2]);
         Contact::unchecked(self.slip, self.approach.max(0.0), w, friction, restitution)
     }
 

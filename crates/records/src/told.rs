@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::format::{Format, NoFormat};
+use crate::digits::{Numbers, SHORT};
+use crate::format::{Format, NoFormat, Printed};
 use crate::row::Row;
-use crate::schema::{Axis, Column, Side, When};
+use crate::schema::{Axis, COLUMNS, Column, Side, When};
 
 /// The format of a log's numbers, and of the columns that have another.
 ///
@@ -22,27 +23,29 @@ use crate::schema::{Axis, Column, Side, When};
 ///
 /// A column has a format of its own where it has enough numbers that tell another, rounded one than all numbers
 /// of the log do together, and two in three of them are as long as any: rounding leaves a zero at the end of one in
-/// ten. Products of short decimals vary more in their length.
+/// ten. Products of short decimals vary more in their length. Masses, arms, normals and other settings have one where
+/// they are as long as the numbers that were rounded; shorter and longer ones stand as they were stated.
 ///
-/// As text it is `f64`, `f32`, `6 decimals` or `6 digits`, ` or f64` behind it where that is as likely, and behind
-/// that the columns with a format of their own, `, omega1_post_rad_s 3 decimals`.
+/// As text it is `f64`, `f32`, `6 decimals` or `6 digits`, ` to 6` behind it where no number has more decimals, ` or
+/// f64` behind that where it is as likely, and at the end the columns with a format of their own,
+/// `, omega1_post_rad_s 3 decimals`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Told {
     /// the format in which the numbers seem to be
     pub format: Format,
-    /// the stricter one in which they may be as well, in all columns
+    /// the most decimals that any number has
+    pub decimals: Option<u8>,
+    /// the stricter format in which they may be as well, in all columns
     pub or: Option<Format>,
     /// the formats of columns that seem to have their own
     pub own: Own,
 }
 
-/// For each body the formats of v_x, v_y, v_z, ω_x, ω_y and ω_z that are not the log's.
-pub type Own = [[Option<Format>; 6]; 2];
+/// By the [places](Column::index) of columns the formats that are not the log's. A velocity or spin before an impact has
+/// that of the one behind it.
+pub type Own = [Option<Printed>; COLUMNS];
 
-/// Bodies and columns in the order of [`Own`].
-const SIDES: [Side; 2] = [Side::First, Side::Second];
-
-/// The columns of a body's motion at a time, in the order of [`Own`].
+/// The columns of a body's motion at a time.
 #[must_use]
 pub(crate) const fn motion(side: Side, when: When) -> [Column; 6] {
     [
@@ -55,58 +58,102 @@ pub(crate) const fn motion(side: Side, when: When) -> [Column; 6] {
     ]
 }
 
+/// The columns of a body's motion, before and after.
+fn motions() -> impl Iterator<Item = (Column, Column)> {
+    let of = |side| motion(side, When::Pre).into_iter().zip(motion(side, When::Post));
+    [Side::First, Side::Second].into_iter().flat_map(of)
+}
+
+/// What is stated of an impact, and not computed in it.
+pub(crate) fn settings() -> impl Iterator<Item = Column> {
+    let axes = [Axis::X, Axis::Y, Axis::Z];
+    let all = [Column::Dt, Column::Friction, Column::Restitution].into_iter();
+    let of_axes = axes.into_iter().flat_map(|axis| {
+        let of = |side| Column::Arm(side, axis);
+        let [first, second] = [Side::First, Side::Second].map(of);
+        [Column::Normal(axis), Column::Gravity(axis), Column::Impulse(axis), first, second]
+    });
+    let of_sides = [Side::First, Side::Second]
+        .into_iter()
+        .flat_map(|side| [Column::Mass(side), Column::Inertia(side), Column::Radius(side)]);
+    all.chain(of_axes).chain(of_sides)
+}
+
 impl Told {
     /// A format that is known, of all columns.
     #[must_use]
     pub const fn stated(format: Format) -> Self {
-        Self { format, or: None, own: [[None; 6]; 2] }
+        Self { format, decimals: None, or: None, own: [None; COLUMNS] }
     }
 
-    /// By the velocities after the impact in these rows, which are what was computed.
+    /// By the velocities after the impact in these rows, which are what was computed, and by the settings beside them.
     #[must_use]
     pub fn of(rows: &[Row]) -> Self {
-        let columns = SIDES.map(|side| {
-            let [before, after] = [When::Pre, When::Post].map(|when| motion(side, when));
-            [0, 1, 2, 3, 4, 5].map(|place: usize| changed(rows, before[place], after[place]))
-        });
-        let all: BTreeSet<u64> = columns.iter().flatten().flatten().copied().collect();
+        let columns: Vec<(Column, BTreeSet<u64>)> = motions()
+            .map(|(before, after)| (after, changed(rows, before, after)))
+            .filter(|(_, values)| !values.is_empty())
+            .collect();
+        let all: BTreeSet<u64> = columns.iter().flat_map(|(_, values)| values).copied().collect();
         let mut told = Self::of_values(&all);
         let whole = told.format;
-        for (own, values) in told.own.iter_mut().flatten().zip(columns.iter().flatten()) {
+        for (column, values) in &columns {
             let numbers = Numbers::of(values);
-            *own = numbers.rounded().filter(|format| *format != whole);
-            if own.is_some() && numbers.odd < SHORT {
+            let own = numbers.own(told.printed());
+            told.own[column.index()] = own;
+            if own.is_some_and(|own| own.format != whole) && numbers.odd < SHORT {
                 told.or = told.or.or(Some(whole));
             }
         }
-        told
+        if told.or.is_none() { told.with_settings(rows, &columns) } else { told }
+    }
+
+    /// With the settings that were printed as the motion was.
+    fn with_settings(mut self, rows: &[Row], columns: &[(Column, BTreeSet<u64>)]) -> Self {
+        let of_columns = columns.iter().map(|(column, _)| self.of_column(*column));
+        let formats: Vec<Printed> = of_columns.collect();
+        for column in settings() {
+            let values = rows.iter().filter_map(|row| row.get(column)).map(f64::to_bits).collect();
+            let numbers = Numbers::of(&values);
+            self.own[column.index()] = formats.iter().find_map(|format| numbers.beside(*format));
+        }
+        self
     }
 
     fn of_values(values: &BTreeSet<u64>) -> Self {
-        let numbers = Numbers::of(values);
-        if numbers.odd == 0 {
-            return Self::stated(Format::Binary64);
-        }
-        // few numbers of 24 bits may do without the eighth digit
-        let long = numbers.all.iter().filter(|number| number.digits >= 8).count();
-        let (enough, singles) = (numbers.odd >= SHORT, numbers.are_singles());
-        let (format, no_chance) = match numbers.digits {
-            _ if numbers.all.iter().all(|number| number.exact_single) => {
-                (Format::Binary32, numbers.odd >= SINGLES)
-            }
-            8..=9 if singles && long >= SINGLES => (Format::Binary32, true),
-            8..=9 if singles && !(enough && numbers.are_even()) => (Format::Binary32, false),
-            7 if singles && numbers.odd < SINGLES => (Format::Binary32, false),
-            ..16 => (numbers.decimal(), enough),
-            _ => (Format::Binary64, true),
-        };
-        Self { or: (!no_chance).then_some(Format::Binary64), ..Self::stated(format) }
+        let (Printed { format, decimals }, no_chance) = Numbers::of(values).told();
+        let or = (!no_chance).then_some(Format::Binary64);
+        Self { decimals, or, ..Self::stated(format) }
+    }
+
+    /// That of columns without their own.
+    #[must_use]
+    pub const fn printed(&self) -> Printed {
+        Printed { format: self.format, decimals: self.decimals }
+    }
+
+    /// That of a column of motion behind the impact.
+    pub(crate) fn of_column(&self, column: Column) -> Printed {
+        self.own[column.index()].unwrap_or(self.printed())
+    }
+
+    /// Half a unit in the last place of what was computed with, by the value: that of the log, or of a column in
+    /// binary32.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        let single = |own: &Printed| own.format == Format::Binary32;
+        let format =
+            if self.own.iter().flatten().any(single) { Format::Binary32 } else { self.format };
+        format.unit().max(self.format.unit())
+    }
+
+    /// The columns with another format than the log has.
+    pub fn columns(&self) -> impl Iterator<Item = (Column, Format)> {
+        self.own().map(|(column, own)| (column, own.format)).filter(|(_, own)| *own != self.format)
     }
 
     /// The columns with a format of their own.
-    pub fn columns(&self) -> impl Iterator<Item = (Column, Format)> {
-        let columns = SIDES.map(|side| motion(side, When::Post)).into_iter().flatten();
-        columns.zip(self.own.into_iter().flatten()).filter_map(|(column, own)| Some((column, own?)))
+    fn own(&self) -> impl Iterator<Item = (Column, Printed)> {
+        Column::all().into_iter().filter_map(|column| Some((column, self.own[column.index()]?)))
     }
 }
 
@@ -114,60 +161,6 @@ impl Told {
 fn changed(rows: &[Row], before: Column, after: Column) -> BTreeSet<u64> {
     let value = |row: &Row| row.get(after).filter(|after| Some(*after) != row.get(before));
     rows.iter().filter_map(value).map(f64::to_bits).collect()
-}
-
-/// Different numbers, by their shortest decimals.
-struct Numbers {
-    all: Vec<Digits>,
-    /// those that tell something
-    odd: usize,
-    /// the most digits
-    digits: u8,
-    /// the most decimals
-    decimals: u8,
-    /// how many of those that tell something have so many digits, and so many decimals
-    longest: [usize; 2],
-}
-
-impl Numbers {
-    fn of(values: &BTreeSet<u64>) -> Self {
-        let all: Vec<Digits> =
-            values.iter().map(|bits| Digits::of(f64::from_bits(*bits))).collect();
-        let digits = all.iter().map(|number| number.digits).max().unwrap_or(0);
-        let decimals = all.iter().map(|number| number.decimals).max().unwrap_or(0);
-        let odd = || all.iter().filter(|number| !number.short_binary);
-        let longest = [
-            odd().filter(|number| number.digits == digits).count(),
-            odd().filter(|number| number.decimals == decimals).count(),
-        ];
-        Self { odd: odd().count(), digits, decimals, longest, all }
-    }
-
-    /// Whether all may be binary32.
-    fn are_singles(&self) -> bool {
-        self.all.iter().all(|number| number.single)
-    }
-
-    /// Whether two in three are as long as any.
-    fn are_even(&self) -> bool {
-        3 * self.longest[0].max(self.longest[1]) >= 2 * self.odd
-    }
-
-    /// To what they were rounded, if they were.
-    fn decimal(&self) -> Format {
-        let [by_digits, by_decimals] = self.longest;
-        if by_digits > by_decimals || self.decimals > 9 {
-            Format::Significant(self.digits)
-        } else {
-            Format::Decimals(self.decimals)
-        }
-    }
-
-    /// To what those of a column were rounded, if there are enough that look so.
-    fn rounded(&self) -> Option<Format> {
-        let short = self.digits < 8 || self.digits < 16 && !self.are_singles();
-        (self.odd >= SOME && short && self.are_even()).then(|| self.decimal())
-    }
 }
 
 impl From<Format> for Told {
@@ -178,11 +171,11 @@ impl From<Format> for Told {
 
 impl fmt::Display for Told {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.format.flag())?;
+        write!(f, "{}", self.printed())?;
         if let Some(or) = self.or {
             write!(f, "{OR}{}", or.flag())?;
         }
-        self.columns().try_for_each(|(column, own)| write!(f, ", {} {}", column.name(), own.flag()))
+        self.own().try_for_each(|(column, own)| write!(f, ", {} {own}", column.name()))
     }
 }
 
@@ -192,17 +185,18 @@ impl FromStr for Told {
     fn from_str(text: &str) -> Result<Self, NoFormat> {
         let mut parts = text.split(',').map(str::trim);
         let all = parts.next().unwrap_or_default();
-        let mut told = match all.split_once(OR) {
-            Some((format, or)) => Self { or: Some(or.parse()?), ..Self::stated(format.parse()?) },
-            None => Self::stated(all.parse()?),
+        let (all, or) = match all.split_once(OR) {
+            Some((all, or)) => (all, Some(or.parse()?)),
+            None => (all, None),
         };
+        let Printed { format, decimals } = all.parse()?;
+        let mut told = Self { decimals, or, ..Self::stated(format) };
         for part in parts {
             let wrong = || NoFormat(part.to_owned());
             let (name, format) = part.split_once(' ').ok_or_else(wrong)?;
-            let columns = SIDES.map(|side| motion(side, When::Post));
-            let named = columns.into_iter().flatten().position(|column| column.name() == name);
-            let own = named.and_then(|place| told.own.as_flattened_mut().get_mut(place));
-            *own.ok_or_else(wrong)? = Some(format.parse()?);
+            let mut columns = motions().map(|(_, after)| after).chain(settings());
+            let column = columns.find(|column| column.name() == name).ok_or_else(wrong)?;
+            told.own[column.index()] = Some(format.parse()?);
         }
         Ok(told)
     }
@@ -210,52 +204,6 @@ impl FromStr for Told {
 
 /// What stands before a format that is as likely.
 const OR: &str = " or ";
-
-/// So many numbers are no binary64 by chance, where each is a binary32, printed exactly or in eight digits or more: of
-/// what a binary64 is for short decimals, less than half has 15 digits or fewer, and of such with eight digits less than
-/// half are those of a binary32.
-const SINGLES: usize = 8;
-/// So many numbers are no binary64 by chance, where each has 15 digits or fewer: of sums of products of short decimals
-/// less than half have, and of single products some two in three.
-const SHORT: usize = 24;
-/// So many in a column are a chance of one in 25, by the same.
-const SOME: usize = 8;
-
-/// What the shortest decimals of a float tell.
-struct Digits {
-    digits: u8,
-    decimals: u8,
-    /// a multiple of 2^−10, which every format holds
-    short_binary: bool,
-    exact_single: bool,
-    single: bool,
-}
-
-impl Digits {
-    fn of(value: f64) -> Self {
-        let text = format!("{value:e}");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
-        let digits = u8::try_from(digits).unwrap_or(u8::MAX);
-        let exponent: i32 = exponent.parse().unwrap_or(0);
-        let decimals = (i32::from(digits) - 1 - exponent).max(0);
-        #[allow(clippy::cast_possible_truncation, reason = "to see what the shorter format holds")]
-        let narrow = value as f32;
-        let exact_single = f64::from(narrow).to_bits() == value.to_bits();
-        // by its shortest decimals, or rounded to as many digits as stand there
-        let places = usize::from(digits).saturating_sub(1);
-        let decimals_of = [format!("{narrow:e}"), format!("{narrow:.places$e}")];
-        let printed = |text: &String| text.parse().is_ok_and(|read: f64| read == value);
-        let single = exact_single || decimals_of.iter().any(printed);
-        Self {
-            digits,
-            decimals: u8::try_from(decimals).unwrap_or(u8::MAX),
-            short_binary: (value * 1024.0).fract() == 0.0,
-            exact_single,
-            single,
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -294,6 +242,9 @@ mod tests {
         let fixed: Vec<f64> =
             thirds().map(|x| format!("{x:.4}").parse().expect("a float")).collect();
         assert_eq!(told(&fixed), Format::Decimals(4));
+        let long: Vec<f64> =
+            thirds().map(|x| format!("{:.15}", x * x).parse().expect("a float")).collect();
+        assert_eq!(all(&long).decimals, Some(15));
         let digits: Vec<f64> =
             thirds().map(|x| format!("{:.11e}", x * 1e-6).parse().expect("a float")).collect();
         assert_eq!(told(&digits), Format::Significant(12));
@@ -308,19 +259,65 @@ mod tests {
     #[test]
     fn few_short_numbers_leave_a_doubt_and_many_do_not() {
         let doubtful = |values: &[f64], format| {
-            let or = Some(Format::Binary64);
-            assert_eq!(all(values), Told { or, ..Told::stated(format) }, "{values:?}");
+            let told = all(values);
+            assert_eq!((told.format, told.or), (format, Some(Format::Binary64)), "{values:?}");
         };
         doubtful(&[0.5, 0.33333334], Format::Binary32);
         doubtful(&[f64::from(0.1_f32)], Format::Binary32);
-        doubtful(&[0.333_333], Format::Decimals(6));
-        doubtful(&[0.5, 1.625, 0.500_000_001], Format::Decimals(9));
-        doubtful(&[0.1, 0.3], Format::Decimals(1));
+        doubtful(&[0.333_333], Format::Significant(6));
+        doubtful(&[0.5, 1.625, 0.500_000_001], Format::Significant(9));
+        doubtful(&[0.1, 0.3], Format::Significant(1));
         let rounded: Vec<f64> =
             thirds().map(|x| format!("{x:.3}").parse().expect("a float")).collect();
         doubtful(&rounded[..20], Format::Decimals(3));
         assert_eq!(told(&rounded), Format::Decimals(3));
         // one number with all its digits ends the doubt
         assert_eq!(told(&[0.1, 0.333_333, 1.0 / 3.0]), Format::Binary64);
+    }
+
+    #[test]
+    fn a_number_is_off_by_half_of_its_last_digit_or_decimal() {
+        let step = |values: &[f64], of: f64| all(values).printed().step().of(of);
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+        // four digits, where the one that is longer than others ends in a zero
+        let four = [1.234, 2.345, 7.891, 12.3];
+        near(step(&four, 12.3), 0.005);
+        near(step(&four, 1.234), 0.0005);
+        near(step(&four, 0.0123), 0.0005);
+        near(Format::Significant(4).step().of(1000.0), 0.5);
+        near(Format::Significant(4).step().of(999.9), 0.05);
+        // binary32, printed with six decimals: large numbers show the float, small ones the decimals
+        #[allow(clippy::cast_possible_truncation, reason = "the format in question")]
+        let single: Vec<f64> = (1..40)
+            .map(|i| f64::from(i * i * i) / 310.0)
+            .map(|x| format!("{:.6}", x as f32).parse().expect("a float"))
+            .collect();
+        let told = all(&single);
+        assert_eq!(told.format, Format::Binary32);
+        near(told.printed().step().of(0.003_226), 5e-7);
+    }
+
+    #[test]
+    fn settings_are_rounded_where_they_are_as_long_as_what_was() {
+        let rounded = |x: f64| format!("{x:.4}").parse::<f64>().expect("a float");
+        let rows: Vec<Row> = thirds()
+            .map(|x| {
+                let mut row = Row::empty(1);
+                for (column, value) in [
+                    (Column::Mass(Side::First), 0.5),
+                    (Column::Inertia(Side::First), rounded(1.0 / 12.0)),
+                    (Column::Arm(Side::First, Axis::Y), 0.061_25),
+                    (Column::Velocity(Side::First, Axis::X, When::Post), rounded(x)),
+                ] {
+                    row.set(column, value);
+                }
+                row
+            })
+            .collect();
+        let told = Told::of(&rows);
+        assert_eq!(told.format, Format::Decimals(4));
+        let own: Vec<Column> = told.own().map(|(column, _)| column).collect();
+        assert_eq!(own, [Column::Inertia(Side::First)]);
+        assert_eq!(told.to_string().parse(), Ok(told));
     }
 }

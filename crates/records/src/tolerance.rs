@@ -30,11 +30,10 @@
 
 use crate::event::{Event, Given, Moving};
 use crate::facts::Facts;
-#[allow(unused_imports, reason = "for the links above")]
-use crate::format::Format;
-use crate::format::Step;
-use crate::told::Told;
-use crate::written::Written;
+use crate::format::{Format, Printed, Step};
+use crate::schema::{COLUMNS, Side, When};
+use crate::told::{Told, motion, settings};
+use crate::written::{Settings, Steps, Written};
 
 /// Roundings between an impact and its row.
 pub const ROUNDINGS: f64 = 64.0;
@@ -51,9 +50,12 @@ pub struct Precision {
     pub extent: f64,
     /// η = 64·u
     pub rounding: f64,
-    /// how far the numbers of a column may be from their decimals, in the order of [`Own`](crate::told::Own); without
-    /// it there are none
-    pub(crate) steps: Option<[[Step; 6]; 2]>,
+    /// how far the numbers of a column may be from their decimals; without it by no more than `floor`
+    pub(crate) steps: Option<Steps>,
+    /// half of the last decimal of binary floats, which were printed with no more
+    pub(crate) floor: f64,
+    /// whether settings were rounded, too
+    pub(crate) settings: bool,
     /// τ = 3·u·E
     pub tilt: f64,
 }
@@ -62,14 +64,26 @@ impl Precision {
     /// Of what is told of the numbers, in a world of `extent` arms.
     #[must_use]
     pub fn told(told: Told, extent: f64) -> Self {
-        let unit = told.format.unit();
-        let steps = told.own.map(|own| own.map(|own| own.unwrap_or(told.format).step()));
-        let written = steps.iter().flatten().any(|step| *step != Step::default());
+        let unit = told.unit();
+        let all = told.printed().step();
+        let has_own = told.own.iter().any(Option::is_some);
+        let mut steps = [Step::default(); COLUMNS];
+        for side in [Side::First, Side::Second] {
+            for column in motion(side, When::Post) {
+                steps[column.index()] = told.of_column(column).step();
+            }
+        }
+        for column in settings() {
+            steps[column.index()] = told.own[column.index()].map(Printed::step).unwrap_or_default();
+        }
+        let binary = matches!(told.format, Format::Binary32 | Format::Binary64);
         Self {
             told,
             extent,
             rounding: ROUNDINGS * unit,
-            steps: written.then_some(steps),
+            settings: settings().any(|column| steps[column.index()] != Step::default()),
+            steps: (!binary || has_own).then_some(steps),
+            floor: if binary { all.absolute } else { 0.0 },
             tilt: 3.0 * unit * extent,
         }
     }
@@ -106,6 +120,12 @@ pub struct Tolerance {
     pub slip_before: f64,
     /// by how much the arm is uncertain, by its length
     pub arm: f64,
+    /// of the inverse inertia W, by its size, beside what the arm does to it
+    pub mobility: f64,
+    /// of μ
+    pub friction: f64,
+    /// of e
+    pub elasticity: f64,
 }
 
 /// The magnitudes of a body.
@@ -153,8 +173,10 @@ impl Tolerance {
             event.second.as_ref().map(|body| (body, Size::of(body, kick, written.steps[1])));
         let round = first.round && second.as_ref().is_none_or(|(_, size)| size.round);
         let [u_t, u_n] = facts.before;
-        let along = dt * u_n.abs();
-        let every = if round { 0.0 } else { dt * (u_t.abs() + u_n.abs()) };
+        // an engine that adds gravity behind the impact comes to it by that much slower or faster
+        let fall = if second.is_some() { [0.0; 2] } else { kick.map(f64::abs) };
+        let along = dt * (u_n.abs() + fall[1]);
+        let every = if round { 0.0 } else { dt * (u_t.abs() + fall[0]) + along };
         let [p_t, p_n] = facts.impulse.map(f64::abs);
 
         let of_impulse = |body: &Moving<f64>, size: &Size, k: usize| body.mass * size.off(k, eta);
@@ -189,7 +211,6 @@ impl Tolerance {
         }
         let turned = tau * (u_t.abs() + facts.after[0].abs() + u_n.abs() + facts.after[1].abs());
         // gravity may act before or after the impact; both bodies fall alike, a fixed one does not
-        let fall = if second.is_some() { [0.0; 2] } else { kick.map(f64::abs) };
         let slip = slip + turned + fall[0];
         let separation = separation + turned + fall[1];
 
@@ -216,7 +237,71 @@ impl Tolerance {
             energy,
             slip_before: before + turned + fall[0],
             arm: (along + every) / first.arm.max(f64::MIN_POSITIVE) + tau,
+            mobility: 0.0,
+            friction: 0.0,
+            elasticity: 0.0,
         }
+    }
+
+    /// The same, where settings were rounded when they were written down as well.
+    #[must_use]
+    #[inline(never)]
+    pub(crate) fn widened(
+        self,
+        event: &Event<f64>,
+        facts: &Facts<f64>,
+        given: &Given,
+        off: &Settings,
+    ) -> Self {
+        let mut wide = self;
+        let kick: f64 = off.kick.iter().sum();
+        let bodies =
+            [(Some(&event.first), Some(facts.impulse)), (event.second.as_ref(), facts.reaction)];
+        for (place, (body, impulse)) in bodies.into_iter().enumerate() {
+            let (Some(body), Some(impulse)) = (body, impulse) else { continue };
+            let [p_t, p_n] = impulse.map(f64::abs);
+            let [x, y] = body.arm.map(f64::abs);
+            let (mass, inertia, [dx, dy]) = (off.mass[place], off.inertia[place], off.arm[place]);
+            let turned = (body.after[2] - body.before[2]).abs() * body.inertia;
+            let moment = inertia * turned
+                + (x + dx) * (mass * p_n + body.mass * off.kick[1])
+                + (y + dy) * (mass * p_t + body.mass * off.kick[0])
+                + dx * p_n
+                + dy * p_t
+                + off.normal * (x + y) * (p_t + p_n);
+            let spin = body.before[2].abs() + body.after[2].abs();
+            wide.slip += dy * spin;
+            wide.slip_before += dy * spin;
+            wide.separation += dx * spin;
+            wide.reaction += mass * (p_t + p_n) + body.mass * kick;
+            let part =
+                |k: usize, p: f64| p * (body.after[k] + body.before[k] + event.kick[k]).abs();
+            let (t, n) = (part(0, p_t), part(1, p_n));
+            let rotation = turned * (body.after[2] + body.before[2]).abs();
+            wide.energy += (mass + 2.0 * off.normal) * (t + n) + inertia * rotation;
+            wide.energy += off.kick[0] * p_t + off.kick[1] * p_n;
+            wide.mobility = wide.mobility.max(mass.max(inertia));
+            if place == 0 {
+                wide.moment += moment;
+                wide.tangential += mass * p_t + body.mass * off.kick[0] + off.normal * (p_t + p_n);
+                wide.normal += mass * p_n + body.mass * off.kick[1] + off.normal * (p_t + p_n);
+                wide.arm += (dx + dy) / (x + y).max(f64::MIN_POSITIVE);
+            } else {
+                wide.other_moment += moment;
+            }
+        }
+        wide.reaction += off.impulse[0] + off.impulse[1];
+        // both bodies fall alike
+        if event.second.is_none() {
+            wide.slip += off.kick[0];
+            wide.slip_before += off.kick[0];
+            wide.separation += off.kick[1];
+        }
+        let e = given.restitution.unwrap_or(1.0);
+        wide.restitution = (1.0 + e) * wide.separation + off.restitution * facts.before[1].abs();
+        wide.friction = off.friction;
+        wide.elasticity = off.restitution;
+        wide
     }
 }
 

@@ -187,7 +187,8 @@ fn a_short_number_does_not_excuse_a_row() {
         !study.as_expected()
             && study.untold.contains(&Untold::Format(Told {
                 or: Some(Format::Binary64),
-                ..Told::stated(Format::Decimals(6))
+                decimals: Some(6),
+                ..Told::stated(Format::Significant(6))
             }))
     );
     assert_eq!(fared(&stated(&log, Format::Binary64), Check::Restitution), (1, 0));
