@@ -90,10 +90,8 @@ impl Wanted {
             SyntaxErrorKind::AngleAlone(name) => {
                 self.alone.insert(canonical_name(name).into_owned());
             }
-            SyntaxErrorKind::NoLogarithm(name) => {
-                if self.logarithms.len() < MAX_EXPONENTS {
-                    self.logarithms.insert(canonical_name(name).into_owned());
-                }
+            SyntaxErrorKind::NoLogarithm(name) if self.logarithms.len() < MAX_EXPONENTS => {
+                self.logarithms.insert(canonical_name(name).into_owned());
             }
             SyntaxErrorKind::NoPower { base, index } => {
                 let name = |name: &String| canonical_name(name).into_owned();
