@@ -27,11 +27,12 @@ KINDS = {
               "var let given claim from when as by expect using exists contradiction not implied d(x,t) sin(theta) "
               "cases { } sqrt( abs( ( ) [ ] , ; : := = < <= > >= != + - * / ^ ^2 ^-1 ^999 oo -> 0+ x y t theta pi "
               "n in N for n >= 0 by induction x^n x^(n+1) let s(0) := 1, s(n + 1) := s(n)+1 pow(x,n) s(64) "
+              "sum( prod( sum(k^2 for k in 1..n) sum(x^k for k in 0..9) for k in 1..n .. exp(x) log(x) exp(x/2) var 0 < y < x, "
               "and or implies iff dot(a,b) cross(a,b) in R^3 R^2x2 [kg] [m/s] $\\frac{x}{y}$ $ # 1e400 0.1 10^40 `"),
     "draft": (["draft"], ".tex", "tests/drafts/*.tex",
               "\\begin{equation} \\end{equation} \\begin{align} \\end{align} & \\\\ \\frac \\sqrt { } ^ _ \\alpha \\dot "
               "\\lim_{x\\to 0} = \\le \\text{if} \\newcommand{\\a}{\\a} \\a \\tag{1} \\label{x} \\eqref{x} $ $$ \\[ \\] % "
-              "\\begin{cases} \\end{cases} \\mathbf{v} \\left( \\right. | x t 1 \\section{ \\caption{ ```kane"),
+              "\\sum_{k=1}^{n} \\prod_{k=0}^3 \\exp \\ln \\log \\begin{cases} \\end{cases} \\mathbf{v} \\left( \\right. | x t 1 \\section{ \\caption{ ```kane"),
     "scene": (["scene"], ".toml", "docs/scenes/*.toml",
               "[[sphere]] [plane] = 1e300 -1 0 nan inf \"1/0\" 1e-300 99999999999999999999 [ ] { } \" , true "
               "gravity_m_s2 mass_kg radius_m friction restitution velocity_m_s tolerance until_s"),

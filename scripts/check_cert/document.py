@@ -7,7 +7,7 @@ from functools import cache, cached_property
 
 from .blocks import statements
 from .bounds import allows, pi_bounds, rational
-from . import angles, arrays, bounds, exponentials, logic, motion, sequences, templates, terms
+from . import angles, arrays, bounds, exponentials, logic, motion, sequences, sums, templates, terms
 from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable
 from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
@@ -78,6 +78,7 @@ class Document:
         self.exponents = {}  # what is exponentiated, in how many parts, and what has a logarithm
         self.limited = set()  # the variables of limits
         self.alone = set()  # angles that stand by themselves, too
+        self.sums, self.count = [], 0  # sums up to an index, and in which statement they are met
         self.powers = set()  # bases and indices of powers
         while True:
             self.symbols, self.statements, self.claims = {}, {}, []
@@ -89,7 +90,8 @@ class Document:
             self.sequences = sequences.Sequences(self)
             try:
                 self.late = None  # a fault, unless the symbol turns out to be an angle
-                for statement in statements(text):
+                for self.count, statement in enumerate(statements(text)):
+                    sums.declare(self)
                     self.read(Reader(statement, self))
                 met = {s.variable for s in self.statements.values() if s.variable} - self.limited
                 self.limited |= met
@@ -105,6 +107,10 @@ class Document:
                 if (met.base, met.index) in self.powers:
                     raise Unreadable("a power is used above its base or its index") from None
                 self.powers.add((met.base, met.index))
+            except sums.Met as met:
+                if any(met.name == name for name, _ in self.sums):
+                    raise Unreadable(f"`{met.name}` is used above what it speaks of") from None
+                self.sums.append((met.name, self.count))
             except motion.MetRate as met:
                 name, order = met.name, 1
                 while name in self.rate_of:
@@ -120,6 +126,8 @@ class Document:
     def use(self, name, reader):
         """The expression that a name stands for."""
         symbol = self.symbols.get(name) or reader.fail("unknown symbol")
+        if reader.in_term and self.sequences.index_of(name):
+            reader.fail("a term of a sum up to an index speaks of no index itself")
         if not reader.in_angle:
             self.measured(name)
         return ("def" if symbol.body else "sym", name)
@@ -151,8 +159,8 @@ class Document:
             reader.done()
         except Unreadable as reason:
             raise Rejected(str(reason)) from None
-        except sequences.MetPower:
-            raise Rejected("there is no such power") from None
+        except (sequences.MetPower, sums.Met):
+            raise Rejected("there is no such power or sum") from None
         return expression
 
     def mentioned(self, expression):

@@ -9,7 +9,7 @@ An expression is a tuple, so two that are written alike are equal:
 import re
 from fractions import Fraction
 
-from . import angles, arrays, exponentials, logic, motion, sequences, templates
+from . import angles, arrays, exponentials, logic, motion, sequences, sums, templates
 from .arrays import Array
 from .errors import Unreadable
 
@@ -31,8 +31,9 @@ SPACE = re.compile(r"(?:[ \t\n]|#[^\n]*)*")
 LETTER = "A-Za-z" + "".join(GREEK)
 WORD = re.compile(
     rf"(?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<name>[{LETTER}][{LETTER}0-9_']*)|(?P<infinity>∞)"
-    r"|(?P<sign>:=|<=|>=|!=|->|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:\[\]])"
+    r"|(?P<sign>:=|<=|>=|!=|->|\.\.|[≤≥≠→−·⋅×]|[-+*/^=<>(){}|,;:\[\]])"
 )
+BEHIND = re.compile(rf"[{LETTER}0-9_]|\.(?!\.)")  # what no number ends before
 LABEL = re.compile(r"\(([^()\n]*)\)|([\w.'-]+)")
 SIGNS = {"≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "−": "-", "·": "*", "⋅": "*", "×": "*"}
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
@@ -53,6 +54,9 @@ class Reader:
         self.at = 0
         self.in_angle = False
         self.bound = ()  # names that stand for arguments
+        self.locals = []  # names that sums run over, with their values, from the outside in
+        self.fixed = 0  # how many of them may not be spoken of
+        self.in_term = False  # a term of a sum up to an index speaks of no index itself
         self.recursion = None  # the index of the sequence that is being defined, the only name bound
         self.advance()
 
@@ -74,7 +78,7 @@ class Reader:
             self.word = spelled(self.word)
         elif self.kind == "infinity":
             self.kind, self.word = "name", "oo"
-        elif re.match(rf"[{LETTER}0-9_.]", self.text[self.at:self.at + 1] or " "):
+        elif BEHIND.match(self.text, self.at):
             self.kind = "malformed"  # unless it is the beginning of a label
 
     def fail(self, reason):
@@ -163,7 +167,37 @@ class Reader:
         exponent = self.exponent_with_index()
         if exponent:
             return self.document.sequences.power(base, exponent, self.fail)
-        return ("pow", base, self.exponent())
+        number = self.exponent_by_number()
+        return ("pow", base, self.exponent() if number is None else number)
+
+    def state(self):
+        return self.at, self.start, self.kind, self.word
+
+    def go_back(self, state):
+        self.at, self.start, self.kind, self.word = state
+
+    def exponent_by_number(self):
+        """Reads an exponent in what a sum runs over, if one is there."""
+        if not self.locals:
+            return None
+        before = self.state()
+        try:
+            found = self.document.sequences.linear(self.number(self.signed()))
+            if found and not found[0] and abs(found[1]) <= MAX_POWER:
+                return found[1]
+        except Unreadable:
+            pass
+        self.go_back(before)
+        return None
+
+    def local(self, name):
+        """The value of a name that a sum runs over."""
+        for place, (known, value) in reversed(list(enumerate(self.locals))):
+            if known == name:
+                if place < self.fixed:
+                    self.fail("a term of a sum up to an index speaks of no outer one")
+                return value
+        return None
 
     def exponent_with_index(self):
         """Reads an exponent that speaks of an index, if one is there."""
@@ -241,7 +275,12 @@ class Reader:
             return self.function(self.take(*arrays.FUNCTIONS))
         if self.kind == "name" and self.word == "pow" and self.is_free("pow"):
             return self.power()
+        if self.kind == "name" and self.word in ("sum", "prod") and self.is_free(self.word):
+            return sums.read(self)
         name = self.name()
+        value = self.local(name)
+        if value:
+            return value
         if name in self.bound:
             if self.recursion:
                 self.expect("(")

@@ -32,6 +32,7 @@ class Sequences:
         self.indices = set()
         self.powers = {}  # symbol -> (base, index)
         self.steps = {}  # symbol -> (first term, next term, index)
+        self.sums = {}  # (whether it is a product, index, first value, term) -> symbol
         self.terms = {}  # name of a sequence -> (index, term at it)
 
     def index_of(self, name):
@@ -137,7 +138,28 @@ class Sequences:
             )
         if kind in ("neg", "pow"):
             return self.never_vanishes(e[1])
+        if kind in ("add", "sub"):
+            return self.is_above(e, True)
         return kind == "mul" and self.never_vanishes(e[1]) and self.never_vanishes(e[2])
+
+    def is_above(self, e, strictly):
+        """Is it not negative, or positive, by what is declared?"""
+        kind, total = e[0], self.linear(e)
+        if total:
+            return total[1] >= strictly and all(n >= 0 for n in total[0].values())
+        if kind == "num":
+            return e[1] > 0 or (e[1] == 0 and not strictly)
+        if kind == "sym":
+            low = self.document.symbols[e[1]].lower
+            return bool(low) and (low[0] > 0 or (low[0] == 0 and (low[1] or not strictly)))
+        if kind == "add":
+            one, other = e[1:]
+            return any(
+                self.is_above(a, False) and self.is_above(b, strictly) for a, b in ((one, other), (other, one))
+            )
+        if kind in ("mul", "div"):
+            return self.is_above(e[1], strictly) and self.is_above(e[2], strictly or kind == "div")
+        return kind == "pow" and e[2] >= 0 and self.is_above(e[1], strictly)
 
     def bounds(self, base):
         """What the bounds of a base say of all its powers: (lower, upper)."""

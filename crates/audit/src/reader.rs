@@ -174,7 +174,7 @@ fn read_once(text: &str, blocks: &Blocks, wanted: Wanted) -> Reader {
             break;
         }
         let line = lines.place(span.start).line;
-        reader.line = line;
+        (reader.line, reader.count) = (line, count);
         reader.statement(&blocks.code, span, line);
     }
     reader.meet_limits();
@@ -247,7 +247,9 @@ struct Reader {
     units: HashMap<usize, Dimension>,
     /// the words of the statements that could not be read
     lost: HashSet<String>,
-    /// the line of the statement that is being read
+    /// the number of the statement that is being read
+    count: usize,
+    /// its line
     line: usize,
     faults: Vec<Fault>,
 }

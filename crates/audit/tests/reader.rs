@@ -450,7 +450,7 @@ proptest! {
             "oo", "as", "when", "from", "using", "by", "expect", "proved", "not", "implied", "contradiction",
             "and", "or", "implies", "iff", "exists", "in R^2", "in R^3x3", "v", "A", "[", "]", "dot(", "cross(",
             "inverse(", "f(", "f(u, v) :=", "[kg]", "in N", "n", "s(0) :=", "s(n + 1) :=", "s(n)", "x^n", "for n >= 0",
-            "by induction", "pow(x, n)",
+            "by induction", "pow(x, n)", "sum(", "prod(", "for k in 1..n", "for j in 0..3", "..", "exp(", "log(", "x < k", "2*x < y",
             "1", "0", "/", "^", "d(", "(", ")", "cases {", "}", ",", ";", "else", "<", "#", "μ", "−",
         ]), 0..60)
     ) {
@@ -542,6 +542,14 @@ fn hostile_documents_end_quickly() {
             "```kane\nvar x\nlet f(u) := u*u*u*u\ngiven a: x = {}x{}\n```\n",
             "f(".repeat(200),
             ")".repeat(200)
+        ),
+        format!("```kane\nvar {}\n```\n", "a < (, ".repeat(1_000_000)),
+        format!("```kane\nvar {}\n```\n", "a < sum(, ".repeat(1_000_000)),
+        block(format!("{}1{}", "sum(".repeat(200), " for k in 1..9)".repeat(200))),
+        block(
+            ["a", "b", "c", "e", "f", "g", "h", "i"]
+                .iter()
+                .fold("x".to_owned(), |term, k| format!("sum({term}*{k} for {k} in 1..60)")),
         ),
         entangled,
     ];

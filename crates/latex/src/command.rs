@@ -17,6 +17,10 @@ pub(crate) enum Beginning<'a> {
     Angle(&'static str),
     /// two of these: the one over the other, 1 for none
     Quotient(Option<&'static str>, &'static str),
+    /// exp or log
+    Exponential(&'static str),
+    /// a sum or a product over a range
+    Summation(&'static str),
     /// min or max
     Extreme(&'static str),
     /// so many derivatives by t
@@ -34,7 +38,8 @@ pub(crate) enum Beginning<'a> {
 /// What a command is the beginning of, if of anything.
 pub(crate) fn beginning(command: &str) -> Option<Beginning<'_>> {
     use Beginning::{
-        Angle, Bar, Brace, Extreme, Fraction, Letter, Mark, Pi, Quotient, Rate, Root, Vector,
+        Angle, Bar, Brace, Exponential, Extreme, Fraction, Letter, Mark, Pi, Quotient, Rate, Root,
+        Summation, Vector,
     };
     Some(match command {
         "pi" => Pi,
@@ -47,6 +52,10 @@ pub(crate) fn beginning(command: &str) -> Option<Beginning<'_>> {
         "csc" => Quotient(None, "sin"),
         // and not 1/tan, which is undefined where the cosine is 0
         "cot" => Quotient(Some("cos"), "sin"),
+        "exp" => Exponential("exp"),
+        "ln" | "log" => Exponential("log"),
+        "sum" => Summation("sum"),
+        "prod" => Summation("prod"),
         "min" => Extreme("min"),
         "max" => Extreme("max"),
         "dot" => Rate(1),

@@ -168,7 +168,11 @@ impl<'a> Reader<'a> {
     pub(crate) fn powers(&mut self, mut base: Part) -> Result<Part, Unreadable> {
         while self.takes(&Token::Superscript) {
             let exponent = self.group()?;
-            base = power(&base.number()?, exponent)?;
+            let number = base.number()?;
+            base = match power(&number, exponent) {
+                Err(Unreadable::Exponent) => self.running_power(&number, exponent)?,
+                read => read?,
+            };
         }
         Ok(base)
     }
@@ -326,7 +330,10 @@ impl<'a> Reader<'a> {
                 let radicand = self.argument()?.number()?;
                 Ok(Part::atom(format!("sqrt({})", radicand.text)))
             }
-            Some(Beginning::Angle(function)) => self.angle_function(function),
+            Some(Beginning::Angle(function) | Beginning::Exponential(function)) => {
+                self.angle_function(function)
+            }
+            Some(Beginning::Summation(function)) => self.summation(function),
             Some(Beginning::Quotient(over_it, under)) => {
                 let start = self.at;
                 let bottom = self.angle_function(under)?;

@@ -1,8 +1,9 @@
-//! Functions in a formula: sines, extremes, fractions, and derivatives in dots and in differentials.
+//! Functions in a formula: sines, exponentials, sums, extremes, fractions, and derivatives in dots and in
+//! differentials.
 
 use crate::formula::Reader;
 use crate::name::Names;
-use crate::part::{Part, is_name, over, power, times};
+use crate::part::{Level, Part, is_name, over, power, times};
 use crate::token::Token;
 use crate::unreadable::Unreadable;
 
@@ -41,6 +42,57 @@ impl<'a> Reader<'a> {
             out = power(&out, exponent)?;
         }
         Ok(out)
+    }
+
+    /// The range of a sum or a product, and its term: one product, behind which no sign may stand.
+    pub(crate) fn summation(&mut self, name: &str) -> Result<Part, Unreadable> {
+        let (mut below, mut above) = (None, None);
+        while below.is_none() || above.is_none() {
+            if below.is_none() && self.takes(&Token::Subscript) {
+                below = Some(self.group()?);
+            } else if above.is_none() && self.takes(&Token::Superscript) {
+                above = Some(self.group()?);
+            } else {
+                return Err(Unreadable::Missing("the range of the sum"));
+            }
+        }
+        let (below, above) = (below.unwrap_or_default(), above.unwrap_or_default());
+        let Some(at) = below.iter().position(|token| *token == Token::Char('=')) else {
+            return Err(Unreadable::Missing("`=` in the range of the sum"));
+        };
+        let mut met = Names::default();
+        let over = Reader::new(&below[..at], &mut met).base()?;
+        if !is_name(&over) || at + 1 == below.len() || met.symbols().len() != 1 {
+            return Err(Unreadable::Missing("what the sum runs over"));
+        }
+        let (from, to) = (self.whole(&below[at + 1..])?.number()?, self.whole(above)?.number()?);
+        self.names.over.push(over.text.clone());
+        let term = self.product();
+        self.names.over.pop();
+        let term = term?.number()?;
+        if matches!(self.peek(), Some(Token::Char('+' | '-' | '−'))) {
+            return Err(Unreadable::Ambiguous(format!("the sum over {}…", over.text)));
+        }
+        let range = format!("{} in {}..{}", over.text, from.text, to.text);
+        Ok(Part::atom(format!("{name}({} for {range})", term.text)))
+    }
+
+    /// A power whose exponent speaks of what a sum runs over.
+    pub(crate) fn running_power(
+        &mut self,
+        base: &Part,
+        exponent: &'a [Token],
+    ) -> Result<Part, Unreadable> {
+        let exponent = self.whole(exponent).map_err(|_| Unreadable::Exponent)?.number()?;
+        let words = exponent.text.split(|c: char| !(c.is_alphanumeric() || "_'".contains(c)));
+        let runs = words.into_iter().any(|word| self.names.over.iter().any(|over| over == word));
+        match runs {
+            true => {
+                let text = format!("{}^{}", base.at(Level::Atom), exponent.at(Level::Atom));
+                Ok(Part::new(text, Level::Power))
+            }
+            false => Err(Unreadable::Exponent),
+        }
     }
 
     pub(crate) fn extreme(&mut self, name: &str) -> Result<Part, Unreadable> {

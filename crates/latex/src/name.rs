@@ -41,6 +41,8 @@ pub struct Names {
     spellings: BTreeMap<String, String>,
     /// names that are defined with arguments, `f(x) = …`
     pub(crate) functions: BTreeSet<String>,
+    /// what the sums run over that are read
+    pub(crate) over: Vec<String>,
     /// parameters of the definition that is read
     pub(crate) parameters: Vec<String>,
 }
@@ -67,7 +69,8 @@ impl Names {
         if RESERVED.contains(&name) {
             return Err(Unreadable::Reserved(name.to_owned()));
         }
-        if self.parameters.iter().any(|known| known == name) || self.functions.contains(name) {
+        let bound = self.parameters.iter().chain(&self.over).any(|known| known == name);
+        if bound || self.functions.contains(name) {
             return Ok(());
         }
         let first = self.spellings.entry(name.to_owned()).or_insert_with(|| spelled.to_owned());

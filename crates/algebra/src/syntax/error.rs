@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::bounds::{MAX_DIGITS, MAX_EXPONENT, MAX_HEIGHT, MAX_ITEMS, MAX_NESTING};
 use super::exponential_symbol::{NamedPowers, exponential_name};
+use super::sequence::MAX_INDEX;
 use super::template::MAX_PARAMETERS;
 
 /// A fault in the text and the bytes that it concerns.
@@ -220,7 +221,7 @@ pub enum SyntaxErrorKind {
     TooManyNames,
     /// a parameter behind `d(…)` or in a sine
     #[error(
-        "`{0}` stands for an argument, and cannot stand in a derivative or in a sine, nor in `exp` and `log`"
+        "`{0}` stands for an argument, and cannot stand in a derivative or in a sine, nor in `exp` and `log`, nor in a sum up to an index"
     )]
     BoundInside(String),
     /// `exists` beside a limit
@@ -253,6 +254,34 @@ pub enum SyntaxErrorKind {
         /// its index
         index: String,
     },
+    /// a sum without what it runs over
+    #[error("`{0}` runs over a range: `{0}(f for k in 1..n)`")]
+    NoRange(&'static str),
+    /// an end of a range
+    #[error(
+        "a range goes from a whole number to a whole number, or to an index, `1..n`, `1..n + 2`"
+    )]
+    Range,
+    /// a sum that is too long
+    #[error("more than {MAX_INDEX} terms are not written out")]
+    LongSum,
+    /// such as `2..n`, which is empty in more than one way
+    #[error("the range begins too high: at the index 0 it ends at {end}, which is below {least}")]
+    HighRange {
+        /// where it ends at the index 0
+        end: i64,
+        /// where it may end
+        least: i64,
+    },
+    /// an index in the term of a sum up to an index
+    #[error("a term of a sum up to an index speaks of what the sum runs over, and not of `{0}`")]
+    IndexInTerm(String),
+    /// a term that may have no value
+    #[error("a term of this sum may have no value somewhere")]
+    PartialTerm,
+    /// a sum up to an index that has no symbol yet
+    #[error("`{0}` has no symbol here")]
+    NoSum(String),
     /// a sequence without its argument
     #[error("`{0}` is a sequence, and takes its index")]
     TermAlone(String),
@@ -339,6 +368,20 @@ impl SyntaxErrorKind {
             Self::Term { .. } => {
                 "shift the claim, so that the lowest index in it is the index itself"
             }
+            Self::Range => {
+                "the lower end is a number, the upper one a number or an index and a natural number"
+            }
+            Self::HighRange { .. } => {
+                "let it end higher, as in `2..n + 1`, or take the first terms off, `sum(f for k in 1..n) - f_1`"
+            }
+            Self::IndexInTerm(_) => {
+                "what does not vary with it stands before the sum, `n*sum(k for k in 1..n)`"
+            }
+            Self::PartialTerm => {
+                "a polynomial in plain symbols and in what the sum runs over has one, also divided by what \
+                 is not 0 by what is declared"
+            }
+            Self::NoSum(_) => "a document has up to 100 sums up to an index",
             Self::NotAnIndex(_) => "an index is declared by `var n in N`",
             Self::TermAlone(_) => "write `s(n)`, `s(n + 1)` or `s(0)`",
             Self::LongTerm => "indices up to 64 are put in, if what comes of it is short enough",

@@ -24,7 +24,11 @@ impl Parser<'_> {
         if self.scope().symbols(&exponent).into_iter().any(|v| self.is_index(v)) {
             return self.power_of_index(base, &exponent, at);
         }
-        let value = match exponent_value(&exponent) {
+        // what a sum runs over is a number by now
+        let folded = self.scope().sequences().linear(&exponent).filter(|_| !self.locals.is_empty());
+        let folded = folded.and_then(|sum| i32::try_from(sum.plus).ok());
+        let folded = folded.filter(|n| n.abs() <= MAX_EXPONENT).map(Ok);
+        let value = match folded.unwrap_or_else(|| exponent_value(&exponent)) {
             Ok(value) => value,
             Err(kind) => {
                 self.report(kind, at);

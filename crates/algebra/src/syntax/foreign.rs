@@ -18,7 +18,7 @@ const OPERATORS: [(&str, &str); 8] = [
 ];
 
 /// Signs with which nothing begins here, and what to write.
-const SIGNS: [(&str, &str); 14] = [
+const SIGNS: [(&str, &str); 15] = [
     ("||", "`or`, and a product of bars with `*`"),
     ("&&", "`and`"),
     ("∧", "`and`"),
@@ -31,7 +31,8 @@ const SIGNS: [(&str, &str); 14] = [
     ("≈", "as a bound, `abs(a - b) <= c`"),
     ("~", "as a bound, `abs(a - b) <= c`"),
     ("∈", "as bounds, `0 <= e <= 1`, or `in N`, `in R^3`"),
-    ("∑", "as a sequence, `let s(0) := f(0), s(n + 1) := s(n) + f(n + 1)`"),
+    ("∑", "`sum(f for k in 1..n)`"),
+    ("∏", "`prod(f for k in 1..n)`"),
     ("∫", "by what it is an integral of, `d(F, x) = f`"),
 ];
 

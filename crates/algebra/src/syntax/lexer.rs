@@ -47,6 +47,8 @@ pub enum Token {
     Semicolon,
     /// `:`
     Colon,
+    /// `..`
+    Dots,
     /// `:=`
     Define,
     /// `->` or `→`
@@ -76,6 +78,7 @@ pub(crate) fn next(text: &str, from: usize) -> (Token, Range<usize>) {
     match (first, second) {
         ('-', Some('>')) => two(Token::Arrow),
         (':', Some('=')) => two(Token::Define),
+        ('.', Some('.')) => two(Token::Dots),
         ('<', Some('=')) => two(Token::Rel(Rel::Le)),
         ('>', Some('=')) => two(Token::Rel(Rel::Ge)),
         ('!', Some('=')) => two(Token::Rel(Rel::Ne)),
@@ -123,7 +126,11 @@ fn skip_blank(text: &str, from: usize) -> usize {
 }
 
 fn number(rest: &str, start: usize) -> (Token, Range<usize>) {
-    let run = |text: &str| text.find(|c| !is_name_part(c) && c != '.').unwrap_or(text.len());
+    let run = |text: &str| {
+        let end = text.find(|c| !is_name_part(c) && c != '.').unwrap_or(text.len());
+        // a range, as in `1..n`
+        text.get(..end).and_then(|run| run.find("..")).unwrap_or(end)
+    };
     let mut end = run(rest);
     let part = rest.get(..end).unwrap_or_default();
     // the sign of an exponent: nothing else ends like a number and one `e`

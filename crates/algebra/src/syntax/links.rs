@@ -14,6 +14,9 @@ use super::names::{CONNECTIVES, PI};
 use super::parser::{Node, Parser, excerpt};
 use super::scope::Symbol;
 
+/// Tokens that are looked at to see where a symbol stands beside its bounds.
+const MOST_AHEAD: usize = 1000;
+
 /// A relation with its place and the height of its taller side.
 pub(crate) struct RelationNode {
     pub(crate) relation: Relation,
@@ -296,7 +299,7 @@ impl Parser<'_> {
             return true;
         }
         let mut tokens = Vec::new();
-        let (mut depth, mut relations) = (0_usize, 0);
+        let (mut depth, mut relations, mut count) = (0_usize, 0, 0);
         let (text, mut at) = self.ahead();
         loop {
             let (token, span) = lexer::next(text, at);
@@ -310,6 +313,10 @@ impl Parser<'_> {
                 Token::Comma if depth == 0 => break,
                 Token::End => break,
                 _ => {}
+            }
+            count += 1;
+            if count > MOST_AHEAD {
+                break;
             }
             if relations == 0 {
                 tokens.push(token);

@@ -8,9 +8,11 @@ use num_rational::BigRational;
 use num_traits::Signed as _;
 
 use super::latex::{is_function, is_loose, last_factor};
+use super::lexer::{self, Token};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, greek_letter, greek_subscript, name_parts, of_argument, power, rate,
+    applied, canonical_name, exponent, greek_letter, greek_subscript, name_parts, of_argument,
+    power, rate, summed,
 };
 use super::number::decimal;
 use super::parser::Level;
@@ -37,6 +39,14 @@ pub fn mathml_name(name: &str) -> String {
             false => mathml_name(base),
         };
         return in_parentheses(&format!("<msup>{base}{}</msup>", mathml_name(index)));
+    }
+    if let Some(sum) = summed(name) {
+        let sign = if sum.product { "∏" } else { "∑" };
+        let from =
+            format!("<mrow>{}<mo>=</mo>{}</mrow>", mathml_name(sum.over), mathml_tokens(sum.from));
+        let (to, term) = (mathml_tokens(sum.to), mathml_tokens(sum.term));
+        let sign = format!("<munderover><mo>{sign}</mo>{from}<mrow>{to}</mrow></munderover>");
+        return in_parentheses(&format!("{sign}{term}"));
     }
     if let Some((function, argument)) = applied(name) {
         if !["cos", "sin", "exp", "log"].contains(&function) {
@@ -83,6 +93,31 @@ fn number(value: &BigRational) -> String {
             let (numer, denom) = (value.numer().magnitude(), value.denom());
             format!("{sign}<mfrac><mn>{numer}</mn><mn>{denom}</mn></mfrac>")
         }
+    }
+}
+
+/// The text of an expression, sign by sign.
+fn mathml_tokens(text: &str) -> String {
+    let (mut parts, mut at): (Vec<String>, usize) = (Vec::new(), 0);
+    loop {
+        let (token, span) = lexer::next(text, at);
+        at = span.end;
+        let lexeme = text.get(span).unwrap_or_default();
+        let part = match token {
+            Token::End => return parts.concat(),
+            Token::Name => mathml_name(lexeme),
+            Token::Number => format!("<mn>{lexeme}</mn>"),
+            Token::Star => "<mo>&#x2062;</mo>".to_owned(),
+            Token::Minus => "<mo>−</mo>".to_owned(),
+            Token::Caret => {
+                let (end, exponent) = exponent(text, at);
+                at = end;
+                let base = parts.pop().unwrap_or_default();
+                format!("<msup>{base}<mrow>{}</mrow></msup>", mathml_tokens(exponent))
+            }
+            _ => format!("<mo>{}</mo>", lexeme.replace('<', "&lt;").replace('>', "&gt;")),
+        };
+        parts.push(part);
     }
 }
 

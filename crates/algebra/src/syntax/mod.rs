@@ -12,7 +12,7 @@
 //! atom    := number | name | "(" sum ")" | abs(a) | sqrt(a) | min(a, b) | max(a, b) | d(f, x)
 //!          | "|" sum "|" | sin(angle) | cos(angle) | tan(angle)
 //!          | exp(sum) | log(product)
-//!          | pow(a, exponent)
+//!          | pow(a, exponent) | sum(sum for name in sum..sum) | prod(…)
 //!          | "[" sum { "," sum } "]" | dot(a, b) | cross(a, b) | norm(a)
 //!          | det(a) | transpose(a) | inverse(a) | name "(" sum { "," sum } ")"
 //!          | "cases" "{" guard { "," guard } ":" sum { ";" … } [ ";" "else" ":" sum ] [";"] "}"
@@ -56,6 +56,7 @@ mod rebuild;
 mod scope;
 mod sequence;
 mod suggest;
+mod summation;
 mod template;
 mod value;
 mod words;
@@ -85,5 +86,6 @@ pub use rebuild::rebuild;
 pub use scope::{Angle, DeclareError, Scope, Symbol};
 pub use sequence::{MAX_INDEX, Sequences};
 pub use suggest::{nearest, nearest_with_unit};
+pub use summation::Summation;
 pub use template::{MAX_PARAMETERS, placeholder, put_in};
 pub use value::{Array, Shape, Value};

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::lexer::{self, Token};
+
 /// Words that can be neither names nor labels.
 pub const RESERVED: [&str; 22] = [
     "oo",
@@ -144,6 +146,14 @@ pub fn latex_name(name: &str) -> String {
         };
         return format!("\\left({base}^{{{}}}\\right)", latex_name(index));
     }
+    if let Some(sum) = summed(name) {
+        let sign = if sum.product { "prod" } else { "sum" };
+        let index = (latex_name(sum.over), sum.from, latex_tokens(sum.to), latex_tokens(sum.term));
+        return format!(
+            "\\left(\\{sign}_{{{}={}}}^{{{}}} {}\\right)",
+            index.0, index.1, index.2, index.3
+        );
+    }
     if let Some((function, argument)) = applied(name) {
         if !["cos", "sin", "exp", "log"].contains(&function) {
             return format!("{}({})", latex_name(function), latex_name(argument));
@@ -191,6 +201,70 @@ pub(crate) fn rate(name: &str) -> Option<(&str, &str)> {
 /// `pow(e, n)` as `e` and `n`; nothing if it is no power.
 pub(crate) fn power(name: &str) -> Option<(&str, &str)> {
     name.strip_prefix("pow(")?.strip_suffix(')')?.rsplit_once(", ")
+}
+
+/// A name such as `sum(k^2 for k in 1..n)`, taken apart.
+pub(crate) struct Summed<'a> {
+    pub(crate) product: bool,
+    pub(crate) term: &'a str,
+    pub(crate) over: &'a str,
+    pub(crate) from: &'a str,
+    pub(crate) to: &'a str,
+}
+
+/// `sum(k^2 for k in 1..n)` in its parts; nothing if it is no sum.
+pub(crate) fn summed(name: &str) -> Option<Summed<'_>> {
+    let (word, inside) = name.strip_suffix(')')?.split_once('(')?;
+    let product = word == "prod";
+    let (term, range) = inside.rsplit_once(" for ").filter(|_| product || word == "sum")?;
+    let (over, ends) = range.split_once(" in ")?;
+    let (from, to) = ends.split_once("..")?;
+    Some(Summed { product, term, over, from, to })
+}
+
+/// The text of an expression, sign by sign.
+fn latex_tokens(text: &str) -> String {
+    let mut out = String::new();
+    let mut at = 0;
+    loop {
+        let (token, span) = lexer::next(text, at);
+        at = span.end;
+        let lexeme = text.get(span).unwrap_or_default();
+        match token {
+            Token::End => return out,
+            Token::Name => out.push_str(&latex_name(lexeme)),
+            Token::Star => out.push_str("\\,"),
+            Token::Caret => {
+                let (end, exponent) = exponent(text, at);
+                out.push_str(&format!("^{{{}}}", latex_tokens(exponent)));
+                at = end;
+            }
+            _ => out.push_str(lexeme),
+        }
+    }
+}
+
+/// What stands behind `^`, one token or what is between parentheses, and where it ends.
+pub(crate) fn exponent(text: &str, at: usize) -> (usize, &str) {
+    let (mut token, first) = lexer::next(text, at);
+    if token != Token::OpenParen {
+        return (first.end, text.get(first).unwrap_or_default());
+    }
+    let (mut depth, mut end) = (1_usize, first.end);
+    while depth > 0 && token != Token::End {
+        let span;
+        (token, span) = lexer::next(text, end);
+        match token {
+            Token::OpenParen => depth += 1,
+            Token::CloseParen => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (span.end, text.get(first.end..span.start).unwrap_or_default());
+        }
+        end = span.end;
+    }
+    (text.len(), text.get(first.end..).unwrap_or_default())
 }
 
 /// `cos(theta/2)` as `cos` and `theta/2`; nothing if it is a plain name.

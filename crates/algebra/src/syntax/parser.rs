@@ -54,6 +54,12 @@ pub struct Parser<'a> {
     pub(crate) bound: Vec<String>,
     /// the index of the sequence that is being defined: its name, the only one bound, takes it
     pub(crate) recursion: Option<usize>,
+    /// names that stand for values: what sums run over, from the outside in
+    pub(crate) locals: Vec<(String, Expr)>,
+    /// of those, how many may not be spoken of
+    pub(crate) fixed: usize,
+    /// what is read is a term of a sum up to an index, which speaks of no index itself
+    pub(crate) in_term: bool,
     /// a `+` or `-` may end the expression, as in `as x -> 0+`
     pub(crate) side_may_follow: bool,
     errors: Vec<SyntaxError>,
@@ -105,6 +111,9 @@ impl<'a> Parser<'a> {
             in_angle: false,
             bound: Vec::new(),
             recursion: None,
+            locals: Vec::new(),
+            fixed: 0,
+            in_term: false,
             side_may_follow: false,
             errors: Vec::new(),
         }
@@ -173,7 +182,8 @@ impl<'a> Parser<'a> {
         self.jump(self.span.end);
     }
 
-    fn jump(&mut self, to: usize) {
+    /// Goes to a byte of the parser's own text.
+    pub(crate) fn jump(&mut self, to: usize) {
         self.last_end = to;
         (self.token, self.span) = lexer::next(self.text, to);
     }
@@ -243,6 +253,11 @@ impl<'a> Parser<'a> {
     /// The parser's own text, and the byte of it at which the token ahead begins.
     pub(crate) fn ahead(&self) -> (&'a str, usize) {
         (self.text, self.span.start)
+    }
+
+    /// How many faults are recorded.
+    pub(crate) fn faults(&self) -> usize {
+        self.errors.len()
     }
 
     /// Whether a fault was recorded.

@@ -14,8 +14,11 @@ use super::exponential_symbol::{
     named_powers,
 };
 use super::monomial::Monomial;
-use super::names::{PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate};
+use super::names::{
+    PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate, summed,
+};
 use super::sequence::{Sequences, bounds_of_power};
+use super::summation::Summation;
 use super::template::{Template, parameter};
 use super::value::{Array, Shape, Value};
 
@@ -117,6 +120,8 @@ pub struct Scope {
     powers: BTreeMap<(String, usize), usize>,
     /// sequences by name: the index, and the term at it
     terms: HashMap<String, (usize, Expr)>,
+    /// sums and products up to an index, with the symbol of each
+    sums: HashMap<Summation, usize>,
     /// nodes visited so far
     effort: Cell<usize>,
     /// parts written out so far
@@ -159,6 +164,9 @@ impl Scope {
             if let Some(function) = symbol(function) {
                 self.rates.insert(function, index);
             }
+        } else if let Some(sum) = summed(name) {
+            let n = sum.to.split(" + ").next().and_then(symbol);
+            n.into_iter().for_each(|n| self.sequences.add_index(n));
         } else if let Some((base, n)) = power_name(name) {
             if let Some(n) = symbol(n) {
                 self.sequences.add_index(n);
@@ -390,6 +398,32 @@ impl Scope {
         self.declare_sequence(name, index, term)
     }
 
+    /// Declares the symbol of a sum up to an index, whose terms are [total](Self::is_total).
+    ///
+    /// # Errors
+    /// As [`declare`](Self::declare).
+    pub fn declare_sum(&mut self, name: &str, sum: Summation) -> Result<(), DeclareError> {
+        let whole = Var { name: name.to_owned(), of: None, lower: None, upper: None };
+        // signs are told apart, which `declare_compound` does not need
+        let signs =
+            [('+', "_plus_"), ('-', "_minus_"), ('*', "_times_"), ('/', "_over_"), ('^', "_to_")];
+        let spelled = signs.iter().fold(name.to_owned(), |name, (c, word)| name.replace(*c, word));
+        let spelled = self::spelled(&spelled);
+        self.check_free(&spelled)?;
+        self.typeset.entry(latex_name(&spelled)).or_insert_with(|| name.to_owned());
+        let symbol = self.declare(whole)?;
+        let next = sum.joined(Expr::Var(symbol));
+        self.sequences.add_recursion(symbol, sum.index, sum.first.clone(), next);
+        self.sums.insert(sum, symbol);
+        Ok(())
+    }
+
+    /// The symbol of a sum up to an index.
+    #[must_use]
+    pub fn sum(&self, sum: &Summation) -> Option<usize> {
+        self.sums.get(sum).copied()
+    }
+
     /// Indices, powers and terms.
     #[must_use]
     pub fn sequences(&self) -> &Sequences {
@@ -442,10 +476,12 @@ impl Scope {
         total && !self.is_exhausted()
     }
 
-    /// Whether a product of numbers and symbols is not 0 by what is declared.
+    /// Whether it is not 0 by what is declared: a product of numbers and symbols, and of sums of what is
+    /// not negative and one of which is positive.
     pub(crate) fn never_vanishes(&self, e: &Expr) -> bool {
         match e {
             Expr::Num(q) => !q.is_zero(),
+            Expr::Add(..) | Expr::Sub(..) => self.is_above(e, true),
             Expr::Var(v) => self.context.vars.get(*v).is_some_and(|var| {
                 let beyond = |b: &Bound, sign: bool| match b.value.is_zero() {
                     true => b.strict,
@@ -456,6 +492,32 @@ impl Scope {
             }),
             Expr::Neg(a) | Expr::Pow(a, _) => self.never_vanishes(a),
             Expr::Mul(a, b) => self.never_vanishes(a) && self.never_vanishes(b),
+            _ => false,
+        }
+    }
+
+    /// Whether it is not negative, or positive, by what is declared.
+    fn is_above(&self, e: &Expr, strictly: bool) -> bool {
+        let above = |e: &Expr| self.is_above(e, strictly);
+        if let Some(sum) = self.sequences.linear(e) {
+            return sum.plus >= i64::from(strictly) && sum.times.values().all(|n| *n >= 0);
+        }
+        match e {
+            Expr::Num(q) => q.is_positive() || !strictly && q.is_zero(),
+            Expr::Var(v) => {
+                let lower = self.context.vars.get(*v).and_then(|var| var.lower.as_ref());
+                lower.is_some_and(|b| match b.value.is_zero() {
+                    true => b.strict || !strictly,
+                    false => b.value.is_positive(),
+                })
+            }
+            Expr::Add(a, b) => {
+                let [a, b] = [a, b].map(|e| (self.is_above(e, false), above(e)));
+                a.0 && b.1 || a.1 && b.0
+            }
+            Expr::Mul(a, b) => above(a) && above(b),
+            Expr::Div(a, b) => above(a) && self.is_above(b, true),
+            Expr::Pow(a, n) => *n >= 0 && above(a),
             _ => false,
         }
     }

@@ -63,6 +63,7 @@ impl Parser<'_> {
             "exp" if self.scope().is_unused("exp") => self.call(|p| p.lowered(exponential)),
             "log" if self.scope().is_unused("log") => self.call(|p| p.lowered(logarithm)),
             "pow" if self.scope().is_unused("pow") => self.power_call(),
+            word @ ("sum" | "prod") if self.scope().is_unused(word) => self.summation(),
             word => match FUNCTIONS.into_iter().find(|function| *function == word) {
                 Some(function) if self.scope().is_unused(word) => self.function_of_arrays(function),
                 _ => self.named(),
@@ -73,6 +74,10 @@ impl Parser<'_> {
     /// Passes the name of a symbol, of a definition, or of what stands for an argument.
     fn named(&mut self) -> Result<Node, SyntaxError> {
         let (name, span) = self.name()?;
+        if let Some(value) = self.local(name, &span) {
+            let height = self.scope().height(&value);
+            return self.build(value, span, height);
+        }
         if let Some(bound) = self.bound.iter().position(|b| *b == canonical_name(name)) {
             if let Some(index) = self.recursion {
                 return self.last_term(index, span);
@@ -91,6 +96,9 @@ impl Parser<'_> {
         }
         let (expr, height) = match self.scope().resolve(name) {
             Some(Symbol::Var(index)) => {
+                if self.in_term && self.scope().sequences().index_of(index).is_some() {
+                    self.report(SyntaxErrorKind::IndexInTerm(excerpt(name)), span.clone());
+                }
                 if !self.in_angle && self.scope().is_unmeasured(index) {
                     self.report(SyntaxErrorKind::AngleAlone(excerpt(name)), span.clone());
                 }
@@ -260,7 +268,7 @@ impl Parser<'_> {
     }
 
     /// Whether a parameter stands in an expression in which none can, which is noted.
-    fn has_placeholder(&mut self, e: &Expr, span: &Range<usize>) -> bool {
+    pub(crate) fn has_placeholder(&mut self, e: &Expr, span: &Range<usize>) -> bool {
         let found = self.scope().symbols(e).into_iter().find_map(parameter);
         if let Some(found) = found {
             let name = self.bound.get(found).cloned().unwrap_or_default();

@@ -1,5 +1,5 @@
 use kane_algebra::syntax::{
-    Evaluator, Notation, Scope, latex_name, parse_expr, placeholder, put_in,
+    Evaluator, Notation, Parser, Scope, latex_name, mathml_name, parse_expr, placeholder, put_in,
 };
 use kane_kernel::{Bound, Expr, Var};
 use num_rational::BigRational;
@@ -86,6 +86,30 @@ fn what_is_printed_of_powers_and_terms_reads_back() {
         );
     }
     assert_eq!(latex_name("pow(q, n)"), "\\left(q^{n}\\right)");
+}
+
+#[test]
+fn what_is_printed_of_sums_reads_back() {
+    let mut scope = scope();
+    for name in
+        ["sum(k^2 for k in 1..n)", "prod(1 + 1/k for k in 2..n + 1)", "sum(q^k for k in 0..n)"]
+    {
+        let sum = Parser::new(name, 0, &scope).sum_to_declare().expect("it is one");
+        scope.declare_sum(name, sum).expect("a new one");
+        let e = parse_expr(&format!("2*{name} + 1"), &scope).expect("well-formed");
+        let printed = e.plain(scope.context());
+        assert_eq!(printed, format!("2*{name} + 1"));
+        assert_eq!(parse_expr(&printed, &Scope::of(scope.context())).as_ref(), Ok(&e), "{printed}");
+    }
+    let value = |text: &str| value(&parse_expr(text, &scope).expect("well-formed"), &scope);
+    assert_eq!(value("sum(k^2 for k in 1..4)"), ratio(30, 1));
+    assert_eq!(value("prod(1 + 1/k for k in 2..5)"), ratio(3, 1));
+    assert_eq!(value("sum(k for k in 3..2) + prod(k for k in 3..2)"), ratio(1, 1));
+    assert_eq!(
+        latex_name("sum(k^(2*j) for k in 1..n)"),
+        "\\left(\\sum_{k=1}^{n} k^{2\\,j}\\right)"
+    );
+    assert!(mathml_name("prod(1/k^2 for k in 1..n)").contains("<munderover><mo>∏</mo>"));
 }
 
 #[test]

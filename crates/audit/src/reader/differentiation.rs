@@ -34,7 +34,7 @@ impl Reader {
             Err((message, kind)) => {
                 let mut fault = Fault::new(cited.span.clone(), message);
                 if let Some(kind) = kind {
-                    self.met.learn(&kind);
+                    self.met.learn(&kind, self.count);
                     fault.note = kind.hint().map(str::to_owned);
                 }
                 self.faults.push(fault);

@@ -19,8 +19,8 @@ const ELSEWHERE: [(&[&str], &str); 7] = [
         "an angle is declared, and what is known of it given: `var theta`, `given slope: tan(theta) = y/x`",
     ),
     (
-        &["sum", "Sum", "prod", "product"],
-        "a sum is a sequence by its steps: `let s(0) := f(0), s(n + 1) := s(n) + f(n + 1)`",
+        &["Sum", "Prod", "product"],
+        "a sum is `sum(f for k in 1..n)`, a product `prod(f for k in 1..n)`",
     ),
     (&["lim", "limit"], "a limit is claimed as `f -> L as x -> a`"),
     (&["cbrt", "root"], "a root is a symbol: `var r >= 0`, `given root: r^3 = f`"),

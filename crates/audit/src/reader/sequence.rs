@@ -195,6 +195,20 @@ impl Reader {
         }
     }
 
+    /// Enters the symbols of the sums up to an index that stand in the statement that is read next for the
+    /// first time.
+    pub(super) fn declare_sums(&mut self, site: usize) {
+        let names: Vec<String> = self.wanted.sums(self.count).map(str::to_owned).collect();
+        for name in names {
+            let sum = Parser::new(&name, 0, &self.scope).sum_to_declare();
+            let Some(sum) = sum.filter(|sum| self.scope.sum(sum).is_none()) else { continue };
+            if let Err(error) = self.scope.declare_sum(&name, sum) {
+                self.refuse(&error, site..site);
+            }
+            self.var_sites.resize(self.scope.context().vars.len(), site);
+        }
+    }
+
     /// Enters a sequence by its term.
     pub(super) fn define_term(
         &mut self,

@@ -22,6 +22,7 @@ impl Reader {
     /// Reads the statement at `span` of `code`, which begins on line `line`.
     pub(super) fn statement(&mut self, code: &str, span: Range<usize>, line: usize) {
         let text = code.get(span.clone()).unwrap_or_default();
+        self.declare_sums(span.start);
         let scope = std::mem::take(&mut self.scope);
         let mut parser = Parser::new(text, span.start, &scope);
         let keyword = parser.lexeme();
@@ -126,7 +127,7 @@ impl Reader {
         for SyntaxError { kind, span } in errors {
             let mut fault = Fault::new(span, kind.to_string());
             fault.note = kind.hint().map(str::to_owned);
-            self.met.learn(&kind);
+            self.met.learn(&kind, self.count);
             if let SyntaxErrorKind::UnknownSymbol(name) = kind {
                 if defined.is_some_and(|own| canonical_name(own) == canonical_name(&name)) {
                     fault.message = format!("cycle: `{name}` is defined in terms of itself");

@@ -11,7 +11,7 @@ const MAX_ORDER: u32 = 6;
 /// Exponentials, and logarithms.
 const MAX_EXPONENTS: usize = 1_000;
 
-/// Powers with an index for exponent.
+/// Powers with an index for exponent, and sums up to an index.
 const MAX_POWERS: usize = 100;
 
 /// The angles and the derivatives of a document, by the names of their symbols.
@@ -31,6 +31,8 @@ pub(super) struct Wanted {
     limited: BTreeSet<String>,
     /// bases of powers, and their indices
     powers: BTreeSet<(String, String)>,
+    /// sums up to an index, each with the first statement that has it, in the order in which they are met
+    sums: Vec<(String, usize)>,
 }
 
 impl Wanted {
@@ -71,9 +73,20 @@ impl Wanted {
         self.powers.iter()
     }
 
-    /// Takes in what a fault asks for.
-    pub(super) fn learn(&mut self, kind: &SyntaxErrorKind) {
+    /// The sums up to an index that stand in a statement for the first time.
+    pub(super) fn sums(&self, statement: usize) -> impl Iterator<Item = &str> {
+        self.sums.iter().filter(move |sum| sum.1 == statement).map(|sum| sum.0.as_str())
+    }
+
+    /// Takes in what a fault in a statement asks for.
+    pub(super) fn learn(&mut self, kind: &SyntaxErrorKind, statement: usize) {
         match kind {
+            SyntaxErrorKind::NoSum(name) => {
+                let known = self.sums.iter().any(|sum| sum.0 == *name);
+                if !known && self.sums.len() < MAX_POWERS {
+                    self.sums.push((name.clone(), statement));
+                }
+            }
             SyntaxErrorKind::NoAngle { name, parts } => {
                 let known = self.parts.entry(canonical_name(name).into_owned()).or_insert(1);
                 *known = num_integer::lcm(*known, *parts);
