@@ -24,7 +24,7 @@ from trial import Trial  # noqa: E402
 
 CLAIMS = 7
 DECLARED = "var n in N, x > 0, 0 < q < x, 2*x <= p, y, y - 1 < z <= y + 2"
-FOUND = re.compile(r"(?:for n = (\d+), )?(?:at )?((?:[xqpyz] = -?[\d/.]+(?:, )?)+)?: left side")
+FOR, VALUE = re.compile(r"for n = (\d+)"), re.compile(r"\b([xqpyz]) = (-?\d+(?:/\d+)?)")
 
 
 def symbol(name):
@@ -168,9 +168,9 @@ def judged_wrong(claim, statement, places):
     for link in statement["links"] if verdict == "refuted" else []:
         if link["verdict"] != "refuted" or " = the root of " in link["reason"]:
             continue  # the second checker evaluates what is irrational
-        found = FOUND.search(link["reason"])
-        n = (found and found[1]) or (BOUND.search(link["text"]) or [None, None])[1]
-        told = dict(pair.split(" = ") for pair in found[2].rstrip(", ").split(", ")) if found and found[2] else {}
+        reason = link["reason"].partition("left side")[0]
+        n = (FOR.search(reason) or BOUND.search(link["text"]) or [None, None])[1]
+        told = dict(VALUE.findall(reason))
         at = completed(told)
         if at is None:
             return f"refuted outside of the bounds: {link['reason']}"

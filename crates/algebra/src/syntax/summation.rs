@@ -129,6 +129,8 @@ impl<'a> Parser<'a> {
         let open = self.span();
         self.expect(Token::OpenParen, "`(` after a function's name")?;
         let from_term = self.ahead().1;
+        // what was looked at counts, so that many sums without an end are not looked through again
+        self.charge(1, &(start..open.end))?;
         let (found, behind) = self.end_of_term();
         self.charge(behind - from_term, &(start..open.end))?;
         let Some(end) = found else {
