@@ -64,6 +64,18 @@ impl Frame {
     }
 }
 
+impl Frame {
+    /// Σ|t_k·n_k|, 0 where tangent and normal are axes of the log and 1 at most.
+    #[inline]
+    pub(crate) fn lean(&self) -> f64 {
+        if self.upright {
+            return 0.0;
+        }
+        let ([a, b, c], [x, y, z]) = (self.tangent, self.normal);
+        (a * x).abs() + (b * y).abs() + (c * z).abs()
+    }
+}
+
 /// The normal, and its slack.
 fn normal(row: &Row, printed: f64) -> Result<([f64; 3], f64), Reason> {
     let given = [Axis::X, Axis::Y, Axis::Z].map(|axis| row.get(Column::Normal(axis)));

@@ -6,7 +6,8 @@
 //! velocity by additions and products of terms no greater than |v| + |v⁺|; with n roundings it is off
 //! by at most n·u/(1 − n·u) times that (Higham's γ_n). [`ROUNDINGS`] = 64 stands for ten sweeps
 //! over a contact of six operations each, and the rounding of the result when it is written down.
-//! Hence η = 64·u. In this program's own arithmetic a fact is a sum of at most twelve products, off by
+//! Hence η = 64·u. That is so along each axis of the log; where tangent and normal lean against these, an error of
+//! v_n is one of v_t by Σ|t_k·n_k| of it, and the other way round. In this program's own arithmetic a fact is a sum of at most twelve products, off by
 //! at most 16·2^−53 of their magnitudes: a quarter of η at most, as u ≥ 2^−53. So a residual that
 //! is computed in floats decides unless it is within a quarter of its tolerance, and there the
 //! residual is computed exactly.
@@ -130,7 +131,7 @@ pub struct Tolerance {
 
 /// The magnitudes of a body.
 struct Size {
-    /// |v| + |v⁺| + |g·Δt| along both axes, and |ω| + |ω⁺|
+    /// |v| + |v⁺| + |g·Δt| along both axes, with what [leans](Written::lean) over from the other, and |ω| + |ω⁺|
     speed: [f64; 3],
     /// how far what was written of them is off
     step: [f64; 3],
@@ -140,9 +141,10 @@ struct Size {
 
 impl Size {
     #[inline(always)]
-    fn of(body: &Moving<f64>, kick: [f64; 2], step: [f64; 3]) -> Self {
+    fn of(body: &Moving<f64>, kick: [f64; 2], step: [f64; 3], lean: f64) -> Self {
         let along = |k: usize| body.before[k].abs() + body.after[k].abs();
-        let speed = [along(0) + kick[0].abs(), along(1) + kick[1].abs(), along(2)];
+        let (t, n) = (along(0) + kick[0].abs(), along(1) + kick[1].abs());
+        let speed = [t + lean * n, n + lean * t, along(2)];
         let [x, y] = body.arm;
         Self { speed, step, arm: x.abs() + y.abs(), round: x.abs() <= 1e-6 * y.abs() }
     }
@@ -168,9 +170,11 @@ impl Tolerance {
         let (eta, tau) = (log.rounding, log.tilt + written.slack);
         let kick = event.kick;
         let dt = given.dt.unwrap_or(0.0);
-        let first = Size::of(&event.first, kick, written.steps[0]);
-        let second =
-            event.second.as_ref().map(|body| (body, Size::of(body, kick, written.steps[1])));
+        let first = Size::of(&event.first, kick, written.steps[0], written.lean);
+        let second = event
+            .second
+            .as_ref()
+            .map(|body| (body, Size::of(body, kick, written.steps[1], written.lean)));
         let round = first.round && second.as_ref().is_none_or(|(_, size)| size.round);
         let [u_t, u_n] = facts.before;
         // an engine that adds gravity behind the impact comes to it by that much slower or faster

@@ -16,6 +16,8 @@ pub(crate) struct Written {
     pub(crate) steps: [[f64; 3]; 2],
     /// by how much the normal is turned
     pub(crate) slack: f64,
+    /// Σ|t_k·n_k| over the axes of the log: how much of what a velocity along the normal is off by is along the tangent
+    pub(crate) lean: f64,
 }
 
 impl Written {
@@ -25,7 +27,7 @@ impl Written {
     pub(crate) fn of(row: &Row, frame: &Frame, columns: Option<&Steps>, floor: f64) -> Self {
         // twice, and along a direction by at most the root of three of it
         let steps = columns.map_or([[4.0 * floor; 3]; 2], |columns| steps(row, frame, columns));
-        Self { steps, slack: frame.slack }
+        Self { steps, slack: frame.slack, lean: frame.lean() }
     }
 }
 

@@ -358,3 +358,19 @@ fn a_verdict_at_its_tolerance_is_exact() {
     assert_eq!((inside.0, inside.1), (0, 1), "{:?}", inside.2);
     assert_eq!((outside.0, outside.1), (1, 1), "{:?}", outside.2);
 }
+
+#[test]
+fn rounding_along_a_normal_that_leans_is_no_moment() {
+    let mut log = "mass1_kg,inertia1_kg_m2,radius1_m,normal_x,normal_y,vx1_pre_m_s,vy1_pre_m_s,\
+                   omega1_pre_rad_s,vx1_post_m_s,vy1_post_m_s,omega1_post_rad_s\n"
+        .to_owned();
+    // straight impacts on planes that lean by all sorts of angles, without a spin
+    for i in 1..60 {
+        let (x, y) = (0.1 * f64::from(i)).sin_cos();
+        let [before, after] = [-5.3, 3.1].map(|speed: f64| [speed * x, speed * y]);
+        let [[a, b], [c, d]] = [before, after];
+        log += &format!("1.7,0.41,0.9,{x},{y},{a},{b},0,{c},{d},0\n");
+    }
+    let study = studied(&log);
+    assert!(study.as_expected() && study.rows == 59, "{:?}", study.checks);
+}
