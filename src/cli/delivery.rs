@@ -9,6 +9,7 @@
 //! a run that is interrupted leaves the old file or the new one. It may leave a `.NAME.PID.tmp`,
 //! which the next run neither reads nor needs. Of two runs into one directory, the last one stays.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Write as _};
@@ -17,10 +18,12 @@ use std::path::{Component, Path, PathBuf};
 use kane::algebra::syntax::printable;
 use thiserror::Error;
 
+use super::packed;
+
 /// What is to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Written {
-    /// where, below the directory
+    /// where, below the directory; what ends in `.gz` is packed
     pub(super) path: PathBuf,
     pub(super) text: String,
 }
@@ -67,9 +70,18 @@ impl Written {
             "v" => format!("(* {} *)", mark()),
             "rs" | "c" => format!("// {}", mark()),
             "py" | "g" => format!("# {}", mark()),
+            "css" | "js" => format!("/* {} */", mark()),
             _ => format!("; {}", mark()),
         };
         Self::new(path, format!("{first}\n{text}"))
+    }
+
+    /// What the file holds.
+    pub(super) fn bytes(&self) -> Cow<'_, [u8]> {
+        match ending(&self.path) {
+            "gz" => Cow::Owned(packed::packed(self.text.as_bytes())),
+            _ => Cow::Borrowed(self.text.as_bytes()),
+        }
     }
 }
 
@@ -99,7 +111,7 @@ pub(super) fn write(dir: &Path, inputs: &[&Path], files: &[Written]) -> Result<(
         fs::create_dir_all(target.parent().unwrap_or(dir))?;
         let (beside, mut new) = beside(&target)?;
         temporary.push((beside, file));
-        new.write_all(file.text.as_bytes())?;
+        new.write_all(&file.bytes())?;
         // a disk may say only now that it is full
         new.sync_all()
     });
@@ -213,6 +225,10 @@ fn ending(path: &Path) -> &str {
 
 /// Whether this program wrote what is there, in whatever version.
 fn is_own(path: &Path, there: &[u8], new: &str) -> bool {
+    if ending(path) == "gz" {
+        let held = packed::unpacked(there);
+        return held.is_some_and(|held| is_own(&path.with_extension(""), &held, new));
+    }
     let Ok(there) = std::str::from_utf8(there) else { return false };
     let lines = |count| there.lines().take(count).eq(new.lines().take(count));
     let last = there.trim_end().lines().next_back().unwrap_or_default();
@@ -222,11 +238,14 @@ fn is_own(path: &Path, there: &[u8], new: &str) -> bool {
         "svg" => has_mark(there, ">\nkane ") || has_mark(last, "by kane ") || lines(5),
         "xml" => has_mark(last, "by kane "),
         "md" | "txt" => has_mark(&format!("\n{}", last.trim_start_matches('`')), "\nkane "),
-        "html" => has_mark(there, "<meta name=\"generator\" content=\"kane "),
+        "html" => {
+            has_mark(there, "<meta name=\"generator\" content=\"kane ")
+                || has_mark(there, "<meta name=generator content=\"kane ")
+        }
         "tex" => has_mark(there, "\\footnotesize kane "),
         // its schema, or the program, is named first
         "json" => there.lines().take(8).any(|line| line.contains("\": \"kane")),
-        "1" | "v" | "smt2" | "rs" | "c" | "py" | "fpcore" => {
+        "1" | "v" | "smt2" | "rs" | "c" | "py" | "fpcore" | "css" | "js" => {
             has_mark(there.lines().next().unwrap_or_default(), "written by kane ")
         }
         _ => false,
@@ -284,12 +303,22 @@ mod tests {
     }
 
     #[test]
+    fn what_is_packed_is_known_by_what_it_holds() {
+        let ours = packed::packed(b"(* written by kane 0.1.0 *)\n");
+        assert!(is_own(Path::new("a.v.gz"), &ours, "new"));
+        let theirs = packed::packed(b"Lemma mine : True.\n");
+        assert!(!is_own(Path::new("a.v.gz"), &theirs, "new"));
+        assert!(!is_own(Path::new("a.v.gz"), b"(* written by kane 0.1.0 *)\n", "new"));
+    }
+
+    #[test]
     fn every_form_is_known_by_its_mark_and_by_nothing_less() {
         for (name, there) in [
             ("a.md", "# Audit\n\n---\n\nkane 0.1.0, `kane audit`\n"),
             ("a.md", "# Scene\n\n`kane 0.9.12: kane scene`\n"),
             ("a.txt", "1 claim\n\nkane 0.1.0: kane laws\n"),
             ("a.html", "<head><meta name=\"generator\" content=\"kane 0.1.0\"></head>"),
+            ("a.html", "<head><meta name=generator content=\"kane 0.1.0\"></head>"),
             ("a.tex", "\\hrule\n\\footnotesize kane 0.1.0: \\texttt{kane audit}"),
             ("a.json", "{\n  \"schema\": {\n    \"name\": \"kane-audit\",\n"),
             ("a.csv", "law,finding\n3,4\n"),
@@ -299,6 +328,7 @@ mod tests {
             ("a.v", "(* written by kane 0.1.0 *)\n"),
             ("a.smt2", "; written by kane 0.1.0\n(check-sat)\n"),
             ("kane.1", ".\\\" written by kane 0.1.0\n.TH KANE 1\n"),
+            ("a.css", "/* written by kane 0.1.0 */\np {}\n"),
         ] {
             assert!(own(name, there), "{name}: {there}");
         }

@@ -18,6 +18,7 @@ mod laws;
 mod lsp;
 mod machine;
 mod output;
+mod packed;
 mod prices;
 mod progress;
 mod scene;

@@ -112,7 +112,7 @@ fn made(out: &Path) -> Result<(), Outcome> {
         .take("writing", || delivery::write(out, &[], &files))
         .map_err(|why| bad_input(&why.to_string()))?;
     stages.finish();
-    let bytes: usize = files.iter().map(|file| file.text.len()).sum();
+    let bytes: usize = files.iter().map(|file| file.bytes().len()).sum();
     let kilobytes = bytes / 1000;
     let index = out.join("index.html");
     let told = format!(
@@ -177,9 +177,10 @@ fn scenes() -> Result<Vec<(&'static str, String, Answer)>, Outcome> {
 
 /// A file of the site as it is written, with the mark of this program where its form has no other.
 fn written(file: &File) -> Written {
-    match file.path.rsplit('.').next() {
-        Some("svg") => Written::picture(&file.path, &file.text),
-        Some("v") => Written::question(&file.path, &file.text),
-        _ => Written::new(&file.path, file.text.clone()),
-    }
+    let named = match file.name().rsplit('.').next() {
+        Some("svg") => Written::picture(file.name(), &file.text),
+        Some("v" | "css" | "js") => Written::question(file.name(), &file.text),
+        _ => Written::new(file.name(), file.text.clone()),
+    };
+    Written { path: file.path.clone().into(), ..named }
 }

@@ -37,7 +37,7 @@ fn the_page_of_the_paper_shows_the_figures_and_no_other_page_does() {
         let page = fs::read_to_string(dir.join(name)).expect("it was written");
         // a term of a proof takes twice the bytes in MathML that it takes as letters
         assert!(page.len() < 1_300_000, "{} bytes", page.len());
-        page.matches("class=\"drawn\"").count()
+        page.matches("class=\"picture\"").count()
     };
     kane(&["audit", "--out", target]);
     assert_eq!(pictures("oblique-collision.html"), 2);

@@ -1,5 +1,6 @@
 //! The program as its user meets it: what it prints, where, and how it exits.
 
+mod axe; // pages held against a checker of accessible pages
 mod browser; // the page in a browser: what loads, filters, the graph, widths, contrast
 mod check; // logs of impacts: forms, exit codes, an engine that is named
 mod chromium; // the browser that it is opened in

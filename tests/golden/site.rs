@@ -1,4 +1,4 @@
-//! A site: its index as text, and that every link leads to something and nothing is loaded.
+//! A site: its index as text, that every link leads to something, and that nothing is loaded from elsewhere.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -95,7 +95,7 @@ fn a_site_in_small() {
     let files = site.files();
     assert_eq!(files, site.files(), "the same in every run");
     every_link_leads_to_something(&files);
-    nothing_is_loaded(&files);
+    nothing_is_loaded_from_elsewhere(&files);
     a_screen_reader_walks_through_every_page(&files);
     for (file, name) in [
         ("derivations/oblique-collision.json", "audit"),
@@ -108,7 +108,7 @@ fn a_site_in_small() {
         ("growth.json", "growth"),
         ("index.json", "site"),
     ] {
-        let found = files.iter().find(|found| found.path == file).expect("the site has it");
+        let found = files.iter().find(|found| found.name() == file).expect("the site has it");
         assert_valid(name, &found.text);
     }
     files.iter().for_each(|file| assert_valid_if_ours(&file.text));
@@ -119,9 +119,13 @@ fn pages(files: &[File]) -> impl Iterator<Item = &File> {
     files.iter().filter(|file| file.path.ends_with(".html"))
 }
 
-fn addresses<'a>(page: &'a str, attribute: &str) -> Vec<&'a str> {
-    let parts = page.split(attribute).skip(1);
-    parts.filter_map(|rest| rest.split('"').next()).collect()
+/// The values of an attribute, with quotes or without, that stand behind these words.
+fn addresses<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
+    let value = |rest: &'a str| match rest.strip_prefix('"') {
+        Some(rest) => rest.split('"').next(),
+        None => rest.split([' ', '>']).next(),
+    };
+    page.split(before).skip(1).filter_map(value).collect()
 }
 
 /// Where an address leads, seen from a page: a file of the site and a place in it; `None` for the web.
@@ -147,11 +151,11 @@ fn target(page: &str, address: &str) -> Option<(String, String)> {
 fn every_link_leads_to_something(files: &[File]) {
     let ids: BTreeMap<&str, BTreeSet<&str>> = files
         .iter()
-        .map(|file| (file.path.as_str(), addresses(&file.text, " id=\"").into_iter().collect()))
+        .map(|file| (file.path.as_str(), addresses(&file.text, " id=").into_iter().collect()))
         .collect();
     let mut between = 0;
     for page in pages(files) {
-        for address in addresses(&page.text, "href=\"") {
+        for address in addresses(&page.text, "href=") {
             let Some((file, place)) = target(&page.path, address) else { continue };
             let ids = ids.get(file.as_str());
             assert!(ids.is_some(), "{}: {address} leads nowhere", page.path);
@@ -164,17 +168,39 @@ fn every_link_leads_to_something(files: &[File]) {
     assert_eq!(target("a/b.html", "../c.html#d"), Some(("c.html".to_owned(), "d".to_owned())));
 }
 
-fn nothing_is_loaded(files: &[File]) {
+/// A page loads what the site's pages share, and nothing else: its policy says so, and what it names is there.
+fn nothing_is_loaded_from_elsewhere(files: &[File]) {
+    let has = |path: &str| files.iter().any(|file| file.path == path);
+    let mut used = BTreeSet::new();
     for page in pages(files) {
         let head = page.text.split("</head>").next().expect("a head");
-        assert!(head.contains("default-src 'none'"), "{}", page.path);
-        // the font is within the page, where there are formulas
-        let fonts = page.text.matches("url(data:font/woff2;base64,").count();
-        assert_eq!(fonts, usize::from(page.text.contains("<math")), "{}", page.path);
-        assert_eq!(page.text.matches("url(").count(), fonts, "{}", page.path);
-        for loaded in [" src=", "<link", "<img", "<iframe", "@import"] {
-            assert!(!page.text.contains(loaded), "{}: {loaded}", page.path);
+        let policy = "default-src 'none'; style-src 'self'; script-src 'self'; font-src data:;";
+        assert!(head.contains(policy), "{}", page.path);
+        let styles = addresses(head, "<link rel=stylesheet href=");
+        let scripts = addresses(&page.text, "<script src=");
+        for address in styles.iter().chain(&scripts) {
+            let (file, _) = target(&page.path, address).expect("it is beside the page");
+            assert!(has(&file), "{}: {address} is not there", page.path);
+            used.insert(file);
         }
+        let fonts = styles.iter().filter(|style| style.ends_with("/maths.css")).count();
+        assert_eq!(fonts, usize::from(page.text.contains("<math")), "{}", page.path);
+        let loaded = page.text.matches("<link").count() + page.text.matches(" src=").count();
+        assert_eq!(loaded, styles.len() + scripts.len(), "{}", page.path);
+        for other in ["<style", "url(", "<img", "<iframe", "@import", " style="] {
+            assert!(!page.text.contains(other), "{}: {other}", page.path);
+        }
+    }
+    let shared: BTreeSet<String> = files
+        .iter()
+        .map(|file| file.path.clone())
+        .filter(|path| path.starts_with("shared/"))
+        .collect();
+    assert_eq!(used, shared, "each shared file is used by a page");
+    for file in files.iter().filter(|file| shared.contains(&file.path)) {
+        let fonts = file.text.matches("url(data:font/woff2;base64,").count();
+        assert_eq!(file.text.matches("url(").count(), fonts, "{}", file.path);
+        assert!(!file.text.contains("@import"), "{}", file.path);
     }
 }
 
@@ -185,7 +211,7 @@ fn headings(page: &str) -> Vec<u8> {
         page.match_indices(mark)
             .filter_map(move |(at, _)| Some((at, digit(&page[at + mark.len()..])?)))
     };
-    let all: BTreeMap<usize, u8> = of("<h").chain(of(" aria-level=\"")).collect();
+    let all: BTreeMap<usize, u8> = of("<h").chain(of(" aria-level=")).collect();
     all.into_values().collect()
 }
 
@@ -199,31 +225,38 @@ fn a_screen_reader_walks_through_every_page(files: &[File]) {
             last = level;
         }
         assert!(last > 0, "{} has headings", page.path);
-        let is_empty = |cell: &&str| cell.split_once('>').is_some_and(|c| c.1.starts_with("</th>"));
+        let ends = ["</th>", "<th", "<td", "</tr>"];
+        let is_empty = |cell: &&str| {
+            cell.split_once('>').is_some_and(|c| ends.iter().any(|end| c.1.starts_with(end)))
+        };
         let empty = page.text.split("<th").skip(1).filter(is_empty).count();
         assert_eq!(empty, 0, "{}: heads of columns without a word", page.path);
-        let named = addresses(&page.text, "role=\"region\" aria-label=\"");
+        let named = addresses(&page.text, "role=region aria-label=");
         let titles: Vec<&str> = page.text.split("<h2").skip(1).collect();
         for name in named {
             let twice = titles.iter().any(|title| title.contains(&format!(">{name}</h2>")));
             assert!(!twice, "{}: two regions are called {name}", page.path);
         }
     }
-    assert_eq!(headings("<html><h1>a</h1><p aria-level=\"3\"></p><h2>"), [1, 3, 2]);
+    assert_eq!(headings("<html><h1>a</h1><p aria-level=3></p><h2>"), [1, 3, 2]);
 }
 
 fn every_page_is_found_from_the_index_and_has_its_data(files: &[File]) {
     let index = files.iter().find(|file| file.path == "index.html").expect("an index");
-    let led: BTreeSet<String> = addresses(&index.text, "href=\"")
+    let led: BTreeSet<String> = addresses(&index.text, "href=")
         .into_iter()
         .filter_map(|address| target("index.html", address))
         .map(|(file, _)| file)
         .collect();
     for page in pages(files) {
         assert!(page.path == "index.html" || led.contains(&page.path), "{} is lost", page.path);
-        let all = addresses(&page.text, "href=\"");
+        let all = addresses(&page.text, "href=");
         assert!(all.iter().any(|to| to.ends_with("index.html#pages") || page.path == "index.html"));
-        let has_data = all.iter().any(|to| to.ends_with(".json") || to.ends_with(".csv"));
+        let is_data = |to: &&str| {
+            let name = to.trim_end_matches(".gz");
+            name.ends_with(".json") || name.ends_with(".csv")
+        };
+        let has_data = all.iter().any(is_data);
         assert!(has_data, "{} leads to no data", page.path);
     }
     assert_eq!(index.text.matches("<svg").count(), 4, "four pictures");

@@ -2,6 +2,8 @@
 
 use maud::{Markup, html};
 
+use crate::html::shared::DIRECTORY;
+
 /// A file beside a page, by its relative address.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Link {
@@ -15,6 +17,8 @@ pub struct Link {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place {
     rows: Vec<(String, Vec<Link>)>,
+    /// the way to the index of the site, empty or `../`; none for a page that stands alone
+    up: Option<String>,
 }
 
 impl Link {
@@ -26,6 +30,21 @@ impl Link {
 }
 
 impl Place {
+    /// A page of a site, whose index is this way up: empty, or `../` once or more. What its pages share is beside the
+    /// index.
+    #[must_use]
+    pub fn in_site(up: impl Into<String>) -> Self {
+        Self { rows: Vec::new(), up: Some(up.into()) }
+    }
+
+    /// The way to what pages of the site share.
+    pub(crate) fn shared(&self) -> Option<String> {
+        self.up.as_ref().map(|up| format!("{up}{DIRECTORY}/"))
+    }
+
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
     /// The same place with one more row, unless it would be empty.
     #[must_use]
     pub fn with(mut self, label: &str, links: Vec<Link>) -> Self {
@@ -52,11 +71,6 @@ impl Place {
             }
         }
     }
-
-    /// The rules of the navigation.
-    pub(crate) const fn style(&self) -> &'static str {
-        if self.rows.is_empty() { "" } else { include_str!("place.css") }
-    }
 }
 
 #[cfg(test)]
@@ -67,7 +81,7 @@ mod tests {
     fn a_page_that_stands_alone_has_no_navigation() {
         assert_eq!(Place::default().html().into_string(), "");
         let empty = Place::default().with("Site", Vec::new());
-        assert_eq!((empty.html().into_string().as_str(), empty.style()), ("", ""));
+        assert_eq!((empty.html().into_string().as_str(), empty.shared()), ("", None));
         let place = empty.with("Site", vec![Link::new("laws & more", "../laws.html")]);
         assert!(
             place.html().into_string().contains("<a href=\"../laws.html\">laws &amp; more</a>")

@@ -71,7 +71,7 @@
     return found;
   };
   const pick = (node) => {
-    const start = Number(node.dataset.n);
+    const start = nodes.indexOf(node);
     const up = reach(start, "to", "from");
     const down = reach(start, "from", "to");
     picture.classList.add("picked");

@@ -13,8 +13,6 @@ use crate::words::{Form, Line, equations, example};
 
 /// Places where a statement is used that its note names at once.
 const MOST_USED: usize = 10;
-/// A formula of more LaTeX than this may be wider than its column: it scrolls, by keys too.
-const LONG: usize = 120;
 
 impl Page<'_> {
     /// The statement, under a heading of this level.
@@ -28,12 +26,17 @@ impl Page<'_> {
             article class={ "s " (kind) " " (class) (surprise) } id=(anchor) data-v=(class)
                 data-o=[self.has_equations.then(|| entry.origin().name())] {
                 div.say {
-                    div.label role="heading" aria-level=(level) {
+                    @let label = html! {
                         a href={ "#" (anchor) } { (entry.statement.label) }
                         span.quiet { ", " (kind) ", " (judgement.verdict) }
+                    };
+                    @match level {
+                        ..=3 => h3.label { (label) },
+                        4 => h4.label { (label) },
+                        5 => h5.label { (label) },
+                        _ => h6.label { (label) },
                     }
-                    @let scrolls = entry.formula().is_some_and(|latex| latex.len() > LONG);
-                    div.formula tabindex=[scrolls.then_some("0")] { (self.formula(entry)) (self.cites(entry)) }
+                    div.formula { (self.formula(entry)) (self.cites(entry)) }
                 }
                 div.note { (self.note(index, entry)) }
                 @if entry.is_claim() { (self.evidence(entry)) }

@@ -97,7 +97,7 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
                     @for ((index, entry), (number, place)) in
                         shown.iter().zip(layout.places.iter().enumerate())
                     {
-                        (node(page, (*index, number), entry, *place, (weights[number], heaviest)))
+                        (node(page, *index, entry, *place, (weights[number], heaviest)))
                     }
                 }
             }
@@ -184,21 +184,21 @@ fn lines(nodes: &[Node], reach: &Reach, layout: &Layout) -> String {
                 let (x1, y1) = (a.x + a.width, a.y + HEIGHT / 2);
                 let (x2, y2) = (b.x, b.y + HEIGHT / 2);
                 let bend = MEASURES.gap / 2;
+                let ends = [x1 + bend, y1, x2.saturating_sub(bend), y2, x2, y2];
                 write!(
                     out,
-                    "<path class=\"e\" data-e=\"{from} {to}\" d=\"M{x1} {y1}C{} {y1} {} {y2} {x2} {y2}\"/>",
-                    x1 + bend,
-                    x2.saturating_sub(bend)
+                    "<path class=\"e\" data-e=\"{from} {to}\" d=\"{}\"/>",
+                    curve((x1, y1), ends)
                 )
             } else {
                 let (x1, y1) = (a.x + a.width / 2, a.y + HEIGHT);
                 let (x2, y2) = (b.x + b.width / 2, b.y);
                 let bend = y2.saturating_sub(y1) / 2;
+                let ends = [x1, y1 + bend, x2, y2.saturating_sub(bend), x2, y2];
                 write!(
                     out,
-                    "<path class=\"e far\" data-e=\"{from} {to}\" d=\"M{x1} {y1}C{x1} {} {x2} {} {x2} {y2}\"/>",
-                    y1 + bend,
-                    y2.saturating_sub(bend)
+                    "<path class=\"e far\" data-e=\"{from} {to}\" d=\"{}\"/>",
+                    curve((x1, y1), ends)
                 )
             };
         }
@@ -206,10 +206,22 @@ fn lines(nodes: &[Node], reach: &Reach, layout: &Layout) -> String {
     out
 }
 
+/// A curve from a place, by its two handles and its end, each told from that place.
+fn curve((x, y): (u32, u32), ends: [u32; 6]) -> String {
+    let mut d = format!("M{x} {y}c");
+    for (number, end) in ends.into_iter().enumerate() {
+        let from = if number % 2 == 0 { x } else { y };
+        let sign = if end < from { "-" } else { " " };
+        d.push_str(if number == 0 { sign.trim() } else { sign });
+        let _ = write!(d, "{}", end.abs_diff(from));
+    }
+    d
+}
+
 /// A statement, and a bar for how many of the others rest on it.
 fn node(
     page: &Page<'_>,
-    (index, number): (usize, usize),
+    index: usize,
     entry: &Entry<'_>,
     place: Place,
     (weight, heaviest): (usize, usize),
@@ -234,7 +246,7 @@ fn node(
     let share = u32::try_from(100 * weight / heaviest).unwrap_or(100);
     let corner = if entry.is_claim() { 9 } else { 0 };
     html! {
-        a class=(class) href={ "#" (page.anchors.name(index)) } data-n=(number) aria-label=(told) {
+        a class=(class) href={ "#" (page.anchors.name(index)) } {
             title { (told) ": " (entry.saying()) }
             rect x=(place.x) y=(place.y) width=(place.width) height=(HEIGHT) rx=(corner) {}
             @if share > 0 {

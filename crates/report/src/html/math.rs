@@ -27,9 +27,50 @@ fn mathml(latex: &str, mode: DisplayMode) -> Option<String> {
     let out = out
         .replace("<math display=\"inline\">", "<math>")
         .replace("<mo symmetric=\"false\" stretchy=\"false\">", "<mo stretchy=\"false\">")
+        .replace("<mo stretchy=\"true\">(</mo>", "<mo>(</mo>")
+        .replace("<mo stretchy=\"true\">)</mo>", "<mo>)</mo>")
         .replace(" width=\"0.16666667em\" />", " width=\".167em\"/>");
     // the micro sign has no slanted form in fonts for mathematics; the letter has
-    Some(out.replace('\u{b5}', "μ"))
+    Some(names(&out.replace('\u{b5}', "μ")))
+}
+
+/// Indices of several letters and digits as one name, upright, as in proofs: `y0` and not y times 0.
+fn names(mathml: &str) -> String {
+    const END: &str = "</mrow></msub>";
+    let mut out = String::with_capacity(mathml.len());
+    let mut rest = mathml;
+    while let Some(end) = rest.find(END) {
+        let (before, after) = (&rest[..end], &rest[end + END.len()..]);
+        let name = before.rfind("<mrow>").and_then(|at| Some((at, name(&before[at + 6..])?)));
+        match name {
+            Some((at, name)) => {
+                out.push_str(&before[..at]);
+                out.push_str("<mi>");
+                out.push_str(&name);
+                out.push_str("</mi></msub>");
+            }
+            None => out.push_str(&rest[..end + END.len()]),
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+/// What letters and numbers alone spell, if a letter is first.
+fn name(leaves: &str) -> Option<String> {
+    let mut spelt = String::new();
+    let mut rest = leaves.strip_prefix("<mi>").map(|_| leaves)?;
+    while !rest.is_empty() {
+        let tag = ["mi", "mn"].into_iter().find(|tag| rest.starts_with(&format!("<{tag}>")))?;
+        let (leaf, after) = rest.get(4..)?.split_once(&format!("</{tag}>"))?;
+        if leaf.contains(['<', '&']) {
+            return None;
+        }
+        spelt.push_str(leaf);
+        rest = after;
+    }
+    Some(spelt)
 }
 
 #[cfg(test)]
@@ -42,6 +83,17 @@ mod tests {
         assert!(shown.starts_with("<math display=\"block\"><msub>"), "{shown}");
         assert!(shown.contains("<mfrac>") && shown.contains("<mo>&lt;</mo>"), "{shown}");
         assert!(shown.contains('≔'), "{shown}");
+    }
+
+    #[test]
+    fn an_index_of_several_letters_is_a_name() {
+        let shown = |latex| math(latex, DisplayMode::Inline).into_string();
+        assert_eq!(shown("v_{px0}"), "<math><msub><mi>v</mi><mi>px0</mi></msub></math>");
+        assert!(shown("v_{y}").contains("<mi>y</mi></msub>"));
+        for product in ["x^{2n}", "v_{i+1}", "v_{2n}", r"\frac{ab}{c_d}"] {
+            let shown = shown(product);
+            assert!(!shown.contains("2n") && !shown.contains("ab"), "{product} gives {shown}");
+        }
     }
 
     #[test]

@@ -8,6 +8,8 @@ mod graph;
 mod math;
 mod overview;
 mod prose;
+pub(crate) mod shared;
+mod thrift;
 
 use std::ops::Range;
 
@@ -17,13 +19,13 @@ use maud::{Markup, PreEscaped, html};
 use crate::judges;
 use crate::origin::Origin;
 use crate::report::Entry;
-use crate::wording::mark;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
 pub(crate) use entry::lines;
 pub(crate) use frame::Frame;
 use prose::Part;
 pub(crate) use prose::{Part as Passage, parts as passages};
+pub(crate) use thrift::shortened;
 
 /// The report as one HTML file, which loads nothing: the document's words, and beside each statement its verdict.
 ///
@@ -57,8 +59,8 @@ pub fn html(report: &Report<'_>) -> String {
         place: &report.place,
         news: page.news(),
         contents,
-        style: concat!(include_str!("verdicts.css"), include_str!("audit.css")),
-        script: include_str!("audit.js"),
+        styles: &[shared::VERDICTS, shared::AUDIT],
+        script: Some(shared::AUDIT_SCRIPT),
         provenance: vec![
             ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
             ("Document", html! { (document.name) ", " (document.text.len()) " bytes" }),
@@ -244,7 +246,7 @@ fn pictures(pictures: &[Picture]) -> Markup {
         @if !pictures.is_empty() {
             h2 #figures { "Figures" }
             @for Picture { title, svg } in pictures {
-                div.drawn role="img" aria-label=(title) tabindex="0" { (PreEscaped(svg)) }
+                figure.picture aria-label=(title) tabindex="0" { (PreEscaped(svg)) }
             }
         }
     }
@@ -278,12 +280,11 @@ fn choice(of: &str, value: &str, words: Markup) -> Markup {
     }
 }
 
-/// The verdict with its mark.
+/// The verdict; the style puts its mark before it.
 fn marked(verdict: Verdict) -> Markup {
     html! {
-        span class={ "verdict " (verdict_class(verdict)) } {
-            span.mark aria-hidden="true" { (mark(verdict)) } " " (verdict)
-        }
+        @let defined = if verdict == Verdict::Defined { " defined" } else { "" };
+        span class={ "verdict " (verdict_class(verdict)) (defined) } { (verdict) }
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use kane_audit::Verdict;
 use maud::{Markup, PreEscaped, html};
+use unicode_width::UnicodeWidthStr as _;
 
 use super::verdict_class;
 use crate::shorten::shorten;
@@ -17,12 +18,12 @@ pub(super) struct Section<'t> {
     pub(super) verdicts: Vec<Verdict>,
 }
 
-/// Height of a row; width of the titles, and of the cell of a statement.
+/// Height of a row; width of a letter of a title, and of the cell of a statement.
 const ROW: usize = 24;
-const TITLES: usize = 300;
+const LETTER: usize = 7;
 const CELL: usize = 8;
 /// The most columns of a title.
-const LETTERS: usize = 40;
+const LETTERS: usize = 60;
 /// The farthest that an arc reaches to the right.
 const REACH: usize = 150;
 
@@ -40,7 +41,9 @@ pub(super) fn overview(sections: &[Section<'_>], citations: &[(usize, usize)]) -
         }
     }
     let cells = sections.iter().map(|section| section.verdicts.len()).max().unwrap_or(0);
-    let right = TITLES + CELL * cells + 6;
+    let letters = sections.iter().map(|section| section.title.width().min(LETTERS)).max();
+    let titles = LETTER * letters.unwrap_or(0) + 20;
+    let right = titles + CELL * cells + 6;
     let (width, height) = (right + REACH + 12, ROW * sections.len() + 4);
     html! {
         div.drawn.overview tabindex="0" role="group" aria-label="Sections of the graph" {
@@ -52,7 +55,7 @@ pub(super) fn overview(sections: &[Section<'_>], citations: &[(usize, usize)]) -
                         title { (section.title) ": " (counted(&section.verdicts)) }
                         text.title x="0" y=(y + 13) { (shorten(section.title, LETTERS)) }
                         @for (cell, verdict) in section.verdicts.iter().enumerate() {
-                            rect class=(verdict_class(*verdict)) x=(TITLES + CELL * cell) y=(y)
+                            rect class=(verdict_class(*verdict)) x=(titles + CELL * cell) y=(y)
                                 width=(CELL - 2) height=(ROW - 8) {}
                         }
                     }

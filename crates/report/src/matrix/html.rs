@@ -1,11 +1,13 @@
 //! The matrix as a page: the table, and below it every law, every cell in full, and what each property asks.
 
+use std::collections::BTreeMap;
+
 use kane_matrix::{Cell, Finding, Part, Property, Row, SYMBOLS_IN_WORDS};
 use maud::{Markup, PreEscaped, html};
 
 use super::explain::Telling;
 use super::{FINDINGS, MatrixReport, parameters, word};
-use crate::html::{Frame, Passage, lines, passages};
+use crate::html::{Frame, Passage, lines, passages, shared};
 use crate::place::{Link, Place};
 use crate::words::{Form, Line};
 
@@ -32,6 +34,12 @@ pub fn html_in_site(
     let mut contents =
         vec![("matrix", html! { "The matrix" }), ("properties", html! { "What is asked" })];
     contents.extend(matrix.rows.iter().map(|row| (row.law.info.id, html! { (row.law.info.id) })));
+    let mut known = Known::new();
+    let found: Vec<Markup> = matrix
+        .rows
+        .iter()
+        .map(|row| law(&telling, &matrix.properties, row, (&told, derived), &mut known))
+        .collect();
     let content = html! {
         (filter(report))
         (table(report))
@@ -44,7 +52,7 @@ pub fn html_in_site(
             code { "kane laws --explain LAW:PROPERTY" } " prints a cell in full."
         }
         p.words { (PreEscaped(telling.sentence(SYMBOLS_IN_WORDS))) }
-        @for row in &matrix.rows { (law(&telling, &matrix.properties, row, &told, derived)) }
+        @for law in &found { (law) }
     };
     Frame {
         title: "Laws and properties",
@@ -52,8 +60,8 @@ pub fn html_in_site(
         place,
         news: html! { p.counts { (report.headline()) } },
         contents: contents.into_iter().map(|(id, words)| (id.to_owned(), words)).collect(),
-        style: concat!(include_str!("../html/verdicts.css"), include_str!("matrix.css")),
-        script: include_str!("matrix.js"),
+        styles: &[shared::VERDICTS, shared::MATRIX],
+        script: Some(shared::MATRIX_SCRIPT),
         provenance: vec![
             ("Program", html! { "kane " (env!("CARGO_PKG_VERSION")) }),
             ("Command", html! { code { (report.command) } }),
@@ -127,12 +135,17 @@ fn law(
     telling: &Telling,
     properties: &[&'static Property],
     row: &Row,
-    told: &Told,
-    derived: &[(&str, Link)],
+    (told, derived): (&Told, &[(&str, Link)]),
+    known: &mut Known,
 ) -> Markup {
     let with = parameters(row);
     let derived: Vec<&Link> =
         derived.iter().filter(|(id, _)| *id == row.law.info.id).map(|(_, link)| link).collect();
+    let cells: Vec<Markup> = properties
+        .iter()
+        .zip(&row.cells)
+        .map(|(property, cell)| entry(telling, row, property, cell, known))
+        .collect();
     html! {
         section aria-labelledby=(row.law.info.id) {
             h3 id=(row.law.info.id) { (row.law.info.id) }
@@ -147,9 +160,7 @@ fn law(
             @if let Some(words) = told.law(row.law.info.id) {
                 details { summary { "Formula, source and domain" } div.told { (words) } }
             }
-            @for (property, cell) in properties.iter().zip(&row.cells) {
-                (entry(telling, row, property, cell))
-            }
+            @for cell in &cells { (cell) }
         }
     }
 }
@@ -157,12 +168,31 @@ fn law(
 /// Lines of a proof that a page shows; a longer one is told in outline. A witness is always whole.
 const MOST_LINES: usize = 30;
 
+/// Proofs and witnesses that the page tells, by property and text, with the law at which they stand.
+type Known = BTreeMap<(&'static str, String), &'static str>;
+
+/// From so many bytes on, what is told of one law already is not told of another again.
+const TOLD_ONCE: usize = 800;
+
 /// A cell. Its anchor is inside of what is folded, so that a link to it unfolds it without scripts.
-fn entry(telling: &Telling, row: &Row, property: &Property, cell: &Cell) -> Markup {
+fn entry(
+    telling: &Telling,
+    row: &Row,
+    property: &Property,
+    cell: &Cell,
+    known: &mut Known,
+) -> Markup {
     let most = if cell.finding == Finding::Proved { MOST_LINES } else { usize::MAX };
     let proof = in_full(telling, &cell.parts, most);
     let is_long = proof.is_none();
     let proof = proof.unwrap_or_else(|| in_outline(telling, &cell.parts));
+    let told = html! { (lines(&telling.seen(cell))) (lines(&proof)) };
+    let id = row.law.info.id;
+    let first = if told.0.len() < TOLD_ONCE {
+        id
+    } else {
+        known.entry((property.id, told.0.clone())).or_insert(id)
+    };
     html! {
         details class={ "cell " (class(cell.finding)) } data-v=(class(cell.finding)) {
             summary {
@@ -178,8 +208,11 @@ fn entry(telling: &Telling, row: &Row, property: &Property, cell: &Cell) -> Mark
                         " tells every step"
                     }
                 }
-                (lines(&telling.seen(cell)))
-                (lines(&proof))
+                @if first == id {
+                    (told)
+                } @else {
+                    p { "Word for word as for " a href={ "#" (first) ":" (property.id) } { (first) } "." }
+                }
             }
         }
     }
@@ -266,12 +299,10 @@ impl Told {
     }
 }
 
-/// The finding with its sign, which means the same without colour.
+/// The finding; the style puts its sign before it, which means the same without colour.
 fn marked(finding: Finding) -> Markup {
     html! {
-        span class={ "verdict " (class(finding)) } {
-            span.mark aria-hidden="true" { (mark(finding)) } " " (word(finding))
-        }
+        span class={ "verdict " (class(finding)) } { (word(finding)) }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::palette::{Ink, Pen, STYLE};
+use super::trace::trace;
 use super::{LEADING, NUMBERS, Point, TITLE, broken, count};
 use crate::words::escaped;
 
@@ -56,12 +57,9 @@ impl Canvas {
     }
 
     fn path(&mut self, d: &str, pen: Pen) {
-        let class = pen.ink.class();
+        let class = pen.ink.class_with("line");
         let width = short(pen.width);
-        let _ = write!(
-            self.body,
-            "<path{class} fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\""
-        );
+        let _ = write!(self.body, "<path{class} stroke-width=\"{width}\"");
         if !pen.dashes.is_empty() {
             let _ = write!(self.body, " stroke-dasharray=\"{}\"", pen.dashes);
         }
@@ -107,51 +105,60 @@ impl Canvas {
 
     /// A circle.
     pub(crate) fn ring(&mut self, at: Point, radius: f64, pen: Pen) {
-        let (class, place) = (pen.ink.class(), place(at, radius));
+        let (class, place) = (pen.ink.class_with("line"), place(at, radius));
         let (width, opacity) = (short(pen.width), opacity(pen.strength));
-        let _ = writeln!(
-            self.body,
-            "<circle{class} fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\"{opacity} {place}/>"
-        );
+        let _ = writeln!(self.body, "<circle{class} stroke-width=\"{width}\"{opacity} {place}/>");
     }
 
     /// Words in one line, their middle at this height.
     pub(crate) fn words(&mut self, at: Point, words: &str, size: f64, anchor: Anchor) {
-        self.set(at, words, size, anchor, "");
+        self.set(at, words, size, (anchor, Ink::Text), "");
     }
 
     /// The same in an ink of its own.
     pub(crate) fn inked(&mut self, at: Point, words: &str, size: f64, anchor: Anchor, ink: Ink) {
-        self.set(at, words, size, anchor, &ink.class());
+        self.set(at, words, size, (anchor, ink), "");
     }
 
     /// The same in a heavier weight.
     pub(crate) fn bold(&mut self, at: Point, words: &str, size: f64) {
-        self.set(at, words, size, Anchor::Start, " font-weight=\"bold\"");
+        self.set(at, words, size, (Anchor::Start, Ink::Text), " font-weight=\"bold\"");
     }
 
     /// Words from below to above, that begin, or have their middle, at this place.
     pub(crate) fn upright(&mut self, (x, y): Point, words: &str, size: f64, anchor: Anchor) {
         let turn = format!(" transform=\"rotate(-90 {} {})\"", short(x), short(y));
-        self.set((x, y), words, size, anchor, &turn);
+        self.set((x, y), words, size, (anchor, Ink::Text), &turn);
     }
 
-    fn set(&mut self, (x, y): Point, words: &str, size: f64, anchor: Anchor, more: &str) {
+    fn set(
+        &mut self,
+        (x, y): Point,
+        words: &str,
+        size: f64,
+        (anchor, ink): (Anchor, Ink),
+        more: &str,
+    ) {
         if words.is_empty() {
             return;
         }
-        let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
+        let class = match anchor {
+            Anchor::Start => ink.class(),
+            Anchor::Middle => ink.class_with("middle"),
+            Anchor::End => ink.class_with("end"),
         };
+        let font = short(size);
+        let font =
+            if font == short(NUMBERS) { String::new() } else { format!(" font-size=\"{font}\"") };
         // a little more than a third of the size below the middle is the base line
+        let base = y + 0.36 * size;
+        // what is turned, turns about its place
+        let (y, down) =
+            if more.contains("rotate") { (short(y), " dy=\".36em\"") } else { (short(base), "") };
         let _ = writeln!(
             self.body,
-            "<text x=\"{}\" y=\"{}\" dy=\".36em\" font-size=\"{}\" fill=\"currentColor\"{anchor}{more}>{}</text>",
+            "<text{class} x=\"{}\" y=\"{y}\"{down}{font}{more}>{}</text>",
             short(x),
-            short(y),
-            short(size),
             escaped(words)
         );
     }
@@ -193,16 +200,6 @@ fn opacity(strength: f64) -> String {
     if strength < 1.0 { format!(" opacity=\"{}\"", short(strength)) } else { String::new() }
 }
 
-/// `M0 0L1 1`.
-fn trace(points: &[Point]) -> String {
-    let mut d = String::new();
-    for (index, (x, y)) in points.iter().enumerate() {
-        let letter = if index == 0 { 'M' } else { 'L' };
-        let _ = write!(d, "{letter}{} {}", short(*x), short(*y));
-    }
-    d
-}
-
 /// A number to a hundredth, in as few characters as that takes.
 fn short(number: f64) -> String {
     let text = format!("{number:.2}");
@@ -221,6 +218,6 @@ mod tests {
         let svg = canvas.finish();
         assert!(svg.contains("<title>k &lt; 0 &amp; more</title>\n<desc>what it shows</desc>"));
         assert!(svg.contains("prefers-color-scheme:dark"));
-        assert!(svg.contains("class=\"c0\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\" d=\"M0 0.33L10 0\""));
+        assert!(svg.contains("class=\"c0 line\" stroke-width=\"2\" d=\"M0 .33l10-.33\""));
     }
 }

@@ -13,6 +13,7 @@ mod legend;
 mod palette;
 mod panel;
 mod strip;
+mod trace;
 
 pub(crate) use axis::Axis;
 pub(crate) use callout::{Callout, callouts};

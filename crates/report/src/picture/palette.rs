@@ -32,25 +32,28 @@ impl Ink {
 
     /// The class, as an attribute; none for the ink of the words.
     pub(super) fn class(self) -> String {
-        match self {
+        self.class_with("")
+    }
+
+    /// The same with one more.
+    pub(super) fn class_with(self, more: &str) -> String {
+        let class = match self {
             Self::Text => String::new(),
-            Self::Quiet => " class=\"q\"".to_owned(),
-            Self::Grid => " class=\"g\"".to_owned(),
-            Self::Paper => " class=\"p\"".to_owned(),
-            Self::Series(n) => format!(" class=\"c{}\"", n % INKS),
+            Self::Quiet => "q".to_owned(),
+            Self::Grid => "g".to_owned(),
+            Self::Paper => "p".to_owned(),
+            Self::Series(n) => format!("c{}", n % INKS),
+        };
+        match (class.as_str(), more) {
+            ("", "") => String::new(),
+            ("", one) | (one, "") => format!(" class=\"{one}\""),
+            (both, more) => format!(" class=\"{both} {more}\""),
         }
     }
 }
 
 /// The style of every picture. Its rules are the same in all, so that several can stand on one page.
-pub(super) const STYLE: &str = "\
-.kane{color:#1e2022;font-family:sans-serif}.kane .p{color:#fff}.kane .q{color:#63676c}.kane .g{color:#e1e1e1}\
-.kane .c0{color:#0072b2}.kane .c1{color:#d55e00}.kane .c2{color:#009e73}.kane .c3{color:#cc79a7}\
-.kane .c4{color:#e69f00}.kane .c5{color:#56b4e9}.kane .c6{color:#6e6e6e}\n\
-@media screen and (prefers-color-scheme:dark){\
-.kane{color:#e6e3dc}.kane .p{color:#15171a}.kane .q{color:#a9acb0}.kane .g{color:#34383d}\
-.kane .c0{color:#4ba3e3}.kane .c1{color:#ff8b45}.kane .c2{color:#2cc59a}.kane .c3{color:#e6a6ca}\
-.kane .c4{color:#f3c04f}.kane .c5{color:#a5dcff}.kane .c6{color:#9a9ea3}}";
+pub(crate) const STYLE: &str = include_str!("picture.css");
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use super::table::{Column, Fit, Table};
 use super::words::{Tone, Words};
 use super::{Block, Entry, Sheet};
-use crate::html::Frame;
+use crate::html::{Frame, shared};
 
 impl Sheet<'_> {
     /// The sheet as one HTML file, which loads nothing. Equal sheets give equal bytes.
@@ -34,25 +34,36 @@ impl Sheet<'_> {
             place: &self.place,
             news: html! { @if !self.headline.is_empty() { p { (self.headline) "." } } },
             contents,
-            style: include_str!("sheet.css"),
-            script: "",
+            styles: &[shared::SHEET],
+            script: None,
             provenance,
         };
-        page.page(&html! { @for block in &self.blocks { (block.html()) } })
+        let mut under = "content";
+        let blocks: Vec<Markup> = self.blocks.iter().map(|block| block.html(&mut under)).collect();
+        page.page(&html! { @for block in &blocks { (block) } })
     }
 }
 
 impl Block<'_> {
-    fn html(&self) -> Markup {
+    /// The block; `under` is the heading that it stands under, which names what may scroll.
+    fn html<'s>(&'s self, under: &mut &'s str) -> Markup {
         match self {
-            Self::Heading { id, words } => html! { h2 id=(id) { (words.html()) } },
+            Self::Heading { id, words } => {
+                *under = id;
+                html! { h2 id=(id) { (words.html()) } }
+            }
             Self::Prose(words) => html! { p { (words.html()) } },
             Self::Labelled(entries) => labelled(entries),
-            Self::Table(table) => rows(table),
-            Self::Figure(figure) => html! {
-                h2 id=(figure.name) { (figure.heading) }
-                figure.picture { (PreEscaped((figure.draw)())) }
-            },
+            Self::Table(table) => rows(table, under),
+            Self::Figure(figure) => {
+                *under = figure.name;
+                html! {
+                    h2 id=(figure.name) { (figure.heading) }
+                    figure.picture tabindex="0" aria-labelledby=(figure.name) {
+                        (PreEscaped((figure.draw)()))
+                    }
+                }
+            }
         }
     }
 }
@@ -67,14 +78,12 @@ fn labelled(entries: &[Entry]) -> Markup {
     }
 }
 
-/// From so many columns on a table may be wider than the page: it scrolls, by keys too.
-const SCROLLING: usize = 5;
-
-fn rows(table: &Table) -> Markup {
+/// A table, which may be wider than the page: it scrolls, by keys too.
+fn rows(table: &Table, under: &str) -> Markup {
     let all = table.rows.len();
     html! {
         @if all > table.most { p { "The first " (table.most) " of " (all) "." } }
-        table tabindex=[(table.columns.len() >= SCROLLING).then_some("0")] {
+        table tabindex="0" aria-labelledby=(under) {
             thead { tr {
                 @for column in &table.columns {
                     @let head = column.head();

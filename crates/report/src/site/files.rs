@@ -1,22 +1,35 @@
-//! The files of a site: every page, and beside it the other forms of what it tells.
+//! The files of a site: every page, beside it the other forms of what it tells, and what pages share.
 
 use kane_judges::{Claims, coq};
 
+use super::form::Form;
 use super::{Site, derived, gallery, index, place};
-use crate::envelope::folded;
 use crate::figures::{csv, svg};
+use crate::html::{shared, shortened};
 use crate::sheet::Sheet;
-use crate::{
-    Place, certificates, chart, collision, growth, html, json, latex, matrix, scene, stability,
-};
+use crate::{certificates, chart, collision, growth, html, json, latex, matrix, scene, stability};
 
 /// A file of a site.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// where it is, seen from the index
+    /// where it is, seen from the index; one that ends in `.gz` is to be packed by gzip
     pub path: String,
-    /// what it holds
+    /// what it holds, not packed
     pub text: String,
+}
+
+impl File {
+    /// Whether it is to be packed.
+    #[must_use]
+    pub fn is_packed(&self) -> bool {
+        self.path.ends_with(".gz")
+    }
+
+    /// Where it is, were it not packed.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.path.strip_suffix(".gz").unwrap_or(&self.path)
+    }
 }
 
 impl Site<'_> {
@@ -38,39 +51,46 @@ impl Site<'_> {
         for figure in self.figures {
             let path = |ending: &str| format!("figures/{}.{ending}", figure.stem);
             add(&mut files, path("svg"), svg(figure));
-            add(&mut files, path("csv"), csv(figure));
+            files.push(Form::new("CSV", path("csv"), csv(figure)).file());
         }
         let page = gallery::gallery(self).placed(place("figures.html", &[]));
         add(&mut files, "figures.html", page.html());
-        let forms = [("JSON", "index.json".to_owned())];
+        let forms = [Form::new("JSON", "index.json", index::json(self)).open()];
         let page = index::index(self).placed(place("index.html", &forms));
         add(&mut files, "index.html", page.html());
-        add(&mut files, "index.json", index::json(self));
+        files.extend(forms.map(Form::file));
+        for shared in shared::ALL {
+            let path = format!("{}/{}", shared::DIRECTORY, shared.name);
+            add(&mut files, path, shared.text.to_owned());
+        }
         files
     }
 
     /// The documents: page, JSON, LaTeX, certificates, and the lemmas for Coq, which share their theory.
     fn write_audits(&self, files: &mut Vec<File>) {
-        add(files, format!("derivations/{}.v", coq::THEORY), coq::shared_theory());
+        let theory = || {
+            let path = format!("derivations/{}.v", coq::THEORY);
+            Form::new("its theory", path, coq::shared_theory())
+        };
         for (stem, report) in &self.audits {
             let path = |ending: &str| format!("derivations/{stem}.{ending}");
-            let lemmas = coq::library(stem);
-            let forms = [
-                ("JSON", format!("{stem}.json")),
-                ("LaTeX", format!("{stem}.tex")),
-                ("Coq", format!("{lemmas}.v")),
-                ("its theory", format!("{}.v", coq::THEORY)),
-                ("certificates", format!("{stem}.cert.json")),
+            let lemmas = format!("derivations/{}.v", coq::library(stem));
+            let claims = Claims::of(report.audit).only(&report.shown);
+            let mut forms = vec![
+                Form::new("JSON", path("json"), json(std::slice::from_ref(report))),
+                Form::new("LaTeX", path("tex"), latex(report)),
+                Form::new("Coq", lemmas, coq::file(&claims).beside_theory()),
+                theory(),
+                Form::new("certificates", path("cert.json"), certificates(report)),
             ];
-            let place = place(&path("html"), &forms).with("Laws", derived::in_document(self, stem));
+            let derived = derived::in_document(self, stem);
+            let place = place(&path("html"), &forms).with("Laws", derived);
             let placed = report.clone().placed(place);
             add(files, path("html"), self.with_pages(html(&placed)));
-            add(files, path("json"), json(std::slice::from_ref(report)));
-            add(files, path("tex"), latex(report));
-            add(files, path("cert.json"), certificates(report));
-            let claims = Claims::of(report.audit).only(&report.shown);
-            add(files, format!("derivations/{lemmas}.v"), coq::file(&claims).beside_theory());
+            forms.remove(3);
+            files.extend(forms.into_iter().map(Form::file));
         }
+        files.push(theory().file());
     }
 
     /// A page whose links to documents that the site has lead to their pages.
@@ -83,67 +103,58 @@ impl Site<'_> {
     /// The matrix: its page, its sheet for print, the picture and its data.
     fn write_laws(&self, files: &mut Vec<File>) {
         let forms = [
-            ("JSON", "laws.json".to_owned()),
-            ("LaTeX", "laws.tex".to_owned()),
-            ("CSV", "matrix.csv".to_owned()),
-            ("picture", "matrix.svg".to_owned()),
+            Form::new("JSON", "laws.json", matrix::json(&self.matrix)),
+            Form::new("LaTeX", "laws.tex", matrix::sheet(&self.matrix).latex()),
+            Form::new("CSV", "matrix.csv", matrix::csv(&self.matrix)),
+            Form::new("picture", "matrix.svg", matrix::picture(&self.matrix)),
         ];
         let place = place("laws.html", &forms);
         let derived = derived::of_laws(self);
         let page = matrix::html_in_site(&self.matrix, self.laws, &place, &derived);
         add(files, "laws.html", page);
-        add(files, "laws.json", matrix::json(&self.matrix));
-        add(files, "laws.tex", matrix::sheet(&self.matrix).latex());
-        add(files, "matrix.csv", matrix::csv(&self.matrix));
-        add(files, "matrix.svg", matrix::picture(&self.matrix));
+        files.extend(forms.map(Form::file));
     }
 
     /// What is measured of formulas and methods, each with its rows for spreadsheets.
     fn write_measured(&self, files: &mut Vec<File>) {
         let (chart, stability, growth) = (&self.chart, &self.stability, &self.growth);
-        write_with(files, "chart", chart::sheet(chart), chart::json(chart), chart::csv(chart));
+        let mut write = |path: &str, sheet, json, rows| {
+            let rows = Form::new("CSV", format!("{path}.csv"), rows);
+            write_with(files, path, sheet, json, Some(rows));
+        };
+        write("chart", chart::sheet(chart), chart::json(chart), chart::csv(chart));
         let rows = stability::csv(stability);
-        write_with(
-            files,
-            "stability",
-            stability::sheet(stability),
-            stability::json(stability),
-            rows,
-        );
-        write_with(
-            files,
-            "growth",
-            growth::sheet(growth),
-            growth::json(growth),
-            growth::csv(growth),
-        );
+        write("stability", stability::sheet(stability), stability::json(stability), rows);
+        write("growth", growth::sheet(growth), growth::json(growth), growth::csv(growth));
     }
 }
 
-/// Data for programs are written without the spaces that only people need.
+/// A file as it is; of a page, what a browser adds by itself is left out.
 fn add(files: &mut Vec<File>, path: impl Into<String>, text: String) {
     let path = path.into();
-    let text = if path.ends_with(".json") { folded(&text) } else { text };
+    let text = if path.ends_with(".html") { shortened(&text) } else { text };
     files.push(File { path, text });
 }
 
 /// A sheet as a page and for print, with its data.
 fn write(files: &mut Vec<File>, path: &str, sheet: Sheet<'_>, json: String) {
-    let stem = path.rsplit('/').next().unwrap_or(path);
-    let forms = [("JSON", format!("{stem}.json")), ("LaTeX", format!("{stem}.tex"))];
-    write_placed(files, path, sheet, json, place(&format!("{path}.html"), &forms));
+    write_with(files, path, sheet, json, None);
 }
 
-/// The same with rows.
-fn write_with(files: &mut Vec<File>, path: &str, sheet: Sheet<'_>, json: String, rows: String) {
-    let form = |ending: &str| format!("{path}.{ending}");
-    let forms = [("JSON", form("json")), ("LaTeX", form("tex")), ("CSV", form("csv"))];
-    write_placed(files, path, sheet, json, place(&form("html"), &forms));
-    add(files, form("csv"), rows);
-}
-
-fn write_placed(files: &mut Vec<File>, path: &str, sheet: Sheet<'_>, json: String, place: Place) {
-    add(files, format!("{path}.tex"), sheet.latex());
-    add(files, format!("{path}.html"), sheet.placed(place).html());
-    add(files, format!("{path}.json"), json);
+/// The same with one more form.
+fn write_with(
+    files: &mut Vec<File>,
+    path: &str,
+    sheet: Sheet<'_>,
+    json: String,
+    more: Option<Form>,
+) {
+    let mut forms = vec![
+        Form::new("JSON", format!("{path}.json"), json),
+        Form::new("LaTeX", format!("{path}.tex"), sheet.latex()),
+    ];
+    forms.extend(more);
+    let page = format!("{path}.html");
+    add(files, &page, sheet.placed(place(&page, &forms)).html());
+    files.extend(forms.into_iter().map(Form::file));
 }

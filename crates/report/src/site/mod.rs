@@ -1,10 +1,12 @@
 //! A site: every report as a page, and an index that says what they come to.
 //!
-//! Pages know each other by relative addresses, so that a site works from a disk, and none of them loads anything.
+//! Pages know each other by relative addresses, so that a site works from a disk, and load nothing but what they share,
+//! which is beside them.
 
 mod derived;
 mod files;
 mod findings;
+mod form;
 mod gallery;
 mod index;
 mod listed;
@@ -18,6 +20,8 @@ use crate::matrix::MatrixReport;
 use crate::scene::SceneReport;
 use crate::stability::StabilityReport;
 use crate::{Link, Place, Report};
+
+use form::Form;
 
 pub use files::File;
 pub use index::index;
@@ -72,12 +76,11 @@ const PAGES: [(&str, &str); 8] = [
     ("All pages", "index.html#pages"),
 ];
 
-/// What is beside the page at this address: the other pages, and the other forms of what it tells, by their files'
-/// names in its directory.
-fn place(page: &str, forms: &[(&str, String)]) -> Place {
+/// What is beside the page at this address: the other pages, and the other forms of what it tells.
+fn place(page: &str, forms: &[Form]) -> Place {
     let up = "../".repeat(page.matches('/').count());
     let pages = PAGES.iter().filter(|(_, to)| *to != page);
     let pages = pages.map(|(words, to)| Link::new(*words, format!("{up}{to}"))).collect();
-    let forms = forms.iter().map(|(words, to)| Link::new(*words, to)).collect();
-    Place::default().with("Site", pages).with("This page as", forms)
+    let forms = forms.iter().map(Form::link).collect();
+    Place::in_site(up).with("Site", pages).with("This page as", forms)
 }

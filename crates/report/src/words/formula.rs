@@ -531,9 +531,21 @@ fn in_math(left: &str, relation: &str, right: &str) -> String {
     format!("{left} {relation} {right}")
 }
 
-/// A formula in MathML.
+/// A formula in MathML. A number alone needs no setting, and a group alone is none.
 fn math(inside: &str) -> String {
-    format!("<math>{inside}</math>")
+    let (sign, unsigned) = match inside.strip_prefix("<mo>−</mo>") {
+        Some(rest) => ("−", rest),
+        None => ("", inside),
+    };
+    let within = |tag: &str, text: &str| {
+        let text = text.strip_prefix(&format!("<{tag}>"))?.strip_suffix(&format!("</{tag}>"))?;
+        (!text.contains(&format!("<{tag}>"))).then(|| text.to_owned())
+    };
+    match (within("mn", unsigned), within("mrow", inside)) {
+        (Some(number), _) => format!("{sign}{number}"),
+        (_, Some(alone)) => format!("<math>{alone}</math>"),
+        _ => format!("<math>{inside}</math>"),
+    }
 }
 
 /// Text for HTML.
