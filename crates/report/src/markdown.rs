@@ -1,10 +1,11 @@
-//! The report for the web: mathematics between dollar signs, proofs folded away.
+//! The report for the web: the document's sections, mathematics in fences, proofs folded away.
 
 use std::fmt::Write as _;
 
 use kane_audit::LinkJudgement;
 
 use crate::judges;
+use crate::outline::{Heading, headings};
 use crate::report::Entry;
 use crate::words::{Form, Line, example};
 use crate::{Report, Summary};
@@ -25,8 +26,22 @@ pub fn markdown(report: &Report<'_>) -> String {
     if !report.judges.is_empty() {
         out.push('\n');
     }
+    let headings = headings(&document.text);
+    let mut headings = headings.iter().peekable();
+    let mut level = 1;
     for entry in report.entries() {
-        section(&mut out, &entry);
+        let start = entry.statement.span.start;
+        // of the headings above it, those that it stands under
+        let mut above: Vec<&Heading> = Vec::new();
+        while let Some(heading) = headings.next_if(|heading| heading.start < start) {
+            above.retain(|over| over.level < heading.level);
+            above.push(heading);
+        }
+        for heading in above {
+            level = usize::from(heading.level);
+            let _ = writeln!(out, "{} {}\n", "#".repeat(level), escape(&heading.title));
+        }
+        section(&mut out, &entry, (level + 1).min(6));
     }
     if !report.judges.is_empty() {
         out.push_str(&judges::markdown(report.audit, report.judges));
@@ -37,10 +52,11 @@ pub fn markdown(report: &Report<'_>) -> String {
     out
 }
 
-/// One statement: what it says, its verdict and reason, what it rests on, and the proof.
-fn section(out: &mut String, entry: &Entry<'_>) {
+/// One statement, under a heading of this level: what it says, its verdict and reason, what it rests on, and the proof.
+fn section(out: &mut String, entry: &Entry<'_>, level: usize) {
     let judgement = entry.judgement;
-    let _ = write!(out, "## {} · {}", escape(&entry.statement.label), judgement.verdict);
+    let (marks, label) = ("#".repeat(level), escape(&entry.statement.label));
+    let _ = write!(out, "{marks} {label} · {}", judgement.verdict);
     if let Some(remark) = entry.expectation() {
         let _ = write!(out, " · *{}*", escape(&remark));
     }
@@ -109,9 +125,10 @@ fn steps(told: &[Line]) -> String {
     format!("{fence}text\n{steps}{fence}\n")
 }
 
-/// The formula in math mode, on one line: blank lines would end it.
+/// The formula in a fence of its own, on one line: between dollar signs GitHub takes backslashes for its own.
 fn math(latex: &str) -> String {
-    format!("${}$", latex.split_whitespace().collect::<Vec<_>>().join(" "))
+    let latex = latex.split_whitespace().collect::<Vec<_>>().join(" ");
+    format!("```math\n{latex}\n```")
 }
 
 /// The text as it is, also where it has characters that Markdown or HTML would read.

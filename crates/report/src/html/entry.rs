@@ -63,6 +63,8 @@ impl Page<'_> {
                     (math(&latex, DisplayMode::Block))
                 }
             },
+            // a function of a counter is shown as it is written
+            None if !entry.is_claim() => html! { p { code { (entry.saying()) } } },
             None => html! { p { "The premises contradict each other" } },
         }
     }

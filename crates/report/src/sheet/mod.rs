@@ -8,6 +8,7 @@ mod csv;
 mod html;
 mod latex;
 mod markdown;
+mod symbols;
 mod table;
 mod text;
 mod words;

@@ -4,6 +4,7 @@ use std::ops::Add;
 
 use maud::{Markup, html};
 
+use super::symbols::{name, typeset};
 use crate::{markdown, tex};
 
 /// Words in a row.
@@ -100,8 +101,11 @@ impl Words {
         html! {
             @for span in &self.spans {
                 @match span {
-                    Span::Plain(text) => (text),
-                    Span::Code(text) => code { (text) },
+                    Span::Plain(text) => (typeset(text)),
+                    Span::Code(text) => @match name(text) {
+                        Some(said) => span title=(text) { (said) },
+                        None => code { (text) },
+                    },
                     Span::Strong(text) => strong { (text) },
                     Span::Link { words, to } => a href=(to) { (words) },
                 }

@@ -4,7 +4,7 @@ use kane_judges::{Claims, coq};
 
 use super::form::Form;
 use super::{Site, derived, gallery, index, place};
-use crate::figures::{csv, svg};
+use crate::figures::svg;
 use crate::html::{shared, shortened};
 use crate::sheet::Sheet;
 use crate::{certificates, chart, collision, growth, html, json, latex, matrix, scene, stability};
@@ -51,7 +51,7 @@ impl Site<'_> {
         for figure in self.figures {
             let path = |ending: &str| format!("figures/{}.{ending}", figure.stem);
             add(&mut files, path("svg"), svg(figure));
-            files.push(Form::new("CSV", path("csv"), csv(figure)).file());
+            files.push(gallery::data(figure).file());
         }
         let page = gallery::gallery(self).placed(place("figures.html", &[]));
         add(&mut files, "figures.html", page.html());

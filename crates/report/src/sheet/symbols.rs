@@ -1,0 +1,95 @@
+//! Names of programs in sentences for people: symbols as in print, quantities in words, minus signs.
+
+use kane_algebra::syntax::mathml_name;
+use kane_scene::Quantity;
+use maud::{Markup, PreEscaped, html};
+
+/// Greek letters that formulas of reports have, as they are typed.
+const GREEK: [&str; 9] = ["alpha", "beta", "gamma", "eta", "theta", "mu", "phi", "psi", "omega"];
+
+/// Text with its symbols as formulas: `W_tn`, `alpha`; and quantities of scenes without their units: `omega_rad_s`.
+pub(super) fn typeset(text: &str) -> Markup {
+    let is_inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c| is_inside(c) != is_inside(first)).unwrap_or(rest.len());
+        let (piece, after) = rest.split_at(end);
+        let before = text.len() - rest.len();
+        pieces.push(if is_inside(first) {
+            name(piece).unwrap_or_else(|| html! { (piece) })
+        } else {
+            html! { (signs(piece, before == 0, after)) }
+        });
+        rest = after;
+    }
+    html! { @for piece in &pieces { (piece) } }
+}
+
+/// A name of a program as people write it; nothing if it is a word.
+pub(super) fn name(name: &str) -> Option<Markup> {
+    if let Some(quantity) = Quantity::parse(name).ok().filter(|_| name.contains('_')) {
+        let (stem, body) = name.rsplit_once("_of_").unwrap_or((name, ""));
+        let unit = quantity.unit().to_lowercase().replace(['/', '·'], "_");
+        let stem = stem.strip_suffix(&format!("_{unit}")).unwrap_or(stem);
+        let said = symbol(stem).unwrap_or_else(|| html! { (stem.replace('_', " ")) });
+        return Some(html! { (said) @if !body.is_empty() { " of body " (body) } });
+    }
+    (name.contains('_') || GREEK.contains(&name)).then(|| symbol(name)).flatten()
+}
+
+/// A letter, with an index or without.
+fn symbol(name: &str) -> Option<Markup> {
+    let (letter, index) = name.split_once('_').unwrap_or((name, ""));
+    let is_letter = letter.len() == 1 && letter.starts_with(|c: char| c.is_ascii_alphabetic());
+    let is_index = index.len() <= 3 && !index.contains('_');
+    let is_symbol = (is_letter || GREEK.contains(&letter)) && is_index && !name.ends_with('_');
+    is_symbol.then(|| html! { math { (PreEscaped(mathml_name(name))) } })
+}
+
+/// A hyphen before a number and behind nothing that it could join is a minus.
+fn signs(between: &str, is_first: bool, after: &str) -> String {
+    let is_minus = after.starts_with(|c: char| c.is_ascii_digit())
+        && match between.strip_suffix('-') {
+            Some("") => is_first,
+            Some(before) => before.ends_with([' ', '(', '[', '=', '|']),
+            None => false,
+        };
+    match between.strip_suffix('-').filter(|_| is_minus) {
+        Some(before) => format!("{before}−"),
+        None => between.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(text: &str) -> String {
+        typeset(text).into_string()
+    }
+
+    #[test]
+    fn symbols_are_set_and_words_stay() {
+        let w = "<math><msub><mi>W</mi><mi>tn</mi></msub></math>";
+        assert_eq!(set("couple (W_tn = 0)"), format!("couple ({w} = 0)"));
+        assert_eq!(set("|alpha| = 0.5"), "|<math><mi>α</mi></math>| = 0.5");
+        for words in ["a law of k", "smith-1991", "two_spheres.toml", "x_", "<b>", "2-3"] {
+            assert_eq!(set(words), words.replace('<', "&lt;").replace('>', "&gt;"));
+        }
+    }
+
+    #[test]
+    fn quantities_have_no_units_in_their_names() {
+        assert_eq!(set("omega_rad_s is off"), "<math><mi>ω</mi></math> is off");
+        assert_eq!(set("kinetic_energy_j"), "kinetic energy");
+        let v = "<math><msub><mi>v</mi><mi>x</mi></msub></math>";
+        assert_eq!(set("v_x_m_s_of_2"), format!("{v} of body 2"));
+    }
+
+    #[test]
+    fn a_hyphen_before_a_number_is_a_minus() {
+        assert_eq!(set("-100/7"), "−100/7");
+        assert_eq!(set("from -1 to (-2), 1e-9 and 3-4"), "from −1 to (−2), 1e-9 and 3-4");
+    }
+}
