@@ -12,7 +12,7 @@ pub(crate) fn shortened(page: &str) -> String {
         out.push_str(words);
         rest = after;
         if let Some(name) = tag.strip_prefix('/') {
-            let empty = SHAPES.iter().any(|shape| name == *shape) && out.ends_with('>');
+            let empty = SHAPES.contains(&name) && out.ends_with('>');
             if empty && is_start_of(&out, name) {
                 out.pop();
                 out.push_str(" />");
