@@ -111,6 +111,14 @@ fn no_verdict_on_exponentials_is_wrong() {
     }
 }
 
+#[test]
+fn no_verdict_on_sums_and_bounds_is_wrong() {
+    if let Some(printed) = trial("sums.py", 240) {
+        let kinds = ["induction, true, proved: ", "induction, false, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 /// So many random scenes are answered in the gate.
 const SCENES: usize = 70;
 
