@@ -93,6 +93,23 @@ impl Node {
         Ok([vec![Token::Other('{')], inside, vec![Token::Other('}')]].concat())
     }
 
+    /// An index, in braces: one of several letters and digits is one name.
+    fn index(&self) -> Read<Vec<Token>> {
+        let text = self.text();
+        if self.tag() != "mi" || text.chars().count() < 2 {
+            return self.braced();
+        }
+        let mut inside: Vec<Token> = Vec::new();
+        for c in text.chars() {
+            match (inside.last_mut(), c.is_ascii_digit()) {
+                (Some(Token::Number(digits)), true) => digits.push(c),
+                (_, true) => inside.push(Token::Number(c.to_string())),
+                _ => inside.push(letter(&c.to_string())?),
+            }
+        }
+        Ok([vec![Token::Other('{')], inside, vec![Token::Other('}')]].concat())
+    }
+
     fn two(&self) -> Read<(&Self, &Self)> {
         match self.children() {
             [a, b] => Ok((a, b)),
@@ -130,12 +147,12 @@ impl Node {
             }
             "msub" => {
                 let (base, index) = self.two()?;
-                let index = index.braced()?;
+                let index = index.index()?;
                 [base.tokens()?, vec![Token::Other('_')], index].concat()
             }
             "msubsup" => match self.children() {
                 [base, index, exponent] => {
-                    let index = [vec![Token::Other('_')], index.braced()?].concat();
+                    let index = [vec![Token::Other('_')], index.index()?].concat();
                     let exponent = [vec![Token::Other('^')], exponent.braced()?].concat();
                     [base.tokens()?, index, exponent].concat()
                 }

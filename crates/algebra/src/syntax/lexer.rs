@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use kane_kernel::Rel;
 
-use super::names::{is_name_part, is_name_start};
+use super::letters::{is_name_part, is_name_start};
 
 /// A lexical unit. Text and place are kept beside it, as a byte range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -188,7 +188,7 @@ impl Parser<'_> {
         let unsigned = rest.strip_prefix(['-', '−', '+']).map_or(rest, str::trim_start);
         let after = unsigned.strip_prefix('∞').or_else(|| unsigned.strip_prefix("oo"));
         let is_infinite = after.is_some_and(|after| {
-            unsigned.starts_with('∞') || !after.starts_with(super::names::is_name_part)
+            unsigned.starts_with('∞') || !after.starts_with(super::letters::is_name_part)
         });
         if !is_infinite {
             return Ok(None);

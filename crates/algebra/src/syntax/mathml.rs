@@ -8,11 +8,12 @@ use num_rational::BigRational;
 use num_traits::Signed as _;
 
 use super::latex::{is_function, is_loose, last_factor};
+use super::letters::greek_letter;
 use super::lexer::{self, Token};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, exponent, greek_letter, greek_subscript, name_parts, of_argument,
-    power, rate, summed,
+    applied, canonical_name, exponent, greek_subscript, name_parts, of_argument, power, rate,
+    summed,
 };
 use super::number::decimal;
 use super::parser::Level;

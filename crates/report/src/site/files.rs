@@ -2,35 +2,12 @@
 
 use kane_judges::{Claims, coq};
 
-use super::form::Form;
+use super::form::{File, Form};
 use super::{Site, derived, gallery, index, place};
 use crate::figures::svg;
 use crate::html::{shared, shortened};
 use crate::sheet::Sheet;
 use crate::{certificates, chart, collision, growth, html, json, latex, matrix, scene, stability};
-
-/// A file of a site.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct File {
-    /// where it is, seen from the index; one that ends in `.gz` is to be packed by gzip
-    pub path: String,
-    /// what it holds, not packed
-    pub text: String,
-}
-
-impl File {
-    /// Whether it is to be packed.
-    #[must_use]
-    pub fn is_packed(&self) -> bool {
-        self.path.ends_with(".gz")
-    }
-
-    /// Where it is, were it not packed.
-    #[must_use]
-    pub fn name(&self) -> &str {
-        self.path.strip_suffix(".gz").unwrap_or(&self.path)
-    }
-}
 
 impl Site<'_> {
     /// Every file of the site. Equal sites give equal bytes.

@@ -1,11 +1,33 @@
 //! The other forms of what a page tells: data, print, lemmas. Large ones are packed.
 
-use super::File;
 use crate::envelope::folded;
 use crate::place::Link;
 
 /// From so many bytes on, data and other files for programs are packed by gzip: a browser shows no such file anyhow.
 const PACKED_FROM: usize = 4_096;
+
+/// A file of a site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// where it is, seen from the index; one that ends in `.gz` is to be packed by gzip
+    pub path: String,
+    /// what it holds, not packed
+    pub text: String,
+}
+
+impl File {
+    /// Whether it is to be packed.
+    #[must_use]
+    pub fn is_packed(&self) -> bool {
+        self.path.ends_with(".gz")
+    }
+
+    /// Where it is, were it not packed.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.path.strip_suffix(".gz").unwrap_or(&self.path)
+    }
+}
 
 /// A form of what a page tells.
 pub(super) struct Form {

@@ -23,7 +23,7 @@ use crate::{Link, Place, Report};
 
 use form::Form;
 
-pub use files::File;
+pub use form::File;
 pub use index::index;
 #[cfg(feature = "schema")]
 pub(crate) use index::schema;
