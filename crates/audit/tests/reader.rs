@@ -618,7 +618,7 @@ fn what_a_newcomer_types_is_told_with_what_to_write() {
         ("claim (2): x = ln(m)", "the natural logarithm is `log(x)`"),
         ("claim (2): x = sinh(m)", "`(exp(x) - exp(-x))/2`"),
         ("claim (2): x = arctan(m)", "`given slope: tan(theta) = y/x`"),
-        ("claim (2): sum(m) = x", "`let s(0) := f(0)"),
+        ("claim (2): sum(m) = x", "`sum(f for k in 1..n)`"),
         ("claim (2): sin^2(m) = x", "its square is `sin(x)^2`"),
         ("claim (2): sin(m*x) = x", "`given rate: d(phi, t) = omega`"),
         ("claim (2): x^(1/3) = 1", "`given root: r^3 = f`"),

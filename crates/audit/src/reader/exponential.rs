@@ -53,7 +53,9 @@ impl Reader {
 
     /// Notes the variables of the limits in what was read.
     pub(super) fn meet_limits(&mut self) {
-        for v in self.drafts.iter().flat_map(|draft| tie::limits(&draft.body)) {
+        let variables: BTreeSet<usize> =
+            self.drafts.iter().flat_map(|draft| tie::limits(&draft.body)).collect();
+        for v in variables {
             if let Some(var) = self.scope.context().vars.get(v) {
                 self.met.limit(&var.name);
             }

@@ -63,9 +63,16 @@ impl Wanted {
         self.limited.contains(canonical_name(name).as_ref())
     }
 
-    /// Takes in that a symbol is the variable of a limit.
+    /// Takes in that a symbol is the variable of a limit, if something stands for what is made of it.
     pub(super) fn limit(&mut self, name: &str) {
-        self.limited.insert(canonical_name(name).into_owned());
+        let name = canonical_name(name);
+        let inside = |of: &NamedPowers| of.iter().any(|(factor, _)| *factor == name);
+        let stands = self.parts.contains_key(name.as_ref())
+            || self.logarithms.contains(name.as_ref())
+            || self.exponents.keys().any(inside);
+        if stands {
+            self.limited.insert(name.into_owned());
+        }
     }
 
     /// The bases of powers and their indices, in the order in which they are declared.
