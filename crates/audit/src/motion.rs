@@ -74,8 +74,8 @@ impl Motion {
     }
 
     /// Whether exponentials, logarithms, cosines and sines have the values that a point gives them, for
-    /// some values of what is in them: exp(0) is 1, log(1) is 0, cos(0) is 1, and where nothing else is said of u, exp(u) is any
-    /// number that the bounds of its symbols allow.
+    /// some values of what is in them: exp(0) is 1, log(1) is 0, cos(0) is 1, and where nothing else is said
+    /// of u, exp(u) is any number that the bounds of its symbols allow.
     fn are_taken(&self, goal: &Goal, point: &Point) -> bool {
         let mentioned = mentioned(goal);
         let spoken: Vec<&Exponential> =

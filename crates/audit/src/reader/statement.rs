@@ -119,7 +119,6 @@ impl Reader {
         };
         self.refuse_indices(&body, &parts);
         self.declare_powers(span.start);
-        self.declare_exponentials(span.start);
         self.enter(Draft { label: head.label, parts, body, span: span.start..end, line });
     }
 
