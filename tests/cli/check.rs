@@ -84,6 +84,19 @@ fn an_engine_is_named_by_its_log() {
     assert_eq!(kane(&["check", &whole, "--baseline", &whole]).code, 0);
 }
 
+#[test]
+fn without_a_stated_mu_no_law_of_friction_is_named() {
+    let dir = scratch("check-unstated");
+    let path = log(&dir, "log.csv", Bound::Whole);
+    let text = fs::read_to_string(&path).expect("it was written").replacen(",mu,", ",note,", 1);
+    fs::write(&path, text).expect("the scratch folder is ours");
+    let run = kane(&["check", &path]);
+    let sentence = run.stdout.replace('\n', " ");
+    let says =
+        "friction's law is not told without a stated mu (it is 0.3*p_n where contacts slide on)";
+    assert!(run.code == 0 && sentence.contains(says), "{}", run.stdout);
+}
+
 /// Every second impact is Coulomb's, and the others have no friction at all.
 #[test]
 fn laws_that_the_impacts_do_not_tell_apart_are_named_together() {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use datafusion::arrow::array::AsArray as _;
 use datafusion::arrow::array::{ArrayRef, StructArray};
 use datafusion::prelude::{DataFrame, SessionConfig, SessionContext};
-use kane_records::header::{Header, field_name};
+use kane_records::header::Header;
 use kane_records::reader::Pairs;
 use kane_records::row::Row;
 use kane_records::study::Study;
@@ -77,7 +77,7 @@ async fn told(files: &[PathBuf], header: &Header) -> Result<Told, LakeFault> {
             if let Some(field) = field {
                 let old = batch.schema_ref().field(place).clone();
                 fields
-                    .push((old.with_name(field_name(*field)).into(), batch.column(place).clone()));
+                    .push((old.with_name(field.name()).into(), batch.column(place).clone()));
             }
         }
         let array: ArrayRef = std::sync::Arc::new(StructArray::from(fields));

@@ -9,7 +9,7 @@ use datafusion::logical_expr::expr::ScalarFunction;
 use datafusion::logical_expr::expr_rewriter::FunctionRewrite;
 use datafusion::logical_expr::{Expr, lit};
 use kane_records::format::Format;
-use kane_records::header::{Header, field_name};
+use kane_records::header::Header;
 use kane_records::schema;
 use kane_records::told::Told;
 
@@ -68,7 +68,7 @@ impl FillIn {
         let mut single = false;
         for (field, (table, column)) in header.fields.iter().zip(schema.iter()) {
             let Some(field) = field else { continue };
-            pairs.push(lit(field_name(*field)));
+            pairs.push(lit(field.name()));
             pairs.push(Expr::Column(Column::from((table, column))));
             single |= is_velocity_after(*field) && *column.data_type() == DataType::Float32;
         }

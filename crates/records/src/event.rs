@@ -108,7 +108,16 @@ impl Event<f64> {
     #[inline]
     pub fn check(row: &Row) -> Result<(), Reason> {
         check_body(row, Side::First)?;
-        if row.has_second() { check_body(row, Side::Second) } else { Ok(()) }
+        let moving =
+            const { Row::mask(&motion(Side::Second)) | Row::mask(&motion_in_space(Side::Second)) };
+        if row.has_second() {
+            check_body(row, Side::Second)
+        } else if row.any_is_not_zero(moving) {
+            // without a mass it would be an obstacle at rest
+            Err(Reason::Missing(Column::Mass(Side::Second)))
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -208,6 +217,18 @@ const fn motion(side: Side) -> [Column; 6] {
         Column::Velocity(side, Axis::X, When::Post),
         Column::Velocity(side, Axis::Y, When::Post),
         Column::Spin(side, Axis::Z, When::Post),
+    ]
+}
+
+/// The columns of a body's motion that a row in space has besides.
+const fn motion_in_space(side: Side) -> [Column; 6] {
+    [
+        Column::Velocity(side, Axis::Z, When::Pre),
+        Column::Spin(side, Axis::X, When::Pre),
+        Column::Spin(side, Axis::Y, When::Pre),
+        Column::Velocity(side, Axis::Z, When::Post),
+        Column::Spin(side, Axis::X, When::Post),
+        Column::Spin(side, Axis::Y, When::Post),
     ]
 }
 

@@ -79,13 +79,14 @@ impl Header {
             }
             match header.fields[place].replace(field) {
                 Some(other) if other != field => {
-                    let [first, second] = [other, field].map(field_name);
+                    let [first, second] = [other, field].map(Field::name);
                     return Err(HeaderFault::GivenTwice(theirs.clone(), first, second));
                 }
                 _ => {}
             }
         }
         let mapped: Vec<Field> = header.fields.iter().flatten().copied().collect();
+        let mut slips = Vec::new();
         for (place, name) in names.iter().enumerate() {
             if header.fields[place].is_some() {
                 continue;
@@ -101,8 +102,16 @@ impl Header {
                 }
                 Spelled::Unknown => header.unread.push(name.clone()),
                 Spelled::Unit(unit) => return Err(HeaderFault::Unit(name.clone(), unit)),
-                Spelled::Near(known) => return Err(HeaderFault::Near(name.clone(), known)),
+                Spelled::Near(known) => slips.push((name, known)),
             }
+        }
+        // where the file has what such a name may mean, it means something else
+        for (name, known) in slips {
+            if known.iter().any(|field| !header.fields.contains(&Some(*field))) {
+                let known: Vec<String> = known.into_iter().map(Field::name).collect();
+                return Err(HeaderFault::Near(name.clone(), known.join(", ")));
+            }
+            header.unread.push(name.clone());
         }
         header.no_field_twice(names)?;
         header.complete()?;
@@ -126,7 +135,7 @@ impl Header {
                 if a == b {
                     return Err(HeaderFault::OneName(a, first + 1, place + 1));
                 }
-                return Err(HeaderFault::Twice(a, b, field_name(*field)));
+                return Err(HeaderFault::Twice(a, b, field.name()));
             }
         }
         Ok(())
@@ -195,15 +204,6 @@ impl Header {
     }
 }
 
-/// The name of a field in the schema.
-#[must_use]
-pub fn field_name(field: Field) -> String {
-    match field {
-        Field::Number(column) => column.name(),
-        Field::Word(word) => word.name().to_owned(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -237,6 +237,19 @@ mod tests {
         assert!(header(&names, &[("vx_pre", "foo")]).is_ok());
         assert!(matches!(header(&names, &[("vx_pre", "no")]), Err(HeaderFault::NoSuch(..))));
         assert!(matches!(header(&names, &[("zeal", "foo")]), Err(HeaderFault::NotInSchema(..))));
+    }
+
+    #[test]
+    fn a_slip_of_the_pen_is_asked_about_unless_the_file_has_what_it_may_mean() {
+        for (slip, perhaps) in
+            [("mu_", "mu"), ("fricton", "mu"), ("restituton", "e"), ("mu1", "mu")]
+        {
+            let fault = header(&format!("{PLAIN},{slip}"), &[]).expect_err("it is a slip");
+            assert_eq!(fault, HeaderFault::Near(slip.to_owned(), perhaps.to_owned()));
+            let both = header(&format!("{PLAIN},{slip},{perhaps}"), &[]).expect("it is no slip");
+            assert_eq!(both.unread, [slip]);
+            assert!(header(&format!("{PLAIN},{slip}"), &[(perhaps, slip)]).is_ok());
+        }
     }
 
     #[test]

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::header::field_name;
 use crate::schema::{Column, Field, Word};
 
 /// Why a row is not checked.
@@ -65,7 +64,7 @@ impl Reason {
             Self::Shape(word, _) => format!("unknown {}", word.name()),
             Self::OutOfPlane(why) => format!("leaves the plane: {why}"),
             Self::NotJson(_) => "no JSON object".to_owned(),
-            Self::NotText(field) => format!("not UTF-8 in {}", field_name(*field)),
+            Self::NotText(field) => format!("not UTF-8 in {}", field.name()),
         }
     }
 }

@@ -107,6 +107,14 @@ impl Row {
         columns.iter().try_for_each(|column| self.need(*column).map(drop))
     }
 
+    /// Whether the row has one of these that is not zero; by their [`mask`](Self::mask).
+    #[inline]
+    #[must_use]
+    pub fn any_is_not_zero(&self, mask: u64) -> bool {
+        self.present & mask != 0
+            && self.numbers().any(|(place, value)| mask & (1 << place) != 0 && value != 0.0)
+    }
+
     /// The columns as bits.
     #[must_use]
     pub const fn mask(columns: &[Column]) -> u64 {

@@ -86,6 +86,17 @@ pub enum Field {
     Word(Word),
 }
 
+impl Field {
+    /// Its name in the schema.
+    #[must_use]
+    pub fn name(self) -> String {
+        match self {
+            Self::Number(column) => column.name(),
+            Self::Word(word) => word.name().to_owned(),
+        }
+    }
+}
+
 /// How many columns of numbers there are.
 pub const COLUMNS: usize = 50;
 

@@ -5,6 +5,8 @@
 //! `linearVelocity.x before`, `body1.vx.post`, `v1x_after` and `omega0` are all understood.
 
 use crate::schema::{Axis, Column, Field, Side, When, Word};
+use crate::slip::{has_gap, is_slip_for};
+use crate::unit::take_unit;
 
 /// What a name turned out to be.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,42 +17,9 @@ pub(crate) enum Spelled {
     Unknown,
     /// A quantity of the schema in a unit that is not that of the schema.
     Unit(String),
-    /// Not quite a name of the schema: probably a slip of the pen for this one.
-    Near(String),
+    /// Not quite a name: perhaps one of these, or a slip of the pen for it.
+    Near(Vec<Field>),
 }
-
-/// Units of the schema, as tokens.
-const SI: [&[&str]; 9] = [
-    &["kg", "m2"],
-    &["m", "s2"],
-    &["rad", "s"],
-    &["n", "s"],
-    &["m", "s"],
-    &["kg"],
-    &["m"],
-    &["s"],
-    &["ns"],
-];
-
-/// Units of others, which are refused rather than converted in silence.
-const FOREIGN: [&[&str]; 16] = [
-    &["deg", "s"],
-    &["degrees", "s"],
-    &["rev", "s"],
-    &["mm", "s"],
-    &["cm", "s"],
-    &["km", "h"],
-    &["ft", "s"],
-    &["kg", "mm2"],
-    &["g", "mm2"],
-    &["deg"],
-    &["rpm"],
-    &["mm"],
-    &["cm"],
-    &["um"],
-    &["ms"],
-    &["gram"],
-];
 
 /// What the quantities are called, written as one word.
 const QUANTITIES: [(&str, &[&str]); 17] = [
@@ -85,11 +54,20 @@ const QUANTITIES: [(&str, &[&str]); 17] = [
     ("shape", &["shape"]),
 ];
 
+/// Quantities that each of two bodies has.
+const HAVE_A_SIDE: [&str; 7] = ["mass", "inertia", "radius", "arm", "velocity", "spin", "shape"];
+
+/// Letters that say nothing alone: an index, a count, a speed of anything.
+const LONE: [&str; 8] = ["g", "i", "j", "n", "p", "u", "v", "w"];
+
 /// Reads a name.
 pub(crate) fn spelled(name: &str) -> Spelled {
     let exact = Column::all().into_iter().find(|column| column.name() == name);
     if let Some(column) = exact {
         return Spelled::Known(Field::Number(column));
+    }
+    if LONE.contains(&name) {
+        return Spelled::Unknown;
     }
     let mut tokens = tokens(name);
     let unit = take_unit(&mut tokens);
@@ -101,7 +79,9 @@ pub(crate) fn spelled(name: &str) -> Spelled {
         (Spelled::Known(Field::Number(column)), Some(Ok(unit))) if unit != column.unit() => {
             Spelled::Unit(unit)
         }
-        (Spelled::Unknown, _) => near(name),
+        (Spelled::Unknown, _) => near(name, &tokens),
+        // a letter too many, or one that was lost: `mu_`, `_vx_pre`, `vx__pre`
+        (Spelled::Known(field), _) if has_gap(name) => Spelled::Near(vec![field]),
         (meant, _) => meant,
     }
 }
@@ -128,20 +108,6 @@ pub(crate) fn tokens(name: &str) -> Vec<String> {
     tokens.push(token);
     tokens.retain(|token| !token.is_empty());
     tokens
-}
-
-/// Takes the unit off the end: one of the schema's, or a foreign one.
-fn take_unit(tokens: &mut Vec<String>) -> Option<Result<String, String>> {
-    let ends = |unit: &&[&str]| {
-        tokens.len() > unit.len()
-            && tokens[tokens.len() - unit.len()..].iter().zip(unit.iter()).all(|(a, b)| a == b)
-    };
-    let found = FOREIGN.iter().find(|unit| ends(unit)).map(|unit| (unit, false));
-    let found = found.or_else(|| SI.iter().find(|unit| ends(unit)).map(|unit| (unit, true)));
-    let (unit, si) = found?;
-    tokens.truncate(tokens.len() - unit.len());
-    let unit = unit.join("_").replace("ns", "n_s");
-    Some(if si { Ok(unit) } else { Err(unit) })
 }
 
 /// The parts of a name that are not the quantity.
@@ -223,32 +189,56 @@ fn quantity(word: &str) -> Option<&'static str> {
     QUANTITIES.iter().find(|(_, words)| words.contains(&word)).map(|(quantity, _)| *quantity)
 }
 
+fn times(of: impl Fn(When) -> Column) -> [Column; 2] {
+    [When::Pre, When::Post].map(of)
+}
+
 fn column(quantity: &str, word: &str, marks: &Marks) -> Spelled {
     let side = marks.side.unwrap_or(Side::First);
     let number = |column| Spelled::Known(Field::Number(column));
-    let along = |of: &dyn Fn(Axis) -> Column, name: &str| match marks.axis {
+    let perhaps =
+        |columns: &[Column]| Spelled::Near(columns.iter().copied().map(Field::Number).collect());
+    let along = |of: &dyn Fn(Axis) -> Column| match marks.axis {
         Some(axis) => number(of(axis)),
-        None => Spelled::Near(name.to_owned()),
+        None => perhaps(&[Axis::X, Axis::Y].map(of)),
     };
+    if marks.side.is_some() && !HAVE_A_SIDE.contains(&quantity) {
+        // a coefficient of one of two bodies, an impulse on the other
+        return match column(quantity, word, &Marks { side: None, ..*marks }) {
+            known @ Spelled::Known(Field::Number(_))
+                if quantity == "impulse" && side == Side::First =>
+            {
+                known
+            }
+            Spelled::Known(field @ Field::Number(_)) if side == Side::First => {
+                Spelled::Near(vec![field])
+            }
+            _ => Spelled::Unknown,
+        };
+    }
     match (quantity, marks.when, marks.axis) {
         ("time", None, _) => number(Column::Time),
         ("dt", None, None) => number(Column::Dt),
         ("phase", None, None) => number(Column::Phase),
         ("mu", None, None) => number(Column::Friction),
         ("e", None, None | Some(Axis::Y)) => number(Column::Restitution),
-        ("normal", None, _) => along(&Column::Normal, "normal_x, normal_y"),
-        ("gravity", None, _) => along(&Column::Gravity, "gravity_x_m_s2, gravity_y_m_s2"),
-        ("impulse", None, _) => along(&Column::Impulse, "impulse_x_n_s, impulse_y_n_s"),
+        ("normal", None, _) => along(&Column::Normal),
+        ("gravity", None, _) => along(&Column::Gravity),
+        ("impulse", None, _) => along(&Column::Impulse),
         ("mass", None, None) => number(Column::Mass(side)),
         ("inertia", None, None | Some(Axis::Z)) => number(Column::Inertia(side)),
         // r is a radius, and with an axis an arm
         ("radius", None, None) => number(Column::Radius(side)),
         ("radius", None, Some(axis)) if word == "r" => number(Column::Arm(side, axis)),
-        ("arm", None, _) => along(&|axis| Column::Arm(side, axis), "arm1_x_m, arm1_y_m"),
+        ("arm", None, _) => along(&|axis| Column::Arm(side, axis)),
         ("velocity", Some(when), Some(axis)) => number(Column::Velocity(side, axis, when)),
-        ("velocity", ..) => Spelled::Near("vx1_pre_m_s, vx1_post_m_s".to_owned()),
+        ("velocity", ..) => {
+            perhaps(&times(|when| Column::Velocity(side, marks.axis.unwrap_or(Axis::X), when)))
+        }
         ("spin", Some(when), axis) => number(Column::Spin(side, axis.unwrap_or(Axis::Z), when)),
-        ("spin", ..) => Spelled::Near("omega1_pre_rad_s, omega1_post_rad_s".to_owned()),
+        ("spin", ..) => {
+            perhaps(&times(|when| Column::Spin(side, marks.axis.unwrap_or(Axis::Z), when)))
+        }
         ("id", None, None) => Spelled::Known(Field::Word(Word::Id)),
         ("pair", None, None) => Spelled::Known(Field::Word(Word::Pair)),
         ("shape", None, None) => Spelled::Known(Field::Word(Word::Shape(side))),
@@ -256,26 +246,32 @@ fn column(quantity: &str, word: &str, marks: &Marks) -> Spelled {
     }
 }
 
-/// The column whose name differs by one letter.
-fn near(name: &str) -> Spelled {
+/// The column for whose name, or one of whose words, this is a slip of the pen.
+fn near(name: &str, tokens: &[String]) -> Spelled {
+    const SHORTEST: usize = 5;
     let lower = name.to_ascii_lowercase();
-    let names = Column::all().into_iter().map(Column::name);
-    match names.filter(|known| known.len() > 4).find(|known| distance_is_one(known, &lower)) {
-        Some(known) => Spelled::Near(known),
-        None => Spelled::Unknown,
+    let is_near = |known: &Column| {
+        let known = known.name();
+        known.len() >= SHORTEST && is_slip_for(&lower, &known)
+    };
+    if let Some(column) = Column::all().into_iter().find(is_near) {
+        return Spelled::Near(vec![Field::Number(column)]);
     }
-}
-
-/// Whether one letter more, less or changed makes one word of the other.
-fn distance_is_one(a: &str, b: &str) -> bool {
-    let (a, b) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let head = a.iter().zip(b).take_while(|(a, b)| a == b).count();
-    match a.len() - b.len() {
-        0 => head < a.len() && a[head + 1..] == b[head + 1..],
-        1 => a[head + 1..] == b[head..],
-        _ => false,
+    let mut marks = Marks::default();
+    let rest: String = tokens.iter().filter(|token| !marks.take(token)).cloned().collect();
+    if rest.contains(|c: char| c.is_ascii_digit()) {
+        // another one of the same kind, and no slip
+        return Spelled::Unknown;
     }
+    let words = QUANTITIES
+        .iter()
+        .flat_map(|(quantity, words)| words.iter().map(move |word| (*quantity, *word)));
+    let mut near = words.filter(|(_, word)| word.len() >= SHORTEST && is_slip_for(&rest, word));
+    let found = near.find_map(|(quantity, word)| match column(quantity, word, &marks) {
+        Spelled::Known(field @ Field::Number(_)) => Some(field),
+        _ => None,
+    });
+    found.map_or(Spelled::Unknown, |field| Spelled::Near(vec![field]))
 }
 
 #[cfg(test)]
@@ -338,9 +334,32 @@ mod tests {
         assert_eq!(spelled("omega_pre_deg_s"), Spelled::Unit("deg_s".to_owned()));
         assert_eq!(spelled("radius_mm"), Spelled::Unit("mm".to_owned()));
         assert_eq!(spelled("vx1_pre_m"), Spelled::Unit("m".to_owned()));
-        assert_eq!(spelled("vx1_pro_m_s"), Spelled::Near("vx1_pre_m_s".to_owned()));
-        assert_eq!(spelled("wall_s"), Spelled::Unknown);
-        assert_eq!(spelled("comment"), Spelled::Unknown);
-        assert!(matches!(spelled("vx"), Spelled::Near(_)));
+        for (slip, perhaps) in [
+            ("vx1_pro_m_s", "vx1_pre_m_s"),
+            ("vx", "vx1_pre_m_s vx1_post_m_s"),
+            ("vy2", "vy2_pre_m_s vy2_post_m_s"),
+            ("normal", "normal_x normal_y"),
+            ("mu_", "mu"),
+            ("_vx_pre", "vx1_pre_m_s"),
+            ("vx__pre", "vx1_pre_m_s"),
+            ("fricton", "mu"),
+            ("resitution", "e"),
+            ("gravty_y", "gravity_y_m_s2"),
+            ("omgea_post", "omega1_post_rad_s"),
+            ("mas2_kg", "mass2_kg"),
+            // of one body, and there is one for both
+            ("mu1", "mu"),
+            ("dt_a", "dt_s"),
+        ] {
+            let Spelled::Near(fields) = spelled(slip) else {
+                panic!("{slip}: {:?}", spelled(slip))
+            };
+            let names: Vec<String> = fields.into_iter().map(Field::name).collect();
+            assert_eq!(names.join(" "), perhaps, "{slip}");
+        }
+        for other in ["wall_s", "comment", "i", "n", "mu2", "impulse2_x", "id_b", "level", "rows"] {
+            assert_eq!(spelled(other), Spelled::Unknown, "{other}");
+        }
+        assert_eq!(name("impulse1_x"), "impulse_x_n_s");
     }
 }

@@ -71,6 +71,13 @@ fn a_normal_that_is_not_of_unit_length_is_rejected() {
 }
 
 #[test]
+fn an_obstacle_that_moves_needs_a_mass() {
+    let head = format!("{HEAD},vx2_pre,vy2_pre,omega2_pre,vx2_post,vy2_post,omega2_post");
+    let study = studied(&format!("{head}\n{GOOD},0,0,0,0,0,0\n{GOOD},,,,,,\n{GOOD},0,1,0,0,1,0\n"));
+    assert_eq!((study.rows, kinds(&study)), (2, vec![("mass2_kg is empty".to_owned(), 1)]));
+}
+
+#[test]
 fn what_is_no_log_is_an_error() {
     let fault = |log: &str, kind| study(log.as_bytes(), kind, &Options::new(laws()));
     assert!(matches!(fault("", Kind::JsonLines), Err(ReadFault::Empty)));

@@ -97,6 +97,10 @@ fn tangential(study: &Study) -> Option<String> {
     let words = friction(best.law);
     let all = best.rows;
     let most = |rows: usize| rows * 10 >= all * 9;
+    let unstated = study.friction.iter().all(|fit| fit.law == FrictionLaw::None);
+    if unstated && best.consistent < all {
+        return Some(format!("friction's law is not told without a stated mu{}", sliding(study)));
+    }
     let others = || or_others(study, |fit| format!(", in {}", fit.close));
     Some(if best.consistent == all {
         let named = or_others(study, |_| String::new());
@@ -129,6 +133,20 @@ fn tangential(study: &Study) -> Option<String> {
             others()
         )
     })
+}
+
+/// How large friction is where contacts slide on, which is μ if it is Coulomb's.
+fn sliding(study: &Study) -> String {
+    let told = study.fits.iter().filter_map(|fit| fit.friction.filter(|mu| mu.high.is_finite()));
+    let range = told.fold(None, |range, mu| match range {
+        None => Some((mu.low, mu.high)),
+        Some((low, high)) => Some((mu.low.min(low), mu.high.max(high))),
+    });
+    match range.map(|(low, high)| [low, high].map(brief)) {
+        None => String::new(),
+        Some([low, high]) if low == high => format!(" (it is {low}*p_n where contacts slide on)"),
+        Some([low, high]) => format!(" (it is {low} to {high} of p_n where contacts slide on)"),
+    }
 }
 
 /// The other laws that are not told from the first, each with its count.
