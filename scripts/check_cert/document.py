@@ -645,10 +645,19 @@ class Document:
         """What varies with a variable of a derivative: cosine and sine vary together."""
         if self.symbols[variable].argument:
             return set()  # a function, beside which others may vary
-        given = self.circles.get(variable)
-        together = {name for name, other in self.circles.items() if given and other is given}
-        together |= {self.points[name] for name in together}
-        return together or {variable, *exponentials.holding(variable, self)}
+        together = self.of_angle(variable) or {variable}
+        return together | set(exponentials.holding(variable, self))
+
+    def of_angle(self, name):
+        """An angle, its cosine and its sine, if the name is one of these."""
+        angle = self.points.get(name, name)
+        points = {point for point, whose in self.points.items() if whose == angle}
+        return points | {angle} if points else set()
+
+    def inside(self, name):
+        """A symbol, and those that stand in what it stands for: k and x in exp(k*x), an angle behind its sine."""
+        names = {name, *dict(self.exponentials[name][0])} if name in self.exponentials else {name}
+        return names.union(*map(self.of_angle, names))
 
     def check_derivatives(self, expression, variables, ties, seen, reader):
         """What is differentiated is explicit, and nothing in it is tied to the variable."""
@@ -661,7 +670,8 @@ class Document:
                 if self.symbols[name].argument == variable:
                     reader.fail(f"a derivative by `{variable}` needs `{name}` explicit")
                 together = self.varied(variable)
-                if name not in together and any(name in ties().to(v) for v in together):
+                held = self.inside(name) - together
+                if together and any(held & ties().to(v) for v in together):
                     reader.fail(f"a premise ties `{name}` to `{variable}`")
         elif kind == "def" and (name, variables) not in seen:
             seen.add((name, variables))

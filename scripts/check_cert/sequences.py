@@ -159,7 +159,7 @@ class Sequences:
             )
         if kind in ("mul", "div"):
             return self.is_above(e[1], strictly) and self.is_above(e[2], strictly or kind == "div")
-        return kind == "pow" and e[2] >= 0 and self.is_above(e[1], strictly)
+        return kind == "pow" and self.is_above(e[1], strictly or e[2] < 0)
 
     def bounds(self, base):
         """What the bounds of a base say of all its powers: (lower, upper)."""

@@ -16,6 +16,8 @@ class Ties:
         self.pieces = Pieces(document, self.ring, {})
         self.equations = [self.symbols(r) for r in relations if r[0] == "="]
         self.equations += [self.symbols(r) for r in self.circular(relations)]
+        # an angle, its cosine and its sine vary together, whatever is said of them
+        self.equations += {frozenset(document.of_angle(name)) for name in document.points}
 
     def gap(self, relation):
         """The difference of the sides, if it is one fraction wherever it is defined."""

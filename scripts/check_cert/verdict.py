@@ -5,7 +5,7 @@ from .evidence import keys, listed, text
 from .functions import Functions
 from .goal import Goal, rests_on
 from .limits import prove_limit
-from . import angles, exponentials
+from . import angles, determined, exponentials
 from .motion import check_witness
 from .point import check_point
 from .proof import ANY, Proof
@@ -69,6 +69,7 @@ def check_link(document, aims, link, shown):
     demand(premises in ("cited", "all"), "the premises are the cited ones, or all")
     demand(premises == "cited" or shown_by == "witness", "a proof has no more premises")
     goal = Goal(document, claim, item, finding, premises, [text(r) for r in listed(roots)])
+    determined.check(goal, finding)
     proof = Proof(goal)
     demand(isinstance(evidence, dict) and len(evidence) == 1, "one piece of evidence is expected")
     ((kind, content),) = evidence.items()

@@ -351,6 +351,7 @@ fn judge(
                 resting: &resting,
             };
             let mut found = prover.judge(&goal, doubt);
+            only_within_ranges(document, (&goal, &ids), &mut found);
             if document.motion.concerns(&resting) {
                 if !complete_behind {
                     prover.of_all(&mut found);
@@ -412,6 +413,23 @@ fn judge(
         expect: claim.expect,
     };
     (judgement, read_above)
+}
+
+/// Where a limit is spoken of, and a premise rests on a given that may hold nowhere near it, keeps nothing that was
+/// found by way of it; but that hypotheses contradict each other near a limit that is claimed needs no range.
+fn only_within_ranges(document: &Document, (goal, ids): (&Goal, &[usize]), found: &mut Verdicts) {
+    let Some((side, given)) = document.motion.unheld(goal, ids) else { return };
+    let premised = goal.hypotheses.iter().any(|h| h.sentence.limits().next().is_some());
+    let stays = |decided: &Decided| match decided.certificate.finding {
+        Finding::Vacuous => !premised,
+        Finding::Proved => false,
+        Finding::Refuted | Finding::IllDefined | Finding::Consistent => true,
+    };
+    if found.decided.as_ref().is_some_and(stays) {
+        return;
+    }
+    found.decided = None;
+    found.unreached = hypothesis(document, given).map(|given| (side, given.sentence));
 }
 
 /// Where derivatives of functions are spoken of, keeps a model only if functions pass through it for

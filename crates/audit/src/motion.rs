@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use kane_algebra::rational_function::RationalFunction;
 use kane_algebra::syntax::{Angle, Exponential};
 use kane_kernel::{
-    Bound, Context, Evidence, Expr, Fuel, Goal, Hypothesis, Link, Model, Point, Poly, Rel,
-    Relation, Sentence, expressions,
+    Approach, Bound, Context, Evidence, Expr, Fuel, Goal, Hypothesis, Limit, Link, Model, Point,
+    Poly, Rel, Relation, Sentence, Side, expressions,
 };
 use num_rational::BigRational;
 use num_traits::Zero as _;
@@ -34,6 +34,8 @@ pub(crate) struct Motion {
     pub(crate) exponentials: Vec<Exponential>,
     /// by statement, of which statement it is the derivative
     pub(crate) derived: BTreeMap<usize, usize>,
+    /// givens that may hold nowhere near a limit, with the variables of such limits
+    pub(crate) undetermined: BTreeMap<usize, BTreeSet<usize>>,
 }
 
 /// A function, differentiated so often.
@@ -46,6 +48,29 @@ impl Motion {
     /// Whether the goal speaks of derivatives of functions, of exponentials, or of angles themselves.
     pub(crate) fn concerns(&self, goal: &Goal) -> bool {
         self.concerns_rates(goal) || self.concerns_exponentials(goal) || self.concerns_arcs(goal)
+    }
+
+    /// A given, of those on which a goal rests, that may hold nowhere near a limit of which the goal speaks, and a
+    /// side of that limit.
+    pub(crate) fn unheld(&self, goal: &Goal, ids: &[usize]) -> Option<(Side, usize)> {
+        let cited = goal.hypotheses.iter().flat_map(|h| &h.sentence.links);
+        let limit = |link: &'_ Link| match link {
+            Link::Limit(limit) => Some(limit.clone()),
+            Link::Relation(_) => None,
+        };
+        let limits: Vec<Limit> = cited.chain(goal.conclusion.links()).filter_map(limit).collect();
+        let along = |i: usize| {
+            let variables = self.undetermined.get(&i)?;
+            let limit = limits.iter().find(|limit| variables.contains(&limit.var))?;
+            let (at, above) = match &limit.at {
+                Approach::To(a) | Approach::Above(a) => (Some(a), true),
+                Approach::Below(a) => (Some(a), false),
+                Approach::PlusInf => (None, true),
+                Approach::MinusInf => (None, false),
+            };
+            Some((Side { var: limit.var, at: at.cloned(), above }, i))
+        };
+        ids.iter().find_map(|i| along(*i))
     }
 
     /// Whether the goal speaks of an angle by itself and by its point.

@@ -15,6 +15,7 @@ mod angle;
 mod blocks;
 mod bounds;
 mod citation;
+mod determined;
 mod differentiation;
 mod dollars;
 mod existence;
@@ -117,6 +118,7 @@ fn read_with(
     if reader.faults.is_empty() {
         reader.check_units();
     }
+    let undetermined = reader.undetermined();
     let statements = if reader.faults.len() < MAX_FAULTS { reader.resolve() } else { Vec::new() };
     if reader.scope.is_exhausted() {
         let message = "definitions use each other too often to be checked".to_owned();
@@ -129,6 +131,7 @@ fn read_with(
             measured: reader.scope.measured().collect(),
             exponentials: reader.scope.exponentials().cloned().collect(),
             derived: reader.derived,
+            undetermined,
         };
         return Ok(Document {
             motion,

@@ -76,8 +76,7 @@ async fn told(files: &[PathBuf], header: &Header) -> Result<Told, LakeFault> {
         for (place, field) in header.fields.iter().enumerate() {
             if let Some(field) = field {
                 let old = batch.schema_ref().field(place).clone();
-                fields
-                    .push((old.with_name(field.name()).into(), batch.column(place).clone()));
+                fields.push((old.with_name(field.name()).into(), batch.column(place).clone()));
             }
         }
         let array: ArrayRef = std::sync::Arc::new(StructArray::from(fields));

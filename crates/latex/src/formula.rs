@@ -1,5 +1,6 @@
 //! Expressions: from LaTeX to the language of derivations, products written out.
 
+use crate::adjacent::Adjacent;
 use crate::command::{Beginning, beginning};
 use crate::name::{Names, letter, part};
 use crate::part::{Level, Part, one, over, power, times};
@@ -31,6 +32,11 @@ impl<'a> Reader<'a> {
         let token = self.tokens.get(self.at);
         self.at += 1;
         token
+    }
+
+    /// The last token that was passed.
+    pub(crate) fn passed(&self) -> Option<&'a Token> {
+        self.at.checked_sub(1).and_then(|at| self.tokens.get(at))
     }
 
     pub(crate) fn takes(&mut self, token: &Token) -> bool {
@@ -92,6 +98,7 @@ impl<'a> Reader<'a> {
     /// A product of factors.
     pub(crate) fn product(&mut self) -> Result<Part, Unreadable> {
         let mut out = self.factor()?;
+        let mut adjacent = Adjacent::behind(&out, self.passed());
         loop {
             match self.peek() {
                 Some(Token::Char('*' | '·')) => {
@@ -128,11 +135,16 @@ impl<'a> Reader<'a> {
                     out = over(&out, &next);
                 }
                 _ if self.begins_factor() => {
+                    adjacent.before(self.peek())?;
+                    let next = self.factor()?;
+                    adjacent.then(&next, self.passed())?;
                     // vectors side by side are a matrix and what it is applied to
-                    out = times(&out, &self.factor()?)?;
+                    out = times(&out, &next)?;
+                    continue;
                 }
                 _ => return Ok(out),
             }
+            adjacent = Adjacent::behind(&out, self.passed());
         }
     }
 
@@ -168,6 +180,14 @@ impl<'a> Reader<'a> {
     pub(crate) fn powers(&mut self, mut base: Part) -> Result<Part, Unreadable> {
         while self.takes(&Token::Superscript) {
             let exponent = self.group()?;
+            // x^23 is printed as a square and a 3
+            if let [Token::Char(n)] = exponent
+                && n.is_ascii_digit()
+                && self.passed() == exponent.first()
+                && matches!(self.peek(), Some(Token::Char(c)) if c.is_ascii_digit())
+            {
+                return Err(Unreadable::Ambiguous(format!("{}^{n}…", base.text)));
+            }
             let number = base.number()?;
             base = match power(&number, exponent) {
                 Err(Unreadable::Exponent) => self.running_power(&number, exponent)?,
@@ -236,7 +256,7 @@ impl<'a> Reader<'a> {
             Token::Char(c) if c.is_alphabetic() => self.name(c.to_string(), false, c.to_string()),
             Token::Char('(') => self.bracket(')'),
             Token::Char('[') => self.bracket(']'),
-            Token::Char('|') => self.magnitude(),
+            Token::Char('|') => self.magnitude(false),
             Token::Upright(word) if word == "d" => Err(Unreadable::Differential(String::new())),
             Token::Upright(word) if is_word(word) => {
                 self.name(word.clone(), false, format!("\\mathrm{{{word}}}"))
@@ -293,18 +313,21 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub(crate) fn magnitude(&mut self) -> Result<Part, Unreadable> {
-        self.bars += 1;
+    /// What stands between bars; one that can only open has one that can only close as its other end.
+    pub(crate) fn magnitude(&mut self, opens: bool) -> Result<Part, Unreadable> {
+        let bars = if opens { std::mem::take(&mut self.bars) } else { self.bars };
+        self.bars += usize::from(!opens);
         let inside = self.sum()?;
-        self.bars -= 1;
-        let closed = self.takes_char('|')
-            || self.command().is_some_and(|name| matches!(name, "rvert" | "vert")) && {
-                self.at += 1;
-                true
-            };
+        self.bars = bars;
+        let closed = match self.command() {
+            Some("rvert") => opens,
+            Some("vert") => !opens,
+            _ => !opens && self.peek() == Some(&Token::Char('|')),
+        };
         if !closed {
             return Err(Unreadable::Missing("a closing bar"));
         }
+        self.at += 1;
         let function = if inside.vector { "norm" } else { "abs" };
         Ok(Part::atom(format!("{function}({})", inside.text)))
     }
@@ -359,7 +382,7 @@ impl<'a> Reader<'a> {
                     Err(Unreadable::Missing("a closing brace"))
                 }
             }
-            Some(Beginning::Bar(_)) => self.magnitude(),
+            Some(Beginning::Bar(opens)) => self.magnitude(opens),
             None => Err(Unreadable::Command(name.to_owned())),
         }
     }

@@ -1,6 +1,8 @@
 //! Functions in a formula: sines, exponentials, sums, extremes, fractions, and derivatives in dots and in
 //! differentials.
 
+use crate::command::Beginning::{Angle, Exponential, Extreme, Quotient, Summation};
+use crate::command::beginning;
 use crate::formula::Reader;
 use crate::name::Names;
 use crate::part::{Level, Part, is_name, over, power, times};
@@ -34,7 +36,7 @@ impl<'a> Reader<'a> {
             self.tokens.get(self.at.wrapping_sub(1)),
             Some(Token::Char(')' | ']') | Token::Close)
         );
-        if open && (self.begins_name() || self.divides()) {
+        if open && (self.begins_factor() && !self.begins_function() || self.divides()) {
             return Err(Unreadable::Ambiguous(format!("{name} {}…", argument.text)));
         }
         let mut out = Part::atom(format!("{name}({})", argument.text));
@@ -42,6 +44,18 @@ impl<'a> Reader<'a> {
             out = power(&out, exponent)?;
         }
         Ok(out)
+    }
+
+    /// Whether another function follows, which is no part of an argument.
+    fn begins_function(&self) -> bool {
+        let function = |name| {
+            let found = beginning(name);
+            matches!(
+                found,
+                Some(Angle(_) | Exponential(_) | Quotient(..) | Summation(_) | Extreme(_))
+            )
+        };
+        self.command().is_some_and(function)
     }
 
     /// The range of a sum or a product, and its term: one product, behind which no sign may stand.

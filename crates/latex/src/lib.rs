@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+mod adjacent;
 mod command;
 mod display;
 mod domain;

@@ -58,13 +58,18 @@ pub(crate) fn over(a: &Part, b: &Part) -> Part {
 /// base^exponent: integers, and halves of odd ones as roots.
 pub(crate) fn power(base: &Part, exponent: &[Token]) -> Result<Part, Unreadable> {
     let mut text = String::new();
+    let mut fraction = false;
     for token in exponent {
         match token {
             Token::Char(c) if c.is_ascii_digit() || matches!(c, '-' | '/') => text.push(*c),
             Token::Char('−') => text.push('-'),
-            Token::Open => text.push(if text.is_empty() || text == "-" { ' ' } else { '/' }),
+            Token::Open if matches!(text.trim(), "" | "-") => text.push(' '),
+            // digits in braces behind digits are more of them
+            Token::Open if fraction => text.push('/'),
             Token::Close => {}
-            Token::Command(name) if matches!(name.as_str(), "frac" | "tfrac" | "dfrac") => {}
+            Token::Command(name) if matches!(name.as_str(), "frac" | "tfrac" | "dfrac") => {
+                fraction = true;
+            }
             _ => return Err(Unreadable::Exponent),
         }
     }

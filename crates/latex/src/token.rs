@@ -155,6 +155,10 @@ impl<'a> Reader<'a> {
                 self.rest = self.rest.trim_start().get(1..).unwrap_or_default();
                 Token::Command("nothing".to_owned())
             }
+            // a bar that is said to open or to close does nothing else
+            "left" | "right" if self.bar() => {
+                Token::Command(if name == "left" { "lvert" } else { "rvert" }.to_owned())
+            }
             _ if SILENT.contains(&name) => return true,
             _ if WORDS.contains(&name) => Token::Words(self.argument()),
             _ if UPRIGHT.contains(&name) => Token::Upright(self.argument()),
@@ -162,6 +166,18 @@ impl<'a> Reader<'a> {
         };
         self.out.push(token);
         true
+    }
+
+    /// Passes a bar, if one follows.
+    fn bar(&mut self) -> bool {
+        let rest = self.rest.trim_start();
+        let bars = ["|", "\\vert", "\\lvert", "\\rvert"];
+        let found = bars.into_iter().find_map(|bar| rest.strip_prefix(bar));
+        let behind = found.filter(|behind| {
+            rest.starts_with('|') || !behind.starts_with(|c: char| c.is_ascii_alphabetic())
+        });
+        self.rest = behind.unwrap_or(self.rest);
+        behind.is_some()
     }
 
     /// The text between the braces that follow, or the next character.

@@ -123,9 +123,29 @@ fn what_has_two_readings_or_none_is_refused() {
         r"\varphi + \phi = 0",
         r"x_{12} = x_{1,2}",
         r"d = \mathrm{dist}",
+        r"|x|y|z| = 1",
+        r"x = 1\frac{1}{2}",
+        r"x = 2{3}",
+        r"x^23 = 1",
+        r"x = y^{1{2}}",
+        r"\exp t(x + 1) = 1",
+        r"\sin\theta\frac{x}{2} = 1",
         "",
     ] {
         assert!(read(latex).is_err(), "{latex}: {:?}", read(latex));
+    }
+}
+
+#[test]
+fn bars_that_are_said_to_open_and_close_do_so() {
+    for (latex, read_as) in [
+        (r"\left|x\left|y\right|z\right| = 1", "abs(x*abs(y)*z) = 1"),
+        (r"\left|x\right|y\left|z\right| = 1", "abs(x)*y*abs(z) = 1"),
+        (r"\left\vert x + \lvert y\rvert z\right\vert = 1", "abs(x + abs(y)*z) = 1"),
+        (r"||x| - |y|| = |x - y|", "abs(abs(x) - abs(y)) = abs(x - y)"),
+        (r"|x||y| = |x| \cdot y \cdot |z|", "abs(x)*abs(y) = abs(x)*y*abs(z)"),
+    ] {
+        assert_eq!(read(latex).unwrap(), read_as, "{latex}");
     }
 }
 

@@ -476,6 +476,25 @@ impl Scope {
         total && !self.is_exhausted()
     }
 
+    /// Whether an expression has a value whatever its symbols are within their declared bounds, for reasons
+    /// that are seen at once: it divides by what [never vanishes](Self::never_vanishes), and has no roots,
+    /// cases and derivatives.
+    #[must_use]
+    pub fn has_value(&self, e: &Expr) -> bool {
+        let mut has = !self.is_exhausted();
+        self.visit(e, &mut |node| {
+            has &= match node {
+                Expr::Num(_) | Expr::Var(_) | Expr::Let(_) | Expr::Neg(_) => true,
+                Expr::Add(..) | Expr::Sub(..) | Expr::Mul(..) => true,
+                Expr::Abs(_) | Expr::Min(..) | Expr::Max(..) => true,
+                Expr::Div(_, b) => self.never_vanishes(b),
+                Expr::Pow(a, n) => *n >= 0 || self.never_vanishes(a),
+                _ => false,
+            };
+        });
+        has && !self.is_exhausted()
+    }
+
     /// Whether it is not 0 by what is declared: a product of numbers and symbols, and of sums of what is
     /// not negative and one of which is positive.
     pub(crate) fn never_vanishes(&self, e: &Expr) -> bool {
@@ -497,7 +516,8 @@ impl Scope {
     }
 
     /// Whether it is not negative, or positive, by what is declared.
-    fn is_above(&self, e: &Expr, strictly: bool) -> bool {
+    #[must_use]
+    pub fn is_above(&self, e: &Expr, strictly: bool) -> bool {
         let above = |e: &Expr| self.is_above(e, strictly);
         if let Some(sum) = self.sequences.linear(e) {
             return sum.plus >= i64::from(strictly) && sum.times.values().all(|n| *n >= 0);
@@ -517,7 +537,7 @@ impl Scope {
             }
             Expr::Mul(a, b) => above(a) && above(b),
             Expr::Div(a, b) => above(a) && self.is_above(b, true),
-            Expr::Pow(a, n) => *n >= 0 && above(a),
+            Expr::Pow(a, n) => self.is_above(a, strictly || *n < 0),
             _ => false,
         }
     }
@@ -795,6 +815,25 @@ impl Scope {
     #[must_use]
     pub fn is_exhausted(&self) -> bool {
         self.effort.get() >= MAX_EFFORT
+    }
+
+    /// These symbols, and those that stand in exponentials among them: k and x of exp(k*x).
+    #[must_use]
+    pub fn with_factors(&self, mut symbols: BTreeSet<usize>) -> BTreeSet<usize> {
+        let exponentials = self.exponentials().filter(|e| symbols.contains(&e.symbol));
+        let factors: Vec<usize> = exponentials.flat_map(|e| e.of.symbols()).collect();
+        symbols.extend(factors);
+        symbols
+    }
+
+    /// The same, and all of an angle, its cosine and its sine where one of them is there.
+    #[must_use]
+    pub fn inside(&self, symbols: BTreeSet<usize>) -> BTreeSet<usize> {
+        let mut symbols = self.with_factors(symbols);
+        let spoken = self.angles().map(|(theta, a)| [theta, a.cos, a.sin]);
+        let spoken: Vec<_> = spoken.filter(|all| all.iter().any(|v| symbols.contains(v))).collect();
+        symbols.extend(spoken.into_iter().flatten());
+        symbols
     }
 
     /// Indices of the symbols in the expression, definitions expanded.

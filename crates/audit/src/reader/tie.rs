@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 use kane_algebra::rational_function::RationalFunction;
-use kane_algebra::syntax::Scope;
+use kane_algebra::syntax::{Angle, Scope};
 use kane_kernel::{Expr, Link, Rel, Relation, Target};
 use num_traits::Signed as _;
 
@@ -88,7 +88,12 @@ impl<'a> Ties<'a> {
         for relation in own.when.iter().chain(of_target.flatten().unwrap_or_default()) {
             relations.extend(self.differences(relation).into_iter().map(|d| (Rc::new(d), None)));
         }
-        let equations = equations(&relations);
+        let mut equations = equations(&relations);
+        // an angle, its cosine and its sine vary together, whatever is said of them
+        equations.extend(self.scope.angles().map(|(theta, Angle { cos, sin, .. })| Equation {
+            symbols: [theta, cos, sin].into(),
+            cited: Vec::new(),
+        }));
         let vars = &self.scope.context().vars;
         let (symbol, chain, (x, place)) = derivatives.iter().find_map(|(derivative, place)| {
             let Derivative { by, others, total } = derivative;
@@ -154,7 +159,7 @@ impl<'a> Ties<'a> {
         for side in body.map(sides).unwrap_or_default() {
             self.scope.visit(side, &mut |node| {
                 if let Expr::Deriv(f, x) = node {
-                    let mut others = self.scope.symbols(f);
+                    let mut others = self.scope.inside(self.scope.symbols(f));
                     let of = |v: usize| self.scope.context().vars.get(v).and_then(|var| var.of);
                     // a function varies with its variable, and so do the other functions of it
                     if let Some(t) = of(*x) {
@@ -167,7 +172,8 @@ impl<'a> Ties<'a> {
                         return;
                     }
                     // cosine and sine vary together
-                    let mut varied = match self.scope.angle_at(*x) {
+                    let own = self.scope.angle(*x).map(|angle| (*x, *angle));
+                    let mut varied = match own.or_else(|| self.scope.angle_at(*x)) {
                         Some((theta, angle)) => vec![theta, angle.cos, angle.sin],
                         None => vec![*x],
                     };
@@ -205,14 +211,12 @@ impl<'a> Ties<'a> {
         };
         let difference = Expr::Sub(upper.clone().into(), lower.clone().into());
         let value = RationalFunction::from_expr(&difference, self.scope.context()).ok();
-        let mut symbols: BTreeSet<usize> = match &value {
+        let symbols: BTreeSet<usize> = match &value {
             Some(value) => value.fraction().0.vars().into_iter().collect(),
             None => self.scope.symbols(&difference),
         };
         // what is said of an exponential is said of what is in it
-        let spoken = self.scope.exponentials().filter(|e| symbols.contains(&e.symbol));
-        let inside: Vec<usize> = spoken.flat_map(|e| e.of.symbols()).collect();
-        symbols.extend(inside);
+        let symbols = self.scope.with_factors(symbols);
         let is_equation = relation.rel == Rel::Eq;
         let (lower, upper) = (lower.clone(), upper.clone());
         Some(Difference { lower, upper, is_equation, value, symbols })
