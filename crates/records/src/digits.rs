@@ -18,7 +18,7 @@ const SOME: usize = 8;
 const ZEROS: usize = 2;
 
 /// Binary floats that end after so many decimals were printed with as many; further ones are what is left of the float.
-const MOST: u8 = 12;
+const MOST: u8 = 17;
 
 /// Different numbers, by their shortest decimals.
 pub(crate) struct Numbers {
@@ -128,7 +128,9 @@ impl Numbers {
         // as many decimals as all, and no clear sign of digits
         let fits =
             all.format == Format::Decimals(self.decimals) && self.zeros[1] < self.zeros[0] + ZEROS;
-        self.rounded().filter(|own| !fits && own.step() != all.step())
+        let differs =
+            |own: &Printed| own.step() != all.step() || own.format.unit() > all.format.unit();
+        self.rounded().filter(|own| !fits && differs(own))
     }
 
     /// To what settings were rounded that stand beside numbers in this format: those that have as many decimals, or as

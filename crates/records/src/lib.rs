@@ -21,6 +21,7 @@
 //! # Ok::<(), kane_records::reader::ReadFault>(())
 //! ```
 
+mod acted;
 pub mod case;
 pub mod check;
 pub mod comparison;

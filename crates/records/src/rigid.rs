@@ -83,9 +83,19 @@ struct Miss {
 }
 
 impl Miss {
-    /// With gravity before the impact or after it, and with a coupling that may be rounding or without it, whichever is
-    /// nearest; `None` where the law has no answer.
+    /// About the stated arm or that at which the impulse acted, whichever is nearer; `None` where the law has no answer.
     fn of(law: &Law, seen: &Seen) -> Option<Self> {
+        let miss = Self::of_arm(law, seen);
+        if miss.is_some_and(|miss| miss.holds) {
+            return miss;
+        }
+        let acted = seen.where_it_acted();
+        Self::nearer(miss, acted.and_then(|seen| Self::of_arm(law, &seen)))
+    }
+
+    /// With gravity before the impact or after it, and with a coupling that may be rounding or without it, whichever is
+    /// nearest.
+    fn of_arm(law: &Law, seen: &Seen) -> Option<Self> {
         let miss = Self::of_one(law, seen);
         if miss.is_some_and(|miss| miss.holds) {
             return miss;

@@ -2,6 +2,7 @@
 
 use kane_impact::{Contact, Delassus};
 
+use crate::acted::Acted;
 use crate::case::Case;
 use crate::check::Check;
 use crate::event::Given;
@@ -45,6 +46,8 @@ pub struct Seen {
     pub stretch: f64,
     /// ΔT by the energy before, and whether energy rises beyond its tolerance
     pub gain: (f64, bool),
+    /// the contact at the arm at which the impulse acted, where the time step leaves that open
+    acted: Option<Acted>,
 }
 
 impl Seen {
@@ -100,6 +103,7 @@ impl Seen {
             turned,
             stretch,
             gain: gain(case),
+            acted: Acted::of(case),
         }
     }
 
@@ -124,6 +128,7 @@ impl Seen {
             turned: f64::NAN,
             stretch: 1.0,
             gain: (0.0, false),
+            acted: None,
         }
     }
 
@@ -139,6 +144,13 @@ impl Seen {
             fall: [0.0; 2],
             ..self.clone()
         })
+    }
+
+    /// The same impact at the arm at which the impulse acted; `None` where the stated one is known or is all there is.
+    #[must_use]
+    pub fn where_it_acted(&self) -> Option<Self> {
+        let Acted { slip, slip_after, mobility } = self.acted?;
+        Some(Self { slip, slip_after, mobility, acted: None, ..self.clone() })
     }
 
     /// e as measured, −u_n⁺/u_n; `None` for a contact that does not approach.

@@ -133,6 +133,8 @@ pub struct Tolerance {
 struct Size {
     /// |v| + |v⁺| + |g·Δt| along both axes, with what [leans](Written::lean) over from the other, and |ω| + |ω⁺|
     speed: [f64; 3],
+    /// the same with what is rounded into them from [beside the plane](Written::sizes)
+    rounded: [f64; 3],
     /// how far what was written of them is off
     step: [f64; 3],
     arm: f64,
@@ -141,18 +143,23 @@ struct Size {
 
 impl Size {
     #[inline(always)]
-    fn of(body: &Moving<f64>, kick: [f64; 2], step: [f64; 3], lean: f64) -> Self {
+    fn of(body: &Moving<f64>, kick: [f64; 2], written: &Written, place: usize) -> Self {
+        let lean = written.lean;
         let along = |k: usize| body.before[k].abs() + body.after[k].abs();
         let (t, n) = (along(0) + kick[0].abs(), along(1) + kick[1].abs());
         let speed = [t + lean * n, n + lean * t, along(2)];
-        let [x, y] = body.arm;
-        Self { speed, step, arm: x.abs() + y.abs(), round: x.abs() <= 1e-6 * y.abs() }
+        let rounded = written.sizes.map_or(speed, |sizes| {
+            let [a, b, spin] = sizes[place];
+            [a + kick[0].abs(), b + kick[1].abs(), spin]
+        });
+        let ([x, y], step) = (body.arm, written.steps[place]);
+        Self { speed, rounded, step, arm: x.abs() + y.abs(), round: x.abs() <= 1e-6 * y.abs() }
     }
 
     /// By how much a velocity or the spin is off, before and after together.
     #[inline(always)]
     fn off(&self, k: usize, eta: f64) -> f64 {
-        eta * self.speed[k] + self.step[k]
+        eta * self.rounded[k] + self.step[k]
     }
 }
 
@@ -170,11 +177,8 @@ impl Tolerance {
         let (eta, tau) = (log.rounding, log.tilt + written.slack);
         let kick = event.kick;
         let dt = given.dt.unwrap_or(0.0);
-        let first = Size::of(&event.first, kick, written.steps[0], written.lean);
-        let second = event
-            .second
-            .as_ref()
-            .map(|body| (body, Size::of(body, kick, written.steps[1], written.lean)));
+        let first = Size::of(&event.first, kick, written, 0);
+        let second = event.second.as_ref().map(|body| (body, Size::of(body, kick, written, 1)));
         let round = first.round && second.as_ref().is_none_or(|(_, size)| size.round);
         let [u_t, u_n] = facts.before;
         // an engine that adds gravity behind the impact comes to it by that much slower or faster

@@ -18,6 +18,9 @@ pub(crate) struct Written {
     pub(crate) slack: f64,
     /// Σ|t_k·n_k| over the axes of the log: how much of what a velocity along the normal is off by is along the tangent
     pub(crate) lean: f64,
+    /// where the axis of spin leans, for each body Σ|d_k|·(|x_k| + |x_k⁺|) over the axes of the log, of the velocity along
+    /// tangent and normal and of the spin about the axis: what of the motion beside the plane is rounded into them
+    pub(crate) sizes: Option<[[f64; 3]; 2]>,
 }
 
 impl Written {
@@ -27,19 +30,31 @@ impl Written {
     pub(crate) fn of(row: &Row, frame: &Frame, columns: Option<&Steps>, floor: f64) -> Self {
         // twice, and along a direction by at most the root of three of it
         let steps = columns.map_or([[4.0 * floor; 3]; 2], |columns| steps(row, frame, columns));
-        Self { steps, slack: frame.slack, lean: frame.lean() }
+        let sizes = (frame.axis != Frame::UPRIGHT.axis).then(|| sizes(row, frame));
+        Self { steps, slack: frame.slack, lean: frame.lean(), sizes }
     }
 }
 
 #[inline(never)]
 fn steps(row: &Row, frame: &Frame, columns: &Steps) -> [[f64; 3]; 2] {
+    summed(row, frame, |after, value| columns[after.index()].of(value))
+}
+
+#[inline(never)]
+fn sizes(row: &Row, frame: &Frame) -> [[f64; 3]; 2] {
+    summed(row, frame, |_, value| value.abs())
+}
+
+/// Of what is told of each component of a motion, by its column behind the impact: the sum before and after, along
+/// tangent and normal, and about the axis.
+#[inline(always)]
+fn summed(row: &Row, frame: &Frame, of: impl Fn(Column, f64) -> f64) -> [[f64; 3]; 2] {
     [Side::First, Side::Second].map(|side| {
         let mut off = [0.0; 6];
         let after = motion(side, When::Post);
         for when in [When::Pre, When::Post] {
             for (place, column) in motion(side, when).into_iter().enumerate() {
-                let step = columns[after[place].index()];
-                off[place] += row.get(column).map_or(0.0, |value| step.of(value));
+                off[place] += row.get(column).map_or(0.0, |value| of(after[place], value));
             }
         }
         let [x, y, z, spins @ ..] = off;
