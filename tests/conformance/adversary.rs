@@ -119,6 +119,19 @@ fn no_verdict_on_sums_and_bounds_is_wrong() {
     }
 }
 
+#[test]
+fn no_verdict_is_wrong_where_all_of_the_language_stands_together() {
+    if let Some(printed) = trial("mixed.py", 72) {
+        let kinds = [
+            "\ntrue, proved: ",
+            "\nfalse, refuted: ",
+            "true induction, proved: ",
+            "true limit, proved: ",
+        ];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 /// So many random scenes are answered in the gate.
 const SCENES: usize = 70;
 

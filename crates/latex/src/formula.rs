@@ -4,7 +4,7 @@ use crate::adjacent::Adjacent;
 use crate::command::{Beginning, beginning};
 use crate::name::{Names, letter, part};
 use crate::part::{Level, Part, one, over, power, times};
-use crate::token::Token;
+use crate::token::{Token, written};
 use crate::unreadable::Unreadable;
 
 /// Parts in one another beyond which nothing is read.
@@ -115,11 +115,18 @@ impl<'a> Reader<'a> {
                     };
                 }
                 Some(Token::Command(name)) if name == "times" || name == "wedge" => {
+                    let closed = self.passed() == Some(&Token::Char(')'));
                     self.at += 1;
                     let next = self.factor()?;
                     out = if out.vector && next.vector {
+                        if out.text.starts_with("cross(") && !closed {
+                            return Err(Unreadable::Ambiguous(format!("{} × …", out.text)));
+                        }
                         let text = format!("cross({}, {})", out.text, next.text);
                         Part { vector: true, ..Part::atom(text) }
+                    } else if next.vector {
+                        // the product of all three, or of a vector and the number of two
+                        return Err(Unreadable::Ambiguous(format!("{} × {}", out.text, next.text)));
                     } else {
                         times(&out, &next)?
                     };
@@ -177,16 +184,17 @@ impl<'a> Reader<'a> {
         self.powers(base)
     }
 
+    /// Whether a digit follows one that stands without braces: `x^23` is printed as a square and a 3.
+    pub(crate) fn goes_on(&self, group: &[Token]) -> bool {
+        let digit = |t: Option<&Token>| matches!(t, Some(Token::Char(c)) if c.is_ascii_digit());
+        group.len() == 1 && digit(group.first()) && digit(self.passed()) && digit(self.peek())
+    }
+
     pub(crate) fn powers(&mut self, mut base: Part) -> Result<Part, Unreadable> {
         while self.takes(&Token::Superscript) {
             let exponent = self.group()?;
-            // x^23 is printed as a square and a 3
-            if let [Token::Char(n)] = exponent
-                && n.is_ascii_digit()
-                && self.passed() == exponent.first()
-                && matches!(self.peek(), Some(Token::Char(c)) if c.is_ascii_digit())
-            {
-                return Err(Unreadable::Ambiguous(format!("{}^{n}…", base.text)));
+            if self.goes_on(exponent) {
+                return Err(Unreadable::Ambiguous(format!("{}^{}…", base.text, written(exponent))));
             }
             let number = base.number()?;
             base = match power(&number, exponent) {

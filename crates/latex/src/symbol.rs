@@ -21,6 +21,9 @@ impl Reader<'_> {
                 (Some(Token::Subscript), _) => {
                     self.at += 1;
                     let group = self.group()?;
+                    if self.goes_on(group) {
+                        return Err(Unreadable::Ambiguous(format!("{name}_{}…", written(group))));
+                    }
                     name = format!("{name}_{}", part(group)?);
                     spelled = format!("{spelled}_{}", unbraced(group));
                 }

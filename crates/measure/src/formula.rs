@@ -163,6 +163,14 @@ impl Formulas {
         if inputs.is_empty() || matches!(expr, Expr::Var(_) | Expr::Let(_)) {
             return;
         }
+        if let Some(made) = inputs.iter().find_map(|v| computed(context, *v)) {
+            let why = format!("{made} is no input: how it is rounded itself is not known here");
+            let left_out = (label.to_owned(), why);
+            if !self.left_out.contains(&left_out) {
+                self.left_out.push(left_out);
+            }
+            return;
+        }
         let program = match Program::new(expr, context, &choice.values, &inputs) {
             Ok(program) => program,
             Err(why) => {
@@ -206,6 +214,13 @@ impl Formulas {
             conditions,
         });
     }
+}
+
+/// What stands for an exponential, a sine, a power or a sum, by its name: a program computes it, and its
+/// rounding counts, so that `exp(x) - 1` is no difference of two inputs. A derivative is one.
+fn computed(context: &kane_kernel::Context, symbol: usize) -> Option<&str> {
+    let name = &context.vars.get(symbol)?.name;
+    (name.contains('(') && !name.starts_with("d(")).then_some(name)
 }
 
 /// Why an expression is no formula of floats, in words.

@@ -292,3 +292,13 @@ fn what_is_not_examined_is_listed_with_its_reason() {
     assert_eq!(left_out.as_slice(), [("g".to_owned(), "it has a derivative".to_owned())]);
     assert_eq!(found.subject.examined, 1);
 }
+
+#[test]
+fn an_exponential_and_a_sine_are_no_inputs() {
+    let found = of("var x, theta\nlet f := exp(x) - 1\nlet g := 1 - cos(theta)\nlet h := x + 1");
+    let why = |of: &str| format!("{of} is no input: how it is rounded itself is not known here");
+    let left_out = [("f", "exp(x)"), ("g", "cos(theta)")];
+    let left_out = left_out.map(|(label, of)| (label.to_owned(), why(of)));
+    assert_eq!(found.subject.left_out.as_slice(), left_out);
+    assert_eq!(found.subject.examined, 1);
+}

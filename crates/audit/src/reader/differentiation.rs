@@ -83,10 +83,8 @@ impl Reader {
             };
             let mut slopes = Vec::new();
             for side in [lhs, rhs] {
-                let symbols = self.scope.symbols(side);
-                let inside =
-                    |v: &usize| self.scope.exponential_at(*v).is_some_and(|e| e.of.contains(t));
-                if symbols.contains(&t) || symbols.iter().any(inside) {
+                // exp(k*t) and the sine of an angle t speak of t
+                if self.scope.inside(self.scope.symbols(side)).contains(&t) {
                     return refuse(format!(
                         "`{name}` speaks of `{variable}` itself, and may not hold for all `{variable}`"
                     ));

@@ -1,11 +1,12 @@
 //! Why this model, in sentences.
 
-use super::evaluate::contact;
+use super::evaluate::{Found, contact};
 use super::judge::{Judged, Place, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
 use crate::resolver::COMPLIANT;
 use crate::scene::{Scene, Setup};
+use crate::simulate::Ending;
 use kane_impact::compliant::{Compliance, Loss};
 use kane_number::{Interval, Lane as _, Number as _};
 
@@ -48,6 +49,7 @@ pub(super) fn reasons(
                 ", followed in steps; how far that is off is an estimate from finer and coarser steps and no bound",
         }
     )];
+    said.extend(of_the_end(reference));
     said.extend(of_the_contact(scene, reference));
     said.extend(of_the_loss(scene, reference));
     if let Some(wanted) = wanted {
@@ -96,6 +98,25 @@ fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
 /// Why a sphere's contact in space is one in a plane.
 const IN_SPACE: &str = " At a sphere one contact at a time keeps the direction of its slip, so that friction stays in one plane through the normal.";
 
+/// The run of the reference, over the uncertain inputs where there are such.
+fn found(reference: &Reference) -> Option<&Found<Interval>> {
+    match &reference.over {
+        Some(Ok(found)) => Some(found),
+        _ => reference.at.as_ref().ok(),
+    }
+}
+
+/// That nothing meets any more before so many impacts have happened as are asked for.
+fn of_the_end(reference: &Reference) -> Option<String> {
+    let end = found(reference)?.end.as_ref().filter(|end| end.ending == Ending::Quiet)?;
+    Some(match end.impacts {
+        0 => "Nothing meets: no impact happens, and the answers are those of the start.".to_owned(),
+        last => format!(
+            "Nothing meets any more after impact {last}: the answers are those of the state right after it."
+        ),
+    })
+}
+
 /// Coupling and α.
 fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
     match &scene.setup {
@@ -106,11 +127,9 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
             "A corner is off the normal through the centre of mass, so that its contact couples and neither direction can be left out.".to_owned(),
         ),
         Setup::Bodies(world) => {
-            let found = match &reference.over {
-                Some(Ok(found)) => found,
-                _ => reference.at.as_ref().ok()?,
-            };
-            if reference.mechanics == Mechanics::Chain {
+            let found = found(reference)?;
+            let meets = found.end.as_ref().is_none_or(|end| end.impacts > 0);
+            if reference.mechanics == Mechanics::Chain || !meets {
                 return None;
             }
             if found.no_slip {

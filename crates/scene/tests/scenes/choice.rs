@@ -289,6 +289,35 @@ fn where_nothing_is_good_enough_the_reason_is_named() {
 }
 
 #[test]
+fn a_motion_that_ends_before_its_impacts_says_so() {
+    let text = |height: u32, up: i32, impacts: u32| {
+        format!(
+            "friction = 0\nrestitution = 1\nfloor_m = 0\n[[body]]\nmass_kg = 1\nradius_m = 1\n\
+             shape = \"sphere\"\nposition_m = [0, {height}]\nvelocity_m_s = [0, {up}]\n\
+             [until]\nimpacts = {impacts}\n[ask]\ny_m = 0\n"
+        )
+    };
+    for (height, up, impacts, said) in [
+        (
+            2,
+            1,
+            1,
+            Some("Nothing meets: no impact happens, and the answers are those of the start."),
+        ),
+        (2, -1, 3, Some("Nothing meets any more after impact 1")),
+        (2, -1, 1, None),
+    ] {
+        let (_, answer) = answered("quiet", &text(height, up, impacts), None);
+        let why = answer.reasons.join(" ");
+        match said {
+            Some(said) => assert!(why.contains(said), "{why}"),
+            None => assert!(!why.contains("Nothing meets"), "{why}"),
+        }
+        assert_eq!(why.contains("any slip"), up < 0, "{why}");
+    }
+}
+
+#[test]
 fn another_model_is_answered_with_its_error() {
     let model = Model::named("whittaker-uncapped", laws()).unwrap();
     let (_, answer) = answered("backspin", SHIPPED[1].1, Some(model));
