@@ -16,23 +16,18 @@ pub(crate) struct Acted {
 }
 
 impl Acted {
-    /// `None` without a time step, where there is too little friction to tell the arm, and where it is farther off than
-    /// the time step allows.
+    /// `None` without a time step, and where the impulse tells an arm that is farther off than the time step allows, or
+    /// none for want of friction.
     pub(crate) fn of(case: &Case<'_>) -> Option<Self> {
         case.given.dt.filter(|dt| *dt > 0.0)?;
-        let (facts, tolerance) = (&case.facts, &case.tolerance);
+        let facts = &case.facts;
         let mut event = case.event.clone();
-        let told = facts.impulse[0].abs() > 100.0 * tolerance.tangential;
-        if !told || facts.moment.abs() > tolerance.moment {
-            return None;
-        }
-        move_arm(&mut event.first, facts.moment, facts.impulse[0]);
+        let [x, y] = event.first.arm;
+        let reach = case.tolerance.arm * (x.abs() + y.abs());
+        move_arm(&mut event.first, facts.moment / facts.impulse[0], reach)?;
         if let Some(body) = &mut event.second {
             let (moment, [friction, _]) = (facts.other_moment?, facts.reaction?);
-            if moment.abs() > tolerance.other_moment {
-                return None;
-            }
-            move_arm(body, moment, friction);
+            move_arm(body, moment / friction, reach)?;
         }
         let (facts, w) = (event.facts(), event.delassus());
         let mobility = [*w.tt(), *w.tn(), *w.nn()];
@@ -41,6 +36,7 @@ impl Acted {
 }
 
 /// M = J·Δω − (x·p_n − y·p_t) = (y − y')·p_t.
-fn move_arm(body: &mut Moving<f64>, moment: f64, friction: f64) {
-    body.arm[1] -= moment / friction;
+fn move_arm(body: &mut Moving<f64>, by: f64, reach: f64) -> Option<()> {
+    body.arm[1] -= by;
+    (by.abs() <= reach).then_some(())
 }

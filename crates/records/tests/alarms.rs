@@ -18,7 +18,7 @@ fn studied(log: &str, told: Option<Told>) -> Study {
 }
 
 fn gives_all(study: &Study, law: &str) -> bool {
-    study.consistent_laws().any(|fit| fit.law.info.id == law)
+    study.consistent_laws().any(|fit| fit.law.info.id == law && !fit.fitted)
 }
 
 /// An engine looks once a step, and the contact acted at an arm that is shorter by 8 % than the radius: W is another.
