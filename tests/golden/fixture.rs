@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use kane::audit::{
     Accepted, Assignment, Audit, Body, Comparison, Content, Document, Judgement, LinkJudgement,
-    Means, Measured, Open, Proof, Reason, Said, Solved, Source, Speaker, Standing, Step, Value,
-    Variable, Verdict,
+    Means, Measured, Open, Proof, Reason, Said, Solved, Source, Speaker, Standing, Step, Supposed,
+    Value, Variable, Verdict,
 };
 use kane::kernel::{
     Atom, Certificate, Conclusion, Evidence, Expr, Finding, Goal, Link, Model, Point, Poly, Rel,
@@ -239,7 +239,7 @@ fn contradiction() -> Step {
     let premise = Poly::var(I_X).sub(&speeds);
     let square = Poly::power(K, 2);
     Step::Suppose {
-        hypotheses_alone: false,
+        what: Supposed::Failure,
         then: vec![
             Step::Assume {
                 source: Source::Hypothesis(0),

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use kane_algebra::syntax::{Notation as _, Sequences};
-use kane_kernel::{Context, Expr, Sentence};
+use kane_algebra::syntax::{Notation as _, Sequences, rebuild};
+use kane_kernel::{Context, Expr, Limit, Link, Relation, Sentence};
 use sha2::{Digest as _, Sha256};
 
 use crate::Verdict;
@@ -25,6 +25,8 @@ pub struct Document {
     pub statements: Vec<Statement>,
     pub(crate) motion: Motion,
     pub(crate) sequences: Sequences,
+    /// derivatives by the chain rule, each with the derivative as it was written
+    pub(crate) derivatives: Vec<(Expr, Expr)>,
     pub(crate) digest: String,
 }
 
@@ -155,7 +157,9 @@ impl Document {
         match &claim.content {
             Content::Links(links) => {
                 let said = links.get(link % links.len().max(1));
-                let said = said.map_or_else(String::new, |(link, _)| link.plain(&self.context));
+                let said = said.map_or_else(String::new, |(link, _)| {
+                    self.link_as_written(link).plain(&self.context)
+                });
                 let stage = self.stage(claim, link).map(|stage| format!(" {stage}"));
                 said + &stage.unwrap_or_default()
             }
@@ -164,6 +168,32 @@ impl Document {
                 let denied = self.statements.get(*denied).map_or("", |s| &s.label);
                 format!("not implied {denied}")
             }
+        }
+    }
+
+    /// An expression of a statement, with derivatives as they were written where the chain rule took them.
+    #[must_use]
+    pub fn as_written(&self, e: &Expr) -> Expr {
+        let written = rebuild(e, &mut |part| {
+            let known = self.derivatives.iter().find(|(shown, _)| shown == part);
+            Ok::<_, std::convert::Infallible>(known.map(|(_, written)| written.clone()))
+        });
+        let Ok(written) = written;
+        written
+    }
+
+    /// A relation, likewise.
+    #[must_use]
+    pub fn relation_as_written(&self, r: &Relation) -> Relation {
+        Relation { lhs: self.as_written(&r.lhs), rel: r.rel, rhs: self.as_written(&r.rhs) }
+    }
+
+    /// A link, likewise.
+    #[must_use]
+    pub fn link_as_written(&self, link: &Link) -> Link {
+        match link {
+            Link::Relation(r) => Link::Relation(self.relation_as_written(r)),
+            Link::Limit(l) => Link::Limit(Limit { expr: self.as_written(&l.expr), ..l.clone() }),
         }
     }
 

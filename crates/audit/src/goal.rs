@@ -61,7 +61,7 @@ pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Decided> {
     let evidence = Evidence::Model(model);
     let certificate = Certificate { goal: digest(goal), finding: Finding::Refuted, evidence };
     check(goal, &certificate, Fuel::new(Budget::default().check))?;
-    Ok(Decided { certificate, grounds })
+    Ok(Decided { certificate, grounds, kept: None })
 }
 
 /// Looks for a point that refutes a goal, and for nothing else: what the kernel accepted.
@@ -79,12 +79,12 @@ impl Decided {
     /// The proof or the witness in outline. The goal is the one that was decided.
     #[must_use]
     pub fn reason(&self, goal: &Goal) -> Reason {
-        explain::reason(goal, self.certificate.finding, &self.grounds)
+        explain::reason(goal, self.certificate.finding, (&self.grounds, self.kept.as_deref()))
     }
 
     /// The proof or the witness step by step.
     #[must_use]
     pub fn steps(&self, goal: &Goal) -> Proof {
-        explain::steps(goal, self.certificate.finding, &self.grounds)
+        explain::told(goal, self.certificate.finding, (&self.grounds, self.kept.as_deref()))
     }
 }

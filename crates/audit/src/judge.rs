@@ -569,7 +569,7 @@ fn link_judgement(
         would_do: None,
         at: Vec::new(),
     };
-    let Some(Decided { certificate, grounds }) = found.decided else {
+    let Some(Decided { certificate, grounds, kept }) = found.decided else {
         let attempt = explain::attempt(goal, found.attempt);
         return LinkJudgement { open: found.open, attempt, ..undecided };
     };
@@ -579,7 +579,7 @@ fn link_judgement(
         certificate: Some(format!("{:032x}", kane_kernel::digest(&certificate))),
         used: used.into_iter().filter_map(|i| cited.get(i).copied()).collect(),
         accepted: Some(Rc::new(Accepted { goal: whose.clone(), certificate })),
-        explanation: Explanation::of(grounds),
+        explanation: Explanation::of(grounds, kept),
         ..undecided
     }
 }

@@ -136,6 +136,7 @@ fn read_with(
         return Ok(Document {
             motion,
             sequences: reader.scope.sequences().clone(),
+            derivatives: reader.scope.derivatives(),
             name: visible(name).into_owned(),
             text: text.to_owned(),
             title: blocks.title.as_deref().map(|title| visible(title).into_owned()),

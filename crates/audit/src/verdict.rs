@@ -6,6 +6,7 @@ use std::rc::Rc;
 use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
+use crate::prove::Kept;
 use crate::{Assignment, Attempt, Open, Proof, Reason, Standing, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
@@ -123,9 +124,9 @@ impl LinkJudgement {
         match &self.explanation.0 {
             Source::Nothing => None,
             Source::Told(reason, _) => Some(reason.clone()),
-            Source::Found(grounds) => {
+            Source::Found(grounds, kept) => {
                 let Accepted { goal, certificate } = self.accepted.as_deref()?;
-                Some(explain::reason(goal, certificate.finding, grounds))
+                Some(explain::reason(goal, certificate.finding, (grounds, kept.as_deref())))
             }
         }
     }
@@ -135,10 +136,10 @@ impl LinkJudgement {
     pub fn steps(&self) -> Proof {
         match (&self.explanation.0, self.accepted.as_deref()) {
             (Source::Told(_, proof), _) => proof.clone(),
-            (Source::Found(grounds), Some(Accepted { goal, certificate })) => {
-                explain::steps(goal, certificate.finding, grounds)
+            (Source::Found(grounds, kept), Some(Accepted { goal, certificate })) => {
+                explain::told(goal, certificate.finding, (grounds, kept.as_deref()))
             }
-            (Source::Nothing | Source::Found(_), _) => Proof::default(),
+            (Source::Nothing | Source::Found(..), _) => Proof::default(),
         }
     }
 }
@@ -152,13 +153,13 @@ enum Source {
     #[default]
     Nothing,
     Told(Reason, Proof),
-    Found(Grounds),
+    Found(Grounds, Option<Rc<Kept>>),
 }
 
 impl Explanation {
     /// What these grounds of an accepted finding tell.
-    pub(crate) const fn of(grounds: Grounds) -> Self {
-        Self(Source::Found(grounds))
+    pub(crate) const fn of(grounds: Grounds, kept: Option<Rc<Kept>>) -> Self {
+        Self(Source::Found(grounds, kept))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is told of proofs is true: the sums, products and sides of steps are evaluated at points.
 
 use kane_algebra::syntax::Evaluator;
-use kane_audit::{Audit, Options, Proof, Standing, Step, audit, read};
+use kane_audit::{Audit, Options, Proof, Standing, Step, Supposed, Variable, audit, read};
 use kane_kernel::{Poly, Sign};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -227,4 +227,70 @@ fn what_is_false_and_what_only_does_not_follow_are_told_apart() {
         "1/x has a value wherever x > 0"
     );
     assert_eq!(link("below-a-limit").standing, Some(Standing::NotShown));
+}
+
+/// The proof of a claim's first link, with all steps in it.
+fn told<'a>(audit: &'a Audit, label: &str) -> (Proof, impl Fn(&Proof) -> Vec<Step> + use<'a>) {
+    let index = audit.document.statements.iter().position(|s| s.label == label);
+    let proof = audit.judgements[index.expect("it is there")].links[0].steps();
+    let flat = |proof: &Proof| {
+        let mut steps = Vec::new();
+        all(&proof.steps, &mut steps);
+        steps.into_iter().cloned().collect()
+    };
+    (proof, flat)
+}
+
+#[test]
+fn a_proof_leaves_definitions_as_they_are_where_premises_say_enough() {
+    let text = "```kane\nvar x, y, E, F\nlet T := (x + y)^4/(1 + x^2)\nlet U := (x - y)^4 + x*y\n\
+                given work: T - U = E + F\ngiven loss: E + F <= 0\n\
+                claim c: T <= U from work, loss\nclaim d: U + x*y*((x - y)^2 + 1) >= -x^2*y^2 - 1\n```\n";
+    let audit = audited("atoms.md", text);
+    let (proof, flat) = told(&audit, "c");
+    assert_eq!(proof.steps[0], Step::Kept(vec![0, 1]), "in the order in which they are met");
+    let names = &proof.variables;
+    assert!([0, 1].iter().all(|i| names.contains(&Variable::Definition(*i))), "{names:?}");
+    // five symbols and definitions, of which each stands in the first power
+    for step in flat(&proof) {
+        if let Step::Assume { atoms, .. } = step {
+            assert!(atoms.iter().all(|a| a.poly.vars().iter().all(|v| a.poly.degree(*v) == 1)));
+        }
+    }
+    // what the definition is made of decides the other
+    let (proof, _) = told(&audit, "d");
+    assert!(!matches!(proof.steps.first(), Some(Step::Kept(_))), "{:?}", proof.steps);
+}
+
+#[test]
+fn an_equality_is_told_by_what_its_symbols_are_defined_as_up_to_two_equal_sides() {
+    let paper = audited("p.md", include_str!("../../../docs/derivations/oblique-collision.md"));
+    let (proof, flat) = told(&paper, "(9)");
+    let steps = flat(&proof);
+    let solved = steps.iter().find_map(|step| match step {
+        Step::Solve { solved, .. } => Some(solved),
+        _ => None,
+    });
+    let name = |v: usize| &*paper.document.context.vars[v].name;
+    let first: Vec<&str> = solved.expect("it is solved").iter().map(|s| name(s.variable)).collect();
+    assert_eq!(&first[..2], ["k", "i_x"], "the claim's own symbols by (5) and (6): {first:?}");
+    assert!(steps.iter().any(|step| matches!(step, Step::Equal { .. })), "{steps:?}");
+}
+
+#[test]
+fn a_limit_that_is_not_used_is_not_passed_to() {
+    let paper = audited("p.md", include_str!("../../../docs/derivations/oblique-collision.md"));
+    let (proof, flat) = told(&paper, "literal-BC");
+    let passes = flat(&proof).iter().filter(|step| matches!(step, Step::Pass { .. })).count();
+    assert_eq!(passes, 1, "multiply by alpha, and let it tend to 0");
+}
+
+#[test]
+fn where_both_sides_are_the_same_it_is_left_to_show_that_they_have_values() {
+    let audit = audited("short.md", &format!("```kane\n{SHORT}\n```\n"));
+    let (proof, _) = told(&audit, "sides");
+    let [Step::Equal { .. }, Step::Suppose { what, .. }] = &proof.steps[..] else {
+        panic!("{:?}", proof.steps);
+    };
+    assert_eq!(*what, Supposed::NoValue);
 }

@@ -3,7 +3,7 @@
 use kane_algebra::syntax::{Notation as _, latex_name, visible};
 use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
 use kane_judges::Judge;
-use kane_kernel::{Context, Sentence};
+use kane_kernel::{Context, Link, Sentence};
 
 use crate::origin::Origin;
 use crate::place::Place;
@@ -200,7 +200,10 @@ impl<'a> Entry<'a> {
                 Content::Contradiction | Content::NotImplied(_) => return None,
             },
         };
-        let when = (!when.is_empty()).then(|| when.latex(context));
+        let document = &self.audit.document;
+        let written = when.iter().map(|r| document.relation_as_written(r)).collect::<Vec<_>>();
+        let when = (!when.is_empty()).then(|| written[..].latex(context));
+        let links: Vec<Link> = links.iter().map(|link| document.link_as_written(link)).collect();
         let said = Sentence { when: Vec::new(), links };
         (!said.links.is_empty()).then(|| (said.latex(context), when))
     }
@@ -209,7 +212,10 @@ impl<'a> Entry<'a> {
     fn definition(&self, index: usize) -> Option<String> {
         let context = self.context();
         let definition = context.lets.get(index)?;
-        let (name, body) = (latex_name(&definition.name), definition.body.latex(context));
+        let (name, body) = (
+            latex_name(&definition.name),
+            self.audit.document.as_written(&definition.body).latex(context),
+        );
         Some(format!("{name} := {body}"))
     }
 
@@ -284,7 +290,9 @@ impl<'a> Entry<'a> {
         match self.claim().map(|claim| &claim.content) {
             Some(Content::Links(links)) => {
                 let link = links.get(index % links.len().max(1));
-                link.map_or_else(String::new, |(link, _)| link.latex(self.context()))
+                link.map_or_else(String::new, |(link, _)| {
+                    self.audit.document.link_as_written(link).latex(self.context())
+                })
             }
             Some(Content::Contradiction) => "\\text{contradiction}".to_owned(),
             Some(Content::NotImplied(denied)) => {

@@ -93,6 +93,7 @@ fn seems_shorter(base: &Expr, latex: &str) -> bool {
         Expr::Min(..) | Expr::Max(..) => true,
         Expr::Var(_) | Expr::Let(_) => {
             latex.ends_with('\'')
+                || latex.starts_with("\\frac")
                 || latex.starts_with("\\Delta ")
                 || latex.strip_prefix('d').is_some_and(differential)
         }

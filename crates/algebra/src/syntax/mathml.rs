@@ -12,7 +12,7 @@ use super::letters::greek_letter;
 use super::lexer::{self, Token};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, exponent, greek_subscript, name_parts, of_argument, power, rate,
+    applied, canonical_name, exponent, greek_subscript, name_parts, of_argument, power, rates,
     summed,
 };
 use super::number::decimal;
@@ -28,11 +28,14 @@ pub fn mathml(expr: &Expr, context: &Context, beyond: &dyn Fn(usize) -> Option<S
 /// A name: a letter with its subscript and primes, or a word.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
-    if let Some((function, time)) = rate(name) {
+    if let Some((function, time, order)) = rates(name) {
         let (function, time) = (mathml_name(function), mathml_name(time));
-        let part = |what: String| format!("<mrow><mi>d</mi>{what}</mrow>");
-        let fraction = format!("<mfrac>{}{}</mfrac>", part(function), part(time));
-        return in_parentheses(&fraction);
+        let power = |what: &str| match order {
+            1 => what.to_owned(),
+            n => format!("<msup>{what}<mn>{n}</mn></msup>"),
+        };
+        let (d, by) = (power("<mi>d</mi>"), power(&time));
+        return format!("<mfrac><mrow>{d}{function}</mrow><mrow><mi>d</mi>{by}</mrow></mfrac>");
     }
     if let Some((base, index)) = power(name) {
         let base = match base.starts_with(|c: char| c.is_ascii_digit()) {
@@ -185,6 +188,8 @@ impl Writer<'_> {
                 // behind arguments an exponent would seem to belong to them alone
                 let base = match **a {
                     Expr::Min(..) | Expr::Max(..) => in_parentheses(&base),
+                    // an exponent would seem to belong to the top of a fraction
+                    Expr::Var(_) if base.starts_with("<mfrac>") => in_parentheses(&base),
                     _ => base,
                 };
                 let is_whole = is_one_element(a) || base.starts_with("<mrow>");

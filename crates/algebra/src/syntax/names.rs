@@ -64,9 +64,10 @@ pub fn canonical_name(name: &str) -> Cow<'_, str> {
 /// is, unless it is a word of three or more small letters, which is set upright as a whole.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
-    if let Some((function, time)) = rate(name) {
+    if let Some((function, time, order)) = rates(name) {
         let (function, time) = (latex_name(function), latex_name(time));
-        return format!("\\left(\\frac{{d {function}}}{{d {time}}}\\right)");
+        let power = if order > 1 { format!("^{order}") } else { String::new() };
+        return format!("\\frac{{d{power} {function}}}{{d {time}{power}}}");
     }
     if let Some((base, index)) = power(name) {
         let base = if base.starts_with(|c: char| c.is_ascii_digit()) {
@@ -126,6 +127,16 @@ pub fn latex_name(name: &str) -> String {
 /// `d(x, t)` as `x` and `t`; nothing if it is no derivative.
 pub(crate) fn rate(name: &str) -> Option<(&str, &str)> {
     name.strip_prefix("d(")?.strip_suffix(')')?.rsplit_once(", ")
+}
+
+/// `d(d(x, t), t)` as `x`, `t` and how often it is differentiated; nothing if it is no derivative.
+pub(crate) fn rates(name: &str) -> Option<(&str, &str, usize)> {
+    let (mut function, time) = rate(name)?;
+    let mut order = 1;
+    while let Some((inner, _)) = rate(function).filter(|(_, by)| *by == time) {
+        (function, order) = (inner, order + 1);
+    }
+    Some((function, time, order))
 }
 
 /// `pow(e, n)` as `e` and `n`; nothing if it is no power.
@@ -320,7 +331,8 @@ mod tests {
             ("eta", "\\eta"),
             ("omicron", "o"),
             ("kWSL", "k_{WSL}"),
-            ("d(x_1, t)", "\\left(\\frac{d x_1}{d t}\\right)"),
+            ("d(x_1, t)", "\\frac{d x_1}{d t}"),
+            ("d(d(x, t), t)", "\\frac{d^2 x}{d t^2}"),
             ("cos(theta)", "\\cos(\\theta)"),
             ("sin(θ_1/2)", "\\sin(\\theta_1/2)"),
             ("pow(e, n)", "\\left(e^{n}\\right)"),

@@ -1,6 +1,6 @@
 //! What names mean at a place in a document.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use kane_kernel::{Bound, Context, Definition, Expr, Var};
@@ -28,6 +28,8 @@ const MAX_EFFORT: usize = 50_000_000;
 
 /// Parts of expressions that vectors, matrices and definitions with arguments may be written out to.
 const MAX_WRITTEN: usize = 5_000_000;
+/// Derivatives by the chain rule of which it is noted how they were written.
+const MAX_DERIVATIVES: usize = 1_000;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -126,6 +128,8 @@ pub struct Scope {
     effort: Cell<usize>,
     /// parts written out so far
     written: Cell<usize>,
+    /// derivatives by the chain rule, each with what was differentiated by which symbol
+    derivatives: RefCell<Vec<(Expr, Expr)>>,
 }
 
 impl Scope {
@@ -303,6 +307,25 @@ impl Scope {
 
     pub(crate) fn function(&self, name: &str) -> Option<&Template> {
         self.functions.get(canonical_name(name).as_ref())
+    }
+
+    /// Notes what a derivative by the chain rule is the derivative of, so that it can be shown as it was written.
+    pub fn note_derivative(&self, slope: &Expr, f: &Expr, by: usize) {
+        let is_sum = matches!(
+            slope,
+            Expr::Add(..) | Expr::Sub(..) | Expr::Mul(..) | Expr::Div(..) | Expr::Neg(..)
+        );
+        let mut known = self.derivatives.borrow_mut();
+        if is_sum && known.len() < MAX_DERIVATIVES && known.iter().all(|(shown, _)| shown != slope)
+        {
+            known.push((slope.clone(), Expr::Deriv(f.clone().into(), by)));
+        }
+    }
+
+    /// Derivatives by the chain rule, each with the derivative as it was written.
+    #[must_use]
+    pub fn derivatives(&self) -> Vec<(Expr, Expr)> {
+        self.derivatives.borrow().clone()
     }
 
     /// Notes that so many parts are to be written out, and tells whether they may be.

@@ -399,8 +399,9 @@ impl Parser<'_> {
         } else if scope.exponentials().any(|e| e.of.contains(x)) {
             by_factor(&f, x, scope)
         } else {
-            Expr::Deriv(Box::new(f), x)
+            Expr::Deriv(Box::new(f.clone()), x)
         };
+        scope.note_derivative(&slope, &f, x);
         let height = scope.height(&slope);
         (slope, height)
     }

@@ -9,17 +9,21 @@ mod sides;
 mod span;
 mod step;
 mod summary;
+mod weight;
 mod witness;
 
+use kane_algebra::syntax::rebuild;
 use kane_kernel::{
-    Atom, Conclusion, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state, constants,
-    scope,
+    Atom, Conclusion, Expr, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state,
+    constants, scope,
 };
 use num_integer::Integer as _;
 use num_traits::Signed as _;
 
 use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
+use crate::prove::Kept;
 
+pub(crate) use prune::without_idle;
 pub use step::*;
 pub(crate) use summary::{reason, used};
 pub(crate) use witness::{mentions, model};
@@ -39,6 +43,43 @@ pub(crate) fn attempt(goal: &Goal, found: crate::prove::Attempt) -> Option<crate
     Some(crate::Attempt { tried: found.tried, variables: names::variables(goal, &scope), left })
 }
 
+/// The grounds of an accepted finding, step by step, or what is shorter to read and shows more.
+pub(crate) fn told(
+    goal: &Goal,
+    finding: Finding,
+    (grounds, kept): (&Grounds, Option<&Kept>),
+) -> Proof {
+    let Some(kept) = kept else { return steps(goal, finding, grounds) };
+    let mut proof = steps(&kept.goal, finding, &kept.grounds);
+    proof.steps.insert(0, Step::Kept(kept.definitions.clone()));
+    proof.variables.iter_mut().for_each(|variable| kept.name(variable));
+    proof
+}
+
+impl Kept {
+    /// Names the definition that a symbol stands for, also within a root.
+    pub(super) fn name(&self, variable: &mut Variable) {
+        let first = self.goal.context.vars.len() - self.definitions.len();
+        let definition = |v: usize| self.definitions.get(v.checked_sub(first)?).copied();
+        match variable {
+            Variable::Symbol(v) => {
+                if let Some(i) = definition(*v) {
+                    *variable = Variable::Definition(i);
+                }
+            }
+            Variable::Root(root) => {
+                let named = rebuild(root, &mut |part| match part {
+                    Expr::Var(v) => Ok(definition(*v).map(Expr::Let)),
+                    _ => Ok::<_, std::convert::Infallible>(None),
+                });
+                let Ok(named) = named;
+                *root = named;
+            }
+            _ => {}
+        }
+    }
+}
+
 /// The grounds of an accepted finding, step by step.
 pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
     if let Grounds::Model(model) = grounds {
@@ -52,11 +93,15 @@ pub(crate) fn steps(goal: &Goal, finding: Finding, grounds: &Grounds) -> Proof {
         Grounds::Contradiction(course) => match claim_state(&scope, goal, finding) {
             Ok(state) => {
                 teller.count += 1;
-                let hypotheses_alone = finding == Finding::Vacuous;
                 // what is the same everywhere is said first; what is supposed then is that it has no meaning
                 let equal = sides::equal(goal, finding, &At::new(state.clone()));
                 let then = teller.course(&state, course);
-                let suppose = Step::Suppose { hypotheses_alone, then };
+                let what = match (finding, &equal) {
+                    (Finding::Vacuous, _) => Supposed::Hypotheses,
+                    (_, None) => Supposed::Failure,
+                    (_, Some(_)) => Supposed::NoValue,
+                };
+                let suppose = Step::Suppose { what, then };
                 equal.into_iter().chain([suppose]).collect()
             }
             Err(_) => Vec::new(),

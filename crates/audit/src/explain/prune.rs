@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use kane_kernel::{Atom, Poly, Sign, State};
 
-use crate::argument::{Argument, Rules as _};
+use crate::argument::{Argument, Course, Passage, Rules as _};
 
 /// The argument without what it does not use.
 pub(super) fn pruned(state: &State<'_, '_>, argument: &Argument) -> Argument {
@@ -103,6 +103,23 @@ fn prune(state: &State<'_, '_>, argument: &Argument, same: Same) -> Option<(Argu
             Some((argument.clone(), needed(argument)))
         }
     }
+}
+
+/// An argument after passages to limits, without the last of them if it does not use them.
+pub(crate) fn without_idle(
+    state: &State<'_, '_>,
+    mut passages: Vec<Passage>,
+    argument: &Argument,
+) -> Course {
+    let mut lean = argument.clone();
+    while let Some(last) = passages.len().checked_sub(1) {
+        let end = state.atoms.len() + last;
+        if needed(&lean).contains(&end) {
+            break;
+        }
+        (lean, _) = (lowered(lean, end + 1, 1), passages.pop());
+    }
+    Course::After(passages, lean)
 }
 
 /// Of two bounds of a variable one, where it is enough.

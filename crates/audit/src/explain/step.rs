@@ -26,6 +26,8 @@ pub struct Proof {
 pub enum Variable {
     /// the symbol with this index
     Symbol(usize),
+    /// the definition with this index
+    Definition(usize),
     /// a square root
     Root(Expr),
     /// the t > 0 that tends to 0
@@ -49,13 +51,27 @@ pub enum Source {
     Failure,
 }
 
+/// What is supposed and contradicts itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Supposed {
+    /// that the hypotheses hold
+    Hypotheses,
+    /// that the hypotheses hold and the claim does not
+    Failure,
+    /// that the hypotheses hold and a side of the claim has no value; where both have, they are equal
+    NoValue,
+}
+
 /// A step; what follows from it alone is inside of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
+    /// These definitions, by their indices, have values wherever the hypotheses hold, and stay as they are: what
+    /// follows is so for any values of them.
+    Kept(Vec<usize>),
     /// What a finding excludes is supposed, and contradicts itself.
     Suppose {
-        /// whether the hypotheses alone are supposed, not that the claim fails
-        hypotheses_alone: bool,
+        /// what is supposed
+        what: Supposed,
         /// the contradiction
         then: Vec<Self>,
     },

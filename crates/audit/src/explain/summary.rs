@@ -5,6 +5,7 @@ use kane_kernel::{Conclusion, Finding, Fuel, Goal, Link, scope, sides};
 
 use super::{FUEL, Means, Reason, Source, Variable, names, witness};
 use crate::argument::{Argument, Course, Grounds, SideArgument};
+use crate::prove::Kept;
 
 /// Where the formula with this index of a goal's state comes from.
 pub(super) fn source(goal: &Goal, i: usize) -> Source {
@@ -40,8 +41,22 @@ pub(crate) fn used(goal: &Goal, grounds: &Grounds, cited: usize) -> Vec<usize> {
     used
 }
 
-/// Grounds of an accepted finding in outline.
-pub(crate) fn reason(goal: &Goal, finding: Finding, grounds: &Grounds) -> Reason {
+/// Grounds of an accepted finding in outline, or what is shorter to read and shows more.
+pub(crate) fn reason(
+    goal: &Goal,
+    finding: Finding,
+    (grounds, kept): (&Grounds, Option<&Kept>),
+) -> Reason {
+    let Some(kept) = kept else { return alone(goal, finding, grounds) };
+    let mut reason = alone(&kept.goal, finding, &kept.grounds);
+    if let Reason::Contradiction(means) = &mut reason {
+        let variables = means.substituted.iter_mut().chain(&mut means.tables);
+        variables.for_each(|variable| kept.name(variable));
+    }
+    reason
+}
+
+fn alone(goal: &Goal, finding: Finding, grounds: &Grounds) -> Reason {
     match grounds {
         Grounds::Model(model) => witness::reason(goal, finding, model),
         Grounds::Limit(arguments) => limit(goal, arguments).unwrap_or(Reason::NoSide),

@@ -23,6 +23,7 @@ mod linear;
 mod pairs;
 mod parameter;
 mod ranges;
+mod retelling;
 mod sample;
 mod search;
 mod series;
@@ -35,14 +36,15 @@ mod witness;
 mod written;
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use kane_kernel::{
     Atom, Certificate, Conclusion, Evidence, Expr, Finding, Fuel, Goal, Limit, Link, Model, Poly,
     Rejection, Sentence, Side, Sign, State, check, claim_state, constants, digest, scope, sides,
 };
 
-use crate::Open;
 use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
+use crate::{Open, explain};
 
 /// Case distinctions on constants before what limits say of them is given up.
 const PASS_SPLITS: u32 = 2;
@@ -57,6 +59,7 @@ use functions::Effort;
 use germs::Germs;
 use hints::Hint;
 pub(crate) use hints::expanded;
+pub(crate) use retelling::Kept;
 use search::{Outcome, Search};
 
 pub use budget::Budget;
@@ -68,6 +71,8 @@ pub struct Decided {
     /// what the kernel accepted
     pub certificate: Certificate,
     pub(crate) grounds: Grounds,
+    /// a proof of more, if that is shorter to read
+    pub(crate) kept: Option<Rc<Kept>>,
 }
 
 /// What was found about a goal.
@@ -181,7 +186,7 @@ impl Prover<'_> {
     fn decide(&self, goal: &Goal, finding: Finding, grounds: Grounds, out: &mut Verdicts) -> bool {
         match self.accept(goal, finding, &grounds) {
             Ok(certificate) => {
-                out.decided = Some(Decided { certificate, grounds });
+                out.decided = Some(Decided { certificate, grounds, kept: None });
                 true
             }
             Err(why) => {
@@ -298,7 +303,7 @@ impl Prover<'_> {
         if !found.is_empty()
             && let Outcome::Closed(proof) = Search::new(self.budget.steps, &any, false).solve(&next)
         {
-            return Some(Course::After(found, proof));
+            return Some(explain::without_idle(state, found, &proof));
         }
         let splits = splits.checked_sub(1)?;
         let lead = germs.iter().find_map(|side| {
@@ -324,6 +329,7 @@ impl Prover<'_> {
         let mut out = Verdicts::default();
         if let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, &mut out) {
             self.decide(goal, Finding::Proved, grounds, &mut out);
+            self.retell(goal, &mut out);
         }
         if out.decided.is_none() && out.open.is_none() {
             out.open = Some(Open::NoProof(self.budget.steps));
@@ -371,6 +377,7 @@ impl Prover<'_> {
             && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, out)
             && self.decide(goal, Finding::Proved, grounds, out)
         {
+            self.retell(goal, out);
             return;
         }
         let near = self.witness(goal, Finding::IllDefined, Ways::Near, out)

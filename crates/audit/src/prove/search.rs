@@ -25,8 +25,9 @@ pub(crate) enum Outcome {
     Open,
 }
 
-/// How little an elimination is liked: kept variables, leads that vary, constants, size.
-type Score = (u32, usize, usize, usize);
+/// How little an elimination is liked: place among what is defined, kept variables, leads that vary, constants (the
+/// other way round where something is defined), size.
+type Score = (usize, u32, usize, usize, usize);
 
 /// A step that has one successor.
 #[derive(Clone, Debug)]
@@ -64,6 +65,8 @@ pub(crate) struct Search<'a> {
     pub(crate) widest: usize,
     /// variables better kept, with a weight: those that the claim is about
     pub(crate) keep: Vec<(usize, u32)>,
+    /// symbols that premises define: they are replaced first, in this order
+    pub(crate) defined: Vec<usize>,
     /// whether ideals may be computed
     pub(crate) ideals: bool,
     /// whether products of premises and boxes may be tried
@@ -105,6 +108,7 @@ impl<'a> Search<'a> {
             proofs: true,
             widest: 2000,
             keep: Vec::new(),
+            defined: Vec::new(),
             ideals: false,
             products: true,
             squares: Fuel::new(0),
@@ -214,7 +218,8 @@ impl<'a> Search<'a> {
         splits: u32,
     ) -> Outcome {
         if let Some(proof) = tactics::quick_among(state, fresh) {
-            return Outcome::Closed(proof);
+            let further = self.sides_agree(state, &proof, &pending, trail, splits);
+            return Outcome::Closed(further.unwrap_or(proof));
         }
         if !pending.is_empty() {
             let size = |f: &usize| state.formulas[*f].len();
@@ -254,6 +259,28 @@ impl<'a> Search<'a> {
             }
         }
         self.leaf(state, trail, splits)
+    }
+
+    /// Where a proof is to be read and a sum would close the state, the proof by further replacements instead, if
+    /// they end with two sides that are the same.
+    fn sides_agree(
+        &self,
+        state: &State<'_, '_>,
+        sum: &Argument,
+        pending: &[usize],
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Option<Argument> {
+        if self.defined.is_empty() || !matches!(sum, Argument::Positive { .. }) {
+            return None;
+        }
+        let (step, next, elimination) = self.simplify(state)?;
+        let trail: Vec<Elimination> = trail.iter().cloned().chain(elimination).collect();
+        let fresh = changed(state, &next);
+        match self.run(&next, &fresh, pending.to_vec(), &trail, splits) {
+            Outcome::Closed(proof) if ends_absurd(&proof) => Some(step.wrap(proof)),
+            _ => None,
+        }
     }
 
     /// One branch a sign of a polynomial.
@@ -296,9 +323,18 @@ impl<'a> Search<'a> {
         let mut best: Option<(Score, usize, usize, Factors)> = None;
         for (i, v, d, size) in self.linear(state) {
             let kept = self.keep.iter().find(|k| k.0 == v).map_or(0, |k| k.1);
-            let is_function = state.scope.context.vars.get(v).is_some_and(|w| w.of.is_some());
+            let var = state.scope.context.vars.get(v);
+            let is_function = var.is_some_and(|w| w.of.is_some());
             let class = usize::from(!d.is_constant());
-            let score = (kept, class, usize::from(!is_function), size);
+            let place = self.defined.iter().position(|d| *d == v);
+            let (place, kept) = place.map_or((self.defined.len(), kept), |place| (place, 0));
+            // where a proof is to be read, what varies goes first, and what has a range last
+            let (first, second) = match self.defined.is_empty() {
+                true => (class, usize::from(!is_function)),
+                false if is_function => (0, class),
+                false => (1 + usize::from(var.is_some_and(|w| w.lower.is_some())), class),
+            };
+            let score = (place, kept, first, second, size);
             if best.as_ref().is_none_or(|b| score < b.0)
                 && let Some(lead) = leading(state, &d)
             {
@@ -429,6 +465,15 @@ impl<'a> Search<'a> {
             let open = if d.len() == 1 { vars.find(|v| !known(v)) } else { None };
             open.unwrap_or_else(|| d.primitive().1)
         })
+    }
+}
+
+/// Whether an argument of one branch ends with a false constant.
+fn ends_absurd(argument: &Argument) -> bool {
+    match argument {
+        Argument::Absurd(_) => true,
+        Argument::Substitute { then, .. } | Argument::Cancel { then, .. } => ends_absurd(then),
+        _ => false,
     }
 }
 

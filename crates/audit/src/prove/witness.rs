@@ -63,7 +63,7 @@ impl Prover<'_> {
 
     /// Has a witness count for all premises that the goal rests on, if the kernel accepts it for them.
     pub(crate) fn of_all(&self, found: &mut Verdicts) {
-        let Some(Decided { certificate, grounds }) = &mut found.decided else { return };
+        let Some(Decided { certificate, grounds, .. }) = &mut found.decided else { return };
         if found.behind_met
             && matches!(grounds, Grounds::Model(_))
             && let Ok(of_all) = self.accept(self.resting, certificate.finding, grounds)
@@ -122,7 +122,7 @@ impl Prover<'_> {
     pub(super) fn counterexample(&self, goal: &Goal, out: &Verdicts) -> Option<Decided> {
         let grounds = Grounds::Model(out.model.clone()?);
         let certificate = self.accept(goal, Finding::Refuted, &grounds).ok()?;
-        Some(Decided { certificate, grounds })
+        Some(Decided { certificate, grounds, kept: None })
     }
 
     /// Looks for a model of the hypotheses; `true` if they are contradictory instead.

@@ -95,7 +95,9 @@ impl Reader {
                     ));
                 }
                 let slope = rate(side, t, &self.scope);
-                slopes.push(slope.map_err(|kind| (kind.to_string(), Some(kind)))?);
+                let slope = slope.map_err(|kind| (kind.to_string(), Some(kind)))?;
+                self.scope.note_derivative(&slope, side, t);
+                slopes.push(slope);
             }
             let [lhs, rhs] = <[Expr; 2]>::try_from(slopes).unwrap_or([Expr::int(0), Expr::int(0)]);
             links.push(Link::Relation(Relation { lhs, rel: Rel::Eq, rhs }));

@@ -75,7 +75,10 @@ fn methods(group: &[(&Measured, bool)]) -> Table {
             if exact { String::new() } else { format!("{:.3e}", accuracy.at) },
             measured.method.system.to_string(),
             measured.method.name,
-            Words::code(form_of(&measured.method)),
+            match measured.method.is_law {
+                true => Words::from(form_of(&measured.method)),
+                false => Words::formula(form_of(&measured.method)),
+            },
         ]
         .toned(if *on_front { Tone::Good } else { Tone::Plain })
     };

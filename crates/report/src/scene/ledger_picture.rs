@@ -17,12 +17,13 @@ const PARTS: [(&str, Pen); 5] = [
 const KINETIC: Pen = Pen::new(Ink::Text, 1.5);
 
 /// The ledger as SVG: what impacts have done to the energy so far, by part, what gravity and the air have, and the sum, which is
-/// the change of the kinetic energy; `None` without impacts to show.
+/// the change of the kinetic energy; `None` without impacts
+/// after the start.
 #[must_use]
 pub fn ledger_picture(report: &SceneReport<'_>) -> Option<String> {
     let sums: &[Bounced] = &report.answer.sums;
     // a while after the last impact, so that its step is seen
-    let end = sums.last()?.time * 1.06;
+    let end = sums.last().map(|last| last.time * 1.06).filter(|end| *end > 0.0)?;
     let curve = |name: &str, pen: Pen, of: &dyn Fn(&Bounced) -> f64| {
         let steps = sums.iter().map(|sum| (sum.time, of(sum)));
         let steps: Vec<Point> = std::iter::once((0.0, 0.0)).chain(steps).collect();

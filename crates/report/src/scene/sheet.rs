@@ -30,7 +30,7 @@ pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
             super::picture(report).map_or_else(String::new, |drawn| drawn.svg)
         });
     }
-    if !answer.bounces.is_empty() {
+    if answer.sums.last().is_some_and(|last| last.time > 0.0) {
         sheet.figure("ledger", "Energy", || ledger_picture(report).unwrap_or_default());
     }
     sheet.heading("models", "Models");

@@ -5,10 +5,61 @@ use kane_scene::Quantity;
 use maud::{Markup, PreEscaped, html};
 
 /// Greek letters that formulas of reports have, as they are typed.
-const GREEK: [&str; 9] = ["alpha", "beta", "gamma", "eta", "theta", "mu", "phi", "psi", "omega"];
+const GREEK: [&str; 10] =
+    ["alpha", "beta", "gamma", "eta", "theta", "mu", "phi", "psi", "omega", "Delta"];
 
 /// Text with its symbols as formulas: `W_tn`, `alpha`; and quantities of scenes without their units: `omega_rad_s`.
 pub(super) fn typeset(text: &str) -> Markup {
+    // what stands between backticks is what a file says
+    let pieces = text.split('`');
+    if pieces.clone().count() % 2 == 0 {
+        return set(text, &name);
+    }
+    html! {
+        @for (number, piece) in pieces.enumerate() {
+            @if number % 2 == 1 { code { (piece) } } @else { (set(piece, &name)) }
+        }
+    }
+}
+
+/// A formula as it is typed, `1 - 2*alpha/(1 + alpha)`, as in print: letters alone are symbols in it.
+pub(super) fn formula(text: &str) -> Markup {
+    let text = text.replace(" - ", " − ").replace("(-", "(−");
+    let text = text.strip_prefix('-').map_or(text.clone(), |rest| format!("−{rest}"));
+    set(&text, &|piece| name(piece).or_else(|| symbol(piece)))
+}
+
+/// What names a piece of text, or nothing where it is a word.
+type Naming<'n> = &'n dyn Fn(&str) -> Option<Markup>;
+
+fn set(text: &str, name: Naming<'_>) -> Markup {
+    let Some((base, behind)) = text.split_once('^') else { return flat(text, name) };
+    let (power, rest) = behind.split_at(exponent(behind));
+    if power.is_empty() {
+        return flat(text, name);
+    }
+    let bare = power.strip_prefix('(').and_then(|power| power.strip_suffix(')')).unwrap_or(power);
+    html! { (flat(base, name)) sup { (set(bare, name)) } (set(rest, name)) }
+}
+
+/// How long the exponent is that a text begins with: a number or a name, or what is in parentheses.
+fn exponent(text: &str) -> usize {
+    if text.starts_with('(') {
+        let mut depth = 0;
+        let closes = |c: char| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            depth == 0
+        };
+        return text.find(closes).map_or(0, |end| end + 1);
+    }
+    let unsigned = text.strip_prefix('-').unwrap_or(text);
+    let inside = |c: char| c.is_ascii_alphanumeric() || c == '.';
+    let run = &unsigned[..unsigned.find(|c| !inside(c)).unwrap_or(unsigned.len())];
+    let run = run.trim_end_matches('.');
+    if run.is_empty() { 0 } else { text.len() - unsigned.len() + run.len() }
+}
+
+fn flat(text: &str, name: Naming<'_>) -> Markup {
     let is_inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut pieces = Vec::new();
     let mut rest = text;
@@ -19,11 +70,26 @@ pub(super) fn typeset(text: &str) -> Markup {
         pieces.push(if is_inside(first) {
             name(piece).unwrap_or_else(|| html! { (piece) })
         } else {
-            html! { (signs(piece, before == 0, after)) }
+            html! { (operators(&signs(piece, before == 0, after))) }
         });
         rest = after;
     }
     html! { @for piece in &pieces { (piece) } }
+}
+
+/// Comparisons as in print, and a point for a star between factors.
+fn operators(between: &str) -> String {
+    let mut out = between.to_owned();
+    for (typed, sign) in [("<=", "≤"), (">=", "≥"), ("!=", "≠"), ("->", "→")] {
+        out = out.replace(typed, sign);
+    }
+    let joins = |star: usize| !out[..star].ends_with(' ') && !out[star + 1..].starts_with(' ');
+    match out.find('*') {
+        Some(star) if joins(star) && (between.len() > 1 || between == "*") => {
+            out.replacen('*', "·", 1)
+        }
+        _ => out,
+    }
 }
 
 /// A name of a program as people write it; nothing if it is a word.
@@ -77,6 +143,18 @@ mod tests {
         for words in ["a law of k", "smith-1991", "two_spheres.toml", "x_", "<b>", "2-3"] {
             assert_eq!(set(words), words.replace('<', "&lt;").replace('>', "&gt;"));
         }
+    }
+
+    #[test]
+    fn formulas_have_exponents_and_signs_as_in_print() {
+        let form =
+            |text: &str| formula(text).into_string().replace("<math>", "").replace("</math>", "");
+        assert_eq!(form("1 - 2*a/(1 + a)^2"), "1 − 2·<mi>a</mi>/(1 + <mi>a</mi>)<sup>2</sup>");
+        assert_eq!(form("x^(n - 1) >= 0"), "<mi>x</mi><sup><mi>n</mi> − 1</sup> ≥ 0");
+        assert_eq!(set("2^-149 or 10^6."), "2<sup>−149</sup> or 10<sup>6</sup>.");
+        assert_eq!(set("* nothing is better; <= 1"), "* nothing is better; ≤ 1");
+        assert_eq!(set("x^ and (y^"), "x^ and (y^");
+        assert_eq!(set("its `loss_x`."), "its <code>loss_x</code>.");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::ops::Add;
 
 use maud::{Markup, html};
 
-use super::symbols::{name, typeset};
+use super::symbols::{formula, name, typeset};
 use crate::{markdown, tex};
 
 /// Words in a row.
@@ -17,8 +17,10 @@ pub(crate) struct Words {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Span {
     Plain(String),
-    /// a name or a formula as it is typed
+    /// a name as it is typed
     Code(String),
+    /// a formula as it is typed
+    Formula(String),
     Strong(String),
     /// words that lead to another file, by its relative address
     Link {
@@ -55,7 +57,12 @@ impl<T: Into<Self>> Add<T> for Words {
 }
 
 impl Words {
-    /// A name or a formula as it is typed.
+    /// A formula as it is typed; pages set it as in print.
+    pub(crate) fn formula(text: impl Into<String>) -> Self {
+        Self { spans: vec![Span::Formula(text.into())], tone: Tone::Plain }
+    }
+
+    /// A name as it is typed.
     pub(crate) fn code(text: impl Into<String>) -> Self {
         Self { spans: vec![Span::Code(text.into())], tone: Tone::Plain }
     }
@@ -87,9 +94,9 @@ impl Words {
     pub(crate) fn markdown(&self) -> String {
         let span = |span: &Span| match span {
             Span::Plain(text) => markdown::escape(text),
-            Span::Code(text) if text.is_empty() => String::new(),
+            Span::Code(text) | Span::Formula(text) if text.is_empty() => String::new(),
             // a bar ends a cell even within code
-            Span::Code(text) => markdown::code(text).replace('|', "\\|"),
+            Span::Code(text) | Span::Formula(text) => markdown::code(text).replace('|', "\\|"),
             Span::Strong(text) => format!("**{}**", markdown::escape(text)),
             // an address within angle brackets may hold anything but these and line ends
             Span::Link { words, to } => format!("[{}](<{to}>)", markdown::escape(words)),
@@ -106,6 +113,7 @@ impl Words {
                         Some(said) => span title=(text) { (said) },
                         None => code { (text) },
                     },
+                    Span::Formula(text) => (formula(text)),
                     Span::Strong(text) => strong { (text) },
                     Span::Link { words, to } => a href=(to) { (words) },
                 }
@@ -116,7 +124,9 @@ impl Words {
     pub(crate) fn latex(&self) -> String {
         let span = |span: &Span| match span {
             Span::Plain(text) => tex::escape(text),
-            Span::Code(text) => format!("\\texttt{{{}}}", tex::escape(text)),
+            Span::Code(text) | Span::Formula(text) => {
+                format!("\\texttt{{{}}}", tex::escape(text))
+            }
             Span::Strong(text) => format!("\\textbf{{{}}}", tex::escape(text)),
             Span::Link { words, .. } => tex::escape(words),
         };
@@ -127,7 +137,7 @@ impl Words {
 impl Span {
     fn text(&self) -> &str {
         match self {
-            Self::Plain(text) | Self::Code(text) | Self::Strong(text) => text,
+            Self::Plain(text) | Self::Code(text) | Self::Formula(text) | Self::Strong(text) => text,
             Self::Link { words, .. } => words,
         }
     }

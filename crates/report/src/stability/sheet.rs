@@ -53,7 +53,7 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
         let several = betters.len() > 1;
         let better = |(index, better): (usize, &String)| {
             let letter = if several { format!("{} ", letter(index)) } else { String::new() };
-            Line::new("better", Words::from(letter) + Words::code(better))
+            Line::new("better", Words::from(letter) + Words::formula(better))
         };
         sheet.labelled(betters.iter().enumerate().map(better).collect());
     }
@@ -79,7 +79,7 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
 /// The label of a formula, unless that is what it is a formula of, and the equation.
 fn equation(entry: &Entry<'_>) -> Words {
     let formula = entry.formula;
-    let equation = Words::code(format!("{} = {}", formula.quantity, formula.text));
+    let equation = Words::formula(format!("{} = {}", formula.quantity, formula.text));
     if formula.label == formula.quantity {
         equation
     } else {

@@ -50,7 +50,8 @@ impl Teller<'_> {
         closed: impl Iterator<Item = (&'b Branch<'b>, &'b Sentence)>,
     ) {
         let (mut together, mut apart): (Vec<Sentence>, Vec<Sentence>) = (Vec::new(), Vec::new());
-        for (branch, brief) in closed {
+        // a case that contradicts itself is none
+        for (branch, brief) in closed.filter(|(branch, _)| !contradicts_itself(branch)) {
             let (all, told) = match self.by_others(branch) {
                 Some(told) => (&mut together, told),
                 None => (&mut apart, self.atoms(&branch.atoms).end(":").and(brief.clone())),
@@ -153,6 +154,19 @@ impl Teller<'_> {
     fn is_told_as(&self, a: &[Step], b: &[Step]) -> bool {
         a == b || steps(a) + steps(b) <= MOST_COMPARED && self.told(a) == self.told(b)
     }
+}
+
+/// Whether what a branch assumes is all that is needed against it, and needs no argument.
+fn contradicts_itself(branch: &Branch<'_>) -> bool {
+    let [step] = branch.then else { return false };
+    let clash: Vec<&Atom> = match step {
+        Step::Clash(atoms) => atoms.iter().collect(),
+        Step::Factors { atom, factors } => {
+            std::iter::once(atom).chain(factors.iter().map(|f| &f.0)).collect()
+        }
+        _ => return false,
+    };
+    clash.iter().all(|atom| branch.atoms.contains(atom))
 }
 
 /// Steps of two branches of which it is asked whether they read alike.

@@ -55,6 +55,10 @@ impl Formulas {
         for (v, variable) in variables.iter().enumerate().skip(symbols) {
             let (name, set) = match variable {
                 Variable::Root(root) => (root.plain(context), all.bare(root)),
+                Variable::Definition(i) => {
+                    let definition = Expr::Let(*i);
+                    (definition.plain(context), all.bare(&definition))
+                }
                 Variable::Germ => {
                     all.germ = v;
                     ("t".to_owned(), all.letter("t"))

@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 use std::iter::Peekable;
 use std::slice::Iter;
 
-use kane_audit::{Held, Source, Step};
-use kane_kernel::{Atom, Root};
+use kane_audit::{Held, Source, Step, Supposed};
+use kane_kernel::{Atom, Expr, Root, Sign};
 use num_traits::Zero as _;
 
 use super::formula::Formulas;
@@ -30,7 +30,8 @@ pub(super) fn lines(
     let of = |form| Formulas::new(form, context, &proof.variables).named(&shapes);
     let (set, plain) = (of(form), of(Form::Plain));
     let pen = Pen { set: &set, plain: &plain };
-    let mut teller = Teller { labels, pen: &pen, lines: Vec::new(), explained: false };
+    let mut teller =
+        Teller { labels, pen: &pen, lines: Vec::new(), explained: false, no_value: false };
     teller.all(0, &proof.steps);
     let mut lines = teller.lines;
     for (name, terms, told) in set.legend() {
@@ -100,8 +101,8 @@ impl Teller<'_> {
 
     /// The lines of steps, told apart from the others.
     pub(super) fn told(&self, steps: &[Step]) -> Vec<Line> {
-        let Self { labels, pen, .. } = *self;
-        let mut teller = Teller { labels, pen, lines: Vec::new(), explained: true };
+        let Self { labels, pen, no_value, .. } = *self;
+        let mut teller = Teller { labels, pen, lines: Vec::new(), explained: true, no_value };
         teller.all(0, steps);
         teller.lines
     }
@@ -109,13 +110,15 @@ impl Teller<'_> {
     /// Steps with others inside them.
     fn nested(&mut self, depth: usize, step: &Step) {
         match step {
-            Step::Suppose { hypotheses_alone, then } => {
-                let what = match hypotheses_alone {
-                    true => "all hypotheses hold",
-                    false => "the hypotheses hold and the claim does not",
+            Step::Suppose { what: supposed, then } => {
+                let what = match supposed {
+                    Supposed::Hypotheses => "all hypotheses hold",
+                    Supposed::Failure => "the hypotheses hold and the claim does not",
+                    Supposed::NoValue => "the hypotheses hold and a side has no value",
                 };
                 let what = format!("Suppose that {what}. This is contradictory:");
                 self.say(depth, Sentence::of(&what));
+                self.no_value = *supposed == Supposed::NoValue;
                 self.all(depth + 1, then);
             }
             Step::Cases { source, cases } => {
@@ -230,6 +233,15 @@ impl Teller<'_> {
                         reduce.and(Sentence::of("This leaves")).and(self.atoms(leaves)).end(".")
                     }
                 }
+            }
+            Step::Kept(definitions) => {
+                let names = self.pen.write(|f| {
+                    let names = definitions.iter().map(|i| f.expr(&Expr::Let(*i)));
+                    names.collect::<Vec<_>>().join(", ")
+                });
+                names.and(Sentence::of(
+                    "stay as they are: what follows is so for any values of theirs.",
+                ))
             }
             Step::Suppose { .. }
             | Step::Cases { .. }
@@ -418,7 +430,8 @@ impl Teller<'_> {
         if atoms.is_empty() {
             return Sentence::of("nothing more");
         }
-        Sentence::list(atoms.iter().map(|a| self.atom(a)).collect())
+        let said = atoms.iter().filter(|a| !atoms.iter().any(|b| says_more(b, a)));
+        Sentence::list(said.map(|a| self.atom(a)).collect())
     }
 
     /// What a formula stands for.
@@ -433,8 +446,20 @@ impl Teller<'_> {
                     format!("the limit in {}", label(h).unwrap_or_else(|| "a given".to_owned()))
                 }
                 Source::Condition => "the condition of the claim".to_owned(),
+                Source::Failure if self.no_value => "a side has no value".to_owned(),
                 Source::Failure => "the claim fails".to_owned(),
             }
         })
     }
+}
+
+/// Whether a condition is that a polynomial is positive, and another that the same is not negative or not 0.
+fn says_more(strict: &Atom, other: &Atom) -> bool {
+    let (p, q) = (strict.poly.primitive().1, other.poly.primitive().1);
+    strict.sign == Sign::Positive
+        && match other.sign {
+            Sign::NonNegative => p == q,
+            Sign::NonZero => p == q || p == q.neg(),
+            Sign::Zero | Sign::Positive => false,
+        }
 }

@@ -13,6 +13,8 @@ pub(super) struct Teller<'a> {
     pub(super) lines: Vec<Line>,
     /// whether it was said what brackets stand for
     pub(super) explained: bool,
+    /// whether it is supposed that a side of the claim has no value
+    pub(super) no_value: bool,
 }
 
 impl Teller<'_> {
