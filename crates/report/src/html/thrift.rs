@@ -24,7 +24,9 @@ pub(crate) fn shortened(page: &str) -> String {
         }
     }
     out.push_str(rest);
-    out
+    // an identifier of one sign is set as a parenthesis that does not stretch
+    out.replace("<mo stretchy=false>(</mo>", "<mi>(</mi>")
+        .replace("<mo stretchy=false>)</mo>", "<mi>)</mi>")
 }
 
 /// Shapes of SVG that have no content.
@@ -129,6 +131,7 @@ mod tests {
                 "<rect x=\"1\" y=\"2\"></rect><text x=\"1\"></text>",
                 "<rect x=1 y=2 /><text x=1></text>",
             ),
+            ("<mo stretchy=\"false\">(</mo><mi>a</mi>", "<mi>(</mi><mi>a</mi>"),
             ("<path d=\"M0 0\"/><circle r=\"5\"/>", "<path d=\"M0 0\" /><circle r=5 />"),
         ] {
             assert_eq!(shortened(page), short);

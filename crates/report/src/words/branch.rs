@@ -21,7 +21,7 @@ impl Teller<'_> {
         let alone = open(&briefs) == 1;
         let head = (!alone).then(|| {
             let count = format!("one of {} cases.", branches.len());
-            self.source(source).end(":").and(Sentence::of(&count))
+            self.source(source).end(":").begun().and(Sentence::of(&count))
         });
         let closed = branches.iter().zip(&briefs);
         let closed = closed.filter_map(|(branch, brief)| Some((branch, brief.as_ref()?)));

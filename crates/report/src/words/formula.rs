@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
 use super::decimal::decimal;
+use super::fences::tight;
 use super::shape::{Shapes, sum};
 use super::{Form, words};
 
@@ -537,6 +538,7 @@ fn in_math(left: &str, relation: &str, right: &str) -> String {
 
 /// A formula in MathML. A number alone needs no setting, and a group alone is none.
 fn math(inside: &str) -> String {
+    let inside = &tight(inside);
     let (sign, unsigned) = match inside.strip_prefix("<mo>−</mo>") {
         Some(rest) => ("−", rest),
         None => ("", inside),

@@ -35,6 +35,19 @@ impl Sentence {
         self
     }
 
+    /// The sentence with a capital letter where it begins with an article, and not with a label or a formula.
+    pub(super) fn begun(mut self) -> Self {
+        if let Some(first) = self.0.first_mut() {
+            for (article, capital) in [("the ", "The "), ("a ", "A ")] {
+                if let Some(rest) = first.set.strip_prefix(article) {
+                    first.set = format!("{capital}{rest}");
+                    break;
+                }
+            }
+        }
+        self
+    }
+
     /// Adds letters without a blank before them.
     pub(super) fn end(mut self, letters: &str) -> Self {
         if let Some(last) = self.0.last_mut() {

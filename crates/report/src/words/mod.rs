@@ -6,6 +6,7 @@
 mod attempt;
 mod branch;
 mod decimal;
+mod fences;
 mod formula;
 mod lines;
 mod point;

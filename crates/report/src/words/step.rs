@@ -217,7 +217,7 @@ impl Teller<'_> {
     fn sentence(&self, step: &Step) -> Option<Sentence> {
         Some(match step {
             Step::Assume { source, atoms } => {
-                self.source(*source).end(":").and(self.atoms(atoms)).end(".")
+                self.source(*source).end(":").begun().and(self.atoms(atoms)).end(".")
             }
             Step::Solve { solved, divided, leaves } => {
                 self.solved(solved, divided, self.atoms(leaves), leaves.is_empty()).end(".")
@@ -290,7 +290,7 @@ impl Teller<'_> {
                 _ => return None,
             },
             Step::Assume { source, atoms } => match &atoms[..] {
-                [left] => (self.source(*source).end(":").and(self.atom(left)), left),
+                [left] => (self.source(*source).end(":").begun().and(self.atom(left)), left),
                 _ => return None,
             },
             _ => return None,
