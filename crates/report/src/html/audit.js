@@ -9,12 +9,24 @@
   const chosen = (name) => new Set(boxes.filter((box) => box.name === name && box.checked).map((box) => box.value));
   const statements = all("article[data-v]");
   const told = form.querySelector("output");
+  // headings, each with what stands under it, for a heading over nothing is hidden
+  const parts = all("main > :is(h2, h3, h4, h5), main [data-v]").filter((part) => !part.parentElement.closest("[data-v]"));
+  const isHeading = (part) => part.dataset.v === undefined;
+  const under = parts.map((heading, at) => {
+    const rest = isHeading(heading) ? parts.slice(at + 1) : [];
+    const end = rest.findIndex((part) => isHeading(part) && part.tagName <= heading.tagName);
+    return rest.slice(0, end < 0 ? rest.length : end).filter((part) => !isHeading(part));
+  });
   const apply = () => {
     const [on, from] = [chosen("v"), chosen("o")];
     for (const part of all("[data-v]")) {
       const { v, o } = part.dataset;
       part.classList.toggle("off", !on.has(v) || (o !== undefined && !from.has(o)));
     }
+    under.forEach((below, at) => {
+      const isOff = (part) => part.classList.contains("off");
+      if (below.length > 0) parts[at].classList.toggle("off", below.every(isOff));
+    });
     const seen = statements.filter((s) => !s.classList.contains("off"));
     told.textContent = `${seen.length} of ${statements.length} statements`;
     const names = new Set(seen.map((s) => "#" + s.id));
