@@ -125,6 +125,15 @@ impl Teller<'_> {
             let told = self.pen.write(|f| format!("Distinguish the sign of {}:", f.poly(poly)));
             self.say(depth, told);
         }
+        let closed = groups.iter().zip(&briefs).filter(|(_, brief)| brief.is_some());
+        let plainly = closed.map(|((_, then), _)| then.as_slice()).all(is_plain);
+        if let (1, true, Some(at)) = (open, plainly, briefs.iter().position(Option::is_none)) {
+            let (signs, then) = &groups[at];
+            let why = "by the ranges of its symbols or what is said of it.";
+            let left = Sentence::of("There is left").and(self.sign(poly, signs)).end(",");
+            self.say(depth, left.and(Sentence::of(why)));
+            return self.all(depth, then);
+        }
         let inner = if open > 1 { depth + 1 } else { depth };
         for ((signs, _), brief) in groups.iter().zip(&briefs) {
             if let Some(brief) = brief {
@@ -153,6 +162,15 @@ impl Teller<'_> {
     /// Whether two branches are told in the same words.
     fn is_told_as(&self, a: &[Step], b: &[Step]) -> bool {
         a == b || steps(a) + steps(b) <= MOST_COMPARED && self.told(a) == self.told(b)
+    }
+}
+
+/// Whether a sign contradicts the ranges of the symbols, all terms having the other, or another condition on the same polynomial.
+fn is_plain(then: &[Step]) -> bool {
+    match then {
+        [Step::SignsOfCoefficients { bounds, sum: None, .. }] => bounds.is_empty(),
+        [Step::Clash(_)] => true,
+        _ => false,
     }
 }
 

@@ -538,7 +538,7 @@ fn in_math(left: &str, relation: &str, right: &str) -> String {
 
 /// A formula in MathML. A number alone needs no setting, and a group alone is none.
 fn math(inside: &str) -> String {
-    let inside = &tight(inside);
+    let inside = &*tight(inside);
     let (sign, unsigned) = match inside.strip_prefix("<mo>−</mo>") {
         Some(rest) => ("−", rest),
         None => ("", inside),
