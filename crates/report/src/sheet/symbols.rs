@@ -12,7 +12,7 @@ const GREEK: [&str; 10] =
 pub(super) fn typeset(text: &str) -> Markup {
     // what stands between backticks is what a file says
     let pieces = text.split('`');
-    if pieces.clone().count() % 2 == 0 {
+    if pieces.clone().count().is_multiple_of(2) {
         return set(text, &name);
     }
     html! {
