@@ -145,25 +145,3 @@ def allows(symbol, at, above):
     if above:
         return (low is None or low[0] <= at) and (high is None or at < high[0])
     return (low is None or low[0] < at) and (high is None or at <= high[0])
-
-
-def rational(expression, reader):
-    """The value of an expression of numbers alone."""
-    kind = expression[0]
-    if kind == "num":
-        return Fraction(expression[1], expression[2])
-    if kind in ("neg", "add", "sub", "mul", "div", "pow"):
-        values = [rational(part, reader) for part in parts(expression)]
-        if kind == "neg":
-            return -values[0]
-        if kind == "add":
-            return values[0] + values[1]
-        if kind == "sub":
-            return values[0] - values[1]
-        if kind == "mul":
-            return values[0] * values[1]
-        if kind == "div" and values[1]:
-            return values[0] / values[1]
-        if kind == "pow" and abs(expression[2]) < 1000 and (values[0] or expression[2] >= 0):
-            return values[0] ** expression[2]
-    return reader.fail("expected a rational number")

@@ -6,10 +6,11 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from .blocks import statements
-from .bounds import allows, pi_bounds, rational
-from . import angles, arrays, bounds, exponentials, logic, motion, sequences, sums, templates, terms
+from .bounds import allows, pi_bounds
+from . import angles, arrays, bounds, exponentials, logic, motion, sequences, shift, sums, templates, terms
 from .units import Units, read as read_unit
-from .errors import Rejected, Unreadable
+from .errors import Rejected, Unreadable, demand
+from .evidence import text as written_text
 from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
 from .ties import Ties
 
@@ -43,6 +44,7 @@ class Statement:
     form: str = "relations"  # or "contradiction", "not implied"
     other: "Statement" = None  # what is not implied
     variable: str = None  # of its limits
+    moving: str = None  # what tends to a point that is no number, where the variable is its distance
     at: Fraction = None  # None is infinity
     sides: tuple = ()  # True is from above, and oo
     when: tuple = ()
@@ -50,6 +52,7 @@ class Statement:
     expect: str = None
     derived_from: "Statement" = None  # of which premise it is the derivative
     exists: bool = False  # a witness is put in, and only a proof decides
+    sought: tuple = ()  # the names for which the certificate has a witness
     range: tuple = None  # (index, its first value)
     induction: tuple = None  # the same, of a claim that is to be shown so
 
@@ -60,6 +63,14 @@ class Statement:
     @cached_property
     def limits(self):
         return [item for item in self.items if item[0] == "->"]
+
+    def put_in(self, witnesses):
+        """Puts expressions in the place of what is bound."""
+        self.items = [
+            (sign, *(templates.replaced(side, witnesses) for side in sides)) for sign, *sides in self.items
+        ]
+        for known in ("relations", "limits"):
+            self.__dict__.pop(known, None)
 
     def expressions(self):
         """All expressions that it consists of."""
@@ -77,6 +88,7 @@ class Document:
         orders = {}  # how often functions are differentiated
         self.exponents = {}  # what is exponentiated, in how many parts, and what has a logarithm
         self.limited = set()  # the variables of limits
+        self.shifted = set()  # what tends to points that are no numbers
         self.alone = set()  # angles that stand by themselves, too
         self.sums, self.count = [], 0  # sums up to an index, and in which statement they are met
         self.powers = set()  # bases and indices of powers
@@ -111,6 +123,8 @@ class Document:
                 if any(met.name == name for name, _ in self.sums):
                     raise Unreadable(f"`{met.name}` is used above what it speaks of") from None
                 self.sums.append((met.name, self.count))
+            except shift.Met as met:
+                self.shifted.add(met.name)
             except motion.MetRate as met:
                 name, order = met.name, 1
                 while name in self.rate_of:
@@ -315,6 +329,8 @@ class Document:
             self.ranges[symbol.name] = Statement("given", f"bounds {symbol.name}", said)
             self.add(self.ranges[symbol.name])
         self.declare_rates(symbol)
+        if symbol.name in self.shifted:
+            self.declare(Symbol(shift.distance(symbol.name), unit=symbol.unit))
 
     def declare_exponentials(self, reader):
         """The exponentials and logarithms whose symbols are known by now, and the `given` of each."""
@@ -534,9 +550,15 @@ class Document:
             self.claims.append(statement)
 
     def put_witnesses(self, statement, names, reader):
-        """Reads `by y := …` and puts the witnesses in."""
+        """Reads `by y := …` and puts the witnesses in; without it they are left to the certificate."""
         found = {}
-        reader.expect("by")
+        said = [side for item in statement.items for side in item[1:]]
+        if not reader.take("by"):
+            if any(bounds.has_derivative(e, self) for e in said):
+                reader.fail("beside a derivative nothing is looked for")
+            self.all_used(names, said, reader)
+            statement.sought = names
+            return
         while True:
             name = reader.name()
             if name not in names or name in found:
@@ -547,12 +569,18 @@ class Document:
                 break
         if len(found) < len(names):
             reader.fail("a witness is missing")
-        self.all_used(names, [side for item in statement.items for side in item[1:]], reader)
-        witnesses = [found[name] for name in names]
-        statement.items = [
-            (sign, *(templates.replaced(side, witnesses) for side in sides))
-            for sign, *sides in statement.items
-        ]
+        self.all_used(names, said, reader)
+        statement.put_in([found[name] for name in names])
+
+    def find(self, statement, witness):
+        """Puts in what a certificate names for something that is looked for."""
+        demand(isinstance(witness, dict) and set(witness) == set(statement.sought), "a witness for each name is expected")
+        values = [self.expression(written_text(witness[name])) for name in statement.sought]
+        spoken = set().union(*map(self.mentioned, statement.expressions()))
+        demand(all(self.mentioned(value) <= spoken for value in values), "a witness speaks of something else")
+        demand(not any(bounds.has_derivative(e, self) for e in values), "a witness is no derivative")
+        statement.put_in(values)
+        statement.sought = ()
 
     def read_items(self, statement, reader):
         while True:
@@ -576,10 +604,13 @@ class Document:
         if infinite:
             meant = (infinite == "oo",)
         else:
-            point = reader.product()
-            statement.at = rational(point, reader)
+            point = shift.point(reader)
             side = reader.take("+", "-")
             meant = (True, False) if side is None else (side == "+",)
+            statement.at = bounds.number(point)
+            if statement.at is None:
+                shift.read(self, statement, point, reader)
+                symbol = self.symbols[statement.variable]
         statement.sides = tuple(side for side in meant if allows(symbol, statement.at, side))
         if not statement.sides:
             reader.fail(f"the domain of `{variable}` does not reach this point")
@@ -630,14 +661,20 @@ class Document:
         for _, _, limit in statement.limits:
             if isinstance(limit, tuple) and self.depends(limit, variable):
                 reader.fail(f"the limit must be free of `{variable}`")
+        moving = statement.moving or variable
         for _, left, right in statement.when if variable else ():
-            if self.depends(left, variable) or self.depends(right, variable):
-                reader.fail(f"the `when` of a limit must be free of `{variable}`")
+            if self.depends(left, moving) or self.depends(right, moving):
+                reader.fail(f"the `when` of a limit must be free of `{moving}`")
+        shift.check(self, statement, reader)
         relations = [*statement.when]
         for cited in statement.cited:
             relations += [*cited.relations, *cited.when]
         ties, seen = cache(lambda: Ties(self, relations)), set()
-        for spoken in [statement, *statement.cited, *([statement.other] if statement.other else [])]:
+        others = [*statement.cited, *([statement.other] if statement.other else [])]
+        if any(cited.sought for cited in statement.cited):
+            if any(bounds.has_derivative(e, self) for spoken in [statement, *others] for e in spoken.expressions()):
+                reader.fail("what is looked for is not cited beside a derivative")
+        for spoken in [statement, *others]:
             for expression in spoken.expressions():
                 self.check_derivatives(expression, (), ties, seen, reader)
 

@@ -81,6 +81,11 @@ class Reader:
         elif BEHIND.match(self.text, self.at):
             self.kind = "malformed"  # unless it is the beginning of a label
 
+    def ahead(self):
+        """The word behind the one that was read last."""
+        match = WORD.match(self.text, SPACE.match(self.text, self.at).end())
+        return match.group() if match else self.text[self.at:].strip()[:1]
+
     def fail(self, reason):
         """Gives up, with the place."""
         raise Unreadable(f"{reason}, at `{self.text[self.start:self.start + 20]}` of `{self.text.strip()}`")

@@ -40,7 +40,7 @@ class Goal:
         self.document, self.claim, self.when = document, claim, claim.when
         self.vacuous = finding == "vacuous"
         self.link = link
-        self.cited = list(claim.cited)
+        self.cited = [s for s in claim.cited if not s.sought]
         self.behind = [
             given for given in rests_on(document, claim.cited) if given not in self.cited
         ]

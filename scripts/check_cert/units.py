@@ -123,6 +123,8 @@ class Units:
             return product({}, self.of(e[1]), Fraction(1, 2) if kind == "sqrt" else e[2])
         if kind == "d":
             return product(self.of(e[1]), self.symbol(e[2]), -1)
+        if kind == "par":
+            return None  # what is put in for it is made of what has its dimension
         for guard, _ in e[1]:
             for _, left, right in guard:
                 self.same(left, right)

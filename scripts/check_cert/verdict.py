@@ -1,7 +1,7 @@
 """Which verdict the evidence supports, claim by claim."""
 
 from .errors import Rejected, demand
-from .evidence import keys, listed, text
+from .evidence import keys, listed, optional, text
 from .functions import Functions
 from .goal import Goal, rests_on
 from .limits import prove_limit
@@ -49,6 +49,7 @@ def check_link(document, aims, link, shown):
     finding, premises, roots, evidence, *at = keys(link, *names)
     is_witness = isinstance(evidence, dict) and bool({"point", "functions"} & set(evidence))
     (claim, item), known = aims[is_witness], document.sequences
+    demand(not claim.sought, "nothing is named that exists")
     is_step = aims[0][0] is not aims[1][0]
     demand(not is_step or shown or finding != "vacuous", "the first values do not all hold")
     if is_witness and known.all_spoken(claim):
@@ -101,8 +102,11 @@ def check_link(document, aims, link, shown):
 
 def check_claim(document, claim, entry, verdicts, report):
     """Checks an entry for a claim; returns the verdict, and whether all was accepted."""
+    entry, witness = optional(entry, "witness", None)
     label, verdict, links = keys(entry, "label", "verdict", "links")
     demand(label == claim.label, f"the label is not `{claim.label}`")
+    if witness is not None:
+        document.find(claim, witness)
     links_asked = asked(document, claim)
     found, good = [], True
     for number, (aims, link) in enumerate(zip(links_asked, listed(links, len(links_asked))), 1):

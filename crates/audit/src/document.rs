@@ -6,8 +6,8 @@ use kane_algebra::syntax::{Notation as _, Sequences, rebuild};
 use kane_kernel::{Context, Expr, Limit, Link, Relation, Sentence};
 use sha2::{Digest as _, Sha256};
 
-use crate::Verdict;
 use crate::motion::Motion;
+use crate::{Existence, Verdict};
 
 /// A derivation document that was read without error.
 #[derive(Clone, Debug)]
@@ -94,6 +94,8 @@ pub struct Claim {
     /// whether it says that something exists: the content has the witness in its place, so only a
     /// proof of it decides
     pub exists: bool,
+    /// the witness that was found where none is named: each name, and what stands in its place
+    pub found: Vec<(String, Expr)>,
     /// the claim's own conditions, the range of its index first
     pub when: Vec<kane_kernel::Relation>,
     /// how it is shown for all values of an index
@@ -124,6 +126,8 @@ pub struct Induction {
 pub enum Content {
     /// links, each judged on its own, with the byte range of each in the text
     Links(Vec<(kane_kernel::Link, Range<usize>)>),
+    /// something exists that is to be found
+    Sought(Existence),
     /// the hypotheses cannot all hold
     Contradiction,
     /// the statement at this index does not follow
@@ -162,6 +166,10 @@ impl Document {
                 });
                 let stage = self.stage(claim, link).map(|stage| format!(" {stage}"));
                 said + &stage.unwrap_or_default()
+            }
+            Content::Sought(existence) => {
+                let part = existence.links.get(link % existence.links.len().max(1));
+                part.map_or_else(String::new, |(_, span)| self.on_one_line(span.clone()))
             }
             Content::Contradiction => "contradiction".to_owned(),
             Content::NotImplied(denied) => {

@@ -12,12 +12,16 @@ use crate::behind::Witnessed;
 use crate::memo::{self, Memo, Read};
 use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
 use crate::{
-    Accepted, Audit, Body, Claim, Content, Document, Explanation, Judgement, LinkJudgement, Open,
-    Unreached, Verdict, explain, index,
+    Accepted, Audit, Body, Claim, Content, Document, Existence, Explanation, Judgement,
+    LinkJudgement, Open, Unreached, Verdict, explain, index,
 };
 
 /// What the search for one number in the place of an index has of the work that a claim may take.
 const SHARE: u64 = 4;
+/// What the look at one proposal for something that exists has of the work that a claim may take.
+const PROPOSAL: u64 = 16;
+/// How many proposals are looked at with more.
+const FURTHER: usize = 3;
 
 /// What to judge, and with how much effort.
 #[derive(Clone, Debug, Default)]
@@ -30,7 +34,7 @@ pub struct Options {
 
 /// Judges a document. `progress` is told, before each statement, its index and their number.
 pub fn audit(
-    document: Document,
+    mut document: Document,
     options: &Options,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Audit {
@@ -38,7 +42,7 @@ pub fn audit(
         progress(done, all);
         true
     };
-    let judgements = judge_all(&document, options, None, &mut go_on);
+    let judgements = judge_all(&mut document, options, None, &mut go_on);
     Audit { document, judgements: judgements.unwrap_or_default() }
 }
 
@@ -46,20 +50,20 @@ pub fn audit(
 /// were judged with this memo. `go_on` is asked before each statement, with its index and their number;
 /// `None` if it says no.
 pub fn audit_again(
-    document: Document,
+    mut document: Document,
     options: &Options,
     memo: &mut Memo,
     go_on: &mut dyn FnMut(usize, usize) -> bool,
 ) -> Option<Audit> {
     memo.begin(&document, options.budget);
-    let judgements = judge_all(&document, options, Some(memo), go_on)?;
+    let judgements = judge_all(&mut document, options, Some(memo), go_on)?;
     memo.end();
     Some(Audit { document, judgements })
 }
 
-/// The judgements of all statements; `None` if it is not to go on.
+/// The judgements of all statements; `None` if it is not to go on. A witness that is found is put into the document.
 fn judge_all(
-    document: &Document,
+    document: &mut Document,
     options: &Options,
     mut memo: Option<&mut Memo>,
     go_on: &mut dyn FnMut(usize, usize) -> bool,
@@ -67,17 +71,26 @@ fn judge_all(
     let count = document.statements.len();
     let wanted = wanted(document, options);
     let earlier = RefCell::default();
-    let is_judged = |i: usize| wanted[i] && matches!(document.statements[i].body, Body::Claim(_));
-    let claims = (0..count).filter(|i| is_judged(*i)).count() as u64;
+    let is_judged: Vec<bool> = (0..count)
+        .map(|i| wanted[i] && matches!(document.statements[i].body, Body::Claim(_)))
+        .collect();
+    let claims = is_judged.iter().filter(|judged| **judged).count() as u64;
     let (whole, mut after) = (Fuel::new(options.budget.document), claims);
     let mut judgements: Vec<Judgement> = Vec::with_capacity(count);
     let mut above = 0;
-    for (i, wanted) in wanted.iter().enumerate() {
+    for (i, wanted) in wanted.into_iter().enumerate() {
         if !go_on(i, count) {
             return None;
         }
-        after -= u64::from(is_judged(i));
+        after -= u64::from(is_judged[i]);
         let work = || whole.within(options.budget.of_claim(whole.left(), claims, after));
+        if wanted
+            && let Some(found) =
+                found(document, i, &judgements, (options.budget, &work(), &earlier))
+        {
+            judgements.push(found);
+            continue;
+        }
         let judgement = match &document.statements[i].body {
             Body::Let(_) | Body::Defined(_) => plain_verdict(Verdict::Defined, Vec::new()),
             Body::Given(sentence) => {
@@ -86,7 +99,7 @@ fn judge_all(
                 }
                 plain_verdict(Verdict::Assumed, vec![i])
             }
-            Body::Claim(claim) if *wanted => {
+            Body::Claim(claim) if wanted => {
                 let prover = (options.budget, &work(), &earlier);
                 match &mut memo {
                     // what sequences stand for is read, too, and is in no key
@@ -101,6 +114,85 @@ fn judge_all(
         judgements.push(judgement);
     }
     Some(judgements)
+}
+
+/// Looks for what the statement at this index says exists and does not name, and puts it into the document; the
+/// judgement. Nothing for another statement.
+fn found(
+    document: &mut Document,
+    index: usize,
+    done: &[Judgement],
+    (budget, work, earlier): (Budget, &Fuel, &RefCell<Vec<Model>>),
+) -> Option<Judgement> {
+    let Body::Claim(claim) = &document.statements[index].body else { return None };
+    let Content::Sought(existence) = &claim.content else { return None };
+    let proposed = existence.proposed(&claim.when, &document.context);
+    let tried = proposed.len();
+    let claims = proposed.into_iter().map(|values| Claim {
+        content: Content::Links(existence.of(&values)),
+        found: existence.names.iter().cloned().zip(values).collect(),
+        ..claim.clone()
+    });
+    let shows =
+        |judgement: &Judgement| matches!(judgement.conditional, Verdict::Proved | Verdict::Vacuous);
+    // each has a little, and then those all that no point speaks against
+    let mut open = Vec::new();
+    let mut decided = None;
+    for claim in claims {
+        let work = work.within(work.left() / PROPOSAL);
+        let (judgement, _) =
+            judge(document, &claim, done, (budget.share(PROPOSAL), &work, earlier));
+        let fails = |link: &LinkJudgement| link.open == Some(Open::Witness);
+        if shows(&judgement) {
+            decided = Some((claim, judgement));
+            break;
+        }
+        if !judgement.links.iter().any(fails) {
+            open.push(claim);
+        }
+    }
+    let further = open.into_iter().take(FURTHER).map(|claim| {
+        let work = work.within(work.left() / 2);
+        let (judgement, _) = judge(document, &claim, done, (budget, &work, earlier));
+        (claim, judgement)
+    });
+    let decided = decided.or_else(|| further.into_iter().find(|(_, judgement)| shows(judgement)));
+    let Some((claim, judgement)) = decided else {
+        return Some(unfound(document, claim, existence, done, tried));
+    };
+    document.statements[index].body = Body::Claim(claim);
+    Some(judgement)
+}
+
+/// That nothing was found which a claim says exists.
+fn unfound(
+    document: &Document,
+    claim: &Claim,
+    existence: &Existence,
+    done: &[Judgement],
+    tried: usize,
+) -> Judgement {
+    let unproved = unproved(claim, done);
+    let link = LinkJudgement { open: Some(Open::Unfound(tried)), ..LinkJudgement::default() };
+    Judgement {
+        verdict: if unproved.is_empty() { Verdict::Undecided } else { Verdict::Unsupported },
+        links: vec![link; existence.links.len()],
+        unproved,
+        hypotheses: premises(document, claim),
+        expect: claim.expect,
+        ..plain_verdict(Verdict::Undecided, memo::rests_on(claim, done))
+    }
+}
+
+/// The cited statements that are not proved.
+fn unproved(claim: &Claim, done: &[Judgement]) -> Vec<usize> {
+    let shown = |verdict| matches!(verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined);
+    claim.from.iter().copied().filter(|&i| !shown(done[i].verdict)).collect()
+}
+
+/// The cited statements that say something.
+fn premises(document: &Document, claim: &Claim) -> Vec<usize> {
+    claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect()
 }
 
 /// The judgement of a claim, from the memo if it is there.
@@ -260,7 +352,7 @@ fn of_limits(claim: &Claim, hypotheses: &[Hypothesis]) -> bool {
     let limit = |l: &Link| matches!(l, Link::Limit(_));
     let claimed = match &claim.content {
         Content::Links(links) => links.iter().any(|(l, _)| limit(l)),
-        Content::Contradiction => false,
+        Content::Contradiction | Content::Sought(_) => false,
         // What M says is seen when it is judged; functions are chosen for it anyway.
         Content::NotImplied(_) => true,
     };
@@ -274,7 +366,7 @@ fn sentence(claim: &Claim) -> Option<Sentence> {
             when: claim.when.clone(),
             links: links.iter().map(|(l, _)| l.clone()).collect(),
         }),
-        Content::Contradiction | Content::NotImplied(_) => None,
+        Content::Contradiction | Content::NotImplied(_) | Content::Sought(_) => None,
     }
 }
 
@@ -285,17 +377,9 @@ fn judge(
     done: &[Judgement],
     (budget, work, earlier): (Budget, &Fuel, &RefCell<Vec<Model>>),
 ) -> (Judgement, bool) {
-    let unproved: Vec<usize> = claim
-        .from
-        .iter()
-        .copied()
-        .filter(|&i| {
-            !matches!(done[i].verdict, Verdict::Proved | Verdict::Assumed | Verdict::Defined)
-        })
-        .collect();
+    let unproved = unproved(claim, done);
     let rests_on = memo::rests_on(claim, done);
-    let cited: Vec<usize> =
-        claim.from.iter().copied().filter(|&i| hypothesis(document, i).is_some()).collect();
+    let cited = premises(document, claim);
     let hypotheses: Vec<Hypothesis> =
         cited.iter().filter_map(|&i| hypothesis(document, i)).collect();
     let further: Vec<usize> = rests_on.iter().copied().filter(|i| !cited.contains(i)).collect();
@@ -310,6 +394,7 @@ fn judge(
     let conclusions: Vec<Conclusion> = match &claim.content {
         Content::Links(links) => links.iter().map(|(l, _)| Conclusion::Link(l.clone())).collect(),
         Content::Contradiction => vec![Conclusion::Contradiction],
+        Content::Sought(_) => Vec::new(),
         Content::NotImplied(m) => {
             let sentence = hypothesis(document, *m).map(|h| h.sentence);
             sentence.map(Conclusion::NotImplied).into_iter().collect()
@@ -554,21 +639,7 @@ fn link_judgement(
         Some(Finding::Vacuous) => Verdict::Vacuous,
         Some(Finding::Consistent) | None => Verdict::Undecided,
     };
-    let undecided = LinkJudgement {
-        verdict,
-        certificate: None,
-        used: Vec::new(),
-        cost: found.cost,
-        work: 0,
-        accepted: None,
-        explanation: Explanation::default(),
-        standing: None,
-        open: None,
-        attempt: None,
-        unreached: None,
-        would_do: None,
-        at: Vec::new(),
-    };
+    let undecided = LinkJudgement { verdict, cost: found.cost, ..LinkJudgement::default() };
     let Some(Decided { certificate, grounds, kept }) = found.decided else {
         let attempt = explain::attempt(goal, found.attempt);
         return LinkJudgement { open: found.open, attempt, ..undecided };

@@ -4,6 +4,7 @@
 mod argument;
 mod behind;
 mod document;
+mod existence;
 mod explain;
 mod goal;
 mod index;
@@ -19,6 +20,7 @@ mod verdict;
 
 pub use argument::{BoundedSum, contradicts_bounds};
 pub use document::*;
+pub use existence::Existence;
 pub use explain::*;
 pub use goal::{Findings, find_witness, judge_goal, prove_goal, refute_goal};
 pub use judge::{Options, audit, audit_again};

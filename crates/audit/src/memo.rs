@@ -170,7 +170,8 @@ impl Memo {
         let mut says = |index: usize| hypothesis(index).map(|said| self.sentences.of(said));
         let content = match &claim.content {
             Content::Links(links) => Said::Links(links.iter().map(|(l, _)| l.clone()).collect()),
-            Content::Contradiction => Said::Contradiction,
+            // of what is sought one proposal after the other is judged, as links
+            Content::Sought(_) | Content::Contradiction => Said::Contradiction,
             Content::NotImplied(target) => Said::NotImplied(*target, says(*target)),
         };
         let cited = |&index: &usize| Cited {

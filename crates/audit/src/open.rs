@@ -34,6 +34,8 @@ pub enum Open {
     Arc,
     /// the witness of an `exists` does not do
     Witness,
+    /// of so many expressions none was shown to be what an `exists` says there is
+    Unfound(usize),
     /// a point was found, but not for numbers in the place of the indices
     Index,
     /// with numbers, or n + 1, in the place of an index it comes to too much
@@ -70,6 +72,11 @@ impl fmt::Display for Open {
             Self::Witness => f.write_str(
                 "what is named behind `by` does not do everywhere; that nothing else does is not shown \
                  by that",
+            ),
+            Self::Unfound(tried) => write!(
+                f,
+                "none of {tried} expressions that were tried was shown to do; another may, and can be named \
+                 behind `by`"
             ),
             Self::Index => f.write_str(
                 "it fails for some values of its powers and terms, but at no index that was tried; claims \

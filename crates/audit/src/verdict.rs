@@ -117,6 +117,27 @@ pub struct Accepted {
     pub certificate: Certificate,
 }
 
+impl Default for LinkJudgement {
+    /// A link about which nothing is known.
+    fn default() -> Self {
+        Self {
+            verdict: Verdict::Undecided,
+            certificate: None,
+            used: Vec::new(),
+            cost: 0,
+            work: 0,
+            accepted: None,
+            explanation: Explanation::default(),
+            standing: None,
+            open: None,
+            attempt: None,
+            unreached: None,
+            would_do: None,
+            at: Vec::new(),
+        }
+    }
+}
+
 impl LinkJudgement {
     /// The proof or the witness in outline; `None` when undecided.
     #[must_use]

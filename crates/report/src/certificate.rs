@@ -38,7 +38,14 @@ pub fn certificates(report: &Report<'_>) -> String {
                     links.map(|l| link(report, claim, &judgement.rests_on, l)).collect();
                 let label = statement.label.trim_start_matches('(').trim_end_matches(')').trim();
                 let verdict = judgement.verdict.to_string();
-                Some(json!({ "label": label, "verdict": verdict, "links": links }))
+                let mut told = json!({ "label": label, "verdict": verdict, "links": links });
+                if !claim.found.is_empty() {
+                    let value = |e: &Expr| json!(e.plain(&document.context));
+                    let found = claim.found.iter();
+                    let found = found.map(|(y, e)| (canonical_name(y).into_owned(), value(e)));
+                    told["witness"] = Value::Object(found.collect());
+                }
+                Some(told)
             }
             Body::Let(_) | Body::Defined(_) | Body::Given(_) => None,
         })

@@ -178,7 +178,7 @@ impl<'a> Entry<'a> {
     pub(crate) fn denied(&self) -> Option<usize> {
         match self.claim()?.content {
             Content::NotImplied(index) => Some(index),
-            Content::Links(_) | Content::Contradiction => None,
+            Content::Links(_) | Content::Contradiction | Content::Sought(_) => None,
         }
     }
 
@@ -197,7 +197,9 @@ impl<'a> Entry<'a> {
                 Content::Links(links) => {
                     (links.iter().map(|(link, _)| link.clone()).collect(), &claim.when)
                 }
-                Content::Contradiction | Content::NotImplied(_) => return None,
+                Content::Contradiction | Content::NotImplied(_) | Content::Sought(_) => {
+                    return None;
+                }
             },
         };
         let document = &self.audit.document;
@@ -270,7 +272,11 @@ impl<'a> Entry<'a> {
     /// Why the verdict on a link is what it is.
     pub(crate) fn reason(&self, link: &LinkJudgement, form: Form) -> String {
         let label = |index: usize| self.labels(&[index]).concat();
-        words::reason(link, self.context(), &label, form)
+        let reason = words::reason(link, self.context(), &label, form);
+        match self.claim().and_then(|claim| words::found(claim, self.context(), form)) {
+            Some(found) => format!("{found}: {reason}"),
+            None => reason,
+        }
     }
 
     /// The proof or the witness of a link, line by line.
@@ -295,6 +301,9 @@ impl<'a> Entry<'a> {
                 })
             }
             Some(Content::Contradiction) => "\\text{contradiction}".to_owned(),
+            Some(Content::Sought(_)) => {
+                format!("\\text{{{}}}", words::words(&self.link_text(index), Form::Latex))
+            }
             Some(Content::NotImplied(denied)) => {
                 format!("\\text{{not implied }}{}", self.labels(&[*denied]).concat())
             }

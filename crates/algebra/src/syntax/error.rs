@@ -227,6 +227,21 @@ pub enum SyntaxErrorKind {
     /// `exists` beside a limit
     #[error("`exists` goes with relations, not with limits")]
     LimitExists,
+    /// a symbol that tends to a point that is no number, and whose distance has no symbol yet
+    #[error("`{0}` tends to a point that is no number, before it is known to")]
+    NoShift(String),
+    /// the point of a limit speaks of what tends to it
+    #[error("the point of a limit must be free of `{0}`, which tends to it")]
+    PointNotFree(String),
+    /// a point that is not known to lie inside the range of what tends to it
+    #[error("the point is not known to lie inside the range of `{0}`")]
+    PointNotInside(String),
+    /// something that has no value at a + δ
+    #[error("`{0}` varies with what tends to a point that is no number")]
+    NotShifted(String),
+    /// a derivative in what is said of something that is looked for
+    #[error("beside a derivative nothing is looked for")]
+    SoughtBesideDerivative,
     /// `exists` without a value
     #[error("`exists` needs a value for `{0}`")]
     NoWitness(String),
@@ -352,6 +367,14 @@ impl SyntaxErrorKind {
             Self::Shadowed(_) => "give it a name that nothing else in the document has so far",
             Self::Unused(_) => "leave it out, or use it",
             Self::BoundInside(_) => "take the derivative where it is used: `d(f(x), x)`",
+            Self::PointNotInside(_) => {
+                "declare what tends to it without bounds, or the point by bounds that lie inside"
+            }
+            Self::NotShifted(_) => {
+                "polynomials, quotients, roots and cases of it can tend to such a point; functions, \
+                 exponentials, angles, powers with an index and derivatives to numbers and infinities alone"
+            }
+            Self::SoughtBesideDerivative => "name what exists, as in `by y := 2*x`",
             Self::LimitExists => "name the value with `let`, and claim the limit of it",
             Self::NoWitness(_) => "say which: `by y := …`, an expression in declared symbols",
             Self::NoPower { .. } => {

@@ -12,7 +12,8 @@ use super::eval::eval;
 use super::lexer::{self, Token};
 use super::names::{CONNECTIVES, PI};
 use super::parser::{Node, Parser, excerpt};
-use super::scope::Symbol;
+use super::scope::{Scope, Symbol};
+use super::shift::{Motion, Point};
 
 /// Tokens that are looked at to see where a symbol stands beside its bounds.
 const MOST_AHEAD: usize = 1000;
@@ -202,7 +203,7 @@ impl Parser<'_> {
     }
 
     /// Passes `as x -> a`. `None` after a fault that was recorded.
-    fn motion(&mut self) -> Result<Option<(usize, Approach)>, SyntaxError> {
+    fn motion(&mut self) -> Result<Option<Motion>, SyntaxError> {
         self.advance();
         let (name, name_span) = self.name()?;
         self.expect(Token::Arrow, "`->` after the limit variable")?;
@@ -223,48 +224,51 @@ impl Parser<'_> {
         let Some(declared) = self.scope().context().vars.get(var) else {
             return Ok(None);
         };
-        if declared.of.is_some() {
+        let is_plain =
+            |scope: &Scope| scope.sequences().index_of(var).is_none() && scope.angle(var).is_none();
+        let at_number = matches!(at, Point::Fixed(_));
+        if declared.of.is_some() || !at_number && !is_plain(self.scope()) {
             self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
             return Ok(None);
         }
-        let Some(at) = at else { return Ok(None) };
+        let at = match at {
+            Point::Fixed(at) => at,
+            Point::At(expr, side, span) => return Ok(self.shifted(var, (expr, side, span))),
+        };
         if !reaches(declared, &at) {
             let kind = SyntaxErrorKind::NoLimitPoint(declared.name.clone());
             self.report(kind, point_span);
         }
-        Ok(Some((var, at)))
+        Ok(Some(Motion { var, at, put: None }))
     }
 
-    fn approach(&mut self) -> Result<Option<Approach>, SyntaxError> {
+    /// Passes the point of a limit: an infinity, or an expression, and perhaps the side of it.
+    fn approach(&mut self) -> Result<Point, SyntaxError> {
         match self.infinity()? {
-            Some(positive) if positive => return Ok(Some(Approach::PlusInf)),
-            Some(_) => return Ok(Some(Approach::MinusInf)),
+            Some(positive) if positive => return Ok(Point::Fixed(Approach::PlusInf)),
+            Some(_) => return Ok(Point::Fixed(Approach::MinusInf)),
             None => {}
         }
         self.side_may_follow = true;
-        let point = self.constant();
+        let point = self.spanned_expr();
         self.side_may_follow = false;
-        let point = point?;
-        let make = match self.token() {
-            Token::Plus => Approach::Above,
-            Token::Minus => Approach::Below,
-            _ => return Ok(point.map(Approach::To)),
+        let (point, span) = point?;
+        let side = match self.token() {
+            Token::Plus => Some(true),
+            Token::Minus => Some(false),
+            _ => None,
         };
-        self.advance();
-        Ok(point.map(make))
-    }
-
-    /// Passes a rational constant expression. `None` after a fault that was recorded.
-    ///
-    /// # Errors
-    /// As [`Parser::expr`].
-    fn constant(&mut self) -> Result<Option<BigRational>, SyntaxError> {
-        let (expr, span) = self.spanned_expr()?;
-        let value = eval(&expr, &Context::default(), &[]).ok();
-        if value.is_none() {
-            self.report(SyntaxErrorKind::NotConstant, span);
+        if side.is_some() {
+            self.advance();
         }
-        Ok(value)
+        let Ok(value) = eval(&point, &Context::default(), &[]) else {
+            return Ok(Point::At(point, side, span));
+        };
+        Ok(Point::Fixed(match side {
+            Some(true) => Approach::Above(value),
+            Some(false) => Approach::Below(value),
+            None => Approach::To(value),
+        }))
     }
 
     /// Passes the bound of a symbol: a rational number, a rational multiple of `pi`, an infinity, or
@@ -333,21 +337,33 @@ impl Parser<'_> {
     fn close_links(
         &mut self,
         open: Vec<(Open, Range<usize>)>,
-        motion: Option<(usize, Approach)>,
+        motion: Option<Motion>,
     ) -> Vec<(Link, Range<usize>)> {
         let mut links = Vec::with_capacity(open.len());
         for (link, span) in open {
             match (link, &motion) {
                 (Open::Relation(relation), _) => links.push((Link::Relation(relation), span)),
-                (Open::Limit(expr, to, to_span), Some((var, at))) => {
+                (Open::Limit(expr, to, to_span), Some(Motion { var, at, put })) => {
                     let scope = self.scope();
+                    let moving = put.as_ref().map_or(*var, |(x, _)| *x);
                     if let Target::Finite(value) = &to
-                        && scope.varies_with(value, *var)
-                        && let Some(declared) = scope.context().vars.get(*var)
+                        && scope.varies_with(value, moving)
+                        && let Some(declared) = scope.context().vars.get(moving)
                     {
                         let kind = SyntaxErrorKind::LimitNotFree(declared.name.clone());
                         self.report(kind, to_span);
                     }
+                    let written = match put {
+                        Some((x, value)) => self.scope().with_value(&expr, *x, value),
+                        None => Ok(expr),
+                    };
+                    let expr = match written {
+                        Ok(expr) => expr,
+                        Err(kind) => {
+                            self.report(kind, span);
+                            continue;
+                        }
+                    };
                     let limit = Limit { expr, to, var: *var, at: at.clone() };
                     links.push((Link::Limit(limit), span));
                 }

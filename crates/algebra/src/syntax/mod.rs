@@ -56,6 +56,7 @@ mod rate;
 mod rebuild;
 mod scope;
 mod sequence;
+mod shift;
 mod suggest;
 mod sum_call;
 mod summation;

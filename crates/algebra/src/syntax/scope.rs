@@ -110,6 +110,8 @@ pub struct Scope {
     exponentials: BTreeMap<(Monomial, bool), Exponential>,
     /// variables of limits
     limited: BTreeSet<usize>,
+    /// by symbol, what stands for its distance from the point to which it tends
+    pub(super) shifts: BTreeMap<usize, usize>,
     /// by function, the symbol for its derivative
     rates: BTreeMap<usize, usize>,
     /// vectors and matrices: how their components are arranged, and what stands for each

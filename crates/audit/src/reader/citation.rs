@@ -7,7 +7,7 @@ use kane_kernel::{Expr, Link, Relation, Sentence};
 
 use super::tie::{self, Ties};
 use super::{Fault, MAX_FAULTS, Reader, label};
-use crate::{Body, Claim, Content, Induction, Parts, Statement, Verdict};
+use crate::{Body, Claim, Content, Existence, Induction, Parts, Statement, Verdict};
 
 /// A statement before its citations are resolved.
 #[derive(Debug)]
@@ -35,6 +35,8 @@ pub(super) struct DraftClaim {
     pub(super) content: DraftContent,
     /// whether it says that something exists, for which a witness is put in
     pub(super) exists: bool,
+    /// the names for which a witness is looked for
+    pub(super) sought: Vec<String>,
     pub(super) when: Vec<Relation>,
     pub(super) induction: Option<Induction>,
     pub(super) from: Vec<Cited>,
@@ -71,15 +73,18 @@ impl Reader {
     pub(super) fn resolve(&mut self) -> Vec<Statement> {
         let mut faults = Vec::new();
         let mut ties = Ties::new(&self.scope, &self.drafts);
-        let resolved: Vec<Resolved> = (0..self.drafts.len())
-            .map(|index| self.citations(index, &mut ties, &mut faults))
-            .collect();
+        let mut resolved: Vec<Resolved> = Vec::with_capacity(self.drafts.len());
+        for index in 0..self.drafts.len() {
+            let found = self.citations(index, &mut ties, &mut faults);
+            faults.extend(self.beside_shift(index, &found.from, &resolved));
+            resolved.push(found);
+        }
         self.faults.extend(faults);
-        let drafts = std::mem::take(&mut self.drafts);
+        let (drafts, units) = (std::mem::take(&mut self.drafts), !self.units.is_empty());
         drafts
             .into_iter()
             .zip(resolved)
-            .filter_map(|(draft, resolved)| draft.finish(resolved))
+            .filter_map(|(draft, resolved)| draft.finish(resolved, units))
             .collect()
     }
 
@@ -150,6 +155,43 @@ impl Reader {
         resolved
     }
 
+    /// That a limit at a point that is no number rests on something that speaks of what tends to it: the limit is
+    /// taken in the distance from the point, of which that says nothing.
+    fn beside_shift(&self, index: usize, from: &[usize], above: &[Resolved]) -> Option<Fault> {
+        let body = |i: usize| Some(&self.drafts.get(i)?.body);
+        let limits = tie::limits(body(index)?);
+        let moving: Vec<usize> =
+            limits.into_iter().filter_map(|v| self.scope.shifted_by(v)).collect();
+        let x = *moving.first()?;
+        let name = self.scope.context().vars.get(x).map_or("?", |var| &var.name);
+        let at = self.drafts.get(index).map(|draft| draft.parts.content.clone())?;
+        if self.ranges.contains_key(&x) {
+            let message = format!(
+                "`{name}` is bounded by other symbols, and tends to a point that is no number"
+            );
+            return Some(Fault::new(at, message));
+        }
+        let (mut todo, mut seen) = (from.to_vec(), BTreeSet::new());
+        while let Some(premise) = todo.pop() {
+            if !seen.insert(premise) {
+                continue;
+            }
+            todo.extend(above.get(premise).into_iter().flat_map(|resolved| &resolved.from));
+            let Some(said) = body(premise) else { continue };
+            let varies = tie::limits(said).contains(&x)
+                || tie::sides(said).into_iter().any(|side| self.scope.varies_with(side, x));
+            if varies {
+                let label = self.drafts.get(premise).map_or("", |draft| &draft.label);
+                let message = format!(
+                    "`{label}` speaks of `{name}`, which tends to a point that is no number"
+                );
+                let note = "such a limit rests on what is said of other symbols alone; state it of their distance";
+                return Some(Fault::new(at, message).with_note(note));
+            }
+        }
+        None
+    }
+
     /// A premise, and before it what it is the derivative of.
     fn with_sources(&self, mut premise: usize) -> Vec<usize> {
         let mut chain = vec![premise];
@@ -203,7 +245,7 @@ impl Reader {
 
 impl Draft {
     /// The statement; `None` if it is broken.
-    fn finish(self, resolved: Resolved) -> Option<Statement> {
+    fn finish(self, resolved: Resolved, units: bool) -> Option<Statement> {
         let body = match self.body {
             DraftBody::Broken => return None,
             DraftBody::Let(definition) => Body::Let(definition),
@@ -211,11 +253,15 @@ impl Draft {
             DraftBody::Given(sentence) => Body::Given(sentence),
             DraftBody::Claim(claim) => Body::Claim(Claim {
                 content: match claim.content {
+                    DraftContent::Links(links) if !claim.sought.is_empty() => {
+                        Content::Sought(Existence { names: claim.sought, links, units })
+                    }
                     DraftContent::Links(links) => Content::Links(links),
                     DraftContent::Contradiction => Content::Contradiction,
                     DraftContent::NotImplied(_) => Content::NotImplied(resolved.target?),
                 },
                 exists: claim.exists,
+                found: Vec::new(),
                 when: claim.when,
                 induction: claim.induction,
                 from: resolved.from,

@@ -1,4 +1,5 @@
-//! `exists y: … by y := …`: a claim is read with the witness in the place of the name.
+//! `exists y: … by y := …`: a claim is read with the witness in the place of the name; without `by` the name keeps its
+//! placeholder until a witness is found.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -80,6 +81,32 @@ pub(super) fn put_in(
         }
     }
     Ok(())
+}
+
+/// The names for which nothing is named, once what is said of them may be said of something that is looked for.
+pub(super) fn sought(
+    p: &mut Parser<'_>,
+    names: &Names,
+    content: &DraftContent,
+) -> Result<Vec<String>, SyntaxError> {
+    let DraftContent::Links(links) = content else { return Ok(Vec::new()) };
+    let mut sides = Vec::new();
+    for (link, span) in links {
+        let Link::Relation(r) = link else { continue };
+        for side in [&r.lhs, &r.rhs] {
+            let mut varies = false;
+            p.scope().visit(side, &mut |part| varies |= matches!(part, Expr::Deriv(..)));
+            if varies {
+                return Err(SyntaxError {
+                    kind: SyntaxErrorKind::SoughtBesideDerivative,
+                    span: span.clone(),
+                });
+            }
+            sides.push(side.clone());
+        }
+    }
+    refuse_unused(p, names, &sides);
+    Ok(names.iter().map(|(name, _)| name.clone()).collect())
 }
 
 /// Notes the names whose placeholders stand in none of the expressions.

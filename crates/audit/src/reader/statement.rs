@@ -348,7 +348,7 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
     let claim = (|| {
         let (mut content, mut by, when, from, using, expect);
         let mut induction = None;
-        let mut bound = Vec::new();
+        let (mut bound, mut sought) = (Vec::new(), Vec::new());
         (content, parts.content) = placed(&mut p, |p| content_of_claim(p, &mut bound))?;
         p.bind(Vec::new());
         let links = match &content {
@@ -395,7 +395,11 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
             allowed.push("by");
             let values;
             (values, parts.by) = clause(&mut p, "by", |p| existence::witnesses(p, &bound))?;
-            existence::put_in(&mut p, &bound, values, &mut content)?;
+            if parts.by.is_some() {
+                existence::put_in(&mut p, &bound, values, &mut content)?;
+            } else {
+                sought = existence::sought(&mut p, &bound, &content)?;
+            }
         } else if matches!(content, DraftContent::Links(_)) && at_points {
             let shown;
             (shown, parts.by) = clause(&mut p, "by", |p| sequence::induction(p, range).map(Some))?;
@@ -407,7 +411,8 @@ fn claim(mut p: Parser<'_>, parts: &mut Parts, faults: &mut Vec<Fault>) -> Outco
         (expect, parts.expect) = clause(&mut p, "expect", |p| verdict(p).map(Some))?;
         refuse_clauses(&p, &allowed)?;
         let exists = !bound.is_empty();
-        let claim = DraftClaim { content, exists, when, induction, from, using, by, expect };
+        let claim =
+            DraftClaim { content, exists, sought, when, induction, from, using, by, expect };
         Ok(DraftBody::Claim(claim))
     })();
     finish(p, claim)
@@ -487,9 +492,10 @@ fn conditions(
     });
     if let Some(limit) = limit {
         let scope = p.scope();
-        let name = scope.context().vars.get(limit.var).map_or("", |v| &v.name);
+        let moving = scope.shifted_by(limit.var).unwrap_or(limit.var);
+        let name = scope.context().vars.get(moving).map_or("", |v| &v.name);
         for (relation, span) in &relations {
-            let varies = |side| scope.varies_with(side, limit.var);
+            let varies = |side| scope.varies_with(side, moving);
             if varies(&relation.lhs) || varies(&relation.rhs) {
                 let message = format!("the `when` of a limit must be free of `{name}`");
                 let note = format!("the limit is taken inside the domain of `{name}`");

@@ -84,9 +84,20 @@ impl Reader {
                 if self.wanted.is_limited(&item.name) {
                     self.scope.declare_limited(symbol);
                 }
+                if self.wanted.is_shifted(&item.name) {
+                    self.declare_shift(symbol, &item);
+                }
             }
             Err(error) => self.refuse(&error, item.span),
         }
+    }
+
+    /// Enters the distance of a symbol from the point to which it tends.
+    fn declare_shift(&mut self, symbol: usize, item: &Item) {
+        if let Err(error) = self.scope.declare_shift(symbol) {
+            self.refuse(&error, item.span.clone());
+        }
+        self.var_sites.resize(self.scope.context().vars.len(), item.span.start);
     }
 
     /// Enters the derivatives that are spoken of.

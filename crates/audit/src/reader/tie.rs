@@ -78,6 +78,9 @@ impl<'a> Ties<'a> {
         if derivatives.is_empty() {
             return None;
         }
+        if let Some(sought) = premises.iter().find(|(premise, _)| self.is_sought(*premise)) {
+            return Some(Self::beside_sought(sought.1));
+        }
         let mut relations = Vec::new();
         for (place, (premise, _)) in premises.iter().enumerate() {
             let said = self.relations_of(*premise);
@@ -104,6 +107,19 @@ impl<'a> Ties<'a> {
             Some((y, chain, (*by, *place)))
         })?;
         Some(self.fault(index, premises, (symbol, x), &chain, place))
+    }
+
+    /// Whether a statement says that something exists for which nothing is named.
+    fn is_sought(&self, index: usize) -> bool {
+        matches!(self.claim(index), Some(claim) if !claim.sought.is_empty())
+    }
+
+    /// What will be found may tie symbols, so it is not cited beside a derivative.
+    fn beside_sought(cited: &Cited) -> Fault {
+        let message = format!("`{}` names nothing that exists", cited.label);
+        let note = "beside a derivative it has to, as in `by y := 2*x`: what is found might tie symbols to each \
+                    other";
+        Fault::new(cited.span.clone(), message).with_note(note)
     }
 
     fn claim(&self, index: usize) -> Option<&'a DraftClaim> {

@@ -169,6 +169,11 @@ impl Reader {
         for known in self.scope.exponentials() {
             symbols.entry(known.symbol).or_default();
         }
+        for (x, shift) in self.scope.shifts() {
+            if let Some(unit) = symbols.get(&x).cloned() {
+                symbols.insert(shift, unit);
+            }
+        }
         // a derivative is declared behind what it is the derivative of
         for (function, rate) in self.scope.rates() {
             let of = self.scope.context().vars.get(*function).and_then(|var| var.of);

@@ -29,6 +29,8 @@ pub(super) struct Wanted {
     alone: BTreeSet<String>,
     /// variables of limits
     limited: BTreeSet<String>,
+    /// variables of limits at points that are no numbers
+    shifted: BTreeSet<String>,
     /// bases of powers, and their indices
     powers: BTreeSet<(String, String)>,
     /// sums up to an index, each with the first statement that has it, in the order in which they are met
@@ -61,6 +63,11 @@ impl Wanted {
     /// Whether the symbol is the variable of a limit.
     pub(super) fn is_limited(&self, name: &str) -> bool {
         self.limited.contains(canonical_name(name).as_ref())
+    }
+
+    /// Whether the symbol tends to a point that is no number.
+    pub(super) fn is_shifted(&self, name: &str) -> bool {
+        self.shifted.contains(canonical_name(name).as_ref())
     }
 
     /// Takes in that a symbol is the variable of a limit, if something stands for what is made of it.
@@ -106,6 +113,9 @@ impl Wanted {
                     let known = self.exponents.entry(of).or_insert(1);
                     *known = num_integer::lcm(*known, *parts);
                 }
+            }
+            SyntaxErrorKind::NoShift(name) => {
+                self.shifted.insert(canonical_name(name).into_owned());
             }
             SyntaxErrorKind::AngleAlone(name) => {
                 self.alone.insert(canonical_name(name).into_owned());

@@ -18,7 +18,7 @@ mod teller;
 mod value;
 
 use kane_algebra::syntax::Notation as _;
-use kane_audit::{Judgement, LinkJudgement, Proof};
+use kane_audit::{Claim, Judgement, LinkJudgement, Proof};
 use kane_kernel::{Context, Expr, Goal};
 
 pub(crate) use formula::{Formulas, escaped};
@@ -125,6 +125,15 @@ pub(crate) fn reason(
         }
         (None, None) => String::new(),
     }
+}
+
+/// The witness that was found for what a claim says exists; `None` where none was looked for or found.
+pub(crate) fn found(claim: &Claim, context: &Context, form: Form) -> Option<String> {
+    let formulas = Formulas::new(form, context, &[]);
+    let name = |name: &str| Formulas::of_letter(form, name).symbol(0);
+    let pairs = claim.found.iter().map(|(y, value)| (name(y), formulas.expr(value)));
+    let pairs: Vec<(String, String)> = pairs.collect();
+    (!pairs.is_empty()).then(|| format!("found for {}", equations(&pairs, form)))
 }
 
 /// The same as text, of a link whose document is not at hand.
