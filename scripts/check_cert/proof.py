@@ -102,5 +102,8 @@ def allowed_at_end(goal, germ, poly):
         for name, statement, item in goal.limits
         if germ.is_premised(statement) and goal.counts(statement, item, germ.variable)
     }
-    unknown = goal.ring.variables(poly) - constant_names(goal, germ.variable) - limits - {"t:"}
+    roots = {
+        name for radicand, name in goal.roots.items() if not goal.document.depends(radicand, germ.variable)
+    }
+    unknown = goal.ring.variables(poly) - constant_names(goal, germ.variable) - roots - limits - {"t:"}
     demand(not unknown, f"{', '.join(sorted(unknown))} may not stand in what passes to the limit")

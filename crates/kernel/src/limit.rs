@@ -268,7 +268,7 @@ pub fn differs(
 }
 
 /// The coefficient of t^order of a polynomial along a germ, all lower ones being zero; it may
-/// mention t, constants, and limits premised on this side.
+/// mention t, constants, roots of constants, and limits premised on this side.
 ///
 /// # Errors
 /// [`Rejection::NotConstant`] if it mentions anything else, [`Rejection::WrongOrder`].
@@ -278,7 +278,10 @@ pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32)
         Some(i) => premised(state.goal)
             .nth(i)
             .is_some_and(|(s, l)| value(scope, s, l).is_some() && sides(scope, l).contains(side)),
-        None => v == t || state.is_constant(v, side.var),
+        None => {
+            let fixed = |root: &Expr| !depends(scope, root, side.var);
+            v == t || state.is_constant(v, side.var) || scope.root(v).is_some_and(fixed)
+        }
     };
     if !poly.vars().into_iter().all(known) {
         return Err(Rejection::NotConstant);

@@ -274,7 +274,7 @@ impl<'a> Entry<'a> {
         let label = |index: usize| self.labels(&[index]).concat();
         let reason = words::reason(link, self.context(), &label, form);
         match self.claim().and_then(|claim| words::found(claim, self.context(), form)) {
-            Some(found) => format!("{found}: {reason}"),
+            Some(found) => format!("{found}{reason}"),
             None => reason,
         }
     }

@@ -1,8 +1,9 @@
 //! Limits: finding what an expression tends to, and what premised limits say about constants.
 
+use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fuel, Germ, Goal, Limit, Poly, Side, Sign, State, Target, constants, differs, exponent,
-    premised, sides,
+    Atom, Expr, Fraction, Fuel, Germ, Goal, Limit, Piece, Poly, Side, Sign, State, Target,
+    constants, differs, exponent, premised, sides,
 };
 use num_bigint::BigInt;
 use std::cmp::Ordering;
@@ -129,11 +130,28 @@ fn read_off(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> Ve
         let Ok((num, den)) = substituted(&along, value, &trail) else {
             continue;
         };
+        let (num, den) = cancelled(&without_squares(state, num), &without_squares(state, den));
         let t = state.scope.germ();
         let order = den.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
         out.push(Found { num, den, order });
     }
     out
+}
+
+/// A polynomial with radicands in the place of squares of their roots, so that it shows what is left at t = 0.
+fn without_squares(state: &State<'_, '_>, mut p: Poly) -> Poly {
+    let scope = state.scope;
+    for v in p.vars() {
+        let Some(Expr::Sqrt(radicand)) = scope.root(v) else { continue };
+        let Ok(pieces) = scope.pieces(radicand) else { continue };
+        if let [Piece { value: Some(Fraction { num, den }), .. }] = &pieces[..]
+            && *den == Poly::one()
+            && let Ok(rest) = p.remainder(v, &Poly::power(v, 2).sub(num), false, &scope.fuel)
+        {
+            p = rest;
+        }
+    }
+    p
 }
 
 /// A proof of a limit from one side.

@@ -288,6 +288,28 @@ fn what_passes_to_the_limit_mentions_nothing_that_varies() {
 }
 
 #[test]
+fn a_root_of_constants_passes_to_the_limit_and_one_that_varies_does_not() {
+    let mut goal = premised();
+    let root = |v: usize| Expr::Sqrt(var(v).into());
+    goal.when = [2, X, Y].map(|v| relation(root(v), Rel::Ge, number(0, 1))).to_vec();
+    let scope = scope(&goal, plenty()).expect("small");
+    let state = constants(&scope, &goal, X).expect("small");
+    let along = germ(&state, side(Some(q(0, 1)), true));
+    let roots: Vec<usize> = (goal.context.vars.len()..scope.germ()).collect();
+    assert_eq!(roots.len(), 3);
+    for v in roots {
+        let p = Poly::var(v).add(&Poly::var(scope.germ())).sub(&n(4));
+        let fixed = scope.root(v) == Some(&root(2));
+        let left = state.at_zero(&along, &equal(p));
+        let end = fixed.then(|| equal(Poly::var(v).sub(&n(4)))).ok_or(Rejection::NotConstant);
+        assert_eq!(left, end, "{v}");
+        // another question may number its roots in another way: a radius has none
+        let wide = Germ { radius: (Poly::var(v), n(1)), ..along.clone() };
+        assert_eq!(state.along_unproved(&wide).err(), Some(Rejection::NotConstant), "{v}");
+    }
+}
+
+#[test]
 fn huge_powers_along_a_germ_take_no_room() {
     let goal = premised();
     let scope = scope(&goal, plenty()).expect("small");

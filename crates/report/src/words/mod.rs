@@ -133,7 +133,7 @@ pub(crate) fn found(claim: &Claim, context: &Context, form: Form) -> Option<Stri
     let name = |name: &str| Formulas::of_letter(form, name).symbol(0);
     let pairs = claim.found.iter().map(|(y, value)| (name(y), formulas.expr(value)));
     let pairs: Vec<(String, String)> = pairs.collect();
-    (!pairs.is_empty()).then(|| format!("found for {}", equations(&pairs, form)))
+    (!pairs.is_empty()).then(|| format!("for {}, which was found: ", equations(&pairs, form)))
 }
 
 /// The same as text, of a link whose document is not at hand.
