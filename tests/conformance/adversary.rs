@@ -132,6 +132,14 @@ fn no_verdict_is_wrong_where_all_of_the_language_stands_together() {
     }
 }
 
+#[test]
+fn no_witness_that_is_found_and_no_limit_at_a_symbol_is_wrong() {
+    if let Some(printed) = trial("existence.py", 120) {
+        let kinds = ["exists, proved: ", "limit, true, proved: ", "limit, changed, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 /// So many random scenes are answered in the gate.
 const SCENES: usize = 70;
 

@@ -35,6 +35,10 @@ fn said(document: &Document) -> Vec<String> {
                     Content::Links(links) => {
                         format!("{:?}", links.iter().map(|(link, _)| link).collect::<Vec<_>>())
                     }
+                    Content::Sought(sought) => {
+                        let links = sought.links.iter().map(|(link, _)| link).collect::<Vec<_>>();
+                        format!("{:?} {links:?}", sought.names)
+                    }
                     other => format!("{other:?}"),
                 };
                 format!(

@@ -129,7 +129,7 @@ fn sentence(claim: &Claim) -> Option<Sentence> {
             when: claim.when.clone(),
             links: links.iter().map(|(l, _)| l.clone()).collect(),
         }),
-        Content::Contradiction | Content::NotImplied(_) => None,
+        Content::Contradiction | Content::NotImplied(_) | Content::Sought(_) => None,
     }
 }
 
@@ -169,6 +169,8 @@ pub(crate) fn cases(document: &Document) -> Vec<Case> {
                 links.iter().map(|(l, _)| Conclusion::Link(l.clone())).collect()
             }
             Content::Contradiction => vec![Conclusion::Contradiction],
+            // what is found is in no document before it is judged
+            Content::Sought(_) => Vec::new(),
             Content::NotImplied(m) => hypothesis(document, *m)
                 .map(|h| Conclusion::NotImplied(h.sentence))
                 .into_iter()

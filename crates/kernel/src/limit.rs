@@ -274,14 +274,12 @@ pub fn differs(
 /// [`Rejection::NotConstant`] if it mentions anything else, [`Rejection::WrongOrder`].
 pub(crate) fn start(state: &State<'_, '_>, side: &Side, poly: &Poly, order: u32) -> Checked<Poly> {
     let (scope, t) = (state.scope, state.scope.germ());
+    let fixed = |root: &Expr| !depends(scope, root, side.var);
     let known = |v: usize| match v.checked_sub(t + 1) {
         Some(i) => premised(state.goal)
             .nth(i)
             .is_some_and(|(s, l)| value(scope, s, l).is_some() && sides(scope, l).contains(side)),
-        None => {
-            let fixed = |root: &Expr| !depends(scope, root, side.var);
-            v == t || state.is_constant(v, side.var) || scope.root(v).is_some_and(fixed)
-        }
+        None => v == t || state.is_constant(v, side.var) || scope.root(v).is_some_and(fixed),
     };
     if !poly.vars().into_iter().all(known) {
         return Err(Rejection::NotConstant);

@@ -115,7 +115,7 @@ fn statement(out: &mut String, index: usize, entry: &Entry<'_>) {
             Some(denied) => {
                 format!("\\text{{{} does not follow.}}", escape(&entry.labels(&[denied]).join("")))
             }
-            None if !entry.is_claim() => format!("\\texttt{{{}}}", escape(&entry.saying())),
+            None if !entry.is_contradiction() => format!("\\texttt{{{}}}", escape(&entry.saying())),
             None => "\\text{The premises contradict each other.}".to_owned(),
         },
     };

@@ -135,6 +135,11 @@ impl<'a> Entry<'a> {
         matches!(self.statement.body, Body::Claim(_))
     }
 
+    /// Whether it says that the premises contradict each other.
+    pub(crate) fn is_contradiction(&self) -> bool {
+        matches!(self.claim(), Some(claim) if matches!(claim.content, Content::Contradiction))
+    }
+
     /// Whether the label is a number in parentheses: an equation of the text under audit.
     pub(crate) fn is_equation(&self) -> bool {
         self.origin() == Origin::Printed
@@ -337,5 +342,26 @@ impl<'a> Entry<'a> {
             let cited = self.labels(&self.judgement.unproved).join(", ");
             format!("cites {cited}, not proved; else {}", self.judgement.conditional)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    #[test]
+    fn what_nothing_was_found_for_is_shown_as_it_is_written() {
+        let text = b"```kane\nvar x\nclaim c: exists m: m > x, m < x expect undecided\n```\n";
+        let document = read("found.md", text).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let report = Report::new(&audit, "kane audit found.md");
+        for page in [crate::html(&report), crate::latex(&report), crate::markdown(&report)] {
+            assert!(!page.contains("contradict"), "{page}");
+            let plain =
+                page.replace("&gt;", ">").replace("\\textgreater{}", ">").replace("$>$", ">");
+            assert!(plain.contains("exists m: m > x"), "{page}");
+        }
     }
 }

@@ -63,8 +63,8 @@ impl Page<'_> {
                     (math(&latex, DisplayMode::Block))
                 }
             },
-            // a function of a counter is shown as it is written
-            None if !entry.is_claim() => html! { p { code { (entry.saying()) } } },
+            // a function of a counter, and what nothing was found for, are shown as they are written
+            None if !entry.is_contradiction() => html! { p { code { (entry.saying()) } } },
             None => html! { p { "The premises contradict each other" } },
         }
     }
