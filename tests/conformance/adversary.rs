@@ -121,7 +121,7 @@ fn no_verdict_on_sums_and_bounds_is_wrong() {
 
 #[test]
 fn no_verdict_is_wrong_where_all_of_the_language_stands_together() {
-    if let Some(printed) = trial("mixed.py", 72) {
+    if let Some(printed) = trial("mixed.py", 240) {
         let kinds = [
             "\ntrue, proved: ",
             "\nfalse, refuted: ",
