@@ -39,6 +39,8 @@ def read(document, statement, at, reader):
     x, symbols = statement.variable, document.symbols
     if not document.is_plain(x):
         reader.fail("the variable of such a limit is a plain variable")
+    if not document.mentioned(at) and not has_root(document, at):
+        reader.fail("the point has no value")
     if speaks(document, at, x):
         reader.fail(f"the point must be free of `{x}`")
     if not is_inside(document, symbols[x], at):
@@ -56,6 +58,11 @@ def read(document, statement, at, reader):
         items.append((sign, put_in(document, f, x, value, reader), limit))
     statement.items = items
     statement.moving, statement.variable, statement.at = x, distance(x), Fraction(0)
+
+
+def has_root(document, e):
+    body = document.symbols[e[1]].body if e[0] == "def" else None
+    return e[0] == "sqrt" or bool(body) and has_root(document, body) or any(has_root(document, p) for p in parts(e))
 
 
 def is_inside(document, symbol, at):

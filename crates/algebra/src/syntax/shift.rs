@@ -110,7 +110,12 @@ impl Parser<'_> {
     ) -> Option<Motion> {
         let scope = self.scope();
         let name = scope.context().vars.get(x).map_or_else(String::new, |var| var.name.clone());
-        let refused = if scope.is_made_of(&point, x) {
+        let mut has_root = false;
+        scope.visit(&point, &mut |part| has_root |= matches!(part, Expr::Sqrt(_)));
+        let refused = if scope.symbols(&point).is_empty() && !has_root {
+            // a number would have a value
+            Some(SyntaxErrorKind::NotConstant)
+        } else if scope.is_made_of(&point, x) {
             Some(SyntaxErrorKind::PointNotFree(name))
         } else if !self.surrounds(x, &point) {
             Some(SyntaxErrorKind::PointNotInside(name))

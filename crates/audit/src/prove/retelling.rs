@@ -18,7 +18,7 @@ use crate::explain;
 
 /// States that a search for another proof may visit.
 const STEPS: u64 = 150;
-/// Coefficient operations of such a search, and of its check.
+/// Coefficient operations of such a search, and of its check, of what the claim may take in all.
 const FUEL: u64 = 1_000_000;
 /// A proof of less weight is not told in another way.
 const SHORT: usize = 30;
@@ -51,7 +51,7 @@ impl Prover<'_> {
         }
         let defined = defined(goal);
         if !defined.is_empty()
-            && let Some((certificate, grounds)) = shown(goal, defined)
+            && let Some((certificate, grounds)) = shown(goal, defined, &self.work)
         {
             let other = weight(goal, &grounds);
             if other < least {
@@ -61,9 +61,9 @@ impl Prover<'_> {
         }
         let Some((opaque, definitions)) = opaque(goal) else { return };
         for order in [Vec::new(), self::defined(&opaque)] {
-            let Some((_, grounds)) = shown(&opaque, order) else { continue };
+            let Some((_, grounds)) = shown(&opaque, order, &self.work) else { continue };
             let other = weight(&opaque, &grounds);
-            if other < least && definitions.iter().all(|i| has_value(goal, *i)) {
+            if other < least && definitions.iter().all(|i| has_value(goal, *i, &self.work)) {
                 least = other;
                 let goal = opaque.clone();
                 let definitions = definitions.clone();
@@ -81,9 +81,8 @@ fn is_told_again(goal: &Goal, grounds: &Grounds) -> bool {
 }
 
 /// A proof of a goal that a small search finds and the kernel accepts, with these symbols replaced first.
-fn shown(goal: &Goal, defined: Vec<usize>) -> Option<(Certificate, Grounds)> {
-    let fuel = Fuel::new(FUEL);
-    let scope = scope(goal, fuel.clone()).ok()?;
+fn shown(goal: &Goal, defined: Vec<usize>, work: &Fuel) -> Option<(Certificate, Grounds)> {
+    let scope = scope(goal, work.within(FUEL)).ok()?;
     let state = claim_state(&scope, goal, Finding::Proved).ok()?;
     let any = |_: usize, _: &Poly| true;
     let mut search = Search::new(STEPS, &any, false);
@@ -94,16 +93,16 @@ fn shown(goal: &Goal, defined: Vec<usize>) -> Option<(Certificate, Grounds)> {
     let course = Course::After(Vec::new(), argument);
     let evidence = Evidence::Contradiction(contradiction(&state, &course).ok()?);
     let certificate = Certificate { goal: digest(goal), finding: Finding::Proved, evidence };
-    check(goal, &certificate, Fuel::new(FUEL)).ok()?;
+    check(goal, &certificate, work.within(FUEL)).ok()?;
     Some((certificate, Grounds::Contradiction(course)))
 }
 
 /// Whether a definition has a value wherever the hypotheses and the condition of a goal hold.
-fn has_value(goal: &Goal, definition: usize) -> bool {
+fn has_value(goal: &Goal, definition: usize, work: &Fuel) -> bool {
     let itself = || Expr::Let(definition);
     let conclusion = Relation { lhs: itself(), rel: Rel::Eq, rhs: itself() };
     let conclusion = Conclusion::Link(Link::Relation(conclusion));
-    shown(&Goal { conclusion, ..goal.clone() }, Vec::new()).is_some()
+    shown(&Goal { conclusion, ..goal.clone() }, Vec::new(), work).is_some()
 }
 
 /// Symbols that stand alone on the left of an equation of a premise or of the condition, those first that no other
