@@ -9,6 +9,7 @@ mod explain;
 mod goal;
 mod index;
 mod judge;
+mod kept;
 mod memo;
 mod motion;
 mod open;

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
-use crate::prove::Kept;
+use crate::kept::Kept;
 use crate::{Assignment, Attempt, Open, Proof, Reason, Standing, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.

@@ -21,7 +21,7 @@ use num_integer::Integer as _;
 use num_traits::Signed as _;
 
 use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
-use crate::prove::Kept;
+use crate::kept::Kept;
 
 pub(crate) use prune::without_idle;
 pub use step::*;

@@ -5,7 +5,7 @@ use kane_kernel::{Conclusion, Finding, Fuel, Goal, Link, scope, sides};
 
 use super::{FUEL, Means, Reason, Source, Variable, names, witness};
 use crate::argument::{Argument, Course, Grounds, SideArgument};
-use crate::prove::Kept;
+use crate::kept::Kept;
 
 /// Where the formula with this index of a goal's state comes from.
 pub(super) fn source(goal: &Goal, i: usize) -> Source {

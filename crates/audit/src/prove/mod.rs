@@ -44,6 +44,7 @@ use kane_kernel::{
 };
 
 use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
+use crate::kept::Kept;
 use crate::{Open, explain};
 
 /// Case distinctions on constants before what limits say of them is given up.
@@ -59,7 +60,7 @@ use functions::Effort;
 use germs::Germs;
 use hints::Hint;
 pub(crate) use hints::expanded;
-pub(crate) use retelling::Kept;
+
 use search::{Outcome, Search};
 
 pub use budget::Budget;

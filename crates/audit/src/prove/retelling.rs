@@ -15,6 +15,7 @@ use kane_kernel::{
 use super::{Outcome, Prover, Search, Verdicts, kept};
 use crate::argument::{Course, Grounds, contradiction};
 use crate::explain;
+use crate::kept::Kept;
 
 /// States that a search for another proof may visit.
 const STEPS: u64 = 150;
@@ -24,17 +25,6 @@ const FUEL: u64 = 1_000_000;
 const SHORT: usize = 30;
 /// Search steps beyond which a proof is not looked for again.
 const LONG: u64 = 400;
-
-/// A proof of a goal in which definitions are symbols of their own, behind those of the goal.
-#[derive(Clone, Debug)]
-pub(crate) struct Kept {
-    /// the goal with these symbols
-    pub(crate) goal: Goal,
-    /// the definitions, in the order of their symbols
-    pub(crate) definitions: Vec<usize>,
-    /// its proof
-    pub(crate) grounds: Grounds,
-}
 
 impl Prover<'_> {
     /// Looks for a proof that is shorter to read than what was found.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::symbols::typeset;
+use super::symbols::heading;
 use super::table::{Column, Fit, Table};
 use super::words::{Tone, Words};
 use super::{Block, Entry, Sheet};
@@ -88,7 +88,7 @@ fn rows(table: &Table, under: &str) -> Markup {
             thead { tr {
                 @for column in &table.columns {
                     @let head = column.head();
-                    @if head.is_empty() { td {} } @else { th scope="col" class=[number(column)] { (typeset(&head)) } }
+                    @if head.is_empty() { td {} } @else { th scope="col" class=[number(column)] { (heading(&head)) } }
                 }
             } }
             tbody {

@@ -22,6 +22,23 @@ pub(super) fn typeset(text: &str) -> Markup {
     }
 }
 
+/// The head of a column, with its symbols in italics: to those who hear a page, a head of MathML alone is empty.
+pub(super) fn heading(text: &str) -> Markup {
+    const PLAIN: [(&str, &str); 6] = [
+        ("<math><msub><mi>", "<i>"),
+        ("<math><mi>", "<i>"),
+        ("</mi></math>", "</i>"),
+        ("</mi></msub></math>", "</sub>"),
+        ("</mn></msub></math>", "</sub>"),
+        ("</mi><m", "</i><sub><m"),
+    ];
+    let mut set = typeset(text).into_string();
+    for (math, plain) in PLAIN {
+        set = set.replace(math, plain);
+    }
+    PreEscaped(set.replace("<sub><mi>", "<sub>").replace("<sub><mn>", "<sub>"))
+}
+
 /// A formula as it is typed, `1 - 2*alpha/(1 + alpha)`, as in print: letters alone are symbols in it.
 pub(super) fn formula(text: &str) -> Markup {
     let text = text.replace(" - ", " − ").replace("(-", "(−");
@@ -143,6 +160,14 @@ mod tests {
         for words in ["a law of k", "smith-1991", "two_spheres.toml", "x_", "<b>", "2-3"] {
             assert_eq!(set(words), words.replace('<', "&lt;").replace('>', "&gt;"));
         }
+    }
+
+    #[test]
+    fn symbols_of_a_heading_are_text() {
+        let head = |text: &str| heading(text).into_string();
+        assert_eq!(head("i_x"), "<i>i</i><sub>x</sub>");
+        assert_eq!(head("v_1 and omega"), "<i>v</i><sub>1</sub> and <i>ω</i>");
+        assert_eq!(head("plain words"), "plain words");
     }
 
     #[test]
