@@ -128,8 +128,10 @@ impl Numbers {
         // as many decimals as all, and no clear sign of digits
         let fits =
             all.format == Format::Decimals(self.decimals) && self.zeros[1] < self.zeros[0] + ZEROS;
-        let differs =
-            |own: &Printed| own.step() != all.step() || own.format.unit() > all.format.unit();
+        // a column of binary32 among decimals of as many places; among binary64 its numbers are short by chance
+        let single =
+            |own: &Printed| own.format.unit() > all.format.unit() && all.format != Format::Binary64;
+        let differs = |own: &Printed| own.step() != all.step() || single(own);
         self.rounded().filter(|own| !fits && differs(own))
     }
 
