@@ -502,7 +502,7 @@ impl Scope {
     }
 
     /// Whether an expression has a value whatever its symbols are within their declared bounds, for reasons
-    /// that are seen at once: it divides by what [never vanishes](Self::never_vanishes), and has no roots,
+    /// that are seen at once: it divides by what never vanishes by what is declared, and has no roots,
     /// cases and derivatives.
     #[must_use]
     pub fn has_value(&self, e: &Expr) -> bool {
