@@ -13,12 +13,20 @@ use kane_kernel::{Context, Expr, Link, Poly, Rel, Relation, Var};
 use num_rational::BigRational;
 use num_traits::Signed as _;
 
+use crate::spoken::within;
+
 /// Tuples that are proposed in all.
 const MOST: usize = 64;
 /// Readings of a relation by the signs of its magnitudes and the sides of its minima and maxima.
 const MOST_READINGS: usize = 8;
 /// Symbols of which simple expressions are proposed.
 const MOST_SYMBOLS: usize = 4;
+/// Readings of all relations that are looked at for one name.
+const MOST_PARTS: usize = 32;
+/// Boundaries of a name between and beside which something is proposed.
+const MOST_BOUNDS: usize = 8;
+/// Nodes of an expression in which further names are replaced.
+const MOST_NODES: usize = 10_000;
 
 /// Something that is said to exist, and for which nothing is named.
 #[derive(Clone, Debug)]
@@ -63,35 +71,22 @@ impl Existence {
                 Link::Limit(_) => None,
             })
             .collect();
-        let mut spoken = BTreeSet::new();
         let sides = relations.iter().chain(when).flat_map(|r| [&r.lhs, &r.rhs]);
-        sides.for_each(|side| symbols_of(side, context, &mut spoken));
+        let (mut spoken, _) = within(context, sides.collect());
         spoken.retain(|v| *v < first);
         let search = Search { context: &wide, spoken: &spoken, units: self.units };
         let mut found = Vec::new();
         search.tuples(&relations, &names, &mut Vec::new(), &mut found);
         let mut tuples: Vec<Vec<Expr>> = Vec::new();
         for values in found {
-            let tuple: Vec<Expr> =
-                names.iter().map(|name| search.written(*name, &values)).collect();
-            if !tuples.contains(&tuple) {
+            let tuple = names.iter().map(|name| search.written(*name, &values)).collect();
+            if let Some(tuple) = tuple
+                && !tuples.contains(&tuple)
+            {
                 tuples.push(tuple);
             }
         }
         tuples
-    }
-}
-
-/// Notes the symbols of an expression, those of its definitions included.
-fn symbols_of(e: &Expr, context: &Context, found: &mut BTreeSet<usize>) {
-    match e {
-        Expr::Var(v) => _ = found.insert(*v),
-        Expr::Let(i) => {
-            if let Some(definition) = context.lets.get(*i) {
-                symbols_of(&definition.body, context, found);
-            }
-        }
-        _ => e.children().into_iter().for_each(|child| symbols_of(child, context, found)),
     }
 }
 
@@ -120,7 +115,8 @@ impl Search<'_> {
             found.push(chosen.clone());
             return;
         }
-        let parts: Vec<Part> = relations.iter().flat_map(|r| self.parts(r)).collect();
+        let parts: Vec<Part> =
+            relations.iter().flat_map(|r| self.parts(r)).take(MOST_PARTS).collect();
         let (name, values) =
             self.solved(&parts, left).unwrap_or_else(|| (left[0], self.beside(&parts, left[0])));
         let rest: Vec<usize> = left.iter().copied().filter(|other| *other != name).collect();
@@ -140,23 +136,27 @@ impl Search<'_> {
                 .iter()
                 .map(|r| Relation { lhs: put(&r.lhs), rel: r.rel, rhs: put(&r.rhs) })
                 .collect();
+            if next.iter().flat_map(|r| [&r.lhs, &r.rhs]).any(is_large) {
+                continue;
+            }
             chosen.push((name, value.clone()));
             self.tuples(&next, &rest, chosen, found);
             chosen.pop();
         }
     }
 
-    /// The value of a name, in which no name stands any more.
-    fn written(&self, name: usize, chosen: &Chosen) -> Expr {
-        let Some(place) = chosen.iter().position(|(known, _)| *known == name) else {
-            return Expr::int(0);
-        };
+    /// The value of a name, in which no name stands any more; nothing if it is too large.
+    fn written(&self, name: usize, chosen: &Chosen) -> Option<Expr> {
+        let place = chosen.iter().position(|(known, _)| *known == name)?;
         let mut value = chosen[place].1.clone();
         for (later, of) in &chosen[place + 1..] {
             value = replaced(&value, *later, of);
+            if is_large(&value) {
+                return None;
+            }
         }
         let simple = RationalFunction::from_expr(&value, self.context).map(|f| f.to_expr());
-        simple.unwrap_or(value)
+        Some(simple.unwrap_or(value))
     }
 
     /// A relation as polynomials against zero, one for each reading of its magnitudes, minima and maxima.
@@ -181,14 +181,18 @@ impl Search<'_> {
         let (name, p) = one.or_else(of_degree_two)?;
         // where the coefficients vanish, anything does
         let mut values = roots(p, name);
-        values.extend([0, 1].map(Expr::int));
+        values.push(Expr::int(0));
+        if !self.units {
+            values.push(Expr::int(1));
+        }
         Some((name, values))
     }
 
     /// What lies between and beside the boundaries of a name, and simple expressions.
     fn beside(&self, parts: &[Part], name: usize) -> Vec<Expr> {
         let of_name = parts.iter().filter(|part| part.p.degree(name) > 0);
-        let bounds: Vec<Expr> = of_name.flat_map(|part| roots(&part.p, name)).collect();
+        let bounds = of_name.flat_map(|part| roots(&part.p, name)).take(MOST_BOUNDS);
+        let bounds: Vec<Expr> = bounds.collect();
         let mut found = Vec::new();
         for (i, a) in bounds.iter().enumerate() {
             found.extend(bounds[i + 1..].iter().map(|b| over(plus(a, b), 2)));
@@ -342,6 +346,19 @@ fn instead(e: &Expr, part: &Expr, other: &Expr) -> Expr {
 /// The expression with a value in the place of a symbol.
 fn replaced(e: &Expr, symbol: usize, value: &Expr) -> Expr {
     instead(e, &Expr::Var(symbol), value)
+}
+
+/// Whether an expression has more nodes than one may have in which names are replaced.
+fn is_large(e: &Expr) -> bool {
+    let (mut todo, mut count) = (vec![e], 0);
+    while let Some(e) = todo.pop() {
+        count += 1;
+        if count > MOST_NODES {
+            return true;
+        }
+        todo.extend(e.children());
+    }
+    false
 }
 
 fn plus(a: &Expr, b: &Expr) -> Expr {

@@ -17,6 +17,7 @@ mod origin;
 mod outline;
 mod prove;
 mod reader;
+mod spoken;
 mod verdict;
 
 pub use argument::{BoundedSum, contradicts_bounds};

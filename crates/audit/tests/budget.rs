@@ -19,6 +19,10 @@ fn peak() -> Option<u64> {
 fn hostile() -> Vec<String> {
     let nines = "9".repeat(60);
     let product = |n: usize| (0..n).map(|i| format!("(y{i} + 1)")).collect::<Vec<_>>().join("*");
+    let above = |n: usize| (0..n).map(|i| format!("m > y{i}")).collect::<Vec<_>>().join(", ");
+    let names = |n: usize| (0..n).map(|i| format!("y{i}")).collect::<Vec<_>>().join(", ");
+    let doubled =
+        |n: usize| (1..n).map(|i| format!("let f{i} := f{0} + f{0}\n", i - 1)).collect::<String>();
     let positive = |n: usize| (0..n).map(|i| format!("y{i} > 0")).collect::<Vec<_>>().join(", ");
     vec![
         format!("var x\nclaim a: {nines}*x^23 + x > 1"),
@@ -28,6 +32,8 @@ fn hostile() -> Vec<String> {
         format!("var {}\nclaim a: {} > 1", positive(26), product(26)),
         format!("var {}\nclaim a: {} = 1", positive(16), product(16)),
         "var x\nclaim a: (x + 1)^999 >= (x - 1)^998".to_owned(),
+        format!("var {}\nclaim a: exists m: {}", names(400), above(400)),
+        format!("var x\nlet f0 := x\n{}claim a: exists m: m > f39", doubled(40)),
         "var x, y, z\nclaim a: (x + y + z + 1)^60 != (x - y + 2*z)^61".to_owned(),
     ]
 }

@@ -1,5 +1,6 @@
 //! Models as data: points and functions, with what becomes of each statement there.
 
+use crate::spoken::within;
 use std::collections::BTreeSet;
 
 use kane_algebra::point::Partial;
@@ -285,26 +286,6 @@ fn spoken_of(goal: &Goal, all: bool) -> (BTreeSet<usize>, Vec<usize>) {
 /// Symbols that a sentence mentions, also in definitions.
 pub(crate) fn mentions(context: &Context, sentence: &Sentence) -> BTreeSet<usize> {
     within(context, expressions(&sentence.when, &sentence.links).collect()).0
-}
-
-/// Symbols and definitions within expressions.
-fn within<'e>(context: &'e Context, mut todo: Vec<&'e Expr>) -> (BTreeSet<usize>, Vec<usize>) {
-    let (mut out, mut lets) = (BTreeSet::new(), Vec::new());
-    while let Some(e) = todo.pop() {
-        match e {
-            Expr::Var(v) => {
-                out.insert(*v);
-            }
-            Expr::Let(i) if !lets.contains(i) => {
-                lets.push(*i);
-                todo.extend(context.lets.get(*i).map(|d| &d.body));
-            }
-            _ => {}
-        }
-        todo.extend(e.children());
-    }
-    lets.sort_unstable();
-    (out, lets)
 }
 
 /// The value within an enclosure, or a number near it if digits of it are known.

@@ -4,6 +4,7 @@
 //! Both are checked by the kernel. The first proves the goal itself. The second proves more, for any values of what is
 //! defined, and stands beside a certificate of the goal.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use kane_algebra::syntax::rebuild;
@@ -16,6 +17,7 @@ use super::{Outcome, Prover, Search, Verdicts, kept};
 use crate::argument::{Course, Grounds, contradiction};
 use crate::explain;
 use crate::kept::Kept;
+use crate::spoken::within;
 
 /// States that a search for another proof may visit.
 const STEPS: u64 = 150;
@@ -99,10 +101,10 @@ fn has_value(goal: &Goal, definition: usize, work: &Fuel) -> bool {
 /// of these equations speaks of.
 fn defined(goal: &Goal) -> Vec<usize> {
     let premises = goal.hypotheses.iter().flat_map(|h| h.sentence.relations());
-    let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+    let mut open: Vec<(usize, BTreeSet<usize>)> = Vec::new();
     for relation in premises.chain(&goal.when) {
         let Relation { lhs: Expr::Var(v), rel: Rel::Eq, rhs } = relation else { continue };
-        let spoken = symbols(rhs, goal);
+        let (spoken, _) = within(&goal.context, vec![rhs]);
         if !spoken.contains(v) && open.iter().all(|o| o.0 != *v) {
             open.push((*v, spoken));
         }
@@ -114,23 +116,6 @@ fn defined(goal: &Goal) -> Vec<usize> {
         order.push(open.remove(next).0);
     }
     order
-}
-
-/// The symbols that an expression speaks of, through definitions, too.
-fn symbols(e: &Expr, goal: &Goal) -> Vec<usize> {
-    let (mut todo, mut seen, mut found) = (vec![e], Vec::new(), Vec::new());
-    while let Some(e) = todo.pop() {
-        match e {
-            Expr::Var(v) if !found.contains(v) => found.push(*v),
-            Expr::Let(i) if !seen.contains(i) => {
-                seen.push(*i);
-                todo.extend(goal.context.lets.get(*i).map(|definition| &definition.body));
-            }
-            _ => {}
-        }
-        todo.extend(e.children());
-    }
-    found
 }
 
 /// The goal in which the definitions that it names are symbols, and which they are. Nothing where it names none, or
