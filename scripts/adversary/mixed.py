@@ -27,6 +27,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from circular import circular  # noqa: E402
 from mixed_claims import BOOK, CLAIMS, DECLARED, FAR, LIMITS, SLOPES  # noqa: E402
 from trial import Trial  # noqa: E402
 
@@ -43,23 +44,6 @@ class Undefined(Exception):
 def dec(q):
     q = Fraction(q)
     return Decimal(q.numerator) / Decimal(q.denominator)
-
-
-def circular(x):
-    """sin and cos by their series, the argument halved and doubled again."""
-    halvings = max(0, int(abs(x)).bit_length() + 5)
-    part = x / 2**halvings
-    sin, cos, term, n = Decimal(0), Decimal(0), Decimal(1), 0
-    while abs(term) > Decimal(10) ** -112:
-        if n % 2:
-            sin += term if n % 4 == 1 else -term
-        else:
-            cos += term if n % 4 == 0 else -term
-        n += 1
-        term = term * part / n
-    for _ in range(halvings):
-        sin, cos = 2 * sin * cos, cos * cos - sin * sin
-    return sin, cos
 
 
 def divided(a, b):

@@ -85,17 +85,18 @@ def constant(name, document):
     return not (symbol.argument or symbol.body or angle or document.sequences.index_of(name))
 
 
-def has_derivative(e, document):
-    if e[0] == "d":
+def has(kind, e, document):
+    """Does something of a kind stand in it, or in what it is defined by?"""
+    if e[0] == kind:
         return True
-    if e[0] == "def" and has_derivative(document.symbols[e[1]].body, document):
+    if e[0] == "def" and has(kind, document.symbols[e[1]].body, document):
         return True
-    return any(has_derivative(part, document) for part in parts(e))
+    return any(has(kind, part, document) for part in parts(e))
 
 
 def unfit(expression, document):
     """Does a bound speak of something that is no constant?"""
-    if has_pi(expression) or has_derivative(expression, document):
+    if has_pi(expression) or has("d", expression, document):
         return True
     names = document.mentioned(expression)
     return any(name in document.exponentials or not constant(name, document) for name in names)

@@ -554,7 +554,7 @@ class Document:
         found = {}
         said = [side for item in statement.items for side in item[1:]]
         if not reader.take("by"):
-            if any(bounds.has_derivative(e, self) for e in said):
+            if any(bounds.has("d", e, self) for e in said):
                 reader.fail("beside a derivative nothing is looked for")
             self.all_used(names, said, reader)
             statement.sought = names
@@ -578,7 +578,7 @@ class Document:
         values = [self.expression(written_text(witness[name])) for name in statement.sought]
         spoken = set().union(*map(self.mentioned, statement.expressions()))
         demand(all(self.mentioned(value) <= spoken for value in values), "a witness speaks of something else")
-        demand(not any(bounds.has_derivative(e, self) for e in values), "a witness is no derivative")
+        demand(not any(bounds.has("d", e, self) for e in values), "a witness is no derivative")
         statement.put_in(values)
         statement.sought = ()
 
@@ -672,7 +672,7 @@ class Document:
         ties, seen = cache(lambda: Ties(self, relations)), set()
         others = [*statement.cited, *([statement.other] if statement.other else [])]
         if any(cited.sought for cited in statement.cited):
-            if any(bounds.has_derivative(e, self) for spoken in [statement, *others] for e in spoken.expressions()):
+            if any(bounds.has("d", e, self) for spoken in [statement, *others] for e in spoken.expressions()):
                 reader.fail("what is looked for is not cited beside a derivative")
         for spoken in [statement, *others]:
             for expression in spoken.expressions():

@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from . import angles
+from .bounds import has
 from .expressions import parts
 
 BEHIND = ("when", "from", "using", "expect", "by", "as")  # what may follow a point and its side
@@ -39,7 +40,7 @@ def read(document, statement, at, reader):
     x, symbols = statement.variable, document.symbols
     if not document.is_plain(x):
         reader.fail("the variable of such a limit is a plain variable")
-    if not document.mentioned(at) and not has_root(document, at):
+    if not document.mentioned(at) and not has("sqrt", at, document):
         reader.fail("the point has no value")
     if speaks(document, at, x):
         reader.fail(f"the point must be free of `{x}`")
@@ -58,11 +59,6 @@ def read(document, statement, at, reader):
         items.append((sign, put_in(document, f, x, value, reader), limit))
     statement.items = items
     statement.moving, statement.variable, statement.at = x, distance(x), Fraction(0)
-
-
-def has_root(document, e):
-    body = document.symbols[e[1]].body if e[0] == "def" else None
-    return e[0] == "sqrt" or bool(body) and has_root(document, body) or any(has_root(document, p) for p in parts(e))
 
 
 def is_inside(document, symbol, at):

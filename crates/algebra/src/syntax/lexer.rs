@@ -63,6 +63,18 @@ pub enum Token {
     End,
 }
 
+impl Token {
+    /// Whether it opens a bracket of any kind.
+    pub(crate) const fn opens(self) -> bool {
+        matches!(self, Self::OpenParen | Self::OpenBracket | Self::OpenBrace)
+    }
+
+    /// Whether it closes one.
+    pub(crate) const fn closes(self) -> bool {
+        matches!(self, Self::CloseParen | Self::CloseBracket | Self::CloseBrace)
+    }
+}
+
 /// The token at or after byte `from` and its byte range; white space and comments are passed over.
 pub(crate) fn next(text: &str, from: usize) -> (Token, Range<usize>) {
     let start = skip_blank(text, from);

@@ -309,10 +309,8 @@ impl Parser<'_> {
             let (token, span) = lexer::next(text, at);
             at = span.end;
             match token {
-                Token::OpenParen | Token::OpenBracket | Token::OpenBrace => depth += 1,
-                Token::CloseParen | Token::CloseBracket | Token::CloseBrace => {
-                    depth = depth.saturating_sub(1);
-                }
+                bracket if bracket.opens() => depth += 1,
+                bracket if bracket.closes() => depth = depth.saturating_sub(1),
                 Token::Rel(_) if depth == 0 => relations += 1,
                 Token::Comma if depth == 0 => break,
                 Token::End => break,

@@ -146,13 +146,11 @@ impl<'a> Parser<'a> {
             let (token, span) = lexer::next(text, at);
             at = span.end;
             match token {
-                Token::OpenParen | Token::OpenBracket | Token::OpenBrace => depth += 1,
-                Token::CloseParen | Token::CloseBracket | Token::CloseBrace => {
-                    match depth.checked_sub(1) {
-                        Some(less) => depth = less,
-                        None => return (None, at),
-                    }
-                }
+                bracket if bracket.opens() => depth += 1,
+                bracket if bracket.closes() => match depth.checked_sub(1) {
+                    Some(less) => depth = less,
+                    None => return (None, at),
+                },
                 Token::Name if depth == 0 && text.get(span.clone()) == Some("for") => {
                     return (Some(span.start), at);
                 }
