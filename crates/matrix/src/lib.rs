@@ -25,6 +25,7 @@ mod study;
 mod subdivision;
 mod symbol;
 mod visible;
+mod work;
 
 use std::rc::Rc;
 

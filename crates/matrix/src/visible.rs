@@ -59,7 +59,8 @@ impl Ranges {
         self
     }
 
-    /// The sign of a polynomial where its coefficients show it: `Some(true)` for > 0 everywhere.
+    /// The sign of a polynomial where its coefficients show it: `Some(true)` for > 0 everywhere. A symbol
+    /// of either sign may stand there in even powers.
     fn sign(&self, p: &Poly) -> Option<bool> {
         if self.asked.contains(p) {
             return Some(true);
@@ -67,7 +68,8 @@ impl Ranges {
         let strict = |(m, _): (&[kane_kernel::Power], &BigInt)| {
             m.iter().all(|(v, _)| self.positive.contains(v))
         };
-        let known = p.vars().iter().all(|v| self.not_negative.contains(v));
+        let even = |v: usize| p.terms().all(|(m, _)| exponent(m, v).is_multiple_of(2));
+        let known = p.vars().iter().all(|v| self.not_negative.contains(v) || even(*v));
         (known && p.terms().any(strict)).then(|| common_sign(p)).flatten()
     }
 
@@ -90,6 +92,10 @@ impl Ranges {
         let (num, den) = quantity.fraction();
         let (num, den) = (self.stripped(&num), self.stripped(&den));
         let expr = |p: &Poly| kane_algebra::rational_function::expression(p);
+        // 1/den has the sign of den, and no value where that is 0
+        if matches!(rel, Rel::Gt | Rel::Lt) && self.sign(&num) == Some(true) {
+            return Relation { lhs: expr(&den), rel, rhs: Expr::int(0) };
+        }
         let lhs = match self.sign(&den) {
             Some(true) => expr(&num),
             Some(false) => expr(&num.neg()),
