@@ -293,6 +293,28 @@ fn a_definition_stands_for_its_body() {
 }
 
 #[test]
+fn a_symbol_that_is_not_declared_is_no_name_of_a_root() {
+    // Roots are numbered behind the symbols: a symbol next to the last one must not mean √x.
+    let goal = plain();
+    let root = sqrt(var(X));
+    let scope = Scope::new(&goal.context, &[&root], plenty()).expect("small");
+    let first = goal.context.vars.len();
+    assert_eq!(scope.root(first), Some(&root));
+    assert_eq!(scope.pieces(&var(first)).err(), Some(Rejection::UnknownSymbol));
+}
+
+#[test]
+fn an_expression_has_at_most_4096_pieces() {
+    let kinks = |n: i64| (0..n).map(|k| abs(sub(var(X), number(k, 1)))).reduce(add).expect("some");
+    let goal = plain();
+    for (n, count) in [(11, Ok(2048)), (12, Ok(4096)), (13, Err(Rejection::Budget))] {
+        let e = kinks(n);
+        let scope = Scope::new(&goal.context, &[&e], plenty()).expect("small");
+        assert_eq!(scope.pieces(&e).map(|pieces| pieces.len()), count, "{n} kinks");
+    }
+}
+
+#[test]
 fn a_value_stands_for_its_symbol() {
     let context = Context { values: vec![(Y, pow(var(X), 2))], ..plain().context };
     let e = add(var(Y), var(X));

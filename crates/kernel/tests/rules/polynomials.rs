@@ -1,5 +1,7 @@
 //! Polynomials and fractions against their values at rational points.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use kane_kernel::{Fraction, Fuel, Poly, Rejection, descartes, exponent, sign, sign_at};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -48,6 +50,26 @@ fn sums_and_products_have_the_values_of_their_parts() {
         }
         assert!(a.sub(&a).is_empty() && a.scale(&0.into()).is_empty());
         assert_eq!(a.sub(&a).len(), 0);
+    }
+}
+
+#[test]
+fn polynomials_that_are_equal_have_one_hash_and_one_place_in_the_order() {
+    let hash = |p: &Poly| {
+        let mut hasher = DefaultHasher::new();
+        p.hash(&mut hasher);
+        hasher.finish()
+    };
+    // Built in another way: equal only by what they are.
+    let again = |p: &Poly| p.add(&x()).sub(&x());
+    let all = polynomials();
+    for (i, a) in all.iter().enumerate() {
+        for (j, b) in all.iter().map(again).enumerate() {
+            assert_eq!(hash(a) == hash(&b), i == j, "{a:?} and {b:?}");
+            assert_eq!(a.partial_cmp(&b), Some(a.cmp(&b)));
+            assert_eq!(a.cmp(&b).is_eq(), i == j, "{a:?} and {b:?}");
+            assert_eq!(a.cmp(&b), b.cmp(a).reverse());
+        }
     }
 }
 

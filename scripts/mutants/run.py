@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Tries all mutants of a package in one build.
+
+usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--without WORD]... [--again RESULTS]
+              [--work DIR] [--jobs N] [--out RESULTS]
+
+`cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
+switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and the targets that are named
+with --tests; tests that have a WORD in their name are not run. --again tries only those that an earlier run missed.
+
+The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (ten times
+the processor time of the tests, and three seconds), `missed`, `type` (no value of that type), or `switch` and `constant`: not tried
+here. For these `plain.py` asks the compiler about each mutant by itself, as cargo-mutants does.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import build
+import trial
+
+sys.setrecursionlimit(20_000)
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n\n")[0])
+    parser.add_argument("package")
+    parser.add_argument("--root", type=Path, default=ROOT)
+    parser.add_argument("--file", action="append", default=[])
+    parser.add_argument("--tests", action="append", default=[])
+    parser.add_argument("--without", action="append", default=[])
+    parser.add_argument("--again", type=Path)
+    parser.add_argument("--work", type=Path)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--out", type=Path)
+    asked = parser.parse_args()
+
+    entries = build.listed(asked.root, asked.package, asked.file)
+    explained = len(build.listed(asked.root, asked.package, asked.file, config=False)) - len(entries)
+    work = asked.work or Path(tempfile.mkdtemp(prefix="mutants-"))
+    copy = build.Copy(asked.root, work, asked.package, entries)
+    print(f"{asked.package}: {len(entries)} mutants, {explained} more are explained; in {work}", flush=True)
+
+    copy.build(["check", "-p", asked.package, "--lib"])
+    messages = copy.build(["test", "--no-run", "-p", asked.package, "--tests"])
+    programs = build.tests(messages)
+    for target in asked.tests:
+        package, name = target.split(":")
+        programs += build.tests(copy.build(["test", "--no-run", "-p", package, "--test", name]))
+    started = time.monotonic()
+    tests = trial.of(programs, build.environment(), asked.without)
+    print(f"{len(tests)} tests, {sum(t.seconds for t in tests):.1f} s one by one, "
+          f"{sum(t.seconds > 5 for t in tests)} of more than 5 s", flush=True)
+
+    wanted = set(copy.mutants)
+    if asked.again:
+        missed = {json.loads(line)["change"] for line in asked.again.read_text().splitlines()
+                  if json.loads(line)["outcome"] == "missed"}
+        wanted = {n for n in wanted if copy.mutants[n].change in missed}
+    counts: collections.Counter[str] = collections.Counter()
+    with (open(asked.out, "w") if asked.out else tempfile.TemporaryFile("w")) as out:
+        def note(number: int, outcome: str, told: str) -> None:
+            m = copy.mutants[number]
+            counts[outcome] += 1
+            out.write(json.dumps({"name": m.name, "change": m.change, "outcome": outcome, "told": told}) + "\n")
+            out.flush()
+            if outcome == "missed":
+                print(f"missed: {m.name} ({told})", flush=True)
+
+        for number in sorted(wanted & set(copy.choices.out)):
+            note(number, copy.choices.out[number], "")
+        with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+            left = sorted(wanted - set(copy.choices.out))
+            runs = [(n, pool.submit(trial.tried, n, tests, build.environment())) for n in left]
+            for number, done in runs:
+                note(number, *done.result())
+    print(f"{asked.package}: {sum(counts.values())} mutants in {time.monotonic() - started:.0f} s: "
+          + ", ".join(f"{count} {outcome}" for outcome, count in sorted(counts.items())), flush=True)
+
+
+if __name__ == "__main__":
+    main()
