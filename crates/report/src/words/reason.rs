@@ -6,7 +6,7 @@ use kane_audit::{LinkJudgement, Means, Reason, Standing, Unreached, Variable, Ve
 use kane_kernel::{Context, Finding, Goal};
 
 use super::formula::Formulas;
-use super::value::{assigned, comparison, end, plain_formulas};
+use super::value::{assigned, assigned_briefly, comparison, end, plain_formulas};
 use super::{Form, words};
 
 /// Of a claim with a counterexample at which every given above holds.
@@ -52,7 +52,7 @@ pub(super) fn sentence(goal: &Goal, reason: &Reason, form: Form) -> String {
         }
         Reason::Point { values, claim } => {
             let told = claim.as_ref().map(|claim| comparison(&formulas, claim));
-            let mut at = assigned(&formulas, values);
+            let mut at = assigned_briefly(&formulas, values);
             if at.len() > MOST_SYMBOLS {
                 at.truncate(MOST_SYMBOLS);
                 at.push(words("…", form));

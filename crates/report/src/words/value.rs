@@ -54,6 +54,68 @@ pub(super) fn assigned(formulas: &Formulas, values: &[kane_audit::Assignment]) -
     values.iter().map(one).collect()
 }
 
+/// Letters of a value that is told in a sentence as it is; of a longer one its decimals are.
+const MOST_LETTERS: usize = 40;
+
+/// The same in a sentence: of long values the decimals, which the point gives exactly.
+pub(super) fn assigned_briefly(
+    formulas: &Formulas,
+    values: &[kane_audit::Assignment],
+) -> Vec<String> {
+    let one = |given: &kane_audit::Assignment| {
+        let long = letters(&given.value) > MOST_LETTERS;
+        let near = if long { decimals(&given.value) } else { None };
+        match near {
+            Some(near) => {
+                let (symbol, near) = (formulas.symbol(given.symbol), format!("near {near}"));
+                format!("{symbol} {}", formulas.words(&near))
+            }
+            None => formulas.compared(
+                &formulas.symbol(given.symbol),
+                "=",
+                &value(formulas, &given.value),
+            ),
+        }
+    };
+    values.iter().map(one).collect()
+}
+
+/// How many letters a value takes, about.
+fn letters(value: &Value) -> usize {
+    let rationals =
+        |all: &[BigRational]| all.iter().map(|q| q.to_string().len() + 3).sum::<usize>();
+    let root = |root: &Root| root.poly.iter().map(|c| c.to_string().len() + 4).sum::<usize>();
+    match value {
+        Value::Number(q) => q.to_string().len(),
+        Value::Root(known) => root(known),
+        Value::InRoot { coefficients, root: known } => rationals(coefficients) + root(known),
+        Value::Function(_) => 0,
+    }
+}
+
+/// The decimals of a number, where they are known.
+fn decimals(value: &Value) -> Option<String> {
+    let (low, high) = match value {
+        Value::Number(q) => (q.clone(), q.clone()),
+        Value::Root(root) => (root.lo.clone(), root.hi.clone()),
+        Value::InRoot { coefficients, root } => at_root(coefficients, root),
+        Value::Function(_) => return None,
+    };
+    let near = decimal(&low);
+    (near == decimal(&high)).then_some(near)
+}
+
+/// Between which numbers Σ coefficientᵢ·rootⁱ is, by Horner's rule on the interval of the root.
+fn at_root(coefficients: &[BigRational], root: &Root) -> (BigRational, BigRational) {
+    let none = (BigRational::zero(), BigRational::zero());
+    coefficients.iter().rev().fold(none, |(low, high), c| {
+        let ends = [&low, &high].into_iter().flat_map(|end| [end * &root.lo, end * &root.hi]);
+        let mut ends: Vec<BigRational> = ends.collect();
+        ends.sort();
+        (&ends[0] + c, &ends[3] + c)
+    })
+}
+
 /// Both sides of a relation at a point, or why it has no meaning there.
 pub(super) fn comparison(formulas: &Formulas, comparison: &Comparison) -> String {
     match comparison {
@@ -80,7 +142,7 @@ pub(super) fn measured(formulas: &Formulas, value: &Measured) -> String {
     }
 }
 
-/// Both sides of a relation; where one is not exact, to as many digits as tell them apart.
+/// Both sides of a relation; where one is not exact or is long, to as many digits as tell them apart.
 fn sides(formulas: &Formulas, left: &Measured, right: &Measured) -> (String, String) {
     let number = |side: &Measured| match side {
         Measured::Exact(value) | Measured::Near(value) => Some(value.clone()),
@@ -90,6 +152,9 @@ fn sides(formulas: &Formulas, left: &Measured, right: &Measured) -> (String, Str
     let (of_left, of_right) = digits.unzip();
     let one = |side: &Measured, digits: Option<String>| match (side, digits) {
         (Measured::Near(_), Some(digits)) => about(formulas, &digits),
+        (Measured::Exact(q), Some(digits)) if q.to_string().len() > MOST_LETTERS => {
+            about(formulas, &digits)
+        }
         _ => measured(formulas, side),
     };
     (one(left, of_left), one(right, of_right))
@@ -150,4 +215,34 @@ pub(super) fn end(formulas: &Formulas, end: &End) -> String {
 /// Formulas of a goal without a proof.
 pub(super) fn plain_formulas(form: super::Form, context: &Context) -> Formulas {
     Formulas::new(form, context, &[])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn q(text: &str) -> BigRational {
+        text.parse().expect("a fraction")
+    }
+
+    /// The root of two, between two decimals.
+    fn root_of_two() -> Root {
+        let poly = [-2, 0, 1].map(BigInt::from).to_vec();
+        Root { poly, lo: q("1414213562/1000000000"), hi: q("1414213563/1000000000") }
+    }
+
+    #[test]
+    fn what_is_computed_from_a_root_is_enclosed_by_its_interval() {
+        // 3 − 2·√2 = 0.171572…, whose terms fall and rise
+        let (low, high) = at_root(&[q("3"), q("-2")], &root_of_two());
+        assert!(low <= q("171572876/1000000000") && q("171572875/1000000000") <= high);
+        let value = Value::InRoot { coefficients: vec![q("3"), q("-2")], root: root_of_two() };
+        assert_eq!(decimals(&value).as_deref(), Some("0.1716"));
+    }
+
+    #[test]
+    fn digits_that_the_interval_leaves_open_are_not_told() {
+        let wide = Root { hi: q("3/2"), ..root_of_two() };
+        assert_eq!(decimals(&Value::Root(wide)), None);
+    }
 }
