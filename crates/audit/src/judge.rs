@@ -1,13 +1,18 @@
 //! Judging a document: goals out of statements, verdicts out of findings.
 
+mod definitions;
+mod motions;
+
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use kane_kernel::{
     Conclusion, Context, Definition, Evidence, Expr, Finding, Fuel, Goal, Hypothesis, Link, Model,
-    Sentence, Side, Target,
+    Sentence, Side,
 };
 
+use self::definitions::{kept, link_parts, needed_lets};
+use self::motions::{at_zero, only_motions};
 use crate::behind::Witnessed;
 use crate::memo::{self, Memo, Read};
 use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
@@ -292,61 +297,6 @@ fn hypothesis(document: &Document, i: usize) -> Option<Hypothesis> {
     }
 }
 
-/// The document's definitions with those emptied that the goal does not reach, so that a claim and
-/// its certificate do not depend on the rest of the document.
-fn needed_lets(
-    document: &Document,
-    goal: &Goal,
-    behind: &[Hypothesis],
-    by: &[(usize, Expr)],
-) -> Vec<Definition> {
-    let mut todo: Vec<&Expr> = by.iter().map(|b| &b.1).collect();
-    let sentences = goal.hypotheses.iter().chain(behind).map(|h| &h.sentence);
-    for s in sentences {
-        todo.extend(s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-        todo.extend(s.links.iter().flat_map(link_parts));
-    }
-    todo.extend(goal.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-    match &goal.conclusion {
-        Conclusion::Link(l) => todo.extend(link_parts(l)),
-        Conclusion::NotImplied(s) => {
-            todo.extend(s.when.iter().flat_map(|r| [&r.lhs, &r.rhs]));
-            todo.extend(s.links.iter().flat_map(link_parts));
-        }
-        Conclusion::Contradiction => {}
-    }
-    kept(&document.context.lets, todo)
-}
-
-/// The definitions with those emptied that nothing of this reaches.
-fn kept<'a>(lets: &'a [Definition], mut todo: Vec<&'a Expr>) -> Vec<Definition> {
-    let mut needed = vec![false; lets.len()];
-    while let Some(e) = todo.pop() {
-        if let Expr::Let(i) = e
-            && !std::mem::replace(&mut needed[*i], true)
-        {
-            todo.push(&lets[*i].body);
-        }
-        todo.extend(e.children());
-    }
-    let keep = |(d, needed): (&Definition, bool)| Definition {
-        name: d.name.clone(),
-        body: if needed { d.body.clone() } else { Expr::int(0) },
-    };
-    lets.iter().zip(needed).map(keep).collect()
-}
-
-/// The expressions of a link.
-fn link_parts(l: &Link) -> Vec<&Expr> {
-    match l {
-        Link::Relation(r) => vec![&r.lhs, &r.rhs],
-        Link::Limit(l) => match &l.to {
-            Target::Finite(value) => vec![&l.expr, value],
-            _ => vec![&l.expr],
-        },
-    }
-}
-
 /// Whether a claim or a premise that it cites is about a limit.
 fn of_limits(claim: &Claim, hypotheses: &[Hypothesis]) -> bool {
     let limit = |l: &Link| matches!(l, Link::Limit(_));
@@ -515,65 +465,6 @@ fn only_within_ranges(document: &Document, (goal, ids): (&Goal, &[usize]), found
     }
     found.decided = None;
     found.unreached = hypothesis(document, given).map(|given| (side, given.sentence));
-}
-
-/// Where derivatives of functions are spoken of, keeps a model only if functions pass through it for
-/// which the premises hold for all points.
-fn only_motions(
-    document: &Document,
-    (resting, ids): (&Goal, &[usize]),
-    complete: bool,
-    found: &mut Verdicts,
-) {
-    let motion = &document.motion;
-    // what is behind and cannot be held against a point has no hypothesis
-    let all = resting.hypotheses.len() == ids.len();
-    let met = |evidence: &Evidence| all && motion.is_met(resting, ids, evidence);
-    found.model = found.model.take().filter(|model| met(&Evidence::Model(model.clone())));
-    let model = |decided: &&Decided| matches!(decided.certificate.evidence, Evidence::Model(_));
-    let unmet = |decided: &Decided| {
-        let complete = complete || decided.certificate.goal == kane_kernel::digest(resting);
-        !(complete && met(&decided.certificate.evidence))
-    };
-    if found.decided.as_ref().filter(model).is_some_and(unmet) {
-        found.decided = None;
-        found.open = Some(match motion.concerns_exponentials(resting) {
-            true => Open::Exponential,
-            false if motion.concerns_arcs(resting) => Open::Arc,
-            false => Open::Motion,
-        });
-    }
-}
-
-/// Looks for a point where the exponentials of a goal are known: exp(0) is 1, and log(1) is 0.
-fn at_zero(
-    document: &Document,
-    (resting, ids): (&Goal, &[usize]),
-    prover: &Prover<'_>,
-    complete: bool,
-    found: &mut Verdicts,
-) {
-    let motion = &document.motion;
-    let pins = motion.pins(resting);
-    let of_points = matches!(resting.conclusion, Conclusion::Link(Link::Relation(_)));
-    if pins.is_empty() || !of_points || resting.hypotheses.len() != ids.len() {
-        return;
-    }
-    let mut pinned = resting.clone();
-    pinned.hypotheses.extend(pins);
-    let met = |model: &Model| motion.is_met(resting, ids, &Evidence::Model(model.clone()));
-    if found.decided.is_none() {
-        let witness = [Finding::IllDefined, Finding::Refuted]
-            .into_iter()
-            .find_map(|finding| prover.witness_within(&pinned, resting, finding));
-        if let Some((decided, _)) = witness.filter(|(_, model)| met(model)) {
-            (found.decided, found.open, found.behind_met) = (Some(decided), None, true);
-        }
-    }
-    if found.model.is_none() && complete {
-        let model = prover.witness_within(&pinned, resting, Finding::Consistent);
-        found.model = model.map(|(_, model)| model).filter(met);
-    }
 }
 
 /// Keeps nothing that speaks against a witness: something else may exist.

@@ -1,30 +1,26 @@
 //! What names mean at a place in a document.
 
-use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+mod angles;
+mod domain;
+mod exponentials;
+mod indexed;
+mod walk;
 
-use kane_kernel::{Bound, Context, Definition, Expr, Var};
-use num_rational::BigRational;
-use num_traits::{Signed as _, Zero as _};
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use kane_kernel::{Context, Definition, Expr, Var};
 use thiserror::Error;
 
-use super::error::SyntaxErrorKind;
-use super::exponential_symbol::{
-    Exponential, bounds_of_exponential, bounds_of_logarithm, bounds_of_product, exponential_name,
-    named_powers,
-};
+use super::exponential_symbol::{Exponential, named_powers};
 use super::monomial::Monomial;
 use super::names::{
     PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate, summed,
 };
-use super::sequence::{Sequences, bounds_of_power};
+use super::sequence::Sequences;
 use super::summation::Summation;
-use super::template::{Template, parameter};
+use super::template::Template;
 use super::value::{Array, Shape, Value};
-
-/// Nodes that all visits of a scope may see together. Definitions that share others can make
-/// every visit as long as the document.
-const MAX_EFFORT: usize = 50_000_000;
 
 /// Parts of expressions that vectors, matrices and definitions with arguments may be written out to.
 const MAX_WRITTEN: usize = 5_000_000;
@@ -337,234 +333,11 @@ impl Scope {
         written <= MAX_WRITTEN
     }
 
-    /// Declares an index, a natural number.
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_index(&mut self, name: &str) -> Result<usize, DeclareError> {
-        let lower = Some(Bound { value: BigRational::zero(), strict: false });
-        let symbol = self.declare(Var { name: name.to_owned(), of: None, lower, upper: None })?;
-        self.sequences.add_index(symbol);
-        Ok(symbol)
-    }
-
-    /// Declares the symbol for the power of a base to an index: `base` is a number, a plain symbol or a
-    /// definition that is [total](Self::is_total), and goes by `name`.
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_power(
-        &mut self,
-        name: &str,
-        base: Expr,
-        index: usize,
-    ) -> Result<(), DeclareError> {
-        let n = self.context.vars.get(index).map_or("?", |var| &var.name);
-        let whole = format!("pow({name}, {n})");
-        let end = |bound: &Option<Bound>| bound.as_ref().map(|b| (b.value.clone(), b.strict));
-        let ends = match &base {
-            Expr::Num(q) => [Some((q.clone(), false)), Some((q.clone(), false))],
-            Expr::Var(v) => {
-                let var = self.context.vars.get(*v);
-                var.map_or([None, None], |var| [end(&var.lower), end(&var.upper)])
-            }
-            _ => [None, None],
-        };
-        let bound = |(value, strict)| Bound { value, strict };
-        let [lower, upper] = bounds_of_power(ends).map(|end| end.map(bound));
-        let symbol = self.declare_compound(Var { name: whole, of: None, lower, upper })?;
-        self.sequences.add_power(symbol, base, index);
-        self.powers.insert((canonical_name(name).into_owned(), index), symbol);
-        Ok(())
-    }
-
     /// Declares a symbol with a name that is put together, such as `s(n)`.
     fn declare_compound(&mut self, var: Var) -> Result<usize, DeclareError> {
         self.check_free(&spelled(&var.name))?;
         self.typeset.entry(latex_name(&spelled(&var.name))).or_insert_with(|| var.name.clone());
         self.declare(var)
-    }
-
-    /// Declares a sequence by its term at an index.
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_sequence(
-        &mut self,
-        name: &str,
-        index: usize,
-        term: Expr,
-    ) -> Result<(), DeclareError> {
-        self.check_free(name)?;
-        self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
-        self.terms.insert(canonical_name(name).into_owned(), (index, term));
-        Ok(())
-    }
-
-    /// Declares a sequence by s(0), and by s(n + 1), in which a [placeholder](super::placeholder) stands
-    /// for s(n); both are [total](Self::is_total).
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_recursion(
-        &mut self,
-        name: &str,
-        index: usize,
-        first: Expr,
-        step: impl FnOnce(&Expr) -> Expr,
-    ) -> Result<(), DeclareError> {
-        self.check_free(name)?;
-        let n = self.context.vars.get(index).map_or("?", |var| &var.name);
-        let whole = format!("{name}({n})");
-        let symbol =
-            self.declare_compound(Var { name: whole, of: None, lower: None, upper: None })?;
-        let term = Expr::Var(symbol);
-        self.sequences.add_recursion(symbol, index, first, step(&term));
-        self.declare_sequence(name, index, term)
-    }
-
-    /// Declares the symbol of a sum up to an index, whose terms are [total](Self::is_total).
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_sum(&mut self, name: &str, sum: Summation) -> Result<(), DeclareError> {
-        let whole = Var { name: name.to_owned(), of: None, lower: None, upper: None };
-        // signs are told apart, which `declare_compound` does not need
-        let signs =
-            [('+', "_plus_"), ('-', "_minus_"), ('*', "_times_"), ('/', "_over_"), ('^', "_to_")];
-        let spelled = signs.iter().fold(name.to_owned(), |name, (c, word)| name.replace(*c, word));
-        let spelled = self::spelled(&spelled);
-        self.check_free(&spelled)?;
-        self.typeset.entry(latex_name(&spelled)).or_insert_with(|| name.to_owned());
-        let symbol = self.declare(whole)?;
-        let next = sum.joined(Expr::Var(symbol));
-        self.sequences.add_recursion(symbol, sum.index, sum.first.clone(), next);
-        self.sums.insert(sum, symbol);
-        Ok(())
-    }
-
-    /// The symbol of a sum up to an index.
-    #[must_use]
-    pub fn sum(&self, sum: &Summation) -> Option<usize> {
-        self.sums.get(sum).copied()
-    }
-
-    /// Indices, powers and terms.
-    #[must_use]
-    pub fn sequences(&self) -> &Sequences {
-        &self.sequences
-    }
-
-    /// The symbol for a power, by its base as it is named.
-    pub(crate) fn power(&self, base: &str, index: usize) -> Option<usize> {
-        self.powers.get(&(canonical_name(base).into_owned(), index)).copied()
-    }
-
-    /// Whether the power has its symbol.
-    #[must_use]
-    pub fn has_power(&self, base: &str, index: usize) -> bool {
-        self.power(base, index).is_some()
-    }
-
-    /// The index of a sequence, and its term at it.
-    pub(crate) fn term(&self, name: &str) -> Option<&(usize, Expr)> {
-        self.terms.get(canonical_name(name).as_ref())
-    }
-
-    /// Whether the name is one of a sequence.
-    #[must_use]
-    pub fn is_sequence(&self, name: &str) -> bool {
-        self.term(name).is_some()
-    }
-
-    /// Whether an expression has a value at all points of the declared domain, for reasons that are
-    /// seen at once: it is a polynomial in plain symbols, divided by products of numbers and of symbols
-    /// whose bounds exclude 0. Of indices it may speak of this one; of functions and angles of none.
-    #[must_use]
-    pub fn is_total(&self, e: &Expr, index: Option<usize>) -> bool {
-        let mut total = !self.is_exhausted();
-        self.visit(e, &mut |node| {
-            total &= match node {
-                Expr::Var(v) if parameter(*v).is_none() => {
-                    let plain = self.context.vars.get(*v).is_some_and(|var| var.of.is_none());
-                    let own = self.sequences.index_of(*v).is_none_or(|n| Some(n) == index);
-                    let angle = self.angle(*v).is_some() || self.angle_at(*v).is_some();
-                    plain && own && !angle
-                }
-                Expr::Num(_) | Expr::Var(_) | Expr::Let(_) | Expr::Neg(_) => true,
-                Expr::Add(..) | Expr::Sub(..) | Expr::Mul(..) => true,
-                Expr::Div(_, b) => self.never_vanishes(b),
-                Expr::Pow(_, n) => *n >= 0,
-                _ => false,
-            };
-        });
-        total && !self.is_exhausted()
-    }
-
-    /// Whether an expression has a value whatever its symbols are within their declared bounds, for reasons
-    /// that are seen at once: it divides by what never vanishes by what is declared, and has no roots,
-    /// cases and derivatives.
-    #[must_use]
-    pub fn has_value(&self, e: &Expr) -> bool {
-        let mut has = !self.is_exhausted();
-        self.visit(e, &mut |node| {
-            has &= match node {
-                Expr::Num(_) | Expr::Var(_) | Expr::Let(_) | Expr::Neg(_) => true,
-                Expr::Add(..) | Expr::Sub(..) | Expr::Mul(..) => true,
-                Expr::Abs(_) | Expr::Min(..) | Expr::Max(..) => true,
-                Expr::Div(_, b) => self.never_vanishes(b),
-                Expr::Pow(a, n) => *n >= 0 || self.never_vanishes(a),
-                _ => false,
-            };
-        });
-        has && !self.is_exhausted()
-    }
-
-    /// Whether it is not 0 by what is declared: a product of numbers and symbols, and of sums of what is
-    /// not negative and one of which is positive.
-    pub(crate) fn never_vanishes(&self, e: &Expr) -> bool {
-        match e {
-            Expr::Num(q) => !q.is_zero(),
-            Expr::Add(..) | Expr::Sub(..) => self.is_above(e, true),
-            Expr::Var(v) => self.context.vars.get(*v).is_some_and(|var| {
-                let beyond = |b: &Bound, sign: bool| match b.value.is_zero() {
-                    true => b.strict,
-                    false => b.value.is_negative() == sign,
-                };
-                var.lower.as_ref().is_some_and(|bound| beyond(bound, false))
-                    || var.upper.as_ref().is_some_and(|bound| beyond(bound, true))
-            }),
-            Expr::Neg(a) | Expr::Pow(a, _) => self.never_vanishes(a),
-            Expr::Mul(a, b) => self.never_vanishes(a) && self.never_vanishes(b),
-            _ => false,
-        }
-    }
-
-    /// Whether it is not negative, or positive, by what is declared.
-    #[must_use]
-    pub fn is_above(&self, e: &Expr, strictly: bool) -> bool {
-        let above = |e: &Expr| self.is_above(e, strictly);
-        if let Some(sum) = self.sequences.linear(e) {
-            return sum.plus >= i64::from(strictly) && sum.times.values().all(|n| *n >= 0);
-        }
-        match e {
-            Expr::Num(q) => q.is_positive() || !strictly && q.is_zero(),
-            Expr::Var(v) => {
-                let lower = self.context.vars.get(*v).and_then(|var| var.lower.as_ref());
-                lower.is_some_and(|b| match b.value.is_zero() {
-                    true => b.strict || !strictly,
-                    false => b.value.is_positive(),
-                })
-            }
-            Expr::Add(a, b) => {
-                let [a, b] = [a, b].map(|e| (self.is_above(e, false), above(e)));
-                a.0 && b.1 || a.1 && b.0
-            }
-            Expr::Mul(a, b) => above(a) && above(b),
-            Expr::Div(a, b) => above(a) && self.is_above(b, true),
-            Expr::Pow(a, n) => self.is_above(a, strictly || *n < 0),
-            _ => false,
-        }
     }
 
     /// Declares a symbol and returns its index.
@@ -577,134 +350,6 @@ impl Scope {
         self.enter(&var.name, Symbol::Var(index));
         self.context.vars.push(var);
         Ok(index)
-    }
-
-    /// Declares a symbol as an angle, with cosine and sine of one of its equal parts; of the variable of a
-    /// limit these are functions.
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_angle(
-        &mut self,
-        var: Var,
-        parts: u32,
-        limited: bool,
-    ) -> Result<(usize, Angle), DeclareError> {
-        let part = if parts == 1 { var.name.clone() } else { format!("{}/{parts}", var.name) };
-        let point = ["cos", "sin"].map(|f| Var {
-            name: format!("{f}({part})"),
-            of: if limited { Some(self.context.vars.len()) } else { var.of },
-            lower: None,
-            upper: None,
-        });
-        for var in &point {
-            self.check_free(&spelled(&var.name))?;
-        }
-        let index = self.declare(var)?;
-        let [cos, sin] = point.map(|var| {
-            self.typeset.entry(latex_name(&spelled(&var.name))).or_insert_with(|| var.name.clone());
-            self.declare(var)
-        });
-        let angle = Angle { cos: cos?, sin: sin?, parts };
-        self.angles.insert(index, angle);
-        Ok((index, angle))
-    }
-
-    /// Has an angle stand by itself, too, as the number of its radians.
-    pub fn declare_measured(&mut self, angle: usize) {
-        self.measured.insert(angle);
-    }
-
-    /// Whether a symbol is an angle that is known by its direction alone.
-    #[must_use]
-    pub fn is_unmeasured(&self, symbol: usize) -> bool {
-        self.angle(symbol).is_some() && !self.measured.contains(&symbol)
-    }
-
-    /// The angles that stand by themselves, with what stands for them.
-    pub fn measured(&self) -> impl Iterator<Item = (usize, Angle)> {
-        self.measured.iter().filter_map(|v| Some((*v, *self.angle(*v)?)))
-    }
-
-    /// Notes that a symbol is the variable of a limit: what stands for its exponentials is a function of it.
-    pub fn declare_limited(&mut self, symbol: usize) {
-        self.limited.insert(symbol);
-    }
-
-    /// The variable with which a product varies: that of the functions in it, or the variable of a limit.
-    ///
-    /// # Errors
-    /// When there are two.
-    pub(crate) fn variable_of(&self, of: &Monomial) -> Result<Option<usize>, SyntaxErrorKind> {
-        let var = |v: usize| {
-            let of = self.context.vars.get(v).and_then(|var| var.of);
-            of.or_else(|| self.limited.contains(&v).then_some(v))
-        };
-        let found: BTreeSet<usize> = of.symbols().filter_map(var).collect();
-        match found.len() {
-            0 | 1 => Ok(found.into_iter().next()),
-            _ => Err(SyntaxErrorKind::TwoVariables),
-        }
-    }
-
-    /// The symbols of a product by their names.
-    pub(crate) fn named(&self, of: &Monomial) -> Vec<(String, i32)> {
-        let name = |v: usize| self.context.vars.get(v).map_or("?", |var| &var.name).to_owned();
-        of.powers().iter().map(|(v, n)| (name(*v), *n)).collect()
-    }
-
-    /// Declares the symbol for the exponential of a part of a product of symbols; of 0 parts for the
-    /// logarithm of the symbol that it is.
-    ///
-    /// # Errors
-    /// As [`declare`](Self::declare).
-    pub fn declare_exponential(
-        &mut self,
-        of: &Monomial,
-        parts: u32,
-    ) -> Result<Exponential, DeclareError> {
-        let name = exponential_name(&self.named(of), parts);
-        let vars = &self.context.vars;
-        let of_product;
-        let (ends, all) = match of.as_symbol().and_then(|v| vars.get(v)) {
-            Some(var) => ([var.lower.as_ref(), var.upper.as_ref()], true),
-            None => {
-                of_product = bounds_of_product(of.powers(), vars);
-                ([of_product.0[0].as_ref(), of_product.0[1].as_ref()], of_product.1)
-            }
-        };
-        let ([lower, upper], exact) = match parts {
-            0 => bounds_of_logarithm(ends),
-            _ => bounds_of_exponential(ends),
-        };
-        let variable = self.variable_of(of).unwrap_or_default();
-        let symbol = self.declare_compound(Var { name, of: variable, lower, upper })?;
-        let found = Exponential { symbol, of: of.clone(), parts, exact: exact && all };
-        self.exponentials.insert((of.clone(), parts == 0), found.clone());
-        Ok(found)
-    }
-
-    /// All exponentials and logarithms, in the order of what is in them.
-    pub fn exponentials(&self) -> impl Iterator<Item = &Exponential> {
-        self.exponentials.values()
-    }
-
-    /// What stands for the exponential of a product.
-    #[must_use]
-    pub fn exponential(&self, of: &Monomial) -> Option<&Exponential> {
-        self.exponentials.get(&(of.clone(), false))
-    }
-
-    /// What stands for the logarithm of a symbol.
-    #[must_use]
-    pub fn logarithm(&self, of: &Monomial) -> Option<&Exponential> {
-        self.exponentials.get(&(of.clone(), true))
-    }
-
-    /// What a symbol stands for, if it is an exponential or a logarithm.
-    #[must_use]
-    pub fn exponential_at(&self, symbol: usize) -> Option<&Exponential> {
-        self.exponentials().find(|known| known.symbol == symbol)
     }
 
     /// What a symbol is, in words, if it is no plain constant: a function, an index, an angle, or what
@@ -724,16 +369,6 @@ impl Scope {
         } else {
             self.context.vars.get(v).and_then(|var| var.of).map(|_| "it is a function")
         }
-    }
-
-    /// Whether a symbol may stand in an exponential: it is declared by its name, and is no index and no
-    /// angle.
-    pub(crate) fn is_exponent(&self, v: usize) -> bool {
-        let angle = self.angle(v).is_some() || self.angle_at(v).is_some();
-        let plain = |var: &Var| !var.name.contains('(');
-        !angle
-            && self.sequences.index_of(v).is_none()
-            && self.context.vars.get(v).is_some_and(plain)
     }
 
     /// Declares symbols for the first derivatives of a function, up to an order; nothing for a plain
@@ -770,23 +405,6 @@ impl Scope {
         &self.rates
     }
 
-    /// All angles with what stands for them, in no particular order.
-    pub fn angles(&self) -> impl Iterator<Item = (usize, Angle)> {
-        self.angles.iter().map(|(symbol, angle)| (*symbol, *angle))
-    }
-
-    /// What stands for a symbol, if it is an angle.
-    #[must_use]
-    pub fn angle(&self, symbol: usize) -> Option<&Angle> {
-        self.angles.get(&symbol)
-    }
-
-    /// The angle of which a symbol is the cosine or the sine, and its symbol.
-    #[must_use]
-    pub fn angle_at(&self, symbol: usize) -> Option<(usize, Angle)> {
-        self.angles().find(|(_, angle)| [angle.cos, angle.sin].contains(&symbol))
-    }
-
     /// Adds a definition and returns its index.
     ///
     /// # Errors
@@ -798,92 +416,5 @@ impl Scope {
         self.heights.push(self.height(&body));
         self.context.lets.push(Definition { name: name.to_owned(), body });
         Ok(index)
-    }
-
-    /// Operations on the longest path from the root to a leaf, definitions expanded; a leaf has 1.
-    #[must_use]
-    pub fn height(&self, expr: &Expr) -> usize {
-        let below = match expr {
-            Expr::Let(index) => self.height_of_let(*index),
-            _ => expr.children().iter().map(|child| self.height(child)).max().unwrap_or(0),
-        };
-        below + 1
-    }
-
-    pub(crate) fn height_of_let(&self, index: usize) -> usize {
-        self.heights.get(index).copied().unwrap_or(0)
-    }
-
-    /// Calls `see` on every node of the expression and of the definitions that it uses, each
-    /// definition once. Sees fewer when the scope [is exhausted](Self::is_exhausted).
-    pub fn visit<'a>(&'a self, expr: &'a Expr, see: &mut impl FnMut(&'a Expr)) {
-        let mut seen = HashSet::new();
-        let mut pending = vec![expr];
-        while let Some(node) = pending.pop() {
-            if self.is_exhausted() {
-                return;
-            }
-            self.effort.set(self.effort.get() + 1);
-            see(node);
-            if let Expr::Let(index) = node
-                && seen.insert(*index)
-                && let Some(definition) = self.context.lets.get(*index)
-            {
-                pending.push(&definition.body);
-            }
-            pending.extend(node.children());
-        }
-    }
-
-    /// Whether visits have seen more nodes than they may; then what they found is not to be
-    /// relied upon.
-    #[must_use]
-    pub fn is_exhausted(&self) -> bool {
-        self.effort.get() >= MAX_EFFORT
-    }
-
-    /// These symbols, and those that stand in exponentials among them: k and x of exp(k*x).
-    #[must_use]
-    pub fn with_factors(&self, mut symbols: BTreeSet<usize>) -> BTreeSet<usize> {
-        let exponentials = self.exponentials().filter(|e| symbols.contains(&e.symbol));
-        let factors: Vec<usize> = exponentials.flat_map(|e| e.of.symbols()).collect();
-        symbols.extend(factors);
-        symbols
-    }
-
-    /// The same, and all of an angle, its cosine and its sine where one of them is there.
-    #[must_use]
-    pub fn inside(&self, symbols: BTreeSet<usize>) -> BTreeSet<usize> {
-        let mut symbols = self.with_factors(symbols);
-        let spoken = self.angles().map(|(theta, a)| [theta, a.cos, a.sin]);
-        let spoken: Vec<_> = spoken.filter(|all| all.iter().any(|v| symbols.contains(v))).collect();
-        symbols.extend(spoken.into_iter().flatten());
-        symbols
-    }
-
-    /// Indices of the symbols in the expression, definitions expanded.
-    #[must_use]
-    pub fn symbols(&self, expr: &Expr) -> BTreeSet<usize> {
-        let mut found = BTreeSet::new();
-        self.visit(expr, &mut |node| {
-            if let Expr::Var(index) | Expr::Deriv(_, index) = node {
-                found.insert(*index);
-            }
-        });
-        found
-    }
-
-    /// Whether the value may vary with the symbol `x`: through x itself or a function of it,
-    /// definitions expanded.
-    #[must_use]
-    pub fn varies_with(&self, expr: &Expr, x: usize) -> bool {
-        let mut varies = false;
-        self.visit(expr, &mut |node| {
-            if let Expr::Var(index) = node {
-                varies |=
-                    *index == x || self.context.vars.get(*index).and_then(|v| v.of) == Some(x);
-            }
-        });
-        varies
     }
 }
