@@ -6,7 +6,8 @@ usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--without WO
 
 `cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
 switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and the targets that are named
-with --tests; tests that have a WORD in their name are not run. --again tries only those that an earlier run missed.
+with --tests; tests that have a WORD in their name are not run. --again tries only those that an earlier run missed or had
+no switch for.
 
 The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (ten times
 the processor time of the tests, and three seconds), `missed`, `type` (no value of that type), or `switch` and `constant`: not tried
@@ -62,7 +63,7 @@ def main() -> None:
     wanted = set(copy.mutants)
     if asked.again:
         missed = {json.loads(line)["change"] for line in asked.again.read_text().splitlines()
-                  if json.loads(line)["outcome"] == "missed"}
+                  if json.loads(line)["outcome"] in ("missed", "switch", "constant")}
         wanted = {n for n in wanted if copy.mutants[n].change in missed}
     counts: collections.Counter[str] = collections.Counter()
     with (open(asked.out, "w") if asked.out else tempfile.TemporaryFile("w")) as out:

@@ -74,7 +74,9 @@ class Source:
     def place(self, mutant: Mutant) -> bool:
         """Finds the node that a mutant changes; false where the tree has none, as inside of a macro."""
         start, end = self.offset(mutant.start), self.offset(mutant.end)
-        node = self.tree.root_node.descendant_for_byte_range(start, end)
+        # the place of a field or an arm has the comma behind it
+        node = self.tree.root_node.descendant_for_byte_range(
+            start, start + 1 if mutant.genre in ("StructField", "MatchArm") else end)
         wanted = {
             "FnValue": ("function_item",),
             "BinaryOperator": ("binary_expression", "compound_assignment_expr"),

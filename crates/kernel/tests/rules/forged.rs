@@ -351,3 +351,23 @@ fn evidence_of_one_kind_shows_no_finding_of_another() {
         }
     }
 }
+
+#[test]
+fn a_rejection_says_in_its_own_words_what_can_be_mended() {
+    let plain = Rejection::NotPositive.to_string();
+    let told = [
+        (Rejection::Budget, "budget"),
+        (Rejection::OtherGoal, "another statement"),
+        (Rejection::NotCanonical, "lowest terms"),
+        (Rejection::EmptyRange(0), "empty range"),
+        (Rejection::UnknownSymbol, "symbol that is not there"),
+        (Rejection::NotExplicit, "derivative"),
+        (Rejection::OutsideDomain, "limit"),
+        (Rejection::NotAModel(None), "witness"),
+    ];
+    for (rejection, word) in told {
+        let text = rejection.to_string();
+        assert!(text.contains(word) && !plain.contains(word), "{rejection:?}: {text}");
+    }
+    assert!(plain.contains("a step of it does not hold"));
+}

@@ -73,6 +73,47 @@ fn polynomials_that_are_equal_have_one_hash_and_one_place_in_the_order() {
     }
 }
 
+/// The product of this many symbols, from this one on.
+fn long(first: usize, count: usize) -> Poly {
+    Poly::term((first..first + count).map(|v| (v, 1)).collect(), BigInt::one())
+}
+
+#[test]
+fn a_product_of_more_than_eight_million_terms_and_powers_is_refused_whatever_is_left() {
+    let fuel = Fuel::new(u64::MAX);
+    // One term and its powers each: 2,000 · 4,000 is the most, and one power more is too many.
+    let product = long(0, 1_999).mul(&long(1_999, 3_999), &fuel);
+    assert_eq!(product, Ok(long(0, 5_998)));
+    assert_eq!(long(0, 1_999).mul(&long(1_999, 4_000), &fuel), Err(Rejection::Budget));
+    assert_eq!(long(0, 2_999).mul(&long(2_999, 2_999), &fuel), Err(Rejection::Budget));
+}
+
+#[test]
+fn the_length_of_terms_is_charged_to_the_whole_and_not_to_a_part() {
+    let whole = Fuel::new(1_000_000);
+    let part = whole.within(10);
+    long(0, 1_999).mul(&long(1_999, 3_999), &part).expect("one pair of terms");
+    assert_eq!(part.left(), 9, "a step for the pair");
+    assert_eq!(1_000_000 - whole.left(), 1 + 5_998 / 8, "and an eighth of one for each power");
+}
+
+#[test]
+fn a_power_pays_for_no_square_that_it_does_not_need() {
+    let p = (0..100).fold(Poly::default(), |sum, v| sum.add(&Poly::var(v)));
+    assert_eq!(p.pow(1, &Fuel::new(100)), Ok(p.clone()), "100 products with 1");
+    assert_eq!(p.pow(1, &Fuel::new(99)), Err(Rejection::Budget));
+}
+
+#[test]
+fn descartes_pays_for_the_length_of_the_numbers_that_it_makes() {
+    // Eight numbers of 1,000 bits, each shifted by ends of 2 + 11 and 3 + 2 bits, and doubled, in
+    // each of eight steps: at most 1,000 + 8·(18 + 1) bits are 18 words and a part.
+    let p: Vec<BigInt> = (0..8).map(|_| BigInt::one() << 999_u32).collect();
+    let (lo, hi) = (q(3, 1024), q(5, 2));
+    assert_eq!(descartes(&p, &lo, &hi, &Fuel::new(8 * 8 * 19)), Ok(0));
+    assert_eq!(descartes(&p, &lo, &hi, &Fuel::new(8 * 8 * 19 - 1)), Err(Rejection::Budget));
+}
+
 #[test]
 fn a_power_is_a_repeated_product() {
     for a in polynomials() {

@@ -76,6 +76,18 @@ fn a_given_that_varies_only_by_a_definition_is_owed() {
 }
 
 #[test]
+fn definitions_that_name_each_other_twice_are_walked_once() {
+    let mut goal = plain();
+    let twice = |i: usize| if i == 0 { var(Y) } else { add(Expr::Let(i - 1), Expr::Let(i - 1)) };
+    goal.context.lets =
+        (0..64).map(|i| Definition { name: format!("u{i}"), body: twice(i) }).collect();
+    goal.hypotheses = vec![given(vec![link(Expr::Let(63), Rel::Gt, number(0, 1))])];
+    let scope = scope(&goal, plenty()).expect("small");
+    let state = constants(&scope, &goal, X).expect("small");
+    assert!(owed(&state, &side(None, true)).is_empty(), "2^63 y does not depend on x");
+}
+
+#[test]
 fn the_domain_is_narrowed_by_what_givens_say_of_the_variable_alone() {
     let goal = mixed();
     let scope = scope(&goal, plenty()).expect("small");
@@ -209,6 +221,22 @@ fn passed(
     let (along_proof, then) = (closing(&there), closing(&state.with(end)));
     let proof = Proof::Pass { germ: along, atom, along: along_proof.into(), then: then.into() };
     judged(goal, Finding::Proved, Evidence::Contradiction(proof))
+}
+
+#[test]
+fn nothing_is_passed_to_a_limit_where_a_range_is_shown() {
+    let (goal, l) = low();
+    let scope = scope(&goal, plenty()).expect("small");
+    let state = claim_state(&scope, &goal, Finding::Proved).expect("a contradiction claim");
+    assert!(state.passages.allow(X));
+    let along = germ(&state, side(Some(q(0, 1)), true));
+    // The question has no limits among its premises; even with one the function has a value in it.
+    let values = [(Y, var(X))];
+    let mut asked = inside_goal(&state, &along.side, &goal.behind[0], &values).expect("explicit");
+    asked.hypotheses.push(given(vec![Link::Limit(l)]));
+    let inner = kane_kernel::scope(&asked, plenty()).expect("small");
+    let there = inside_state(&state, &along, &inner, &asked).expect("small");
+    assert!(!there.passages.allow(X) && !there.passages.allow(Y));
 }
 
 #[test]

@@ -231,3 +231,9 @@ fn an_algebraic_number_is_the_only_root_in_its_interval() {
         );
     }
 }
+
+#[test]
+fn a_root_is_exact_where_its_interval_is_a_point() {
+    assert!(root(&[-2, 1], q(2, 1), q(2, 1)).is_exact());
+    assert!(!root(&[-2, 0, 1], q(1, 1), q(2, 1)).is_exact());
+}
