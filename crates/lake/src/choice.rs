@@ -11,6 +11,8 @@ use kane_records::row::Row;
 pub(crate) struct Choice {
     room: usize,
     kept: BTreeMap<u64, Chosen>,
+    /// bytes of the rows that are kept
+    bytes: usize,
 }
 
 /// A row that was chosen.
@@ -22,7 +24,7 @@ pub(crate) struct Chosen {
 
 impl Choice {
     pub(crate) const fn new(room: usize) -> Self {
-        Self { room, kept: BTreeMap::new() }
+        Self { room, kept: BTreeMap::new(), bytes: 0 }
     }
 
     /// Offers so many rows of this hash; `make` writes the row down if it is kept.
@@ -36,9 +38,11 @@ impl Choice {
             chosen.count += count;
             return;
         }
-        self.kept.insert(hash, Chosen { count, row: make() });
+        let row = make();
+        self.bytes += row.len();
+        self.kept.insert(hash, Chosen { count, row });
         if self.kept.len() > self.room {
-            self.kept.pop_last();
+            self.bytes -= self.kept.pop_last().map_or(0, |(_, last)| last.row.len());
         }
     }
 
@@ -55,7 +59,7 @@ impl Choice {
 
     /// Bytes of memory, about.
     pub(crate) fn size(&self) -> usize {
-        self.kept.values().map(|chosen| chosen.row.len() + 64).sum()
+        self.bytes + 64 * self.kept.len()
     }
 }
 
@@ -63,16 +67,29 @@ impl Choice {
 /// shifts of 64 bits, each of which can be undone, so that rows that differ in one number alone never
 /// share a hash.
 pub(crate) fn hash(row: &Row, pair: &str) -> u64 {
-    let mix = |hash: u64, word: u64| {
-        let mixed = (hash ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        mixed ^ (mixed >> 32)
-    };
-    let start: u64 = 0x243f_6a88_85a3_08d3;
-    let hash = row.numbers().fold(start, |hash, (place, value)| {
-        mix(hash.rotate_left(u32::try_from(place).unwrap_or(0)), value.to_bits())
-    });
+    let numbers = row.numbers().fold(START, |hash, (place, value)| numbered(hash, place, value));
+    worded(numbers, row, pair)
+}
+
+/// The hash of a row of nothing.
+pub(crate) const START: u64 = 0x243f_6a88_85a3_08d3;
+
+/// A hash with one number more; they are taken by rising places.
+#[inline]
+pub(crate) fn numbered(hash: u64, place: usize, value: f64) -> u64 {
+    mix(hash.rotate_left(u32::try_from(place).unwrap_or(0)), value.to_bits())
+}
+
+/// A hash of the numbers with the words.
+pub(crate) fn worded(numbers: u64, row: &Row, pair: &str) -> u64 {
     let shapes = row.shapes.iter().flatten().map(|shape| shape.name());
-    shapes.chain([pair]).flat_map(str::bytes).fold(hash, |hash, byte| mix(hash, u64::from(byte)))
+    shapes.chain([pair]).flat_map(str::bytes).fold(numbers, |hash, byte| mix(hash, u64::from(byte)))
+}
+
+#[inline]
+const fn mix(hash: u64, word: u64) -> u64 {
+    let mixed = (hash ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    mixed ^ (mixed >> 32)
 }
 
 #[cfg(test)]
@@ -96,5 +113,15 @@ mod tests {
         let mut merged = chosen(&[3, 5, 9]);
         merged.merge(&chosen(&[9, 3, 1, 5, 3]));
         assert_eq!(counts(&merged), counts(&whole));
+    }
+
+    #[test]
+    fn the_size_is_that_of_the_rows_that_are_kept() {
+        let mut choice = Choice::new(3);
+        for (hash, length) in [(7, 9), (2, 1), (9, 80), (2, 5), (4, 20), (1, 3)] {
+            choice.offer(hash, 1, || vec![0; length].into_boxed_slice());
+        }
+        let counted: usize = choice.kept().values().map(|chosen| chosen.row.len() + 64).sum();
+        assert_eq!(choice.size(), counted);
     }
 }

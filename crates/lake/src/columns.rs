@@ -6,11 +6,12 @@ use datafusion::arrow::array::{
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Float64Type};
 use kane_records::header::Header;
-use kane_records::reader::{Pairs, fill, number};
+use kane_records::reader::{Pairs, fill, is_plain, number};
 use kane_records::rejection::Reason;
 use kane_records::row::Row;
 use kane_records::schema::Field;
 
+use crate::choice::{START, numbered};
 use crate::fault::LakeFault;
 
 /// The columns of a batch, each with what it is. The fields of a struct are called as the columns of a
@@ -24,6 +25,9 @@ pub(crate) struct Columns {
 
 /// A column.
 enum Cells {
+    /// numbers, all of which can stand in a row
+    Plain(usize, Float64Array),
+    /// numbers and gaps
     Floats(Float64Array),
     Texts(StringArray),
 }
@@ -66,6 +70,7 @@ impl Columns {
         row.clear(0);
         for (field, cells) in &self.cells {
             match (field, cells) {
+                (_, Cells::Plain(place, floats)) => row.set_place(*place, floats.value(at)),
                 (Field::Number(column), Cells::Floats(floats)) => {
                     if floats.is_valid(at) {
                         number(row, *column, floats.value(at))?;
@@ -82,6 +87,39 @@ impl Columns {
         }
         Ok(())
     }
+
+    /// The hash of each row's numbers, as [`hash`](crate::choice::hash) has it, column by column: rows do not
+    /// wait for each other, where the numbers of one row do. None where a number stands as text.
+    pub(crate) fn hashes(&self) -> Option<Vec<u64>> {
+        let mut hashes = vec![START; self.rows];
+        let mut by_place: Vec<&(Field, Cells)> = self.cells.iter().collect();
+        by_place.sort_by_key(|(field, _)| place(*field));
+        for (field, cells) in by_place {
+            match (field, cells) {
+                (_, Cells::Plain(place, floats)) => {
+                    for (hash, value) in hashes.iter_mut().zip(floats.values()) {
+                        *hash = numbered(*hash, *place, *value);
+                    }
+                }
+                (Field::Number(column), Cells::Floats(floats)) => {
+                    for (hash, value) in hashes.iter_mut().zip(floats) {
+                        *hash = value.map_or(*hash, |value| numbered(*hash, column.index(), value));
+                    }
+                }
+                (Field::Number(_), Cells::Texts(_)) => return None,
+                (Field::Word(_), _) => {}
+            }
+        }
+        Some(hashes)
+    }
+}
+
+/// The place of a number, and behind all numbers that of words.
+const fn place(field: Field) -> usize {
+    match field {
+        Field::Number(column) => column.index(),
+        Field::Word(_) => usize::MAX,
+    }
 }
 
 impl Cells {
@@ -96,8 +134,78 @@ impl Cells {
         };
         let column = cast(column, &wanted).map_err(datafusion::error::DataFusionError::from)?;
         Ok(match wanted {
-            DataType::Float64 => Self::Floats(column.as_primitive::<Float64Type>().clone()),
+            DataType::Float64 => {
+                let floats = column.as_primitive::<Float64Type>().clone();
+                if floats.null_count() == 0 && floats.values().iter().all(|x| is_plain(*x)) {
+                    Self::Plain(place(field), floats)
+                } else {
+                    Self::Floats(floats)
+                }
+            }
             _ => Self::Texts(column.as_string::<i32>().clone()),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use datafusion::arrow::datatypes::{Field as Named, Fields};
+
+    use super::*;
+    use crate::choice::{hash, worded};
+
+    fn columns(cells: Vec<(&str, ArrayRef)>) -> Columns {
+        let (names, cells): (Vec<&str>, Vec<ArrayRef>) = cells.into_iter().unzip();
+        let fields = names.iter().zip(&cells);
+        let fields: Fields = fields
+            .map(|(name, cells)| Named::new(*name, cells.data_type().clone(), true))
+            .collect();
+        Columns::of_struct(&StructArray::new(fields, cells, None)).expect("a log")
+    }
+
+    fn floats(cells: impl IntoIterator<Item = Option<f64>>) -> ArrayRef {
+        Arc::new(cells.into_iter().collect::<Float64Array>())
+    }
+
+    fn texts(cells: [&str; 4]) -> ArrayRef {
+        Arc::new(StringArray::from(cells.to_vec()))
+    }
+
+    /// Columns in no order of places, a gap, an infinity, words, and a number that may be a text.
+    fn log(mu: ArrayRef) -> Columns {
+        let plain = |first: f64| floats((0..4).map(|row| Some(first - f64::from(row))));
+        columns(vec![
+            ("omega_post", plain(2.0)),
+            ("shape", texts(["disc", "hoop", "disc", "hoop"])),
+            ("vy_pre", plain(-1.0)),
+            ("mass", floats([Some(1.0), Some(2.0), None, Some(f64::INFINITY)])),
+            ("material", texts(["steel", "ice", "", "steel"])),
+            ("mu", mu),
+            ("radius", plain(9.0)),
+            ("vx_pre", plain(-0.0)),
+            ("omega_pre", plain(0.0)),
+            ("vx_post", plain(0.5)),
+            ("vy_post", plain(1e100)),
+            ("inertia", plain(1e100)),
+        ])
+    }
+
+    #[test]
+    fn hashes_by_columns_are_those_of_the_rows() {
+        let log = log(floats([Some(0.3), None, Some(0.1), Some(0.2)]));
+        let by_column = log.hashes().expect("all numbers are numbers");
+        let (mut row, mut pairs) = (Row::empty(0), Pairs::default());
+        for (at, pair) in ["steel", "ice", ""].into_iter().enumerate() {
+            assert_eq!(log.fill(at, &mut row, &mut pairs), Ok(()));
+            assert_eq!(worded(by_column[at], &row, pair), hash(&row, pair), "row {at}");
+        }
+        assert!(matches!(log.fill(3, &mut row, &mut pairs), Err(Reason::NotFinite(_))));
+    }
+
+    #[test]
+    fn numbers_that_stand_as_text_have_no_hash_by_columns() {
+        assert_eq!(log(texts(["0.3", "", "1", "2"])).hashes(), None);
     }
 }

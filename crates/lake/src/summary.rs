@@ -15,7 +15,7 @@ use kane_records::tally::Tally;
 use kane_records::tolerance::Precision;
 use kane_records::worst::{WORST, Worst};
 
-use crate::choice::{Choice, hash};
+use crate::choice::{Choice, hash, worded};
 use crate::columns::Columns;
 use crate::fault::LakeFault;
 use crate::numbers::Numbers;
@@ -83,18 +83,24 @@ impl Summary {
         self.agree(&columns.names, numbers)?;
         let (precision, spatial) = (numbers.precision(), columns.header.is_spatial());
         let (mut row, mut pairs) = (Row::empty(0), Pairs::default());
+        let hashes = columns.hashes();
         for at in 0..columns.rows() {
             let filled = columns.fill(at, &mut row, &mut pairs);
             match filled.and_then(|()| Case::of(&row, spatial, &precision)) {
-                Ok(case) => self.add_case(&case, name(&row, &pairs)),
+                Ok(case) => {
+                    let pair = name(&row, &pairs);
+                    let numbers = hashes.as_ref().and_then(|hashes| hashes.get(at));
+                    let hash =
+                        numbers.map_or_else(|| hash(&row, pair), |hash| worded(*hash, &row, pair));
+                    self.add_case(&case, hash, pair);
+                }
                 Err(reason) => self.rejections.add(Rejected { line: 0, reason }),
             }
         }
         Ok(())
     }
 
-    fn add_case(&mut self, case: &Case<'_>, pair: &str) {
-        let hash = hash(case.row, pair);
+    fn add_case(&mut self, case: &Case<'_>, hash: u64, pair: &str) {
         let most = self.tally.add(case, None);
         self.sample.offer(hash, 1, || written(case.row, pair));
         let Some((check, finding)) = most else { return };

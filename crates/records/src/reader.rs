@@ -224,6 +224,13 @@ pub fn fill(row: &mut Row, field: Field, cell: &[u8], pairs: &mut Pairs) -> Resu
     }
 }
 
+/// Whether [`number`] takes it: it is finite, and products of three such are floats.
+#[inline]
+#[must_use]
+pub fn is_plain(value: f64) -> bool {
+    value.abs() <= MOST
+}
+
 /// Takes a number.
 ///
 /// # Errors
