@@ -1,6 +1,7 @@
 //! The report as a page: the document with notes in its margin.
 
 mod anchors;
+mod declarations;
 mod entry;
 mod findings;
 mod frame;
@@ -21,6 +22,7 @@ use crate::origin::Origin;
 use crate::report::Entry;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
+use declarations::declarations;
 pub(crate) use entry::lines;
 pub(crate) use frame::Frame;
 use prose::Part;
@@ -224,13 +226,13 @@ impl<'a> Page<'a> {
             let Some(entry) = self.entry(index) else { continue };
             let span = &entry.statement.span;
             if whole && !range.is_empty() {
-                pieces.extend(declarations(document.text.get(from..span.start)));
+                pieces.extend(document.text.get(from..span.start).and_then(declarations));
                 from = span.end + document.text[span.end..].find('\n').unwrap_or(0);
             }
             pieces.push(self.statement(index, &entry, level + 1));
         }
         if whole && !range.is_empty() {
-            pieces.extend(declarations(document.text.get(from..range.end)));
+            pieces.extend(document.text.get(from..range.end).and_then(declarations));
         }
         html! {
             @if !pieces.is_empty() {
@@ -250,16 +252,6 @@ fn pictures(pictures: &[Picture]) -> Markup {
             }
         }
     }
-}
-
-/// The lines between statements that declare symbols or are the author's comments.
-fn declarations(between: Option<&str>) -> Option<Markup> {
-    let lines: Vec<&str> = between?
-        .lines()
-        .map(str::trim_end)
-        .filter(|line| line.trim_start().starts_with("var ") || line.trim_start().starts_with('#'))
-        .collect();
-    (!lines.is_empty()).then(|| html! { pre.vars data-v="ground" { code { (lines.join("\n")) } } })
 }
 
 fn heading(level: u8, anchor: &str, words: &Markup) -> Markup {
