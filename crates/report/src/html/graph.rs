@@ -22,6 +22,8 @@ const MEASURES: Measures = Measures { row: 28, gap: 44, head: 36, foot: 12, marg
 const HEIGHT: u32 = 20;
 const LETTER: u32 = 7;
 const PADDING: u32 = 14;
+/// The widest and the highest graph that can be read on a page of A4, whose 672 pixels it fills.
+const PAPER: (u32, u32) = (1000, 1300);
 
 /// The graph with its legend, in a section of its own.
 pub(super) fn graph(page: &Page<'_>) -> Markup {
@@ -89,7 +91,9 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
                 button type="button" data-zoom="1.25" { "Larger" } " "
                 button type="button" data-zoom="0" { "Whole" }
             }
-            div.scroll tabindex="0" role="region" aria-label="The graph, which scrolls" {
+            @let on_paper = layout.width <= PAPER.0 && height <= PAPER.1;
+            @if !on_paper { p.paper { "The graph itself is too large for this paper; the page has it on a screen." } }
+            div.scroll.large[!on_paper] tabindex="0" role="region" aria-label="The graph, which scrolls" {
                 svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
                     role="group" aria-label="Statements and what they cite" {
                     (bands(&titles, &layout))
