@@ -11,6 +11,8 @@ use kane_records::row::Row;
 pub(crate) struct Choice {
     room: usize,
     kept: BTreeMap<u64, Chosen>,
+    /// the largest hash that is still wanted
+    most: u64,
     /// bytes of the rows that are kept
     bytes: usize,
 }
@@ -24,16 +26,18 @@ pub(crate) struct Chosen {
 
 impl Choice {
     pub(crate) const fn new(room: usize) -> Self {
-        Self { room, kept: BTreeMap::new(), bytes: 0 }
+        Self { room, kept: BTreeMap::new(), most: u64::MAX, bytes: 0 }
     }
 
     /// Offers so many rows of this hash; `make` writes the row down if it is kept.
+    #[inline]
     pub(crate) fn offer(&mut self, hash: u64, count: u64, make: impl FnOnce() -> Box<[u8]>) {
-        if self.kept.len() == self.room
-            && self.kept.last_key_value().is_some_and(|(most, _)| hash > *most)
-        {
-            return;
+        if hash <= self.most {
+            self.keep(hash, count, make);
         }
+    }
+
+    fn keep(&mut self, hash: u64, count: u64, make: impl FnOnce() -> Box<[u8]>) {
         if let Some(chosen) = self.kept.get_mut(&hash) {
             chosen.count += count;
             return;
@@ -43,6 +47,9 @@ impl Choice {
         self.kept.insert(hash, Chosen { count, row });
         if self.kept.len() > self.room {
             self.bytes -= self.kept.pop_last().map_or(0, |(_, last)| last.row.len());
+        }
+        if self.kept.len() == self.room {
+            self.most = self.kept.last_key_value().map_or(u64::MAX, |(most, _)| *most);
         }
     }
 

@@ -85,16 +85,22 @@ impl Summary {
         let (mut row, mut pairs) = (Row::empty(0), Pairs::default());
         let hashes = columns.hashes();
         for at in 0..columns.rows() {
-            let filled = columns.fill(at, &mut row, &mut pairs);
-            match filled.and_then(|()| Case::of(&row, spatial, &precision)) {
+            if let Err(reason) = columns.fill(at, &mut row, &mut pairs) {
+                self.rejections.add(Rejected { line: 0, reason });
+                continue;
+            }
+            // a case is large, and stays where it was made
+            match &Case::of(&row, spatial, &precision) {
                 Ok(case) => {
                     let pair = name(&row, &pairs);
                     let numbers = hashes.as_ref().and_then(|hashes| hashes.get(at));
                     let hash =
                         numbers.map_or_else(|| hash(&row, pair), |hash| worded(*hash, &row, pair));
-                    self.add_case(&case, hash, pair);
+                    self.add_case(case, hash, pair);
                 }
-                Err(reason) => self.rejections.add(Rejected { line: 0, reason }),
+                Err(reason) => {
+                    self.rejections.add(Rejected { line: 0, reason: reason.clone() });
+                }
             }
         }
         Ok(())

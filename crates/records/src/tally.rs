@@ -74,7 +74,9 @@ impl Checked {
     fn is_exceeded(&self, line: u64, finding: &Finding) -> bool {
         let Some((other, worst)) = &self.worst else { return true };
         let shares = [finding.residual * worst.tolerance, worst.residual * finding.tolerance];
-        let less = shares[0] < shares[1] || shares[0] == shares[1] && line > *other;
+        // where lines are not known, most rows are as near as the worst, to which nothing is left
+        let equal = || shares[0] == shares[1] && !worse(&(line, *finding), &(*other, *worst));
+        let less = shares[0] < shares[1] || equal();
         let far = finding.verdict == Verdict::Holds && !finding.is_near();
         !(far && (less || worst.verdict != Verdict::Holds))
     }
