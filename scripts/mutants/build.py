@@ -30,6 +30,16 @@ def listed(root: Path, package: str, files: list[str], config: bool = True) -> l
     return json.loads(subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout)
 
 
+def write(path: Path, text: str) -> None:
+    """Writes what is new: what has not changed is not built again."""
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+def without_lints(manifest: str) -> str:
+    return manifest.replace("[lints]\nworkspace = true\n", "")
+
+
 class Copy:
     """The copied workspace."""
 
@@ -39,31 +49,53 @@ class Copy:
         self.environment = {**os.environ, "CARGO_TARGET_DIR": str(where / "target"), "CARGO_INCREMENTAL": "0"}
         self.mutants = {n: Mutant.read(n, e) for n, e in enumerate(entries, 1)}
         self.choices = Choices()
-        tracked = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                                 cwd=root, check=True, capture_output=True, text=True).stdout
-        for name in filter(None, tracked.split("\0")):
-            if (root / name).is_file():
-                target = where / name
-                target.parent.mkdir(parents=True, exist_ok=True)
-                if not target.exists() or target.read_bytes() != (root / name).read_bytes():
-                    shutil.copy2(root / name, target)
         by_file: dict[str, list[Mutant]] = {}
         for m in self.mutants.values():
             by_file.setdefault(m.file, []).append(m)
+        tracked = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                                 cwd=root, check=True, capture_output=True, text=True).stdout
+        for name in filter(None, tracked.split("\0")):
+            if (root / name).is_file() and not (name in by_file and (where / name).exists()):
+                target = where / name
+                target.parent.mkdir(parents=True, exist_ok=True)
+                old, new = target.exists() and target.read_bytes(), (root / name).read_bytes()
+                if target.name == "Cargo.toml" and old == without_lints(new.decode()).encode():
+                    continue
+                if old != new:
+                    shutil.copy2(root / name, target)
         self.sources = {f: Source((root / f).read_text(), ms) for f, ms in by_file.items()}
         self.places = {}
         for source in self.sources.values():
             self.choices.out.update((m.number, "switch") for m in source.lost)
             self.places.update((ms[0].number, ms) for ms in source.places.values())
+        self.learnt = where / "learnt.json"
+        self.recall()
         crate = self.crate()
         library = crate / "src" / "lib.rs"
         file = str(library.relative_to(where))
         self.library = file
-        shutil.copy(HERE / "mutant.rs", crate / "src" / "mutant.rs")
+        write(crate / "src" / "mutant.rs", (HERE / "mutant.rs").read_text())
         if file not in self.sources:
             self.sources[file] = Source((root / file).read_text(), [])
         manifest = crate / "Cargo.toml"
-        manifest.write_text(manifest.read_text().replace("[lints]\nworkspace = true\n", ""))
+        write(manifest, without_lints(manifest.read_text()))
+
+    def recall(self) -> None:
+        """What an earlier run in this directory learnt of the mutants that are still the same."""
+        if not self.learnt.exists():
+            return
+        numbers = {m.name: n for n, m in self.mutants.items()}
+        old = json.loads(self.learnt.read_text())
+        self.choices.constant |= set(old["constant"])
+        self.choices.out.update((numbers[name], why) for name, why in old["out"].items() if name in numbers)
+        self.choices.form.update((numbers[name], n) for name, n in old["form"].items() if name in numbers)
+
+    def keep(self) -> None:
+        names = {n: m.name for n, m in self.mutants.items()}
+        self.learnt.write_text(json.dumps({
+            "constant": sorted(self.choices.constant),
+            "out": {names[n]: why for n, why in self.choices.out.items()},
+            "form": {names[n]: form for n, form in self.choices.form.items()}}))
 
     def crate(self) -> Path:
         told = subprocess.run(["cargo", "metadata", "--no-deps", "--format-version=1"], cwd=self.where, check=True,
@@ -78,9 +110,7 @@ class Copy:
             text = source.written(self.choices)
             if name == self.library:
                 text = f"{LINTS}{text}\nmod mutant;\n"
-            target = self.where / name
-            if target.read_text() != text:
-                target.write_text(text)
+            write(self.where / name, text)
 
     def build(self, arguments: list[str]) -> list[dict]:
         """Builds until nothing is refused; what cargo says of the last build."""
@@ -90,6 +120,7 @@ class Copy:
                                  env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             messages = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
             if run.returncode == 0:
+                self.keep()
                 return messages
             errors = [m["message"] for m in messages
                       if m["reason"] == "compiler-message" and m["message"]["level"] == "error"]

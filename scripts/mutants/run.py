@@ -1,23 +1,24 @@
 #!/usr/bin/env python3
 """Tries all mutants of a package in one build.
 
-usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--without WORD]... [--again RESULTS]
+usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--only WORD]... [--within SECONDS] [--again RESULTS]
               [--work DIR] [--jobs N] [--out RESULTS]
 
 `cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
-switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and the targets that are named
-with --tests; tests that have a WORD in their name are not run. --again tries only those that an earlier run missed or had
-no switch for.
+switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and of the targets that are
+named with --tests; with --only, those that have one of these words in their name; with --within, those that take no
+longer. --again tries only mutants that an earlier run missed or had no switch for.
 
 The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (ten times
-the processor time of the tests, and three seconds), `missed`, `type` (no value of that type), or `switch` and `constant`: not tried
-here. For these `plain.py` asks the compiler about each mutant by itself, as cargo-mutants does.
+the processor time of the tests, and three seconds), `missed`, `type` (the value of a function is not of its type), or
+`switch` and `constant`: not tried here. For these `plain.py` asks the compiler about each mutant by itself.
 """
 
 import argparse
 import collections
 import concurrent.futures
 import json
+import random
 import sys
 import tempfile
 import time
@@ -36,7 +37,8 @@ def main() -> None:
     parser.add_argument("--root", type=Path, default=ROOT)
     parser.add_argument("--file", action="append", default=[])
     parser.add_argument("--tests", action="append", default=[])
-    parser.add_argument("--without", action="append", default=[])
+    parser.add_argument("--only", action="append", default=[])
+    parser.add_argument("--within", type=float, default=600)
     parser.add_argument("--again", type=Path)
     parser.add_argument("--work", type=Path)
     parser.add_argument("--jobs", type=int, default=1)
@@ -56,9 +58,9 @@ def main() -> None:
         package, name = target.split(":")
         programs += build.tests(copy.build(["test", "--no-run", "-p", package, "--test", name]))
     started = time.monotonic()
-    tests = trial.of(programs, build.environment(), asked.without)
+    tests, slow = trial.of(programs, build.environment(), asked.only, asked.within, asked.jobs)
     print(f"{len(tests)} tests, {sum(t.seconds for t in tests):.1f} s one by one, "
-          f"{sum(t.seconds > 5 for t in tests)} of more than 5 s", flush=True)
+          f"{len(slow)} slower ones left out", flush=True)
 
     wanted = set(copy.mutants)
     if asked.again:
@@ -79,6 +81,8 @@ def main() -> None:
             note(number, copy.choices.out[number], "")
         with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
             left = sorted(wanted - set(copy.choices.out))
+            # a run that is cut short is a sample
+            random.Random(asked.package).shuffle(left)
             runs = [(n, pool.submit(trial.tried, n, tests, build.environment())) for n in left]
             for number, done in runs:
                 note(number, *done.result())

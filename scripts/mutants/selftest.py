@@ -114,7 +114,8 @@ def main() -> None:
         subprocess.run(["git", "init", "--quiet"], cwd=root, check=True)
         mutants, outcomes = entries()
         copy = build.Copy(root, work, "toy", mutants)
-        tests = trial.of(build.tests(copy.build(["test", "--no-run", "--tests"])), build.environment(), [])
+        programs = build.tests(copy.build(["test", "--no-run", "--tests"]))
+        tests, _ = trial.of(programs, build.environment(), [], 60, 1)
         wrong = 0
         for number, wanted in enumerate(outcomes, 1):
             found = copy.choices.out.get(number) or trial.tried(number, tests, build.environment())[0]

@@ -2,7 +2,8 @@
 
 A mutant is a place and a replacement, as `cargo mutants --list --json` names them. The place is found in the syntax tree,
 so that `a + b` becomes an expression which asks `crate::mutant` whether `a - b` is meant. Around what is written stand
-comments, `/*<7*/ .. /*>*/` around what only mutant 7 says and `/*[7*/ .. /*]*/` around the whole place whose first mutant is 7: by these an error of the compiler is brought home to its mutant.
+comments, `/*<7*/ .. /*>*/` around what only mutant 7 says and `/*[7*/ .. /*]*/` around the whole place whose first
+mutant is 7: by these an error of the compiler is brought home to its mutant.
 """
 
 import re

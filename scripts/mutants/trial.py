@@ -1,5 +1,6 @@
 """Each mutant is a run of the tests that reach it, the quick ones first, until one fails."""
 
+import concurrent.futures
 import math
 import os
 import resource
@@ -47,8 +48,10 @@ def run(command: list[str], directory: Path, environment: dict[str, str], second
     return None if over else child.returncode, used.ru_utime + used.ru_stime
 
 
-def of(programs: list[tuple[str, Path, Path]], environment: dict[str, str], without: list[str]) -> list[Test]:
-    """All tests that run without being asked for, each run once alone: it has to pass."""
+def of(programs: list[tuple[str, Path, Path]], environment: dict[str, str], only: list[str], within: float,
+       jobs: int) -> tuple[list[Test], list[Test]]:
+    """All tests that run without being asked for, each run once alone, the quick ones first; and those that take more
+    processor time than is given them. What fails without a mutant is told, and left out."""
     found = []
     for _, program, directory in programs:
         def names(*more: str) -> set[str]:
@@ -56,19 +59,22 @@ def of(programs: list[tuple[str, Path, Path]], environment: dict[str, str], with
                                   text=True, check=True, env=environment).stdout
             return {line.removesuffix(": test") for line in told.splitlines() if line.endswith(": test")}
 
-        for name in sorted(names() - names("--ignored")):
-            if any(word in name for word in without):
-                continue
-            test = Test(program, directory, name)
-            with tempfile.NamedTemporaryFile("r") as reached:
-                code, test.seconds = run([str(program), "--exact", name, "--test-threads=1"], directory,
-                                         {**environment, "KANE_MUTANTS_REACHED": reached.name}, 600)
-                test.reached = {int(line) for line in reached.read().split()}
-            if code != 0:
-                print(f"  {program.name}: {name} fails without a mutant: left out", flush=True)
-                continue
-            found.append(test)
-    return sorted(found, key=lambda t: t.seconds)
+        chosen = sorted(names() - names("--ignored"))
+        found += [Test(program, directory, n) for n in chosen if not only or any(word in n for word in only)]
+
+    def once(test: Test) -> int | None:
+        with tempfile.NamedTemporaryFile("r") as reached:
+            code, test.seconds = run([str(test.program), "--exact", test.name, "--test-threads=1"], test.directory,
+                                     {**environment, "KANE_MUTANTS_REACHED": reached.name}, within)
+            test.reached = {int(line) for line in reached.read().split()}
+        if code not in (0, None):
+            print(f"  {test.program.name}: {test.name} fails without a mutant: left out", flush=True)
+        return code
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        codes = list(pool.map(once, found))
+    quick = [t for t, code in zip(found, codes) if code == 0]
+    return sorted(quick, key=lambda t: t.seconds), [t for t, code in zip(found, codes) if code is None]
 
 
 def batches(tests: list[Test]) -> list[list[Test]]:

@@ -12,6 +12,8 @@ mod encoding;
 mod fractions;
 /// Enclosures.
 mod intervals;
+/// What every system of a table can do.
+mod lanes;
 /// What is read, what is refused, and where.
 mod parsing;
 /// Floats byte by byte, with the numbers that they are.
