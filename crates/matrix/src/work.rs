@@ -38,8 +38,15 @@ pub(crate) fn energy(family: &Family, index: usize) -> Result<Vec<Part>, String>
         shown.that("p_n > 0", normal, Rel::Gt)?;
     }
     let of_one = |work: &Symbolic| work.checked_div(normal).ok_or("the impulse is 0");
-    let tangential = (slip + family.contact.slip()) * &outcome.impulse.tangential;
-    let tangential = tangential / Symbolic::one().double();
+    let by_slip = |slip: &Symbolic| {
+        let both = slip.clone() + family.contact.slip();
+        both * &outcome.impulse.tangential / Symbolic::one().double()
+    };
+    // a law may say the work in a form of its own, which then is what is asked about
+    let tangential = match outcome.work.tangential == by_slip(&outcome.slip) {
+        true => by_slip(&slip),
+        false => outcome.work.tangential.clone(),
+    };
     for (claim, work) in
         [("E_n/p_n <= 0", of_one(&outcome.work.normal)?), ("E_t/p_n <= 0", of_one(&tangential)?)]
     {
