@@ -54,3 +54,19 @@ fn a_little_more_than_they_say_is_refuted() {
         assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
     }
 }
+
+/// In x and e the condition is linear, so that it is largest at an end of each; what is left falls along a variable.
+#[test]
+fn conditions_in_boxes_are_put_to_the_ends_where_they_are_largest() {
+    let ranges = "-1 <= x, x <= 1, -1 <= y, y <= 1, a <= 1, b <= 1";
+    let wide = |bound: &str| format!("x*(a^3 - 3*a*b) + y*(b^2*a + 2*b) <= {bound} when {ranges}");
+    assert_eq!(verdict(&wide("5")), Verdict::Proved);
+    assert_eq!(verdict(&wide("499/100")), Verdict::Refuted);
+    let tight = |bound: &str| {
+        format!(
+            "x*(4*a + 4*a*b^2 - a^3) + 4*a^2 - 10*b^2 - 5*b <= {bound} when {ranges}, 2*x <= 1, 2*b >= 1, 2*a <= 1"
+        )
+    };
+    assert_eq!(verdict(&tight("-45/16")), Verdict::Proved);
+    assert_eq!(verdict(&tight("-46/16")), Verdict::Refuted);
+}

@@ -79,3 +79,35 @@ fn quadratic_claims_with_parameters_are_decided_by_leads_and_discriminants() {
         ],
     );
 }
+
+/// Conditions that share no variable: one part far from all simple values, one with an irrational number.
+#[test]
+fn each_part_of_what_falls_apart_has_a_point_of_its_own() {
+    assert_all(
+        Verdict::Refuted,
+        &[
+            "contradiction when x >= 7654321, x <= 7654321, y <= -x, z >= y, u^2*v = 3, u > v, v > 0",
+            "contradiction when a <= -987654, b >= a, x^2 = 7, x < y, y < z, z < 0, c >= 12345, e > c + b",
+            "x*y <= 1000000 when x >= 2345, y >= 1001, z^3 = 2, z*w < -1",
+        ],
+    );
+    // the last part alone has no point
+    assert_all(
+        Verdict::Proved,
+        &["contradiction when a <= -987654, b >= a, x^2 = 7, x < y, y < z, z < -3"],
+    );
+}
+
+/// Two hyperbolas with a variable in common, and a narrow condition on it.
+#[test]
+fn points_on_hyperbolas_are_found_by_a_parameter() {
+    assert_all(
+        Verdict::Refuted,
+        &[
+            "contradiction when x^2 = z + 1, y^2 = z - 1, z > 1, x > 0, y > 0, 100*y < 13, 100*y > 12",
+            "contradiction when x^2 = 2 + y^2, w^2 = x^2 - 1, w > 0, x > 0, 24*y - 120*y^2 + 240*y^3 <= 2, y > 0",
+            "x >= 3 when 4*x^2 - 9*y^2 = 5, z^2 = x^2 + y, z > 0, x > 0, y > 1",
+        ],
+    );
+    assert_all(Verdict::Proved, &["x > y when x^2 = 2 + y^2, x > 0"]);
+}

@@ -51,3 +51,41 @@ fn a_product_lies_between_those_of_the_ends_of_its_ranges() {
     let fewer = "z <= a/c, z <= a/e, z <= b/c";
     assert_ne!(judged(&format!("z <= x/y when {ranges}, {fewer}")).0, Verdict::Proved);
 }
+
+/// Products of conditions that stand among the premises are gone once common factors are cancelled; what they
+/// say is found again.
+#[test]
+fn many_conditions_are_multiplied_by_each_other_where_they_are_linear() {
+    let factors = ["a", "1 - a", "b - 1", "b - x", "b - y", "z", "w", "a - z", "a - w"];
+    let strict = |n: usize| [0, 7, 8].contains(&n);
+    let mut premises: Vec<String> = Vec::new();
+    for (n, f) in factors.iter().enumerate() {
+        premises.push(format!("{f} {} 0", if strict(n) { ">" } else { ">=" }));
+        premises.extend(factors[..n].iter().map(|g| format!("({g})*({f}) >= 0")));
+    }
+    let under = |claim: &str| judged(&format!("{claim} when {}", premises.join(", "))).0;
+    assert_eq!(under("z*y + w*x + z*w < 3*a*b"), Verdict::Proved);
+    assert_eq!(under("z*y + w*x < 2*a*b"), Verdict::Proved);
+    assert_ne!(under("z*y + w*x + z*w < 2*a*b"), Verdict::Proved);
+}
+
+/// p·q·… of ten conditions of degree two and more: only those of them take part whose terms can cancel.
+#[test]
+fn products_are_summed_without_those_that_cannot_cancel() {
+    let premises = "x >= 1, y >= 1, z >= 1, w >= 1, a >= 0, b >= 0, c >= 0, e >= 0, \
+        x - a*y >= 0, y - b*z >= 0, z - c*w >= 0, w - e*x >= 0, a^2 + b*z^3*w >= 0, c^3 + e*a*w^2 >= 0";
+    let under = |claim: &str| judged(&format!("{claim} when {premises}")).0;
+    assert_eq!(under("x*y >= a*y^2"), Verdict::Proved);
+    assert_eq!(under("x*y + y^2 >= a*y^2 + b*y*z"), Verdict::Proved);
+    assert_ne!(under("x*y >= 2*a*y^2"), Verdict::Proved);
+}
+
+/// y = √(s²·(s − 1)/(s + 1)): the leading coefficient of its equation varies.
+#[test]
+fn sides_with_a_root_of_a_quotient_are_compared_by_their_squares() {
+    let root = "p > 0, q > 0, q^2*(p + 1) = p^2*(p - 1)";
+    assert_eq!(judged(&format!("2*q*(p + 1) <= p^3 when {root}")).0, Verdict::Proved);
+    assert_eq!(judged(&format!("q < p when {root}")).0, Verdict::Proved);
+    assert_ne!(judged(&format!("2*q*(p + 1) < p^3 when {root}")).0, Verdict::Proved);
+    assert_ne!(judged(&format!("3*q*(p + 1) <= p^3 when {root}")).0, Verdict::Proved);
+}

@@ -1,6 +1,6 @@
 //! Weights by which summands that are not negative, and multiples of equations, cancel (Farkas 1902).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane_algebra::linear_program::{feasible, whole};
 use kane_kernel::{Poly, Power, Sign, State, Term};
@@ -43,14 +43,11 @@ pub(super) struct Size {
     pub(super) pivots: usize,
 }
 
-/// A sum of the summands and the multiples, with weights that are not negative, that is 0 identically
-/// although a summand in it is positive; `None` if there is none, or the program is too large.
-pub(super) fn combined(
-    state: &State<'_, '_>,
-    summands: Vec<Summand>,
-    multiples: Vec<Multiple>,
-    size: &Size,
-) -> Option<Argument> {
+/// The monomials of summands and multiples, each with a number.
+fn monomials<'a>(
+    summands: &'a [Summand],
+    multiples: &'a [Multiple],
+) -> BTreeMap<&'a [Power], usize> {
     let mut rows: BTreeMap<&[Power], usize> = BTreeMap::new();
     for p in summands.iter().map(|s| &s.1).chain(multiples.iter().map(|m| &m.2)) {
         for (m, _) in p.terms() {
@@ -58,8 +55,54 @@ pub(super) fn combined(
             rows.entry(m).or_insert(next);
         }
     }
+    rows
+}
+
+/// The summands without those that cannot take part: with a monomial that has one sign wherever it is left, so
+/// that nothing cancels it. `None` if that takes more than the budget.
+fn cancelling(
+    state: &State<'_, '_>,
+    mut summands: Vec<Summand>,
+    multiples: &[Multiple],
+) -> Option<Vec<Summand>> {
+    let both: BTreeSet<Vec<Power>> =
+        multiples.iter().flat_map(|m| m.2.terms()).map(|(m, _)| m.to_vec()).collect();
+    loop {
+        let terms: usize = summands.iter().map(|s| s.1.len()).sum();
+        state.scope.fuel.spend(u64::try_from(terms).unwrap_or(u64::MAX)).ok()?;
+        let signs = |positive: bool| -> BTreeSet<Vec<Power>> {
+            let terms = summands.iter().flat_map(|s| s.1.terms());
+            let chosen = terms.filter(|(_, c)| c.is_positive() == positive);
+            chosen.map(|(m, _)| m.to_vec()).collect()
+        };
+        let (up, down) = (signs(true), signs(false));
+        let meets = |m: &[Power]| both.contains(m) || up.contains(m) && down.contains(m);
+        let before = summands.len();
+        summands.retain(|s| s.1.terms().all(|(m, _)| meets(m)));
+        if summands.len() == before {
+            return Some(summands);
+        }
+    }
+}
+
+/// A sum of the summands and the multiples, with weights that are not negative, that is 0 identically
+/// although a summand in it is positive; `None` if there is none, or the program is too large even without
+/// the summands that cannot take part.
+pub(super) fn combined(
+    state: &State<'_, '_>,
+    mut summands: Vec<Summand>,
+    multiples: Vec<Multiple>,
+    size: &Size,
+) -> Option<Argument> {
+    let fits = |height: usize, summands: &[Summand]| {
+        height <= size.rows && summands.len() + multiples.len() <= size.columns
+    };
+    if !fits(monomials(&summands, &multiples).len(), &summands) {
+        summands = cancelling(state, summands, &multiples)?;
+    }
+    let rows = monomials(&summands, &multiples);
     let height = rows.len();
-    if height > size.rows || summands.len() + multiples.len() > size.columns {
+    if !fits(height, &summands) {
         return None;
     }
     let entries = |p: &Poly| -> Vec<(usize, Q)> {

@@ -1,14 +1,14 @@
 //! A difference of two sides that are not negative, times their sum: (P − Q)·(P + Q) = P² − Q². Where P and Q
 //! are made of roots the squares say more than the sides.
 
-use kane_kernel::{Atom, Monomial, Poly, Sign, State};
+use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term, exponent};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
 use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::hints::is_told;
-use crate::argument::Argument;
+use crate::argument::{Argument, Rules as _};
 
 /// Terms of a difference.
 const TERMS: usize = 8;
@@ -80,6 +80,55 @@ pub(super) fn closed(state: &State<'_, '_>) -> Option<Argument> {
         let strict = atom.sign == Sign::Positive && atom.decided().is_none();
         strict.then(|| squared(state, &atom.poly, &roots))??;
         multiplied(state, i, &roots)
+    })
+}
+
+/// What follows from the squares of the sides of a condition: P² − Q² > 0, and why it is neither 0 nor negative.
+pub(super) struct Squared {
+    pub(super) poly: Poly,
+    pub(super) zero: Argument,
+    pub(super) negative: Argument,
+}
+
+/// The squares of the sides of a condition in odd powers of a variable v, of which a premise says a·v² = c and
+/// the squares have even powers alone.
+pub(super) fn squared_sides(state: &State<'_, '_>) -> Option<Squared> {
+    let fuel = &state.scope.fuel;
+    let pure = |a: &Atom, v: usize| {
+        let parts = a.poly.coefficients(v);
+        a.sign == Sign::Zero && parts.len() == 3 && parts[1].is_empty() && !parts[2].is_constant()
+    };
+    let odd = |p: &Poly, v: usize| p.terms().any(|(m, _)| exponent(m, v) % 2 == 1);
+    (0..state.atoms.len()).rev().find_map(|i| {
+        let atom = &state.atoms[i];
+        let of = |v: &usize| odd(&atom.poly, *v) && state.atoms.iter().any(|a| pure(a, *v));
+        let strict = atom.sign == Sign::Positive && atom.decided().is_none();
+        let v = strict.then(|| atom.poly.vars().into_iter().find(of))??;
+        let (p, q) = sides(state, &atom.poly)?;
+        let (content, poly) = p.pow(2, fuel).ok()?.sub(&q.pow(2, fuel).ok()?).primitive();
+        if odd(&poly, v) || is_told(state, &poly) {
+            return None;
+        }
+        // (P − Q)·(P + Q) − (P² − Q²) = 0, whose first summand is positive
+        let mut terms = Vec::new();
+        for (m, c) in p.add(&q).terms() {
+            let (square, mut factors) = known(state, m)?;
+            factors.push((i, 1));
+            factors.sort_unstable();
+            let square = Poly::term(square, BigInt::one());
+            terms.push(Term { weight: c.clone(), square, factors });
+        }
+        let fresh = state.atoms.len();
+        let cofactors = vec![(fresh, Poly::constant(-&content))];
+        let zero = Argument::Positive { terms: terms.clone(), cofactors };
+        terms.push(Term { weight: content, square: Poly::one(), factors: vec![(fresh, 1)] });
+        let negative = Argument::Positive { terms, cofactors: Vec::new() };
+        let closes = |sign, poly: Poly, proof: &Argument| {
+            state.with(Atom::new(poly, sign)).closes(proof).is_ok()
+        };
+        let sure = closes(Sign::Zero, poly.clone(), &zero)
+            && closes(Sign::Positive, poly.neg(), &negative);
+        sure.then_some(Squared { poly, zero, negative })
     })
 }
 

@@ -2,20 +2,16 @@
 //! ones first.
 
 use kane_kernel::{Atom, Point, Poly, Sign, State};
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
 
 use super::differences::differences;
 use super::elimination::{Elimination, open_vars};
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
-use super::search::{MAX_SPLITS, Outcome, Search, Step, positive_factor, since};
+use super::search::{MAX_SPLITS, Outcome, Search, positive_factor, since};
 use super::squares::{Reach, squares};
 use super::{cases, conjugates, expansion, pairs, tactics, written};
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 use crate::open::Method;
-
-type Q = BigRational;
 
 /// Case distinctions for which an inequality that is taken as an equation counts.
 const BOUNDARY: u32 = 5;
@@ -67,29 +63,10 @@ impl Search<'_> {
         {
             return self.split(state, factor, trail, splits);
         }
-        if self.models {
-            self.note(Method::Points);
-            // Where all is linear a simple point is nicer, and the simplex method is sure.
-            let linear = is_linear_in_all(state);
-            let tries = if linear { (2, 12) } else { (5, 200) };
-            if let Some(point) = self.sample(state, trail, &vars, tries) {
-                return Outcome::Model(point);
-            }
-            if let Some(point) = self.linear_point(state, trail, &vars) {
-                return Outcome::Model(point);
-            }
-            let found = if linear {
-                None
-            } else if self.far {
-                self.note(Method::Cells);
-                self.by_cells(state, trail, &vars)
-            } else {
-                self.by_approach(state, trail, &vars, STARTS)
-                    .or_else(|| self.on_boundary(state, trail, splits))
-            };
-            if let Some(point) = found {
-                return Outcome::Model(point);
-            }
+        if self.models
+            && let Some(point) = self.point(state, trail, &vars, splits)
+        {
+            return Outcome::Model(point);
         }
         if vars.len() > 1 && self.proofs {
             // A quick look for a point saves the long search for a proof that there is none.
@@ -143,6 +120,13 @@ impl Search<'_> {
             if combined.is_none()
                 && splits < MAX_SPLITS
                 && self.squares.spend(ORDER).is_ok()
+                && let Some(squared) = conjugates::squared_sides(state)
+            {
+                return self.by_squared_sides(state, squared, trail, splits + 1);
+            }
+            if combined.is_none()
+                && splits < MAX_SPLITS
+                && self.squares.spend(ORDER).is_ok()
                 && let Some(poly) = conjugates::telling(state)
             {
                 return self.split(state, poly, trail, splits + 1);
@@ -174,6 +158,53 @@ impl Search<'_> {
             self.leave(&state.atoms);
         }
         Outcome::Open
+    }
+
+    /// A point of a state: a simple one, by linear arithmetic, of each component, by approach or by cells.
+    pub(super) fn point(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        vars: &[usize],
+        splits: u32,
+    ) -> Option<Point> {
+        self.note(Method::Points);
+        // Where all is linear a simple point is nicer, and the simplex method is sure.
+        let linear = is_linear_in_all(state);
+        let tries = if linear { (2, 12) } else { (5, 200) };
+        let near = self
+            .sample(state, trail, vars, tries)
+            .or_else(|| self.linear_point(state, trail, vars))
+            .or_else(|| self.by_components(state, trail, vars, splits));
+        if near.is_some() || linear {
+            return near;
+        }
+        if self.far {
+            self.note(Method::Cells);
+            return self.by_cells(state, trail, vars);
+        }
+        self.by_approach(state, trail, vars, STARTS)
+            .or_else(|| self.on_boundary(state, trail, splits))
+    }
+
+    /// What is left once it is known how the squares of two sides compare.
+    fn by_squared_sides(
+        &self,
+        state: &State<'_, '_>,
+        squared: conjugates::Squared,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let conjugates::Squared { poly, zero, negative } = squared;
+        let next = state.with(Atom::new(poly.clone(), Sign::Positive));
+        let fresh = since(&next, state.atoms.len());
+        match self.run(&next, &fresh, Vec::new(), trail, splits) {
+            Outcome::Closed(positive) => {
+                let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
+                Outcome::Closed(Argument::Split { poly, zero, positive, negative })
+            }
+            other => other,
+        }
     }
 
     /// A proof by the hints as they stand, before cases are told.
@@ -233,61 +264,6 @@ impl Search<'_> {
                 _ => None,
             }
         })
-    }
-
-    /// Cuts the ranges of the variables until every box is closed by signs of coefficients.
-    fn boxes(&self, state: &State<'_, '_>, vars: &[usize], depth: u32) -> Option<Argument> {
-        if let Some(proof) = tactics::quick(state) {
-            return Some(proof);
-        }
-        if depth == 0 || vars.len() > 4 || !self.step(state) || self.left() < 50 {
-            return None;
-        }
-        // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.
-        let at = |v: usize| {
-            let (lower, upper) = tactics::bounds(state, v);
-            let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
-            (value(lower), value(upper))
-        };
-        let width = |v: usize| match at(v) {
-            (Some(a), Some(b)) => b - a,
-            (None, None) => Q::from_integer(1000.into()),
-            _ => Q::from_integer(100.into()),
-        };
-        let v = vars.iter().copied().max_by(|a, b| width(*a).cmp(&width(*b)).then(b.cmp(a)))?;
-        let cut = match at(v) {
-            (Some(a), Some(b)) if a < b => (a + b) / Q::from_integer(2.into()),
-            (Some(a), None) => {
-                if a.is_positive() {
-                    a * Q::from_integer(2.into())
-                } else {
-                    a + Q::one()
-                }
-            }
-            (None, Some(b)) => b - Q::one(),
-            (None, None) => Q::zero(),
-            _ => return None,
-        };
-        let poly = Poly::var(v).scale(cut.denom()).sub(&Poly::constant(cut.numer().clone()));
-        let branch = |p: &Poly| {
-            let next = state.with(Atom::new(p.clone(), Sign::Positive));
-            self.boxes(&next, vars, depth - 1)
-        };
-        let positive = Box::new(branch(&poly)?);
-        let negative = Box::new(branch(&poly.neg())?);
-        let on = state.with(Atom::new(poly.clone(), Sign::Zero));
-        let equation = on.atoms.len() - 1;
-        let next = on.substitute(equation, v, &[]).ok()?;
-        let rest: Vec<usize> = open_vars(&next);
-        let inner = if rest.len() <= 1 {
-            tactics::quick(&next)
-                .or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
-        } else {
-            self.boxes(&next, &rest, depth - 1)?
-        };
-        let step = Step::Substitute { equation, var: v, lead: Vec::new() };
-        let zero = Box::new(step.wrap(inner));
-        Some(Argument::Split { poly, zero, positive, negative })
     }
 }
 

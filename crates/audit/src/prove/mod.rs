@@ -4,11 +4,13 @@
 mod approach;
 mod attempt;
 mod bounds;
+mod boxes;
 mod budget;
 mod cases;
 mod cells;
-mod circle;
 mod combination;
+mod components;
+mod conics;
 mod conjugates;
 mod differences;
 mod elimination;

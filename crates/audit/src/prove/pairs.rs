@@ -1,5 +1,6 @@
 //! Products of two conditions, where there are too many variables for products with squares.
 
+use kane_algebra::squares::total_degree;
 use kane_kernel::{Atom, Poly, Sign, State};
 
 use super::combination::{Multiple, Size, Summand, combined, summand};
@@ -8,10 +9,12 @@ use super::linear::combination;
 use super::tactics;
 use crate::argument::Argument;
 
-/// Conditions that are multiplied by each other.
+/// Conditions that are multiplied by each other; where there are more, only those of degree one are.
 const CONDITIONS: usize = 28;
+/// Conditions that count alone.
+const ALONE: usize = 120;
 /// Terms of a condition that is multiplied.
-const TERMS: usize = 12;
+const TERMS: usize = 24;
 /// The linear program of the products.
 const SIZE: Size = Size { rows: 400, columns: 600, pivots: 400 };
 /// Variables whose sign is asked for.
@@ -27,15 +30,22 @@ pub(super) fn pairs(state: &State<'_, '_>, vars: &[usize]) -> Option<Argument> {
             .filter(|&i| sign(state.atoms[i].sign) && short(&state.atoms[i]))
             .collect()
     };
-    let (known, equations) = (live(Sign::is_order), live(|sign| sign == Sign::Zero));
+    let (mut known, equations) = (live(Sign::is_order), live(|sign| sign == Sign::Zero));
+    known.retain(|&i| !is_repeated(state, i));
+    let mut multiplied = known.clone();
     if known.len() > CONDITIONS {
+        multiplied.retain(|&i| total_degree(&state.atoms[i].poly) == 1);
+    }
+    if multiplied.len() > CONDITIONS || known.len() > ALONE {
         return None;
     }
     let mut factors: Vec<Factors> = vec![Vec::new()];
-    for (n, &i) in known.iter().enumerate() {
+    for &i in &known {
         factors.push(vec![(i, 1)]);
-        factors.extend(known[..n].iter().map(|&j| vec![(j, 1), (i, 1)]));
-        factors.push(vec![(i, 2)]);
+        if let Some(n) = multiplied.iter().position(|&j| j == i) {
+            factors.extend(multiplied[..n].iter().map(|&j| vec![(j, 1), (i, 1)]));
+            factors.push(vec![(i, 2)]);
+        }
     }
     let summands = factors.into_iter().map(|factors| summand(state, Poly::one(), factors));
     let summands: Vec<Summand> = summands.collect::<Option<_>>()?;
@@ -50,6 +60,15 @@ pub(super) fn pairs(state: &State<'_, '_>, vars: &[usize]) -> Option<Argument> {
         }
     }
     combined(state, summands, multiples, &SIZE)
+}
+
+/// Whether another condition says the same or more.
+fn is_repeated(state: &State<'_, '_>, i: usize) -> bool {
+    let atom = &state.atoms[i];
+    state.atoms.iter().enumerate().any(|(j, other)| {
+        let more = other.sign == Sign::Positive && atom.sign == Sign::NonNegative;
+        other.poly == atom.poly && (more || other.sign == atom.sign && j < i)
+    })
 }
 
 /// The same in the cases of the sign of one variable that multiplies others and has no sign yet.

@@ -5,19 +5,19 @@ use kane_algebra::point::{Partial, specialised};
 use kane_algebra::sign_table::Cell as LineCell;
 use kane_kernel::{Atom, Point, Sign, State};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
-use super::circle::circles;
+use super::conics::conics;
 use super::elimination::{Elimination, open_vars};
 use super::parameter::Parametrised;
 use super::search::Search;
 use super::surds::surds;
-use super::tactics;
+use super::tactics::{self, open_cells};
 
 type Q = BigRational;
 
 impl Search<'_> {
-    /// A point that satisfies a state without solvable equations: circles and surds by their
+    /// A point that satisfies a state without solvable equations: conics and surds by their
     /// parameters first, then by the variables themselves.
     pub(super) fn sample(
         &self,
@@ -28,7 +28,7 @@ impl Search<'_> {
     ) -> Option<Point> {
         let by_parameters = || {
             let mut found = Parametrised::new(state);
-            circles(&mut found)?;
+            conics(&mut found)?;
             surds(&mut found)?;
             if !found.is_of_use() {
                 return None;
@@ -110,7 +110,8 @@ impl Search<'_> {
                         partial.set(last, simple);
                     }
                     Some((table, indices)) => {
-                        let Some(cell) = tactics::open_cell(&special, &table, &indices) else {
+                        let Some(cell) = open_cells(&special, &table, &indices).first().copied()
+                        else {
                             continue;
                         };
                         match cell {
@@ -134,7 +135,7 @@ impl Search<'_> {
     }
 }
 
-/// Simple values for a variable, inside its visible bounds.
+/// Simple values for a variable, inside its visible bounds; one of each piece of a line on which none of them lies.
 pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
     const SIMPLE: [(i64, i64); 25] = [
         (1, 1),
@@ -173,20 +174,42 @@ pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
     let simple = SIMPLE.iter().map(|&(n, d)| Q::new(n.into(), d.into()));
     let mut out: Vec<Q> = simple.filter(admits).collect();
     if out.len() < 8 {
-        // A narrow range: points inside it.
         let (lower, upper) = tactics::bounds(state, v);
         let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
-        if let (Some(a), Some(b)) = (value(lower), value(upper)) {
-            for k in 1..8i64 {
-                let q = &a + (&b - &a) * Q::new(k.into(), 8.into());
-                if admits(&q) && !out.contains(&q) {
-                    out.push(q);
-                }
+        let beside = match (value(lower), value(upper)) {
+            // A narrow range: points inside it.
+            (Some(a), Some(b)) => {
+                let inside = (1..8i64).map(|k| &a + (&b - &a) * Q::new(k.into(), 8.into()));
+                inside.chain([a.clone(), b.clone()]).collect()
             }
-            out.extend([a, b].into_iter().filter(|q| admits(q)));
+            // Beyond a bound that is far from all of these.
+            (Some(a), None) if out.is_empty() => beyond(&a, 1),
+            (None, Some(b)) if out.is_empty() => beyond(&b, -1),
+            _ => Vec::new(),
+        };
+        for q in beside {
+            if admits(&q) && !out.contains(&q) {
+                out.push(q);
+            }
         }
     }
+    if out.is_empty()
+        && let Some((table, indices)) = tactics::line(state, v)
+    {
+        out.extend(open_cells(state, &table, &indices).iter().filter_map(|cell| {
+            let is_rational = !matches!(cell, LineCell::Root(i) if !table.roots[*i].is_exact());
+            is_rational.then(|| table.sample(*cell))
+        }));
+    }
     out
+}
+
+/// Values on one side of a bound, and the bound itself.
+fn beyond(bound: &Q, sense: i64) -> Vec<Q> {
+    let whole = if sense > 0 { bound.floor() } else { bound.ceil() };
+    let at = |k: i64| &whole + Q::from_integer((k * sense).into());
+    let twice = &whole + bound.abs() * Q::from_integer(sense.into());
+    vec![at(1), at(2), twice, bound.clone(), at(100)]
 }
 
 /// Choices of one value a list, small positions first, at most `most` of them.

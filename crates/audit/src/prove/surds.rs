@@ -12,6 +12,7 @@ use kane_kernel::{Atom, Poly, Sign};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
+use super::conics::root;
 use super::parameter::Parametrised;
 
 /// v = √radicand/over, with an integer radicand that is no square.
@@ -60,12 +61,6 @@ fn surd(atom: &Atom) -> Option<Surd> {
     }
     let (radicand, over) = ((c * a).abs(), a.abs());
     root(&radicand).is_none().then_some(Surd { v, radicand, over })
-}
-
-/// The root of a square.
-fn root(n: &BigInt) -> Option<BigInt> {
-    let root = n.sqrt();
-    (&root * &root == *n).then_some(root)
 }
 
 /// A surd as a rational multiple of a product of some others: numerator and denominator.

@@ -393,12 +393,8 @@ pub(crate) fn line(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<us
     Some((table, indices))
 }
 
-/// The first cell, gaps before roots, on which all atoms of a line hold.
-pub(crate) fn open_cell(
-    state: &State<'_, '_>,
-    table: &SignTable,
-    indices: &[usize],
-) -> Option<Cell> {
+/// The cells on which all atoms of a line hold, those with the simplest points first.
+pub(crate) fn open_cells(state: &State<'_, '_>, table: &SignTable, indices: &[usize]) -> Vec<Cell> {
     let holds = |cell: &Cell| {
         let admits = |(k, i): (usize, &usize)| state.atoms[*i].sign.admits(table.sign(k, *cell));
         indices.iter().enumerate().all(admits)
@@ -410,7 +406,7 @@ pub(crate) fn open_cell(
         Cell::Root(_) => weight(&table.sample(*c), 1),
         Cell::Gap(_) => weight(&table.sample(*c), 0),
     });
-    cells.into_iter().next()
+    cells
 }
 
 /// Orders rationals by simplicity: 1 before −1 before 2 before 1/2; 0 comes after 1.
@@ -423,7 +419,7 @@ fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
 /// The sign table of v as a proof, if no cell is open.
 pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
     let (table, indices) = line(state, v)?;
-    if open_cell(state, &table, &indices).is_some() {
+    if !open_cells(state, &table, &indices).is_empty() {
         return None;
     }
     let atoms = indices
