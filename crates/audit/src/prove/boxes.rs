@@ -121,9 +121,9 @@ impl Search<'_> {
         let atom = target(state)?;
         vars.iter().find_map(|&v| {
             let ends = ends(state, atom, v)?;
-            if let [end, other] = &ends[..]
-                && state.atoms[atom].poly.degree(v) == 1
-            {
+            // A range without an end is no side of a box; to look there costs more than it gives.
+            let [end, other] = &ends[..] else { return None };
+            if state.atoms[atom].poly.degree(v) == 1 {
                 return Some(self.at_either(state, vars, v, (end, other), depth - 1));
             }
             ends.iter().find_map(|end| {
