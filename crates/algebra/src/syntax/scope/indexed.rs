@@ -67,7 +67,7 @@ impl Scope {
         Ok(())
     }
 
-    /// Declares a sequence by s(0), and by s(n + 1), in which a [placeholder](super::placeholder) stands
+    /// Declares a sequence by s(0), and by s(n + 1), in which a [placeholder](super::super::placeholder) stands
     /// for s(n); both are [total](Self::is_total).
     ///
     /// # Errors
