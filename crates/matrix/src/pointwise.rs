@@ -114,11 +114,13 @@ fn in_regime(family: &Family, index: usize, template: &Template) -> Result<Vec<P
         found => found,
     };
     let found = found.map(|parts| [solved.into_iter().cloned().collect(), parts].concat());
-    let long = |parts: &Vec<Part>| weight(parts) > LIGHT;
-    if template.is_of_energy()
-        && found.as_ref().ok().is_none_or(long)
+    if !template.is_of_energy() {
+        return found;
+    }
+    let heavy = found.as_ref().map_or(usize::MAX, |parts| weight(parts));
+    if heavy > LIGHT
         && let Ok(parts) = work::energy(family, index)
-        && found.as_ref().ok().is_none_or(|found| weight(&parts) < weight(found))
+        && weight(&parts) < heavy
     {
         return Ok(parts);
     }

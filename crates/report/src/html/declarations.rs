@@ -31,12 +31,8 @@ fn in_print(line: &str) -> Markup {
             // what is not known stands as it was written
             Some(None) => code { (said.trim()) },
         }
-        @if let Some(comment) = comment { span.remark { @if symbols_stand(said) { " · " } (comment) } }
+        @if let Some(comment) = comment { span.remark { @if !said.trim().is_empty() { " · " } (comment) } }
     }
-}
-
-fn symbols_stand(said: &str) -> bool {
-    !said.trim().is_empty()
 }
 
 /// A symbol as it is declared: `0 <= e <= 1 [1]`, `v(t) in R^2 [m/s]`.
