@@ -9,8 +9,8 @@ switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the
 named with --tests; with --only, those that have one of these words in their name; with --within, those that take no
 longer. --again tries only mutants that an earlier run missed or had no switch for.
 
-The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (ten times
-the processor time of the tests, and three seconds), `missed`, `type` (the value of a function is not of its type), or
+The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (five times
+the processor time of the tests, and a second), `missed`, `type` (the value of a function is not of its type), or
 `switch` and `constant`: not tried here. For these `plain.py` asks the compiler about each mutant by itself.
 """
 

@@ -95,7 +95,7 @@ def tried(number: int, tests: list[Test], environment: dict[str, str]) -> tuple[
     """How a mutant fares: `caught`, `timed out` or `missed`, and by what or by how many tests."""
     reaching = [t for t in tests if number in t.reached]
     for batch in batches(reaching):
-        seconds = 10 * sum(t.seconds for t in batch) + 3
+        seconds = 5 * sum(t.seconds for t in batch) + 1
         code, _ = run([str(batch[0].program), "--exact", "--test-threads=1", *(t.name for t in batch)],
                    batch[0].directory, {**environment, "KANE_MUTANT": str(number)}, seconds)
         if code is None:

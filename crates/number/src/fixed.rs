@@ -1,6 +1,8 @@
 //! Exact numbers without allocation: integers of some words times a power of two.
 
 mod gcd;
+#[cfg(test)]
+mod model;
 
 use std::cmp::Ordering;
 
@@ -135,12 +137,12 @@ impl<const LIMBS: usize> Fixed<LIMBS> {
         64 * u32::try_from(self.len).unwrap_or(u32::MAX) - top.leading_zeros()
     }
 
-    /// The same number with the integer shifted up to a smaller exponent.
+    /// The same number with the integer shifted up to a smaller exponent; zero has any exponent.
     #[must_use]
     pub fn with_exponent(&self, exponent: i64) -> Self {
         let shift = self.exponent - exponent;
-        if shift == 0 {
-            return *self;
+        if shift == 0 || self.is_zero() {
+            return self.scaled(exponent);
         }
         let room = 64 * i64::try_from(LIMBS).unwrap_or(0) - i64::from(self.bits());
         let (Ok(places), true) = (usize::try_from(shift), shift <= room) else {

@@ -176,6 +176,31 @@ fn try_format<const P: u32, const E: i64>() -> usize {
     all.len() * all.len()
 }
 
+/// What is infinite stays so, in either direction; a product with zero and a quotient by infinity are zero.
+#[test]
+fn an_infinite_operand_is_a_bound_that_stays() {
+    let infinity = f64::INFINITY;
+    for direction in DIRECTIONS {
+        for sign in [1.0, -1.0] {
+            let beyond = sign * infinity;
+            for a in [5e-324, 1e-310, 0.1, 1.0, 3e200, f64::MAX] {
+                assert_eq!(product(beyond, a, direction), beyond);
+                assert_eq!(product(-a, beyond, direction), -beyond);
+                assert_eq!(quotient(beyond, a, direction), beyond);
+                assert_eq!(quotient(beyond, -a, direction), -beyond);
+                assert_eq!(quotient(a, beyond, direction), 0.0);
+                assert_eq!(sum(beyond, a, direction), beyond);
+                assert_eq!(sum(-a, beyond, direction), beyond);
+            }
+            assert_eq!(product(beyond, beyond, direction), infinity);
+            assert_eq!(product(0.0, beyond, direction), 0.0);
+            assert_eq!(product(beyond, 0.0, direction), 0.0);
+        }
+        assert_eq!(root(infinity, direction), infinity);
+        assert_eq!(root(0.0, direction), 0.0);
+    }
+}
+
 #[test]
 fn no_pair_of_floats_of_three_to_five_bits_loses_anything() {
     assert_eq!(try_format::<3, 15>(), 61_009);

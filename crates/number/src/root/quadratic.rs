@@ -57,8 +57,10 @@ mod tests {
 
     use quickcheck::{Gen, QuickCheck};
 
+    use num_traits::{Signed as _, Zero as _};
+
     use super::*;
-    use crate::{Scaled, root::float};
+    use crate::{Rational, Scaled, decode, power_of, root::float};
 
     /// What the general method gives, with the noise of coefficients in binary64.
     fn general(coefficients: [f64; 3], lower: f64, upper: f64) -> Option<f64> {
@@ -107,6 +109,33 @@ mod tests {
             found += 1;
         }
         assert_eq!(found, 2000);
+    }
+
+    #[test]
+    fn where_floats_tell_a_sign_it_is_that_of_the_fraction() {
+        let exact = |x: f64| decode(x).expect("it is finite");
+        let mut told = [0; 2];
+        for (r, s, c2) in
+            [(0.1, 3.7, 1.3), (-0.7, 1e6, -0.9), (-5.1, -1e-7, 7.0), (1e20, -2.3, 0.3)]
+        {
+            // c₂(x − r)(x − s), rounded
+            let c = [c2 * r * s, -c2 * (r + s), c2];
+            let near = |root: f64| {
+                [-1e-3, -3e-15, -4e-16, 0.0, 3e-16, 1e-15, 2e-14].map(|off| root * (1.0 + off))
+            };
+            for x in near(r).into_iter().chain(near(s)).chain([0.0, 1.0, -2.0, -(r + s) / 2.0]) {
+                let at = |c: [Rational; 3], x: &Rational| (&c[2] * x + &c[1]) * x + &c[0];
+                let value = at(c.map(exact), &exact(x));
+                let magnitude = at(c.map(|c| exact(c.abs())), &exact(x.abs()));
+                let sign = sign_at(c, x);
+                let below = value.is_negative();
+                assert!(sign.is_none_or(|sign| sign == below && !value.is_zero()), "{c:?} at {x}");
+                let clear = value.abs() > magnitude * power_of(2, -48);
+                assert!(sign.is_some() || !clear, "{c:?} at {x} is {value}");
+                told[usize::from(sign.is_some())] += 1;
+            }
+        }
+        assert!(told[0] >= 8 && told[1] >= 30, "{told:?}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Real algebraic numbers are an ordered field, and are written and rounded as such.
 
 use kane_number::testkit::{field_axioms, ordered_field_axioms};
-use kane_number::{Algebraic, Integer, Number, Ordered, Rational, Rounding, decode};
+use kane_number::{Algebraic, DoubleDouble, Integer, Number, Ordered, Rational, Rounding, decode};
 
 use crate::{quickcheck, rational, two_to};
 
@@ -33,6 +33,47 @@ fn elements_of_one_cubic_field_are_an_ordered_field() {
     let elements = [whole(1), x.clone(), x.square() - whole(2), whole(1) / (x + whole(3))];
     field_axioms(&elements);
     ordered_field_axioms(&elements);
+}
+
+/// 1009 is a prime too great to be looked for: the radicands 2 and 2·1009² stay as they are, and are of one field.
+#[test]
+fn surds_are_of_one_field_where_the_product_of_their_radicands_is_a_square() {
+    let (near, far) = (root_of(2), root_of(2 * 1009 * 1009));
+    assert_eq!(far.to_string(), "sqrt(2036162)");
+    assert_eq!(far, whole(1009) * &near);
+    assert_eq!((far.clone() + &near).to_string(), "1010/1009*sqrt(2036162)");
+    assert_eq!((near.clone() + &far).to_string(), "1010*sqrt(2)");
+    assert_eq!((near.clone() * &far).as_rational(), Some(&rational(2018, 1)));
+    assert_eq!((far.clone() / &near).as_rational(), Some(&rational(1009, 1)));
+    assert!(whole(1008) * &near < far && far < whole(1010) * &near);
+    let elements = [whole(1) - &near, far];
+    field_axioms(&elements);
+    ordered_field_axioms(&elements);
+}
+
+/// a + b√d over small a, b and d, with the sign and the floats of the number in twice the precision.
+#[test]
+fn the_sign_and_the_bounds_of_a_surd_are_those_of_its_value() {
+    for d in [2, 3, 5, 8, 99] {
+        let root = DoubleDouble::from(f64::from(d)).sqrt().expect("it is positive");
+        for a in -9..=9 {
+            for b in [-3, -1, 2] {
+                let surd = whole(a.into()) + whole(b.into()) * root_of(d.into());
+                let value =
+                    root * DoubleDouble::from(f64::from(b)) + DoubleDouble::from(f64::from(a));
+                assert_eq!(surd.is_negative(), value.high() < 0.0, "{surd}");
+                assert_eq!(surd.to_f64(), value.high(), "{surd}");
+                for bits in [0, 3, 64] {
+                    let (low, high) = surd.enclose(bits);
+                    assert!(
+                        Algebraic::from(low.clone()) <= surd && surd <= high.clone().into(),
+                        "{surd}"
+                    );
+                    assert!(high - low <= two_to(-i64::from(bits)) * rational(9, 1), "{surd}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

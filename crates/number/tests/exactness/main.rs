@@ -16,12 +16,16 @@ mod intervals;
 mod lanes;
 /// What is read, what is refused, and where.
 mod parsing;
+/// The suites against number systems with a fault.
+mod planted;
 /// Floats byte by byte, with the numbers that they are.
 mod reference;
 /// The greatest root of a polynomial, in every system.
 mod roots;
 /// Float to rational and back, on random bit patterns.
 mod round_trip;
+/// The greatest root where it is known beforehand.
+mod small_roots;
 /// Units in the last place and steps, with the comparison's three answers.
 mod ulps;
 /// Twice the precision, with and without limits.
