@@ -6,7 +6,7 @@ use kane_kernel::{Fuel, Rejection};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use polycore::{Gf, Uni};
 
 use crate::work::spend_fraction;
@@ -89,19 +89,50 @@ fn irreducible_factors(p: &[BigInt], fuel: &Fuel) -> Result<Option<Vec<Vec<BigIn
         return Ok(None);
     }
     fuel.spend(cost)?;
-    let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
-    let mut factors: Vec<Vec<BigInt>> = factors.map(|(f, _)| integers(&f)).collect();
+    let mut factors = quadratic_factors(&rest).unwrap_or_else(|| {
+        let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
+        factors.map(|(f, _)| integers(&f)).collect()
+    });
     if backwards {
         for factor in &mut factors {
             factor.reverse();
             // as the other way gives it: with a positive leading coefficient
-            *factor = integers(&uni(factor));
+            *factor = primitive(factor);
         }
     }
     if zeros > 0 {
         factors.push(vec![BigInt::from(0), BigInt::from(1)]);
     }
     Ok(Some(factors))
+}
+
+/// The irreducible factors of a polynomial of degree two at most: most are, and need no search.
+fn quadratic_factors(p: &[BigInt]) -> Option<Vec<Vec<BigInt>>> {
+    match p {
+        [] | [_] => Some(Vec::new()),
+        [_, _] => Some(vec![primitive(p)]),
+        [c, b, a] => {
+            let discriminant: BigInt = b * b - a * c * 4;
+            let root = if discriminant.is_negative() { None } else { Some(discriminant.sqrt()) };
+            let Some(root) = root.filter(|root| root * root == discriminant) else {
+                return Some(vec![primitive(p)]);
+            };
+            // 4·a·p = (2·a·x + b − s)·(2·a·x + b + s)
+            let factor = |s: BigInt| primitive(&[b + s, a * 2]);
+            let factors = [factor(-&root), factor(root)];
+            Some(if factors[0] == factors[1] { factors[..1].to_vec() } else { factors.to_vec() })
+        }
+        _ => None,
+    }
+}
+
+/// A polynomial without a factor that all coefficients share, with a positive leading one.
+fn primitive(p: &[BigInt]) -> Vec<BigInt> {
+    let mut content = p.iter().fold(BigInt::zero(), |g, c| if g.is_one() { g } else { g.gcd(c) });
+    if p.last().is_some_and(Signed::is_negative) {
+        content = -content;
+    }
+    p.iter().map(|c| if content.is_one() { c.clone() } else { c / &content }).collect()
 }
 
 /// The square-free parts of p, without their multiplicities (Yun 1976).
@@ -166,25 +197,92 @@ fn divided(a: &Uni<Q>, b: &Uni<Q>, fuel: &Fuel) -> Result<(Uni<Q>, Uni<Q>), Reje
     Ok((Uni::new(quotient), Uni::new(rest)))
 }
 
-/// p = constant · Π baseᵢ^eᵢ
+/// p = constant · Π baseᵢ^eᵢ, where no coefficients of a base share a factor: so all quotients have whole ones (Gauss
+/// 1801).
 pub(crate) fn factor_over(
     p: &[BigInt],
     bases: &[Vec<BigInt>],
     fuel: &Fuel,
 ) -> Result<(Q, Vec<u32>), Rejection> {
-    let mut rest = uni(p);
+    let mut rest = p.to_vec();
     let mut powers = vec![0; bases.len()];
     for (base, n) in bases.iter().zip(&mut powers) {
-        let base = uni(base);
-        while rest.deg() >= base.deg() {
-            let (q, r) = divided(&rest, &base, fuel)?;
-            if !r.is_zero() {
-                break;
-            }
-            rest = q;
+        while rest.len() >= base.len()
+            && let Some(quotient) = whole_quotient(&rest, base, fuel)?
+        {
+            rest = quotient;
             *n += 1;
         }
     }
-    let constant = rest.0.first().cloned().unwrap_or_else(Q::zero);
-    if rest.deg() == 0 { Ok((constant, powers)) } else { Err(Rejection::NotAnIdentity) }
+    match &rest[..] {
+        [] => Ok((Q::zero(), powers)),
+        [constant] => Ok((Q::from_integer(constant.clone()), powers)),
+        _ => Err(Rejection::NotAnIdentity),
+    }
+}
+
+/// The quotient of two polynomials, if it has whole coefficients and nothing remains.
+fn whole_quotient(
+    p: &[BigInt],
+    by: &[BigInt],
+    fuel: &Fuel,
+) -> Result<Option<Vec<BigInt>>, Rejection> {
+    let words = |c: &BigInt| 1 + c.bits() / 64;
+    let Some((lead, lower)) = by.split_last() else { return Ok(None) };
+    let (mut rest, mut quotient) = (p.to_vec(), Vec::new());
+    while rest.len() > lower.len() {
+        let Some(top) = rest.pop() else { break };
+        let at = rest.len() - lower.len();
+        let (top, remainder) = top.div_rem(lead);
+        if !remainder.is_zero() {
+            return Ok(None);
+        }
+        for (c, x) in lower.iter().zip(&mut rest[at..]) {
+            if !top.is_zero() && !c.is_zero() {
+                fuel.spend(words(&top) + words(c) + words(x))?;
+                *x -= &top * c;
+            }
+        }
+        quotient.push(top);
+    }
+    quotient.reverse();
+    Ok(rest.iter().all(Zero::is_zero).then_some(quotient))
+}
+
+#[cfg(test)]
+mod tests {
+    use quickcheck::quickcheck;
+
+    use super::*;
+
+    quickcheck! {
+        fn short_polynomials_have_the_factors_that_a_search_finds(c: i16, b: i16, a: i16, n: i8) -> bool {
+            // some with rational roots, some with a common factor
+            let products = [vec![c, b, a], vec![c, a], vec![c.wrapping_mul(b) / 4, 0, a]];
+            products.iter().all(|p| {
+                let mut p: Vec<BigInt> = p.iter().map(|x| BigInt::from(*x) * n).collect();
+                while p.last().is_some_and(Zero::is_zero) {
+                    p.pop();
+                }
+                if p.is_empty() {
+                    return true;
+                }
+                let Some(mut quick) = quadratic_factors(&p) else { return false };
+                let found = polyfactor::factor(&uni(&p)).into_iter().filter(|(f, _)| f.deg() > 0);
+                let mut found: Vec<Vec<BigInt>> = found.map(|(f, _)| integers(&f)).collect();
+                quick.sort();
+                found.sort();
+                quick == found
+            })
+        }
+
+        fn products_of_two_lines_fall_into_them(a: i16, b: i16, c: i16, d: i16) -> bool {
+            let line = |n: i16, m: i16| vec![BigInt::from(n), BigInt::from(i32::from(m) * 2 + 1)];
+            let (one, other) = (line(a, b), line(c, d));
+            let product = &uni(&one) * &uni(&other);
+            let whole: Vec<BigInt> = product.0.iter().map(|c| c.numer().clone()).collect();
+            let factors = quadratic_factors(&whole);
+            factors.is_some_and(|f| f.contains(&primitive(&one)) && f.contains(&primitive(&other)))
+        }
+    }
 }

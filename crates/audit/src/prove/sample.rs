@@ -2,8 +2,10 @@
 
 use kane_algebra::field::theta;
 use kane_algebra::point::{Partial, specialised};
+use kane_algebra::ring::univariate;
 use kane_algebra::sign_table::Cell as LineCell;
 use kane_kernel::{Atom, Point, Sign, State};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -164,14 +166,11 @@ pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
         (1000, 1),
         (1, 1000),
     ];
-    let tests: Vec<&Atom> = state.atoms.iter().filter(|a| a.poly.vars() == [v]).collect();
-    let admits = |q: &Q| {
-        tests.iter().all(|a| {
-            kane_algebra::ring::univariate(&a.poly, v)
-                .is_none_or(|p| a.sign.admits(kane_kernel::sign_at(&p, q)))
-        })
-    };
-    let simple = SIMPLE.iter().map(|&(n, d)| Q::new(n.into(), d.into()));
+    let alone = state.atoms.iter().filter(|a| a.poly.vars() == [v]);
+    let tests: Vec<(Sign, Vec<BigInt>)> =
+        alone.filter_map(|a| Some((a.sign, univariate(&a.poly, v)?))).collect();
+    let admits = |q: &Q| tests.iter().all(|(sign, p)| sign.admits(kane_kernel::sign_at(p, q)));
+    let simple = SIMPLE.iter().map(|&(n, d)| Q::new_raw(n.into(), d.into()));
     let mut out: Vec<Q> = simple.filter(admits).collect();
     if out.len() < 8 {
         let (lower, upper) = tactics::bounds(state, v);
