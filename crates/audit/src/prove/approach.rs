@@ -1,11 +1,12 @@
 //! Points by approach: near a point conditions are taken as linear, the shortest step is taken to where
-//! those that fail would hold, and so on (Newton's method for inequalities, Pshenichnyi 1970). The numbers
-//! are dyadic and all arithmetic is exact, so a point that is found satisfies the conditions as it stands.
+//! those that fail would hold, and so on (Newton's method for inequalities, Pshenichnyi 1970). Numbers are
+//! integers over one power of two, so that none is ever reduced. A step is rounded; the signs of conditions are exact, so
+//! a point that is found satisfies them as it stands.
 
 use kane_algebra::cells::{Cells, cells};
 use kane_algebra::point::{Partial, specialised};
 use kane_kernel::{Atom, Fuel, Point, Poly, Power, Sign, State};
-use num_bigint::BigInt;
+use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -22,12 +23,13 @@ const VARIABLES: usize = 8;
 const CONDITIONS: usize = 16;
 /// Bits of their coefficients.
 const BITS: u64 = 256;
-/// By how much of its size a condition is to hold, as parts of one.
-const MARGINS: [i64; 3] = [16, 256, 8192];
+/// By how much of its size a condition is to hold: by 2^−m of it.
+const MARGINS: [u32; 3] = [4, 8, 13];
 /// Coordinates beyond which it is given up.
 const FAR: i64 = 1 << 20;
-/// Binary digits behind the point that a coordinate keeps.
+/// Binary digits behind the point that a coordinate keeps, and that values, slopes and steps keep.
 const DIGITS: u32 = 24;
+const FINE: u32 = 48;
 /// Cells in which the last coordinates are looked for where equations are left.
 const CELLS: usize = 60;
 
@@ -59,8 +61,7 @@ impl Search<'_> {
         let near = Near { atoms: &live, slopes: &slopes, vars, fuel };
         diagonal(&lists, starts).into_iter().find_map(|start| {
             MARGINS.iter().find_map(|m| {
-                let margin = Q::new(1.into(), (*m).into());
-                let found = near.simplest(near.from(&start, &margin)?);
+                let found = near.from(&start, *m)?;
                 complete(state, near.solved(&found, equations)?, trail)
             })
         })
@@ -74,45 +75,61 @@ struct Near<'a> {
     fuel: &'a Fuel,
 }
 
-/// The value of a polynomial at a point whose coordinates are multiples of 2^−DIGITS: a sum of integers
-/// over one power of two, so that nothing is reduced on the way.
-fn value(p: &Poly, vars: &[usize], at: &[Q], fuel: &Fuel) -> Option<Q> {
+/// The number nearest to x/2ᵏ, away from 0 where two are.
+fn shifted(x: &BigInt, k: u32) -> BigInt {
+    match k.checked_sub(1) {
+        None => x.clone(),
+        Some(half) => {
+            let size = (x.magnitude() + (BigUint::one() << half)) >> k;
+            BigInt::from_biguint(x.sign(), size)
+        }
+    }
+}
+
+/// A rational number in units of 2^−DIGITS.
+fn units(q: &Q) -> BigInt {
+    (q * Q::from_integer(BigInt::one() << DIGITS)).round().to_integer()
+}
+
+/// A condition seen from a point: its value, which has the right sign, its slopes, and its size, in units of 2^−FINE.
+struct Seen {
+    value: BigInt,
+    slopes: Vec<BigInt>,
+    size: BigInt,
+}
+
+/// The value of a polynomial at a point in units of 2^−DIGITS, in units of 2^−FINE and never rounded to 0: a sum of
+/// integers over one power of two, so that nothing is reduced on the way.
+fn value(p: &Poly, vars: &[usize], at: &[BigInt], fuel: &Fuel) -> Option<BigInt> {
     let degree = |m: &[Power]| m.iter().map(|x| x.1).sum::<u32>();
     let highest = p.terms().map(|(m, _)| degree(m)).max().unwrap_or(0);
     fuel.spend(u64::try_from(p.len()).ok()? * u64::from(4 + highest)).ok()?;
-    let whole: Vec<BigInt> =
-        at.iter().map(|x| (x * Q::from_integer(BigInt::one() << DIGITS)).to_integer()).collect();
     let mut sum = BigInt::zero();
     for (m, c) in p.terms() {
         let mut term = c << (DIGITS * (highest - degree(m)));
         for &(v, n) in m {
-            term *= whole[vars.iter().position(|w| *w == v)?].pow(n);
+            term *= at[vars.iter().position(|w| *w == v)?].pow(n);
         }
         sum += term;
     }
-    Some(Q::new(sum, BigInt::one() << (DIGITS * highest)))
+    let scale = DIGITS * highest;
+    let fine = if scale <= FINE { &sum << (FINE - scale) } else { shifted(&sum, scale - FINE) };
+    Some(if fine.is_zero() { sum.signum() } else { fine })
 }
 
-/// The nearest multiple of 2^−digits.
-fn rounded(q: &Q, digits: u32) -> Q {
-    let unit = BigInt::one() << digits;
-    Q::new((q * Q::from_integer(unit.clone())).round().to_integer(), unit)
-}
-
-/// The solution of a square system whose rows end in the right sides, its numbers rounded on the way;
-/// `None` if a pivot vanishes.
-fn solved(mut system: Vec<Vec<Q>>, fuel: &Fuel) -> Option<Vec<Q>> {
+/// The solution of a square system whose rows end in the right sides, in units of 2^−FINE; `None` if a pivot vanishes.
+fn solved(mut system: Vec<Vec<BigInt>>, fuel: &Fuel) -> Option<Vec<BigInt>> {
     let n = system.len();
     for i in 0..n {
         fuel.spend(20 * u64::try_from(n * n).ok()?).ok()?;
         let pivot = (i..n).find(|&r| !system[r][i].is_zero())?;
         system.swap(i, pivot);
-        let row: Vec<Q> = system[i].iter().map(|x| x / &system[i][i]).collect();
+        let row: Vec<BigInt> = system[i].iter().map(|x| (x << FINE) / &system[i][i]).collect();
         for (r, other) in system.iter_mut().enumerate() {
             if r != i {
                 let factor = other[i].clone();
                 for (x, y) in other.iter_mut().zip(&row) {
-                    *x = rounded(&(&*x - &factor * y), 2 * DIGITS);
+                    *x -= shifted(&(&factor * y), FINE);
                 }
             }
         }
@@ -122,81 +139,85 @@ fn solved(mut system: Vec<Vec<Q>>, fuel: &Fuel) -> Option<Vec<Q>> {
 }
 
 impl Near<'_> {
-    /// Values and slopes of all conditions, each with its size.
-    fn seen(&self, at: &[Q]) -> Option<Vec<(Q, Vec<Q>, Q)>> {
+    /// All conditions as they are seen from a point.
+    fn seen(&self, at: &[BigInt]) -> Option<Vec<Seen>> {
         let all = self.atoms.iter().zip(self.slopes);
         all.map(|(a, slopes)| {
             let here = |p: &Poly| value(p, self.vars, at, self.fuel);
-            let slopes: Vec<Q> = slopes.iter().map(here).collect::<Option<_>>()?;
-            let steep = slopes.iter().fold(Q::zero(), |s, g| s + g.abs());
-            Some((here(&a.poly)?, slopes, steep + Q::new(1.into(), 1024.into())))
+            let slopes: Vec<BigInt> = slopes.iter().map(here).collect::<Option<_>>()?;
+            let steep = slopes.iter().fold(BigInt::zero(), |s, g| s + g.abs());
+            let size = steep + (BigInt::one() << (FINE - 10));
+            Some(Seen { value: here(&a.poly)?, slopes, size })
         })
         .collect()
     }
 
-    /// Whether all conditions hold, equations nearly.
-    fn holds(&self, seen: &[(Q, Vec<Q>, Q)]) -> bool {
-        let nearly = Q::new(1.into(), (1 << 16).into());
-        self.atoms.iter().zip(seen).all(|(a, (value, _, size))| match a.sign {
-            Sign::Zero => value.abs() / size < nearly,
-            sign => sign.admits(kane_kernel::sign(value.numer())),
+    /// Whether all conditions hold, equations nearly: to 2^−16 of their size.
+    fn holds(&self, seen: &[Seen]) -> bool {
+        self.atoms.iter().zip(seen).all(|(a, seen)| match a.sign {
+            Sign::Zero => seen.value.abs() << 16 < seen.size,
+            sign => sign.admits(kane_kernel::sign(&seen.value)),
         })
     }
 
-    /// A point where all conditions hold, equations nearly.
-    fn from(&self, start: &[Q], margin: &Q) -> Option<Vec<Q>> {
-        let mut at: Vec<Q> = start.iter().map(|x| rounded(x, DIGITS)).collect();
+    /// A point where all conditions hold, equations nearly, with as few digits as leave it one.
+    fn from(&self, start: &[Q], margin: u32) -> Option<Vec<Q>> {
+        let mut at: Vec<BigInt> = start.iter().map(units).collect();
+        let far = BigInt::from(FAR) << DIGITS;
         for _ in 0..STEPS {
             let seen = self.seen(&at)?;
             if self.holds(&seen) {
-                return Some(at);
+                return Some(self.simplest(at));
             }
             let step = self.step(&seen, margin)?;
-            at = at.iter().zip(&step).map(|(x, d)| rounded(&(x + d), DIGITS)).collect();
-            if at.iter().any(|x| x.abs() > Q::from_integer(FAR.into())) {
+            at.iter_mut().zip(&step).for_each(|(x, d)| *x += shifted(d, FINE - DIGITS));
+            if at.iter().any(|x| x.abs() > far) {
                 return None;
             }
         }
         None
     }
 
-    /// The shortest step after which the conditions that fail now, or hold by less than a margin, hold by
+    /// The shortest step after which the conditions that fail now, or hold by less than a margin of size/2ᵐ, hold by
     /// that margin if they are linear: d = Jᵀ·w with (J·Jᵀ + a little)·w = what is missing.
-    fn step(&self, seen: &[(Q, Vec<Q>, Q)], margin: &Q) -> Option<Vec<Q>> {
-        let mut rows: Vec<(&Vec<Q>, Q)> = Vec::new();
-        for (a, (value, slopes, size)) in self.atoms.iter().zip(seen) {
+    fn step(&self, seen: &[Seen], margin: u32) -> Option<Vec<BigInt>> {
+        let mut rows: Vec<(&[BigInt], BigInt)> = Vec::new();
+        for (a, seen) in self.atoms.iter().zip(seen) {
             let missing = match a.sign {
-                Sign::Zero => -value,
-                Sign::Positive | Sign::NonNegative => margin * size - value,
+                Sign::Zero => -&seen.value,
+                Sign::Positive | Sign::NonNegative => shifted(&seen.size, margin) - &seen.value,
                 Sign::NonZero => continue,
             };
             if a.sign == Sign::Zero || missing.is_positive() {
-                rows.push((slopes, missing));
+                rows.push((&seen.slopes, missing));
             }
         }
-        let dot = |a: &[Q], b: &[Q]| a.iter().zip(b).fold(Q::zero(), |s, (x, y)| s + x * y);
-        let little = Q::new(1.into(), (1 << 20).into());
-        let mut system: Vec<Vec<Q>> = Vec::new();
+        let dot = |a: &[BigInt], b: &[BigInt]| -> BigInt {
+            a.iter().zip(b).map(|(x, y)| shifted(&(x * y), FINE)).sum()
+        };
+        let little = BigInt::one() << (FINE - 20);
+        let mut system: Vec<Vec<BigInt>> = Vec::new();
         for (i, (a, missing)) in rows.iter().enumerate() {
-            let mut row: Vec<Q> = rows.iter().map(|(b, _)| rounded(&dot(a, b), DIGITS)).collect();
+            let mut row: Vec<BigInt> = rows.iter().map(|(b, _)| dot(a, b)).collect();
             row[i] += &little;
-            row.push(rounded(missing, DIGITS));
+            row.push(missing.clone());
             system.push(row);
         }
         let weights = solved(system, self.fuel)?;
-        let n = self.vars.len();
-        let along =
-            |j: usize| rows.iter().zip(&weights).fold(Q::zero(), |s, (r, w)| s + &r.0[j] * w);
-        Some((0..n).map(along).collect())
+        let along = |j: usize| {
+            rows.iter().zip(&weights).map(|(row, w)| shifted(&(&row.0[j] * w), FINE)).sum()
+        };
+        Some((0..self.vars.len()).map(along).collect())
     }
 
-    /// The same point with as few digits as leave it one.
-    fn simplest(&self, at: Vec<Q>) -> Vec<Q> {
+    fn simplest(&self, at: Vec<BigInt>) -> Vec<Q> {
         let short = (0..DIGITS).find_map(|digits| {
-            let short: Vec<Q> = at.iter().map(|x| rounded(x, digits)).collect();
+            let cut = |x: &BigInt| shifted(x, DIGITS - digits) << (DIGITS - digits);
+            let short: Vec<BigInt> = at.iter().map(cut).collect();
             self.seen(&short).is_some_and(|seen| self.holds(&seen)).then_some(short)
         });
-        short.unwrap_or(at)
+        let fraction = |x: BigInt| Q::new(x, BigInt::one() << DIGITS);
+        short.unwrap_or(at).into_iter().map(fraction).collect()
     }
 
     /// The point itself, or one beside it on the curves of the equations.
