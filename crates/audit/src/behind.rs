@@ -12,7 +12,7 @@ use num_rational::BigRational;
 use num_traits::Zero as _;
 
 use crate::explain::mentions;
-use crate::prove::{Budget, Decided, Prover, Verdicts};
+use crate::prove::{Budget, Decided, Memory, Prover, Verdicts};
 use crate::{Body, Document, Standing};
 
 /// Givens that are tried as a further premise.
@@ -145,6 +145,7 @@ impl Witnessed<'_> {
             using: &[],
             by: &[],
             earlier,
+            near: Memory::default(),
             cited: resting.hypotheses.len(),
             resting,
         }
@@ -161,11 +162,7 @@ impl Witnessed<'_> {
             let mut goal = self.goal.clone();
             goal.hypotheses.push(given);
             goal.context.lets.clone_from(&self.document.context.lets);
-            let earlier = RefCell::default();
-            // of premises that contradict each other anything would follow
-            let found = self.prover(&goal, &earlier).judge(&goal, true);
-            let proved = |decided: &Decided| decided.certificate.finding == Finding::Proved;
-            found.model.is_some() && found.decided.as_ref().is_some_and(proved)
+            self.prover(&goal, &RefCell::default()).follows(&goal)
         };
         failing.iter().take(MOST_TRIED).copied().find(proves)
     }

@@ -1,11 +1,13 @@
 //! Single goals, judged on their own: what documents do for their claims, for whoever states goals.
 
+use std::cell::RefCell;
+
 use kane_kernel::{
     Certificate, Checked, Evidence, Expr, Finding, Fuel, Goal, Model, Point, check, digest,
 };
 
 use crate::argument::Grounds;
-use crate::prove::{Budget, Decided, Prover};
+use crate::prove::{Budget, Decided, Memory, Prover};
 use crate::{Open, Proof, Reason, explain};
 
 /// The certificates that the kernel accepted for a goal.
@@ -23,11 +25,8 @@ pub struct Findings {
 /// that the kernel did not accept.
 #[must_use]
 pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings {
-    let earlier = std::cell::RefCell::default();
-    let cited = goal.hypotheses.len();
-    let work = Fuel::new(budget.document);
-    let prover = Prover { budget, work, using: &[], by, earlier: &earlier, cited, resting: goal };
-    let found = prover.judge(goal, true);
+    let earlier = RefCell::default();
+    let found = alone(goal, by, budget, &earlier).judge(goal, true);
     let model = |m| Certificate {
         goal: digest(goal),
         finding: Finding::Consistent,
@@ -42,12 +41,8 @@ pub fn judge_goal(goal: &Goal, by: &[(usize, Expr)], budget: Budget) -> Findings
 /// # Errors
 /// Why there is none.
 pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, Open> {
-    let earlier = std::cell::RefCell::default();
-    let cited = goal.hypotheses.len();
-    let work = Fuel::new(budget.document);
-    let (using, by) = (&[], &[]);
-    let prover = Prover { budget, work, using, by, earlier: &earlier, cited, resting: goal };
-    let found = prover.prove(goal);
+    let earlier = RefCell::default();
+    let found = alone(goal, &[], budget, &earlier).prove(goal);
     found.decided.ok_or(found.open.unwrap_or(Open::NoProof(budget.steps)))
 }
 
@@ -67,12 +62,27 @@ pub fn refute_goal(goal: &Goal, point: Point) -> Checked<Decided> {
 /// Looks for a point that refutes a goal, and for nothing else: what the kernel accepted.
 #[must_use]
 pub fn find_witness(goal: &Goal, budget: Budget) -> Option<Decided> {
-    let earlier = std::cell::RefCell::default();
-    let cited = goal.hypotheses.len();
-    let work = Fuel::new(budget.document);
-    let (using, by) = (&[], &[]);
-    let prover = Prover { budget, work, using, by, earlier: &earlier, cited, resting: goal };
-    prover.refute(goal).decided
+    let earlier = RefCell::default();
+    alone(goal, &[], budget, &earlier).refute(goal).decided
+}
+
+/// The search for a goal that rests on nothing else.
+fn alone<'a>(
+    goal: &'a Goal,
+    by: &'a [(usize, Expr)],
+    budget: Budget,
+    earlier: &'a RefCell<Vec<Model>>,
+) -> Prover<'a> {
+    Prover {
+        budget,
+        work: Fuel::new(budget.document),
+        using: &[],
+        by,
+        earlier,
+        near: Memory::default(),
+        cited: goal.hypotheses.len(),
+        resting: goal,
+    }
 }
 
 impl Decided {

@@ -15,7 +15,7 @@ use self::definitions::{kept, link_parts, needed_lets};
 use self::motions::{at_zero, only_motions};
 use crate::behind::Witnessed;
 use crate::memo::{self, Memo, Read};
-use crate::prove::{Budget, Decided, Prover, Verdicts, expanded};
+use crate::prove::{Budget, Decided, Memory, Prover, Verdicts, expanded};
 use crate::{
     Accepted, Audit, Body, Claim, Content, Document, Existence, Explanation, Judgement,
     LinkJudgement, Open, Unreached, Verdict, explain, index,
@@ -382,6 +382,7 @@ fn judge(
                 using: &using,
                 by: &claim.by,
                 earlier,
+                near: Memory::default(),
                 cited: goal.hypotheses.len(),
                 resting: &resting,
             };

@@ -61,6 +61,21 @@ impl Radius {
     }
 }
 
+/// Functions with which givens held near a limit, for another look at the same limit: they are tried first.
+#[derive(Default)]
+pub(crate) struct Memory(RefCell<Vec<(Side, Sentence, Values)>>);
+
+impl Memory {
+    fn of(&self, side: &Side, given: &Sentence) -> Option<Values> {
+        let known = self.0.borrow();
+        known.iter().find(|k| k.0 == *side && k.1 == *given).map(|k| k.2.clone())
+    }
+
+    fn keep(&self, side: &Side, given: &Sentence, values: Values) {
+        self.0.borrow_mut().push((side.clone(), given.clone(), values));
+    }
+}
+
 /// What is known of functions with which a given holds near a limit.
 #[derive(Clone)]
 enum Known {
@@ -77,13 +92,19 @@ pub(super) struct Germs<'a, 's, 'g> {
     steps: u64,
     owed: Vec<&'g Sentence>,
     known: RefCell<Vec<Known>>,
+    memory: Option<&'a Memory>,
 }
 
 impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     pub(super) fn new(state: &'a State<'s, 'g>, side: &'a Side, steps: u64) -> Self {
         let owed = owed(state, side);
         let known = RefCell::new(vec![Known::Untried; owed.len()]);
-        Self { state, side, power: 1, steps, owed, known }
+        Self { state, side, power: 1, steps, owed, known, memory: None }
+    }
+
+    /// The same, with what earlier looks have found.
+    pub(super) fn remembering(self, memory: &'a Memory) -> Self {
+        Self { memory: Some(memory), ..self }
     }
 
     /// The same along a power of t.
@@ -123,7 +144,13 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
                 Known::Values(values) => ranges::proved(self.state, germ, self.owed[i], values),
                 Known::Nothing => None,
                 Known::Untried => {
-                    let found = ranges::inside(self.state, germ, self.owed[i]);
+                    let found = self.remembered(self.owed[i], germ).or_else(|| {
+                        let found = ranges::inside(self.state, germ, self.owed[i])?;
+                        if let Some(memory) = self.memory {
+                            memory.keep(self.side, self.owed[i], found.values.clone());
+                        }
+                        Some(found)
+                    });
                     let values = found.as_ref().map(|found| found.values.clone());
                     let values = values.or_else(|| self.smallest(self.owed[i]));
                     let known = values.map_or(Known::Nothing, Known::Values);
@@ -132,6 +159,12 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
                 }
             }
         })
+    }
+
+    /// A proof that a given holds with the functions of an earlier look.
+    fn remembered(&self, given: &Sentence, germ: &Germ) -> Option<Inside> {
+        let values = self.memory?.of(self.side, given)?;
+        ranges::proved(self.state, germ, given, values)
     }
 
     /// Functions with which a given holds near enough.

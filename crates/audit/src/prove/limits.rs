@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 use super::bounds;
-use super::germs::Germs;
+use super::germs::{Germs, Memory};
 use super::search::{Outcome, Search};
 use super::squeeze;
 use super::variation::{substituted, varies};
@@ -28,12 +28,14 @@ pub(crate) fn passes<'s, 'g>(
     state: &State<'s, 'g>,
     sides: &[Side],
     steps: u64,
+    memory: &Memory,
 ) -> (State<'s, 'g>, Vec<Passage>) {
     let (mut state, mut found) = (state.clone(), Vec::new());
     for _ in 0..3 {
         let before = found.len();
         for side in sides {
-            let Some(germ) = Germs::new(&state, side, steps).all().next() else {
+            let germs = Germs::new(&state, side, steps).remembering(memory);
+            let Some(germ) = germs.all().next() else {
                 continue;
             };
             let Ok(along) = state.along_unproved(&germ) else {

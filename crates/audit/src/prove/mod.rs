@@ -60,6 +60,7 @@ pub(crate) use attempt::Attempt;
 use budget::Ways;
 use functions::Effort;
 use germs::Germs;
+pub(crate) use germs::Memory;
 use hints::Hint;
 pub(crate) use hints::expanded;
 
@@ -108,6 +109,8 @@ pub(crate) struct Prover<'a> {
     pub(crate) by: &'a [(usize, Expr)],
     /// models of earlier claims, which often serve again
     pub(crate) earlier: &'a RefCell<Vec<Model>>,
+    /// functions with which givens held near limits of this claim
+    pub(crate) near: Memory,
     /// number of the hypotheses that are cited
     pub(crate) cited: usize,
     /// the goal with all givens on which it finally rests as further hypotheses
@@ -302,7 +305,7 @@ impl Prover<'_> {
     /// only where some constant does not vanish.
     fn passed(&self, state: &State<'_, '_>, germs: &[Side], splits: u32) -> Option<Course> {
         let any = |_: usize, _: &Poly| true;
-        let (next, found) = limits::passes(state, germs, self.budget.steps);
+        let (next, found) = limits::passes(state, germs, self.budget.steps, &self.near);
         if !found.is_empty()
             && let Outcome::Closed(proof) = Search::new(self.budget.steps, &any, false).solve(&next)
         {
@@ -338,6 +341,16 @@ impl Prover<'_> {
             out.open = Some(Open::NoProof(self.budget.steps));
         }
         out
+    }
+
+    /// Whether a pointwise goal is proved, from hypotheses that can hold: of such as contradict each other anything would
+    /// follow. No other verdict is looked for.
+    pub(crate) fn follows(&self, goal: &Goal) -> bool {
+        let mut out = Verdicts::default();
+        self.closed(goal, Finding::Proved, Ways::Near, &mut out)
+            .is_some_and(|grounds| self.decide(goal, Finding::Proved, grounds, &mut out))
+            && !self.consistent(goal, &mut out)
+            && out.model.is_some()
     }
 
     /// Looks for a point against a pointwise goal, and for nothing else.

@@ -76,7 +76,9 @@ pub(super) fn proved(
     let scope = scope(&goal, state.scope.fuel.clone()).ok()?;
     let along = inside_state(state, germ, &scope, &goal).ok()?;
     let may = varies(&along, germ.side.var);
-    match Search::new(STEPS, &may, false).solve(&along) {
+    let mut search = Search::new(STEPS, &may, false);
+    search.products = false;
+    match search.solve(&along) {
         Outcome::Closed(argument) => {
             Some(Inside { values, proof: expand(&along, &argument).ok()? })
         }
