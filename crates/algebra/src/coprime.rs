@@ -9,6 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use polycore::{Gf, Uni};
 
+use crate::irreducible::is_irreducible;
 use crate::work::spend_fraction;
 
 type Q = BigRational;
@@ -89,7 +90,8 @@ fn irreducible_factors(p: &[BigInt], fuel: &Fuel) -> Result<Option<Vec<Vec<BigIn
         return Ok(None);
     }
     fuel.spend(cost)?;
-    let mut factors = quadratic_factors(&rest).unwrap_or_else(|| {
+    let one = || is_irreducible(&rest, fuel).then(|| vec![primitive(&rest)]);
+    let mut factors = quadratic_factors(&rest).or_else(one).unwrap_or_else(|| {
         let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
         factors.map(|(f, _)| integers(&f)).collect()
     });

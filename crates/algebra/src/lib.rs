@@ -7,6 +7,7 @@ pub mod descartes;
 pub mod factors;
 pub mod field;
 mod fraction;
+mod irreducible;
 pub mod linear_program;
 pub mod point;
 pub mod quotient;

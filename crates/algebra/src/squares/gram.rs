@@ -69,27 +69,31 @@ impl Gram {
         }
         let mut gram = Self { blocks, cofactors, equations: question.equations.len() };
         // What can only be zero goes: Newton's polytope, as far as diagonals show it.
-        loop {
-            fuel.spend(1).ok()?;
-            let columns: usize =
-                gram.sizes().iter().map(|n| n * (n + 1) / 2).sum::<usize>() + gram.cofactors.len();
-            if columns > 4 * COLUMNS {
-                return None;
-            }
-            let system = gram.system(question, fuel)?;
-            let idle = idle(&system)?;
-            if idle.is_empty() {
-                return (columns <= COLUMNS).then_some(gram);
-            }
-            for (b, block) in gram.blocks.iter_mut().enumerate() {
-                let mut at = 0;
-                block.basis.retain(|_| {
-                    at += 1;
-                    !idle.contains(&(b, at - 1))
-                });
-            }
-            gram.blocks.retain(|block| !block.basis.is_empty());
+        let columns = gram.columns();
+        if columns > 4 * COLUMNS {
+            return None;
         }
+        let system = gram.system(question, fuel)?;
+        let mut gone = BTreeSet::new();
+        loop {
+            fuel.spend(columns as u64).ok()?;
+            let idle = idle(&system, &gone)?;
+            if idle.is_empty() {
+                break;
+            }
+            gone.extend(idle);
+        }
+        for (b, block) in gram.blocks.iter_mut().enumerate() {
+            let mut rows = 0..;
+            block.basis.retain(|_| rows.next().is_none_or(|row| !gone.contains(&(b, row))));
+        }
+        gram.blocks.retain(|block| !block.basis.is_empty());
+        (gram.columns() <= COLUMNS).then_some(gram)
+    }
+
+    /// The number of unknowns.
+    fn columns(&self) -> usize {
+        self.sizes().iter().map(|n| n * (n + 1) / 2).sum::<usize>() + self.cofactors.len()
     }
 
     /// The number of rows of each block.
@@ -135,19 +139,27 @@ impl Gram {
     }
 }
 
-/// Places of bases, as (block, row), whose squares have to vanish: they meet nothing that could
+/// Places of bases, as (block, row), whose squares have to vanish once others have: they meet nothing that could
 /// cancel them. `None` if something cannot be cancelled at all.
-fn idle(system: &System) -> Option<BTreeSet<(usize, usize)>> {
+fn idle(system: &System, gone: &BTreeSet<(usize, usize)>) -> Option<BTreeSet<(usize, usize)>> {
+    let vanishes = |column: &Column| match *column {
+        Column::Entry { block, row, column } => {
+            gone.contains(&(block, row)) || gone.contains(&(block, column))
+        }
+        Column::Cofactor { .. } => false,
+    };
+    let vanishes: Vec<bool> = system.columns.iter().map(vanishes).collect();
     let mut out = BTreeSet::new();
     for row in &system.rows {
-        let square = |column: &usize| match system.columns[*column] {
+        let entries = || row.entries.iter().filter(|entry| !vanishes[*entry.0]);
+        let square = |(column, _): (&usize, &Q)| match system.columns[*column] {
             Column::Entry { block, row, column } if row == column => Some((block, row)),
             _ => None,
         };
-        let Some(squares) = row.entries.keys().map(square).collect::<Option<Vec<_>>>() else {
+        let Some(squares) = entries().map(square).collect::<Option<Vec<_>>>() else {
             continue;
         };
-        let one_sign = |positive: bool| row.entries.values().all(|q| q.is_positive() == positive);
+        let one_sign = |positive: bool| entries().all(|(_, q)| q.is_positive() == positive);
         let (up, down) = (one_sign(true), one_sign(false));
         if row.value.is_zero() && (up || down) {
             out.extend(squares);

@@ -103,6 +103,9 @@ impl Search<'_> {
                 };
                 let Some(atoms) = state.atoms.iter().map(at).collect() else { continue };
                 let special = State { atoms, ..state.clone() };
+                if tactics::is_empty(&special, last) {
+                    continue;
+                }
                 let mut partial = Partial::default();
                 match tactics::line(&special, last) {
                     None => {

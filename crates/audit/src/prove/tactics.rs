@@ -178,6 +178,16 @@ pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
     }
 }
 
+/// Whether the bounds of a variable leave it no value.
+pub(crate) fn is_empty(state: &State<'_, '_>, v: usize) -> bool {
+    let (Some(lower), Some(upper)) = bounds(state, v) else {
+        return false;
+    };
+    let strict = [lower, upper].iter().any(|i| state.atoms[*i].sign == Sign::Positive);
+    let (low, high) = (bound_value(state, lower, v), bound_value(state, upper, v));
+    low > high || (strict && low == high)
+}
+
 /// Atom i contradicts the bounds of its variables, seen from the signs of coefficients.
 pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     let atom = &state.atoms[i];
