@@ -7,7 +7,7 @@ usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--only WORD]
 `cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
 switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and of the targets that are
 named with --tests; with --only, those that have one of these words in their name; with --within, those that take no
-longer. --again tries only mutants that an earlier run missed or had no switch for.
+longer. --again leaves out what an earlier run told: it goes on with what was missed, had no switch, or was not tried.
 
 The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (five times
 the processor time of the tests, and a second), `missed`, `type` (the value of a function is not of its type), or
@@ -64,9 +64,11 @@ def main() -> None:
 
     wanted = set(copy.mutants)
     if asked.again:
-        missed = {json.loads(line)["change"] for line in asked.again.read_text().splitlines()
-                  if json.loads(line)["outcome"] in ("missed", "switch", "constant")}
-        wanted = {n for n in wanted if copy.mutants[n].change in missed}
+        # one change may be made in several places of a function: it is left out if all of them were told
+        results = [json.loads(line) for line in asked.again.read_text().splitlines()]
+        told = collections.Counter(r["change"] for r in results if r["outcome"] in ("caught", "timed out", "type"))
+        places = collections.Counter(m.change for m in copy.mutants.values())
+        wanted = {n for n in wanted if told[copy.mutants[n].change] < places[copy.mutants[n].change]}
     counts: collections.Counter[str] = collections.Counter()
     with (open(asked.out, "w") if asked.out else tempfile.TemporaryFile("w")) as out:
         def note(number: int, outcome: str, told: str) -> None:

@@ -28,3 +28,28 @@ pub fn changes<S: PartialEq>(
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_change_lies_between_two_fractions_of_which_one_is_before_it_and_one_behind() {
+        let number = |n: i64, d: i64| Rational::new(n.into(), d.into());
+        let places = [number(1, 3), number(7, 5), number(29, 10)];
+        let passed = |x: &Rational| places.iter().filter(|place| *place <= x).count();
+        let grid: Vec<Rational> = [-1, 0, 2, 4, 8, 14, 15].map(|n| number(n, 4)).to_vec();
+        for halvings in [0, 1, 5, 20] {
+            let found = changes(&grid, halvings, passed);
+            assert_eq!(found.len(), places.len());
+            // between 0 and 1/2, 1 and 2, 2 and 7/2
+            let gaps = [number(1, 2), number(1, 1), number(3, 2)];
+            for (([lower, upper], place), gap) in found.iter().zip(&places).zip(gaps) {
+                assert!(lower < place && place <= upper, "{lower}, {place}, {upper}");
+                assert_eq!((upper - lower) * crate::power_of(2, halvings.into()), gap);
+            }
+        }
+        assert!(changes(&grid, 3, |_| 0).is_empty(), "nothing changes");
+        assert!(changes(&grid[..1], 3, passed).is_empty() && changes(&[], 3, passed).is_empty());
+    }
+}

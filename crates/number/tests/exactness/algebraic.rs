@@ -132,6 +132,30 @@ fn roots_come_in_order_and_once() {
     assert!(Algebraic::roots(&[rational(1, 1), rational(0, 1), rational(1, 1)]).is_empty());
 }
 
+/// (3x − 1)²·2⁸⁰ = 3: the roots are nearer to each other than the first enclosure of either, and so are those of
+/// the product with x − 2, which is a cubic.
+#[test]
+fn roots_next_to_each_other_are_told_apart() {
+    let scale = Rational::from_integer(Integer::from(1) << 80_u32);
+    let f = [&scale - rational(3, 1), &scale * rational(-6, 1), &scale * rational(9, 1)];
+    let cubic = [
+        &f[0] * rational(-2, 1),
+        &f[0] - &f[1] * rational(2, 1),
+        &f[1] - &f[2] * rational(2, 1),
+        f[2].clone(),
+    ];
+    for roots in [Algebraic::roots(&f), Algebraic::roots(&cubic)] {
+        let third = Algebraic::from(rational(1, 3));
+        assert!(roots[0] < third && third < roots[1]);
+        for (root, sign) in roots.iter().zip(["-", "+"]) {
+            let square = (whole(3) * root - whole(1)).square() * Algebraic::from(scale.clone());
+            assert_eq!(square, whole(3), "{root}");
+            let b = Integer::from(3) << 40_u32;
+            assert_eq!(root.to_string(), format!("1/3 {sign} 1/{b}*sqrt(3)"));
+        }
+    }
+}
+
 #[test]
 fn nested_roots_are_exact() {
     // √(3 + 2√2) = 1 + √2, and √(√2) squares to √2.

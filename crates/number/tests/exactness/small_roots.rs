@@ -1,7 +1,7 @@
 //! The greatest root of every polynomial with small roots, between small ends: it is known which one it is.
 
 use kane_number::testkit::Contract;
-use kane_number::{Algebraic, DoubleDouble, Interval, OddFraction, Rational, Scaled};
+use kane_number::{Algebraic, DoubleDouble, Interval, Number, OddFraction, Rational, Real, Scaled};
 
 use crate::rational;
 
@@ -151,6 +151,42 @@ fn algebraic_numbers_find_each_root() {
     assert!(ask::<Algebraic>(true, 5) > 400);
 }
 
+/// c(x − p)(x − q), and with a third factor, of numbers of the field of √2: a conjugate's roots are elsewhere.
+#[test]
+fn algebraic_numbers_find_the_roots_of_polynomials_over_a_field() {
+    let whole = |n: i64| Algebraic::from(rational(n, 1));
+    let root = whole(2).sqrt().expect("it is positive");
+    let numbers = [-root.clone(), rational(-1, 2).into(), whole(1), root.clone(), whole(1) + &root];
+    let mut products: Vec<(Vec<Algebraic>, Vec<usize>)> = vec![(vec![-whole(1) - &root], vec![])];
+    let mut asked = 0;
+    for _ in 0..3 {
+        let mut longer = Vec::new();
+        for (f, roots) in &products {
+            for at in roots.last().copied().unwrap_or(0)..numbers.len() {
+                // times x less this number
+                let shifted = std::iter::once(whole(0)).chain(f.iter().cloned());
+                let lowered = f.iter().map(|c| -c.clone() * &numbers[at]).chain([whole(0)]);
+                let f: Vec<Algebraic> = shifted.zip(lowered).map(|(a, b)| a + b).collect();
+                longer.push((f, [&roots[..], &[at]].concat()));
+            }
+        }
+        products = longer;
+        for (f, roots) in products.iter().step_by(products.len() / 12 + 1) {
+            for (lower, upper) in [(-3, 3), (-3, 0), (-1, 2), (0, 2), (2, 3)] {
+                let (lower, upper) = (whole(lower), whole(upper));
+                let inside = |at: &&usize| lower < numbers[**at] && numbers[**at] < upper;
+                // an odd number of roots is a change of sign
+                if roots.iter().filter(inside).count() % 2 == 1 {
+                    let greatest = roots.iter().rfind(inside).map(|at| numbers[*at].clone());
+                    assert_eq!(Algebraic::greatest_root(f, &lower, &upper), greatest, "{f:?}");
+                    asked += 1;
+                }
+            }
+        }
+    }
+    assert!(asked > 50, "{asked}");
+}
+
 /// The coefficients are floats, and so are the values at a double root and next to it.
 #[test]
 fn floats_find_each_root_to_a_step() {
@@ -167,4 +203,25 @@ fn wide_floats_find_each_root_to_their_precision() {
 #[test]
 fn intervals_enclose_each_simple_root() {
     assert!(ask::<Interval>(false, 3) > 300);
+}
+
+/// Where the sign at either end is certain, what lies below the greatest root is kept off.
+#[test]
+fn enclosures_of_simple_roots_have_none_of_the_others() {
+    let mut narrow = 0;
+    for known in polynomials().iter().filter(|known| !known.multiple) {
+        let f: Vec<Interval> = known.coefficients.iter().map(Interval::from_rational).collect();
+        for (lower, upper) in
+            [(-3, 2), (-3, 5), (-1, 2)].map(|(a, b)| (rational(a, 1), rational(b, 1)))
+        {
+            if known.sign_at(&lower) * known.sign_at(&upper) >= 0 {
+                continue;
+            }
+            let ends = [&lower, &upper].map(Interval::from_rational);
+            let root = Interval::greatest_root(&f, &ends[0], &ends[1]).expect("there is one");
+            assert!(root.width() < 1e-12, "{:?} in [{lower}, {upper}]: {root}", known.coefficients);
+            narrow += 1;
+        }
+    }
+    assert!(narrow > 60, "{narrow}");
 }
