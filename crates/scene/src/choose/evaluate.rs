@@ -12,7 +12,7 @@ use crate::resolver::{COMPLIANT, Elastic, NormalOnly, Process, Resolver};
 use crate::round::Round;
 use crate::scene::{Scene, Setup, Tangential};
 use crate::simulate::{
-    Bounce, Budget, Chain, ChainError, End, Stopped, Until, collide_chain, run, run_in_air,
+    Bounce, Budget, Chain, ChainError, End, Steps, Stopped, Until, collide_chain, run, run_in_air,
     run_tumbling,
 };
 use crate::tip::Tip;
@@ -212,6 +212,9 @@ fn bodies<N: Coordinate>(
     })
 }
 
+/// Bodies and pairs that are looked at in the steps of one motion in air.
+const MOST_LOOKS: usize = 300_000;
+
 /// Bodies in air: two runs in floats, of which the finer counts; the error of each number is estimated
 /// by how far the coarser is from it, of which at fourth order a fifteenth would do.
 fn in_air<N: Coordinate>(
@@ -237,10 +240,19 @@ fn in_air<N: Coordinate>(
     let resolver = resolver::<f64>(scene, mechanics)?;
     let until = scene.until.map(|time| time.to_f64());
     let budget = Budget { shown: 0, impacts: most_impacts(System::Rational, &until) };
+    // the corners of what is uncertain are followed, too: all share the looks
+    let looks = MOST_LOOKS >> scene.uncertain().saturating_sub(2);
     let follow = |finer| {
         let mut bounces = Vec::new();
         let mut observe = |bounce: &Bounce<f64>| bounces.push(bounce.clone());
-        let end = run_in_air(&floats, &air, &*resolver, &until, (budget, finer), &mut observe)?;
+        let end = run_in_air(
+            &floats,
+            &air,
+            &*resolver,
+            &until,
+            (budget, Steps { finer, looks }),
+            &mut observe,
+        )?;
         Ok::<_, Failed>((end, bounces))
     };
     let ((coarse_end, coarse), (end, fine)) = (follow(1)?, follow(2)?);

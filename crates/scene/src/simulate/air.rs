@@ -9,8 +9,15 @@ use crate::round::Round;
 use crate::side::Side;
 use crate::world::World;
 
-/// Steps of a motion; more are not made.
-const MOST_STEPS: u64 = 4_000_000;
+/// How finely flights are followed, and how far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steps {
+    /// By the length of a usual step.
+    pub(crate) finer: u32,
+    /// How many bodies and pairs are looked at in all of them; for more the motion stops.
+    pub(crate) looks: usize,
+}
+
 /// Halvings of a step in the search for the time of an impact.
 const HALVINGS: u32 = 60;
 /// Where in a step a body that has just left a wall is looked for away from it.
@@ -130,13 +137,13 @@ impl Flight<'_> {
 /// so of their radius, may be missed.
 ///
 /// # Errors
-/// [`Stopped`]; [`Stopped::Budget`] too for too many steps, as those of a ball that comes to rest.
+/// [`Stopped`]; [`Stopped::Steps`] for too many of them, as those of a ball that comes to rest.
 pub(crate) fn run_in_air(
     world: &World<f64>,
     air: &Air<f64>,
     resolver: &dyn Resolver<f64>,
     until: &Until<f64>,
-    (budget, finer): (Budget, u32),
+    (budget, Steps { finer, looks }): (Budget, Steps),
     observer: &mut dyn FnMut(&Bounce<f64>),
 ) -> Result<End<f64>, Stopped> {
     if *until == Until::Rest {
@@ -154,7 +161,8 @@ pub(crate) fn run_in_air(
     };
     let encounters = flight.encounters();
     let mut impacts = 0;
-    for _ in 0..MOST_STEPS {
+    let steps = looks / (count + encounters.len()).max(1);
+    for _ in 0..steps {
         let end = |ending| {
             let (time, bodies) = (flight.time, flight.bodies.clone());
             Ok(End { time, bodies, impacts, ending, turned: None })
@@ -188,7 +196,7 @@ pub(crate) fn run_in_air(
             continue;
         };
         if impacts == budget.impacts {
-            break;
+            return Err(Stopped::Budget { impacts, time: flight.time });
         }
         flight.fly(flight.ahead(part));
         flight.time += part;
@@ -196,7 +204,7 @@ pub(crate) fn run_in_air(
         let bounce = meet(&mut flight, resolver, encounter, impacts)?;
         observer(&bounce);
     }
-    Err(Stopped::Budget { impacts, time: flight.time })
+    Err(Stopped::Steps { impacts, time: flight.time })
 }
 
 /// Brings two through their impact.

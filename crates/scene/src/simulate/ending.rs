@@ -134,6 +134,16 @@ pub enum Stopped {
         /// s, rounded
         time: f64,
     },
+    /// More steps than are made.
+    #[error(
+        "{impacts} impacts happened by {time} s, and the flight in air goes on for more steps than are made; a step is at most half a radius long"
+    )]
+    Steps {
+        /// So far.
+        impacts: u64,
+        /// s, rounded
+        time: f64,
+    },
     /// Exact numbers have become too long.
     #[error("after impact {impact} at {time} s the exact numbers are too long to go on with")]
     Long {

@@ -16,7 +16,7 @@ mod state;
 mod tumble;
 
 pub use crate::encounter::Encounter;
-pub(crate) use air::run_in_air;
+pub(crate) use air::{Steps, run_in_air};
 pub use bounce::Bounce;
 pub use chain::{Chain, ChainError, ContactTime, Moment, collide_chain, watch_chain};
 pub use ending::{Budget, End, Ending, Stopped, Until};

@@ -181,3 +181,33 @@ fn the_ledger_in_air_adds_up() {
     let parts: f64 = sums.parts.iter().sum();
     assert!((answer.start_energy + parts - after).abs() < 1e-9, "{parts} {after}");
 }
+
+/// Air like a solid, in which a ball takes millions of steps to fall; and a fall of a million radii.
+#[test]
+fn a_flight_of_too_many_steps_is_not_followed_to_its_end() {
+    for (density, fall) in [("2e7", 1), ("1", 10_000)] {
+        let scene = format!(
+            "friction = 0.25
+restitution = 0.9
+gravity_m_s2 = 9.81
+floor_m = 0
+[air]
+density_kg_m3 = {density}
+drag_coefficient = 1
+lift_coefficient = 0.6
+[[body]]
+mass_kg = 0.0027
+radius_m = 0.02
+position_m = [0, {fall}]
+velocity_m_s = [9, 3]
+spin_rad_s = -600
+[until]
+impacts = 2
+[ask]
+time_s = 1e-6
+"
+        );
+        let refused = tried(&scene).expect_err("nothing answers").to_string();
+        assert!(refused.contains("more steps than are made"), "{refused}");
+    }
+}
