@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Tries all mutants of a package in one build.
 
-usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--only WORD]... [--within SECONDS] [--again RESULTS]
-              [--work DIR] [--jobs N] [--out RESULTS]
+usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--only WORD]... [--within SECONDS] [--beyond SECONDS]
+              [--again RESULTS] [--work DIR] [--jobs N] [--out RESULTS]
 
 `cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
 switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and of the targets that are
 named with --tests; with --only, those that have one of these words in their name; with --within, those that take no
-longer. --again leaves out what an earlier run told: it goes on with what was missed, had no switch, or was not tried.
+longer, and with --beyond, those that take longer. --again leaves out what an earlier run told: it goes on with what was missed, had no switch, or was not tried.
 
 The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (five times
 the processor time of the tests, and a second), `missed`, `type` (the value of a function is not of its type), or
@@ -39,6 +39,7 @@ def main() -> None:
     parser.add_argument("--tests", action="append", default=[])
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--within", type=float, default=600)
+    parser.add_argument("--beyond", type=float, default=0)
     parser.add_argument("--again", type=Path)
     parser.add_argument("--work", type=Path)
     parser.add_argument("--jobs", type=int, default=1)
@@ -59,6 +60,7 @@ def main() -> None:
         programs += build.tests(copy.build(["test", "--no-run", "-p", package, "--test", name]))
     started = time.monotonic()
     tests, slow = trial.of(programs, build.environment(), asked.only, asked.within, asked.jobs)
+    tests = [t for t in tests if t.seconds > asked.beyond]
     print(f"{len(tests)} tests, {sum(t.seconds for t in tests):.1f} s one by one, "
           f"{len(slow)} slower ones left out", flush=True)
 

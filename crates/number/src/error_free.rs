@@ -135,3 +135,31 @@ pub(crate) fn sum_of(terms: &[f64]) -> (f64, f64) {
     }
     fast_two_sum(high, low)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rounding, decode, encode, power_of};
+
+    #[test]
+    fn binades_and_scaled_floats_are_those_of_fractions() {
+        let mut state = 7_u64;
+        for round in 0..4_000_u64 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            // of every binade, and every fourth subnormal with as many leading zeros as it likes
+            let bits = state >> 1;
+            let bits = if round % 4 == 0 { bits >> (11 + round % 53) } else { bits };
+            let x = f64::from_bits(bits);
+            if !x.is_finite() || x == 0.0 {
+                continue;
+            }
+            let exact = decode(x).expect("it is finite");
+            let at = binade(x);
+            assert!(power_of(2, at) <= exact && exact < power_of(2, at + 1), "{x:e}: {at}");
+            assert_eq!(binade(-x), at);
+            let by = i64::try_from(state % 4_400).expect("it is small") - 2_200;
+            let scaled: f64 = encode(&(exact * power_of(2, by)), Rounding::NearestEven);
+            assert_eq!(scale(x, by), scaled, "{x:e}·2^{by}");
+        }
+    }
+}

@@ -178,6 +178,25 @@ mod tests {
         }
     }
 
+    /// Terms from the least subnormal on, in orders that displace each other.
+    #[test]
+    fn sums_of_any_floats_are_those_of_fractions() {
+        let mut state = 1_u64;
+        for spread in [1, 3, 40, 900] {
+            for base in [0, 1, 2, 60, 1000] {
+                let (mut sum, mut fraction) = (ExactSum::default(), Rational::zero());
+                for _ in 0..60 {
+                    state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    let exponent = base + (state >> 40) % spread;
+                    let term = f64::from_bits(state & 0x800f_ffff_ffff_ffff | exponent << 52);
+                    sum.add(term);
+                    fraction += decode(term).expect("it is finite");
+                    assert_eq!(sum.value(), encode::<f64>(&fraction, Rounding::NearestEven));
+                }
+            }
+        }
+    }
+
     #[test]
     fn half_a_unit_is_rounded_by_what_is_below_it() {
         for (terms, expected) in [
@@ -213,5 +232,15 @@ mod tests {
         assert_eq!(sum.value(), f64::INFINITY);
         sum.add(f64::NEG_INFINITY);
         assert!(sum.value().is_nan());
+        // what is not finite stays, whatever comes after it
+        for (first, then, whole) in [
+            (f64::INFINITY, f64::MAX, f64::INFINITY),
+            (f64::INFINITY, f64::INFINITY, f64::INFINITY),
+            (f64::NEG_INFINITY, 1.0, f64::NEG_INFINITY),
+        ] {
+            let mut sum = ExactSum::default();
+            [first, then, then, then].into_iter().for_each(|term| sum.add(term));
+            assert_eq!(sum.value(), whole);
+        }
     }
 }

@@ -158,3 +158,85 @@ pub(super) fn times(
     let most = corners.into_iter().max().unwrap_or_default();
     (least, most)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polynomial(coefficients: &[i64]) -> Uni<Rational> {
+        Uni::new(coefficients.iter().map(|c| Rational::from_integer((*c).into())).collect())
+    }
+
+    fn number(n: i64, d: i64) -> Rational {
+        Rational::new(n.into(), d.into())
+    }
+
+    /// The residues modulo (x² − 2)(x² − 3), which are no field, with a place at √2 or √3.
+    fn reducible(low: Rational, high: Rational) -> Arc<NumberField> {
+        Arc::new(NumberField::new(&polynomial(&[6, 0, -5, 0, 1]), low, high))
+    }
+
+    #[test]
+    fn what_is_asked_modulo_a_product_is_answered_for_the_root_alone() {
+        let (two, three) = (polynomial(&[-2, 0, 1]), polynomial(&[-3, 0, 1]));
+        let at_two = reducible(number(1, 1), number(3, 2));
+        let at_three = reducible(number(8, 5), number(2, 1));
+        for (field, zero, other) in [(&at_two, &two, &three), (&at_three, &three, &two)] {
+            assert!(field.vanishes(zero) && !field.vanishes(other));
+            assert!(field.vanishes(&(zero * &polynomial(&[5, 1]))));
+            assert!(field.vanishes(&Uni::zero()) && !field.vanishes(&polynomial(&[1])));
+            assert!(!field.vanishes(&polynomial(&[7, 1])), "they have nothing in common");
+            assert!(field.invert(zero).is_none() && field.invert(&Uni::zero()).is_none());
+            // at the one root x² − 3 is −1, at the other x² − 2 is 1
+            let (smaller, inverse) = field.invert(other).expect("it is not zero there");
+            assert_eq!(smaller.modulus(), zero, "the factor that the root belongs to");
+            assert_eq!(inverse, &(other * &polynomial(&[1])) % zero);
+            let (same, inverse) = field.invert(&Uni::x()).expect("it is not zero");
+            assert!(same.is_same(field));
+            assert_eq!(field.multiply(&inverse, &Uni::x()), polynomial(&[1]));
+        }
+        // 2x of either root squares to 8 or 12, and x² to 2 or 3
+        assert_eq!(at_two.polynomial_of(&polynomial(&[0, 2])), polynomial(&[96, 0, -20, 0, 1]));
+        assert_eq!(at_two.polynomial_of(&polynomial(&[0, 0, 1])), polynomial(&[6, -5, 1]));
+        assert_eq!(at_two.polynomial_of(&polynomial(&[4])), polynomial(&[-4, 1]));
+    }
+
+    #[test]
+    fn fields_are_the_same_where_root_and_polynomial_are() {
+        let at_two = reducible(number(1, 1), number(3, 2));
+        assert!(at_two.is_same(&at_two.clone()));
+        for (low, high) in [(number(7, 5), number(142, 100)), (number(0, 1), number(8, 5))] {
+            let again = reducible(low, high);
+            assert!(at_two.is_same(&again) && again.is_same(&at_two));
+        }
+        let alone = NumberField::new(&polynomial(&[-2, 0, 1]), number(1, 1), number(3, 2));
+        let others = [
+            reducible(number(8, 5), number(2, 1)),
+            reducible(number(-3, 2), number(-1, 1)),
+            Arc::new(alone),
+        ];
+        for other in others {
+            assert!(!at_two.is_same(&other) && !other.is_same(&at_two), "{other:?}");
+        }
+    }
+
+    #[test]
+    fn enclosures_hold_the_value_and_are_as_narrow_as_is_asked() {
+        let field = NumberField::new(&polynomial(&[-2, 0, 0, 1]), number(1, 1), number(2, 1));
+        for bits in [0, 1, 7, 40, 90] {
+            let (low, high) = field.generator(bits);
+            let cube = |x: &Rational| x * x * x;
+            let two = number(2, 1);
+            assert!(cube(&low) < two && two < cube(&high), "∛2 in {low}, {high}");
+            assert!(&high - &low <= crate::power_of(2, -i64::from(bits)));
+            // (θ − 1)³ = 2 − 3θ² + 3θ − 1, of which Horner's scheme gives more
+            let (least, most) = field.enclose(&polynomial(&[1, 3, -3]), bits);
+            let [from, to] = [&low, &high].map(|x| cube(&(x - number(1, 1))));
+            assert!(least <= from && to <= most, "{from}, {to} in {least}, {most}");
+            assert!(most - least <= (&high - &low) * number(20, 1));
+        }
+        let unit = (number(-2, 1), number(3, 1));
+        assert_eq!(times(&unit, &(number(-5, 1), number(1, 2))), (number(-15, 1), number(10, 1)));
+        assert_eq!(range(&polynomial(&[1, -1, 2]), &unit), (number(-14, 1), number(16, 1)));
+    }
+}

@@ -72,16 +72,13 @@ fn vertex(c1: &Scaled, c2: &Scaled) -> Scaled {
 }
 
 /// Both roots of c₀ + c₁x + c₂x², the greater first, or `None` if they are not real by more than
-/// the noise. The leading coefficient may be zero (then one root, twice) but not with c₁.
+/// the noise. The leading coefficient is not zero.
 ///
 /// With h = c₁/2 the discriminant is h² − c₂c₀, the second product taken with its rounding error
 /// (Kahan; error bound in Jeannerod, Louvet and Muller 2013, "Further analysis of Kahan's
 /// algorithm for the accurate computation of 2×2 determinants"). The root of greater magnitude is
 /// formed without cancellation, the other from the product of both.
 fn quadratic([c0, c1, c2]: [&Scaled; 3], noise: i64) -> Option<[Scaled; 2]> {
-    if c2.is_zero() {
-        return (!c1.is_zero()).then(|| [-*c0 / c1; 2]);
-    }
     let half = c1.scaled_by(-1);
     if half.is_zero() {
         let root = (-*c0 / c2).sqrt()?;

@@ -116,7 +116,7 @@ mod tests {
         let exact = |x: f64| decode(x).expect("it is finite");
         let mut told = [0; 2];
         for (r, s, c2) in
-            [(0.1, 3.7, 1.3), (-0.7, 1e6, -0.9), (-5.1, -1e-7, 7.0), (1e20, -2.3, 0.3)]
+            [(0.1, -3.7, 1.3), (-0.7, 1e6, -0.9), (-5.1, -1e-7, 7.0), (1e20, -2.3, 0.3)]
         {
             // c₂(x − r)(x − s), rounded
             let c = [c2 * r * s, -c2 * (r + s), c2];

@@ -113,6 +113,28 @@ fn each_contract_admits_what_it_promises_and_no_more() {
     assert_eq!(admits_off::<Interval>(&two_to(-40)), [false; 2]);
 }
 
+/// A third is held by every system, and is then the number that it stands for or encloses.
+fn holds_a_third<N: Contract>() {
+    let third = rational(1, 3);
+    let (number, exact) = N::operand(&third).expect("it is held");
+    assert!(N::admits(&number, &exact), "{number} for {exact}");
+    assert!((exact - third) * two_to(24) < rational(1, 1), "{number}");
+}
+
+#[test]
+fn each_contract_holds_a_number_so_that_something_is_asked() {
+    holds_a_third::<f32>();
+    holds_a_third::<f64>();
+    holds_a_third::<DoubleDouble>();
+    holds_a_third::<Scaled>();
+    holds_a_third::<Interval>();
+    holds_a_third::<Rational>();
+    holds_a_third::<OddFraction>();
+    holds_a_third::<Algebraic>();
+    assert_eq!(Rational::operand(&rational(1, 3)), Some((rational(1, 3), rational(1, 3))));
+    assert!(f64::operand(&two_to(1024)).is_none() && f32::operand(&two_to(128)).is_none());
+}
+
 /// Whether an answer for √2 is admitted, and whether one for 3/2.
 fn admits_roots<N: Contract>(answer: Option<&N>) -> [bool; 2] {
     let three_halves = Algebraic::from(rational(3, 2));

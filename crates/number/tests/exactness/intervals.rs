@@ -95,6 +95,21 @@ fn a_square_is_not_negative_though_its_product_may_seem_so() {
 }
 
 #[test]
+fn an_interval_is_seen_by_its_ends() {
+    let x = Interval::between(-0.5, 2.0);
+    assert_eq!(x.ends(), Ok((rational(-1, 2), rational(2, 1))));
+    assert_eq!((x.width(), Interval::from(7.0).width()), (2.5, 0.0));
+    assert_eq!(Interval::between(0.1, 1e-20).width(), 0.1, "rounded up");
+    for half in [Interval::between(0.0, f64::INFINITY), Interval::between(f64::NEG_INFINITY, 0.0)] {
+        assert!(half.ends().is_err() && half.width() == f64::INFINITY && !half.is_finite());
+    }
+    assert!(x.is_finite() && !x.is_point() && Interval::one().is_point());
+    for (a, b) in [(f64::NAN, 1.0), (1.0, f64::NAN)] {
+        assert_eq!(Interval::between(a, b), Interval::WHOLE);
+    }
+}
+
+#[test]
 fn only_what_is_certain_is_answered() {
     let (low, high) = (Interval::between(0.0, 1.0), Interval::between(1.0, 2.0));
     assert_eq!(low.compare(&high), Comparison::possible(true, true, false));

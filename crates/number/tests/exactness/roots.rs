@@ -139,6 +139,44 @@ fn double_roots_inside_are_found_by_floats() {
     assert!((third.expect("a root") - 1.0 / 3.0).abs() < 1e-7);
 }
 
+/// (x − r)(x² + r²) for powers of two from the least to the greatest, with ends that are far from the root: there is
+/// none of its binade that is not come to within the steps that there are.
+#[test]
+fn the_root_of_a_cubic_is_found_in_every_binade() {
+    for exponent in (-1000..=1000).step_by(125) {
+        for sign in [1, -1] {
+            let r = Scaled::from_rational(&(rational(3 * sign, 2) * two_to(exponent)));
+            let square = r.square();
+            let f = [-(square * r), square, -r, Scaled::one()];
+            let far = Scaled::one().scaled_by(1020);
+            for (lower, upper) in [(-far, far), (Scaled::zero(), far), (-far, Scaled::zero())] {
+                let found = Scaled::greatest_root(&f, &lower, &upper);
+                if lower < r && r < upper {
+                    let off = (found.expect("it is there") - r).abs();
+                    assert!(off <= r.abs().scaled_by(-90), "{r} in [{lower}, {upper}]: {found:?}");
+                } else {
+                    assert_eq!(found, None, "{r} is not in [{lower}, {upper}]");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn where_floats_see_no_root_there_is_none_and_at_a_rounded_end_it_is_the_end() {
+    // x² + 2x + 2 and x² + 2x + 1.001 are above zero
+    for constant in [2.0, 1.001] {
+        assert_eq!(f64::greatest_root(&[constant, 2.0, 1.0], &-3.0, &3.0), None);
+        assert_eq!(f64::greatest_root(&[constant, -2.0, 1.0], &-3.0, &3.0), None);
+    }
+    // (x − 1/3)(x + 5), where 1/3 is the upper end
+    let third = 1.0_f64 / 3.0;
+    for upper in [third.next_down(), third, third.next_up()] {
+        let root = f64::greatest_root(&[-5.0 / 3.0, 14.0 / 3.0, 1.0], &-1.0, &upper);
+        assert!((root.expect("there is one") - third).abs() < 1e-15, "{upper}: {root:?}");
+    }
+}
+
 #[test]
 fn a_law_may_take_coefficients_from_another_root() {
     let whole = |n: i64| Algebraic::from(rational(n, 1));

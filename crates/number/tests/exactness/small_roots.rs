@@ -162,10 +162,11 @@ fn algebraic_numbers_find_the_roots_of_polynomials_over_a_field() {
     for _ in 0..3 {
         let mut longer = Vec::new();
         for (f, roots) in &products {
-            for at in roots.last().copied().unwrap_or(0)..numbers.len() {
+            let first = roots.last().copied().unwrap_or(0);
+            for (at, number) in numbers.iter().enumerate().skip(first) {
                 // times x less this number
                 let shifted = std::iter::once(whole(0)).chain(f.iter().cloned());
-                let lowered = f.iter().map(|c| -c.clone() * &numbers[at]).chain([whole(0)]);
+                let lowered = f.iter().map(|c| -c.clone() * number).chain([whole(0)]);
                 let f: Vec<Algebraic> = shifted.zip(lowered).map(|(a, b)| a + b).collect();
                 longer.push((f, [&roots[..], &[at]].concat()));
             }
