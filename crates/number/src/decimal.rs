@@ -13,10 +13,9 @@ pub(crate) fn significant(exact: &Rational, digits: u32) -> String {
     }
     let magnitude = exact.abs();
     let mut power = leading_power(&magnitude);
-    let mut mantissa =
-        (&magnitude / power_of(10, power + 1 - i64::from(digits))).round().to_integer();
+    let mantissa = (&magnitude / power_of(10, power + 1 - i64::from(digits))).round().to_integer();
     if mantissa == Integer::from(10).pow(digits) {
-        mantissa /= 10;
+        // rounded up to one digit and zeros
         power += 1;
     }
     let text = mantissa.to_string();

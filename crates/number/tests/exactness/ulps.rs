@@ -1,3 +1,5 @@
+use std::cmp::Ordering;
+
 use kane_number::{
     Comparison, NotFinite, Ordered, Rounding, decode, encode, error_in_ulps, steps_between, ulp,
 };
@@ -77,4 +79,27 @@ fn a_partial_comparison_still_answers_what_is_certain() {
     assert_eq!(at_least.is_greater(), None);
     assert_eq!(at_least.is_equal(), None);
     assert_eq!(at_least.is_at_most(), None);
+}
+
+/// A question is answered where all orders that are left agree, and stays open elsewhere.
+#[test]
+fn every_comparison_answers_what_all_that_it_leaves_agree_in() {
+    let orders = [Ordering::Less, Ordering::Equal, Ordering::Greater];
+    for set in 1..8_u8 {
+        let [less, equal, greater] = [0, 1, 2].map(|bit| set >> bit & 1 == 1);
+        let left: Vec<Ordering> = (0..3).filter(|n| set >> n & 1 == 1).map(|n| orders[n]).collect();
+        let comparison = Comparison::possible(less, equal, greater);
+        let questions: [(Option<bool>, fn(Ordering) -> bool); 5] = [
+            (comparison.is_less(), Ordering::is_lt),
+            (comparison.is_at_most(), Ordering::is_le),
+            (comparison.is_equal(), Ordering::is_eq),
+            (comparison.is_at_least(), Ordering::is_ge),
+            (comparison.is_greater(), Ordering::is_gt),
+        ];
+        for (answer, holds) in questions {
+            let answers: Vec<bool> = left.iter().map(|order| holds(*order)).collect();
+            let agreed = answers.iter().all(|answer| *answer == answers[0]);
+            assert_eq!(answer, agreed.then_some(answers[0]), "{left:?}");
+        }
+    }
 }
