@@ -81,6 +81,8 @@ fn a_partial_comparison_still_answers_what_is_certain() {
     assert_eq!(at_least.is_at_most(), None);
 }
 
+type Question = fn(Ordering) -> bool;
+
 /// A question is answered where all orders that are left agree, and stays open elsewhere.
 #[test]
 fn every_comparison_answers_what_all_that_it_leaves_agree_in() {
@@ -89,7 +91,7 @@ fn every_comparison_answers_what_all_that_it_leaves_agree_in() {
         let [less, equal, greater] = [0, 1, 2].map(|bit| set >> bit & 1 == 1);
         let left: Vec<Ordering> = (0..3).filter(|n| set >> n & 1 == 1).map(|n| orders[n]).collect();
         let comparison = Comparison::possible(less, equal, greater);
-        let questions: [(Option<bool>, fn(Ordering) -> bool); 5] = [
+        let questions: [(Option<bool>, Question); 5] = [
             (comparison.is_less(), Ordering::is_lt),
             (comparison.is_at_most(), Ordering::is_le),
             (comparison.is_equal(), Ordering::is_eq),
