@@ -7,7 +7,8 @@ usage: run.py PACKAGE [--file GLOB]... [--tests PACKAGE:TARGET]... [--only WORD]
 `cargo mutants --list` says which they are (so cargo-mutants has to be installed), and this puts each behind a switch (see
 switch.py; from PyPI: tree-sitter, tree-sitter-rust). The tests are those of the package, and of the targets that are
 named with --tests; with --only, those that have one of these words in their name; with --within, those that take no
-longer, and with --beyond, those that take longer. --again leaves out what an earlier run told: it goes on with what was missed, had no switch, or was not tried.
+longer, and with --beyond, those that take longer. --again leaves out what an earlier run told: it goes on with what was
+missed, had no switch, or was not tried.
 
 The results are lines of JSON: mutant, outcome, and the test that told it. An outcome is `caught`, `timed out` (five times
 the processor time of the tests, and a second), `missed`, `type` (the value of a function is not of its type), or
