@@ -61,6 +61,33 @@ fn squares_are_found_inside_the_cone_and_on_its_boundary() {
 }
 
 #[test]
+fn squares_that_vanish_at_irrational_points_alone_are_found() {
+    // (16 − s²)·(p − 1) = 4·(p − 2)² where p·(x − y)² = s², for s = x + y and p = xy: at s = 4, x and y are 2 ± √2
+    let (x, y) = (Poly::var(0), Poly::var(1));
+    let equation = poly(&[
+        (1, &[3, 1]),
+        (-2, &[2, 2]),
+        (1, &[1, 3]),
+        (-1, &[2]),
+        (-2, &[1, 1]),
+        (-1, &[0, 2]),
+    ]);
+    // (4 − s)·x·y > 0
+    let positive = poly(&[(4, &[1, 1]), (-1, &[2, 1]), (-1, &[1, 2])]);
+    let short = poly(&[(4, &[]), (-1, &[1]), (-1, &[0, 1])]);
+    let times = |p: &Poly| short.mul(p, &Fuel::new(1000)).expect("it is short");
+    let products = [Poly::one(), times(&x), times(&y), x, y];
+    let question =
+        Question { positive: &positive, products: &products, equations: &[equation], degree: 6 };
+    let found = identity(&question, &Fuel::new(1 << 30)).expect("s ≥ 4");
+    assert!(total(&question, &found).is_empty());
+    // s ≥ 4.01 does not follow
+    let positive = positive.scale(&100.into()).add(&poly(&[(1, &[1, 1])]));
+    let question = Question { positive: &positive, ..question };
+    assert_eq!(identity(&question, &Fuel::new(1 << 30)), None);
+}
+
+#[test]
 fn what_is_no_sum_of_squares_has_no_identity() {
     // Motzkin's: not negative, and no sum of squares.
     assert!(!is_found(&poly(&[(1, &[4, 2]), (1, &[2, 4]), (-3, &[2, 2]), (1, &[])])));

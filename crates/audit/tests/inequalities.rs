@@ -70,3 +70,37 @@ fn conditions_in_boxes_are_put_to_the_ends_where_they_are_largest() {
     assert_eq!(verdict(&tight("-45/16")), Verdict::Proved);
     assert_eq!(verdict(&tight("-46/16")), Verdict::Refuted);
 }
+
+#[test]
+fn few_terms_in_many_variables_are_told_by_means_of_two() {
+    for (claim, expected) in [
+        // Hölder's inequality for three pairs
+        ("(a^3 + b^3)*(c^3 + e^3)*(x^6 + y^6) >= (a*c*x^2 + b*e*y^2)^3", Verdict::Proved),
+        ("(a^3 + b^3)*(c^3 + e^3)*(x^6 + y^6) >= 101/100*(a*c*x^2 + b*e*y^2)^3", Verdict::Refuted),
+        ("a^3 + b^3 + c^3 + x^6 + y^6 + e^3 >= 3*a*b*c + 3*x^2*y^2*e", Verdict::Proved),
+        ("a^3 + b^3 + c^3 + x^6 + y^6 + e^3 >= 3*a*b*c + 4*x^2*y^2*e", Verdict::Refuted),
+        ("x^8 + y^8 + a^8 + b^8 >= 4*x^2*y^2*a^2*b^2", Verdict::Proved),
+    ] {
+        assert_eq!(verdict(claim), expected, "{claim}");
+    }
+}
+
+#[test]
+fn sums_of_squares_are_found_where_they_vanish_at_irrational_points_alone() {
+    // (x³ + y²)² + (e² + x + y + 2)² + e² + b⁴; with one e² less it fails
+    let sum = |n: u32| {
+        format!(
+            "x^6 + 2*x^3*y^2 + y^4 + e^4 + 2*e^2*x + 2*e^2*y + {n}*e^2 + x^2 + 2*x*y + y^2 + 4*x + 4*y + 4 + b^4 >= 0"
+        )
+    };
+    assert_eq!(verdict(&sum(5)), Verdict::Proved);
+    assert_eq!(verdict(&sum(3)), Verdict::Refuted);
+}
+
+/// Equal at a, b = 2 ± √2, where b² follows from a premise whose leading coefficient is not a number.
+#[test]
+fn sides_are_compared_by_squares_that_a_premise_with_a_leading_coefficient_reduces() {
+    let claim = |n: &str| format!("a + b >= {n} when b <= a, sqrt(a*b)*(a - b) = a + b");
+    assert_eq!(verdict(&claim("4")), Verdict::Proved);
+    assert_eq!(verdict(&claim("41/10")), Verdict::Refuted);
+}

@@ -6,20 +6,21 @@ use kane_kernel::{Fuel, Monomial, Poly};
 use num_traits::{One, Signed, Zero};
 
 use super::elimination::{Column, Row, System};
+use super::grading::Grading;
 use super::{COLUMNS, Q, Question, ROWS, total_degree};
 
 /// What an entry of the equations costs beside its product, in coefficient operations.
 const ENTRY: u64 = 20;
 
 /// A basis whose squares are multiplied by a product.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Block {
     pub(super) product: usize,
     pub(super) basis: Vec<Poly>,
 }
 
 /// The unknowns of an identity.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Gram {
     pub(super) blocks: Vec<Block>,
     /// monomials that a cofactor may have, by equation
@@ -50,6 +51,7 @@ impl Gram {
                 most.iter().map(left).collect::<Vec<_>>(),
             )
         };
+        let grading = Grading::of(question);
         let mut blocks = Vec::new();
         for (product, p) in question.products.iter().enumerate() {
             let (Some(degree), room) = room(p) else { continue };
@@ -58,14 +60,18 @@ impl Gram {
                 continue;
             }
             let monomials = monomials(&halves, (degree / 2, forms), ROWS * 4)?;
-            let basis = monomials.into_iter().map(|m| Poly::term(m, One::one())).collect();
-            blocks.push(Block { product, basis });
+            // a multiple of P itself is in its scale
+            if p == question.positive && monomials.iter().all(Vec::is_empty) {
+                continue;
+            }
+            blocks.extend(grading.blocks(question, product, monomials));
         }
         let mut cofactors = Vec::new();
         for (equation, p) in question.equations.iter().enumerate() {
             let (Some(degree), room) = room(p) else { continue };
             let monomials = monomials(&room, (degree, forms), COLUMNS)?;
-            cofactors.extend(monomials.into_iter().map(|m| (equation, m)));
+            let useful = monomials.into_iter().filter(|m| grading.cofactor(question, p, m));
+            cofactors.extend(useful.map(|m| (equation, m)));
         }
         let mut gram = Self { blocks, cofactors, equations: question.equations.len() };
         // What can only be zero goes: Newton's polytope, as far as diagonals show it.

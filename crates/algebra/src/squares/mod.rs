@@ -6,6 +6,7 @@
 //! is exact: the identity holds as polynomials, or there is no answer.
 
 mod elimination;
+mod grading;
 mod gram;
 mod ldl;
 mod rounding;
@@ -57,8 +58,9 @@ pub struct Identity {
     pub cofactors: Vec<Poly>,
 }
 
-/// How often a face of the cone is entered: each time the matrices get smaller.
-const FACES: usize = 4;
+/// How often a face of the cone is entered, one inside the other or one instead of the other: each time the
+/// matrices get smaller.
+const FACES: usize = 6;
 /// Unknown entries of Gram matrices, and free ones among them, beyond which nothing is tried.
 const COLUMNS: usize = 2500;
 const FREE: usize = 420;
@@ -69,20 +71,28 @@ const ROWS: usize = 60;
 /// nothing.
 #[must_use]
 pub fn identity(question: &Question<'_>, fuel: &Fuel) -> Option<Identity> {
-    let mut gram = Gram::of(question, fuel)?;
-    for _ in 0..FACES {
-        let solution = Solution::of(gram.system(question, fuel)?, fuel)?;
-        let (free, rows) = (solution.free.len(), gram.sizes().into_iter().max().unwrap_or(0));
-        if free > FREE || rows > ROWS {
-            return None;
-        }
-        match rounding::rounded(&gram, &solution, fuel) {
-            rounding::Rounded::Inside(squares) => return Some(whole(&gram, &solution, &squares)),
-            rounding::Rounded::Outside => return None,
-            rounding::Rounded::Face(smaller) => gram = smaller,
-        }
+    inside(question, &Gram::of(question, fuel)?, &mut FACES.clone(), fuel)
+}
+
+/// The identity by these matrices, or by those of a face of the cone.
+fn inside(
+    question: &Question<'_>,
+    gram: &Gram,
+    faces: &mut usize,
+    fuel: &Fuel,
+) -> Option<Identity> {
+    let solution = Solution::of(gram.system(question, fuel)?, fuel)?;
+    let (free, rows) = (solution.free.len(), gram.sizes().into_iter().max().unwrap_or(0));
+    if free > FREE || rows > ROWS {
+        return None;
     }
-    None
+    match rounding::rounded(gram, &solution, fuel) {
+        rounding::Rounded::Inside(squares) => Some(whole(gram, &solution, &squares)),
+        rounding::Rounded::Faces(smaller) => smaller.iter().find_map(|face| {
+            *faces = faces.checked_sub(1)?;
+            inside(question, face, faces, fuel)
+        }),
+    }
 }
 
 /// The values of all unknowns, and the factors of the Gram matrices.

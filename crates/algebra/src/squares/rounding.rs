@@ -16,10 +16,8 @@ use crate::work::FRACTION;
 pub(super) enum Rounded {
     /// exact values
     Inside(Exact),
-    /// smaller matrices, if the floats are right
-    Face(Gram),
-    /// nothing
-    Outside,
+    /// smaller matrices, if the floats are right: several where they can be read in several ways
+    Faces(Vec<Gram>),
 }
 
 /// Denominators to try: what people write first, then finer and finer grids.
@@ -27,6 +25,9 @@ const DENOMINATORS: [u64; 18] =
     [1, 2, 3, 4, 6, 8, 12, 24, 30, 60, 100, 360, 1024, 5040, 1 << 14, 1 << 18, 1 << 24, 1 << 30];
 /// Newton steps of one search, at most.
 const NEWTON: usize = 160;
+/// How far from a float a rational number may be, as one part in so many, and its largest denominator: what
+/// people write first, then what points leave whose coordinates are irrational.
+const SIMPLE: [(u32, u32); 2] = [(300, 64), (20_000, 1000)];
 /// How far below its margin a rounded matrix may seem to floats, and still be tried exactly.
 const SLACK: f64 = 1e-8;
 /// Eigenvalues, relative to the largest one, that count as zero; tried in this order.
@@ -36,7 +37,7 @@ const ZEROS: [f64; 3] = [1e-5, 1e-4, 1e-3];
 pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded {
     let (pencil, units) = pencil(gram, solution);
     let Some(found) = center(&pencil, &mut newton(&pencil, fuel)) else {
-        return Rounded::Outside;
+        return Rounded::Faces(Vec::new());
     };
     for denominator in DENOMINATORS {
         let exact = at(gram, solution, &pencil, (&found, &units), denominator, fuel);
@@ -44,10 +45,15 @@ pub(super) fn rounded(gram: &Gram, solution: &Solution, fuel: &Fuel) -> Rounded 
             return Rounded::Inside(exact);
         }
     }
-    ZEROS
-        .iter()
-        .find_map(|zero| face(gram, &pencil, &found, *zero))
-        .map_or(Rounded::Outside, Rounded::Face)
+    let mut faces: Vec<Gram> = Vec::new();
+    for simplicity in SIMPLE {
+        for zero in ZEROS {
+            faces.extend(
+                face(gram, &pencil, &found, (zero, simplicity)).filter(|f| !faces.contains(f)),
+            );
+        }
+    }
+    Rounded::Faces(faces)
 }
 
 /// Whether the budget allows one more Newton step, which it pays for; each costs about k³/3 + 16·k² for
@@ -129,7 +135,12 @@ fn at(
 }
 
 /// The bases without the directions in which the matrices vanish, if those look rational.
-fn face(gram: &Gram, pencil: &Pencil, found: &Center, zero: f64) -> Option<Gram> {
+fn face(
+    gram: &Gram,
+    pencil: &Pencil,
+    found: &Center,
+    (zero, simplicity): (f64, (u32, u32)),
+) -> Option<Gram> {
     let (mut blocks, mut smaller) = (Vec::new(), false);
     let matrices = pencil.at(&found.y, 0.0);
     let spectra: Vec<_> = matrices.iter().map(eigen).collect();
@@ -143,7 +154,7 @@ fn face(gram: &Gram, pencil: &Pencil, found: &Center, zero: f64) -> Option<Gram>
         let (pivots, rows) = null_space(&spectrum.vectors[..small])?;
         let rows: Vec<Vec<Q>> = rows
             .iter()
-            .map(|row| row.iter().map(|x| simple(*x)).collect::<Option<_>>())
+            .map(|row| row.iter().map(|x| simple(*x, simplicity)).collect::<Option<_>>())
             .collect::<Option<_>>()?;
         let basis: Vec<Poly> = (0..block.basis.len())
             .filter(|i| !pivots.contains(i))
@@ -168,9 +179,9 @@ fn combination(block: &Block, i: usize, pivots: &[usize], rows: &[Vec<Q>]) -> Po
 }
 
 /// The simplest rational number near a float, if it is simple.
-fn simple(x: f64) -> Option<Q> {
-    let (exact, near) = (Q::from_float(x)?, Q::new(1.into(), 300.into()));
+fn simple(x: f64, (near, most): (u32, u32)) -> Option<Q> {
+    let (exact, near) = (Q::from_float(x)?, Q::new(1.into(), near.into()));
     let between =
         crate::sign_table::simplest_between(Some(&(&exact - &near)), Some(&(&exact + &near)));
-    (between.denom() <= &BigInt::from(64)).then_some(between)
+    (between.denom() <= &BigInt::from(most)).then_some(between)
 }

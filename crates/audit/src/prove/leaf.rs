@@ -9,7 +9,7 @@ use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, positive_factor, since};
 use super::squares::{Reach, squares};
-use super::{cases, conjugates, expansion, pairs, tactics, written};
+use super::{cases, conjugates, expansion, means, pairs, tactics, written};
 use crate::argument::Argument;
 use crate::open::Method;
 
@@ -137,6 +137,7 @@ impl Search<'_> {
                 .or_else(|| products(1))
                 .or_else(|| pairs::pairs(state, &vars))
                 .or_else(|| squares(Reach::Atoms))
+                .or_else(|| means::means(state))
                 .or_else(|| squares(Reach::Pairs))
                 .or_else(|| products(2))
                 .or_else(|| pairs::by_sign(state, &vars))

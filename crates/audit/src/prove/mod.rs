@@ -22,6 +22,7 @@ mod hints;
 mod leaf;
 mod limits;
 mod linear;
+mod means;
 mod pairs;
 mod parameter;
 mod ranges;

@@ -1,0 +1,96 @@
+//! Arithmetic and geometric means: a monomial that lies between others is at most a mean of them. Each step of the
+//! chain is x^p + x^q − 2·x^((p + q)/2) = x^m·(x^((p − m)/2) − x^((q − m)/2))², where m has the lower powers of p and q
+//! (Reznick, Forms derived from the arithmetic-geometric inequality, 1989): few terms in many variables of any degree.
+
+use std::collections::BTreeSet;
+
+use kane_kernel::{Atom, Monomial, Poly, Sign, State, exponent};
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_traits::{One, Signed};
+
+use super::combination::{Size, Summand, combined, summand};
+use super::conjugates::known;
+use crate::argument::Argument;
+
+/// Terms of a condition.
+const TERMS: usize = 24;
+/// Monomials between those of a condition that count.
+const POINTS: usize = 80;
+/// Rounds in which they are found, each between those of the one before.
+const ROUNDS: usize = 2;
+/// The linear program of the steps.
+const SIZE: Size = Size { rows: 80, columns: 1200, pivots: 400 };
+
+/// A contradiction between one condition and means of its terms.
+pub(super) fn means(state: &State<'_, '_>) -> Option<Argument> {
+    let fits = |a: &Atom| {
+        let up = a.poly.terms().any(|(_, c)| c.is_positive());
+        let down = a.poly.terms().filter(|(_, c)| c.is_negative()).count();
+        a.sign == Sign::Positive && up && down > 1 && a.poly.len() <= TERMS
+    };
+    let live = (0..state.atoms.len()).rev().filter(|&i| fits(&state.atoms[i]));
+    live.filter(|&i| state.atoms[i].decided().is_none()).find_map(|i| below(state, i))
+}
+
+/// The contradiction with one condition.
+fn below(state: &State<'_, '_>, i: usize) -> Option<Argument> {
+    let poly = &state.atoms[i].poly;
+    let vars = poly.vars();
+    let row = |m: &[(usize, u32)]| -> Vec<u32> { vars.iter().map(|&v| exponent(m, v)).collect() };
+    let ends: BTreeSet<Vec<u32>> = poly.terms().map(|(m, _)| row(m)).collect();
+    let points = between(ends)?;
+    let monomial = |row: &[u32]| -> Monomial {
+        vars.iter().copied().zip(row.iter().copied()).filter(|power| power.1 > 0).collect()
+    };
+    let mut summands: Vec<Summand> = vec![summand(state, Poly::one(), vec![(i, 1)])?];
+    for (n, p) in points.iter().enumerate() {
+        if let Some((square, factors)) = known(state, &monomial(p)) {
+            summands.push(summand(state, Poly::term(square, BigInt::one()), factors)?);
+        }
+        for q in points.iter().take(n) {
+            let middle: Vec<u32> = p.iter().zip(q).map(|(a, b)| (a + b) / 2).collect();
+            let step = step(p, q).filter(|_| points.contains(&middle));
+            let Some((common, [p, q])) = step else { continue };
+            let Some((square, factors)) = known(state, &monomial(&common)) else { continue };
+            let half = |row: &[u32]| Poly::term(monomial(row), BigInt::one());
+            let square = Poly::term(square, BigInt::one());
+            let square = square.mul(&half(&p).sub(&half(&q)), &state.scope.fuel).ok()?;
+            summands.push(summand(state, square, factors)?);
+        }
+    }
+    combined(state, summands, Vec::new(), &SIZE)
+}
+
+/// All points of the lattice on the segments between some, and on those between these; `None` for too many.
+fn between(ends: BTreeSet<Vec<u32>>) -> Option<BTreeSet<Vec<u32>>> {
+    let mut points = ends;
+    for _ in 0..ROUNDS {
+        let old: Vec<Vec<u32>> = points.iter().cloned().collect();
+        for (n, p) in old.iter().enumerate() {
+            for q in &old[..n] {
+                let parts = p.iter().zip(q).fold(0, |g: u32, (a, b)| g.gcd(&a.abs_diff(*b)));
+                for k in 1..parts {
+                    // p + k·(q − p)/parts
+                    let at = |(a, b): (&u32, &u32)| (a * (parts - k) + b * k) / parts;
+                    points.insert(p.iter().zip(q).map(at).collect());
+                }
+                if points.len() > POINTS {
+                    return None;
+                }
+            }
+        }
+    }
+    Some(points)
+}
+
+/// The lower powers of two points, and half of what is left of each; `None` where that is no square.
+fn step(p: &[u32], q: &[u32]) -> Option<(Vec<u32>, [Vec<u32>; 2])> {
+    let common: Vec<u32> = p.iter().zip(q).map(|(a, b)| *a.min(b)).collect();
+    let half = |row: &[u32]| -> Option<Vec<u32>> {
+        let left = row.iter().zip(&common).map(|(a, m)| a - m);
+        left.map(|n| n.is_even().then_some(n / 2)).collect()
+    };
+    let halves = [half(p)?, half(q)?];
+    Some((common, halves))
+}
