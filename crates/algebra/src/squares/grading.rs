@@ -6,7 +6,6 @@ use kane_kernel::{Monomial, Poly, exponent};
 use num_integer::Integer as _;
 
 use super::Question;
-use super::gram::Block;
 
 /// Weights of the variables by which P, all products and all equations are homogeneous, and sets of variables
 /// that may all change their signs at once.
@@ -73,21 +72,20 @@ impl Grading {
         whole.iter().zip(&own).zip(&by).all(|((whole, own), by)| *whole == own + by)
     }
 
-    /// The monomials whose squares times a product are of use, those of one parity in one block.
-    pub(super) fn blocks(
+    /// The monomials whose squares times a product are of use, those of one parity together.
+    pub(super) fn bases(
         &self,
         question: &Question<'_>,
-        product: usize,
+        by: &Poly,
         monomials: Vec<Monomial>,
-    ) -> impl Iterator<Item = Block> {
-        let by = &question.products[product];
+    ) -> impl Iterator<Item = Vec<Poly>> + use<> {
         let mut classes: BTreeMap<u64, Vec<Poly>> = BTreeMap::new();
         for m in monomials {
             if self.fits(question, by, &m, 2) {
                 classes.entry(self.parity(&m)).or_default().push(Poly::term(m, 1.into()));
             }
         }
-        classes.into_values().map(move |basis| Block { product, basis })
+        classes.into_values()
     }
 
     /// Whether a multiple of an equation by a monomial is of use.

@@ -64,7 +64,8 @@ impl Gram {
             if p == question.positive && monomials.iter().all(Vec::is_empty) {
                 continue;
             }
-            blocks.extend(grading.blocks(question, product, monomials));
+            let bases = grading.bases(question, p, monomials);
+            blocks.extend(bases.map(|basis| Block { product, basis }));
         }
         let mut cofactors = Vec::new();
         for (equation, p) in question.equations.iter().enumerate() {
