@@ -1,10 +1,14 @@
 //! The documents that are shipped: they audit as their authors expect, and no page leads nowhere.
 
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kane::audit::{Options, Verdict, audit, read};
+use kane::audit::{Judgement, Options, Verdict, audit, read};
 use kane::report::{Report, Summary, html};
+
+/// Operations from which a claim is said to take long: a tenth of a second and more. The same on every machine.
+const LONG: u64 = 10_000_000;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -25,7 +29,7 @@ fn pages(folder: &str) -> Vec<PathBuf> {
 fn every_shipped_document_audits_as_expected() {
     let documents = pages("docs/derivations");
     assert!(documents.len() >= 7, "the paper, three questions that it raises and three small ones");
-    let mut surprises = Vec::new();
+    let (mut surprises, mut slow) = (Vec::new(), String::new());
     for path in documents {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let bytes = fs::read(&path).expect("the document is readable");
@@ -46,9 +50,24 @@ fn every_shipped_document_audits_as_expected() {
             if is_open && judgement.expect != Some(Verdict::Undecided) {
                 surprises.push(format!("{name}: {} is undecided", statement.label));
             }
+            if let Some(row) = slow_row(judgement) {
+                let _ = writeln!(slow, "{name} | {} | {row}", statement.label);
+            }
         }
     }
     assert!(surprises.is_empty(), "not as expected:\n{}", surprises.join("\n"));
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(root().join("snapshots/conformance"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("slow_claims", slow));
+}
+
+/// The verdict on a claim that takes long and what of it does; `None` where none of its links takes long.
+fn slow_row(judgement: &Judgement) -> Option<String> {
+    let longest = judgement.links.iter().max_by_key(|link| link.work)?;
+    let row = || format!("{} | {}", judgement.verdict, longest.burden());
+    (longest.work >= LONG).then(row)
 }
 
 #[test]

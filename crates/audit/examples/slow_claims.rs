@@ -11,12 +11,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use kane_audit::{Judgement, LinkJudgement, Options, audit, read};
-use kane_kernel::{Finding, Fuel, claim_state, scope};
+use kane_kernel::{Fuel, claim_state, scope};
 
 /// Operations from which a claim is in the table: some tenths of a second.
 const LONG: u64 = 10_000_000;
-/// Operations a step from which it is not the number of steps that takes long.
-const STEP: u64 = 100_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (flags, paths): (Vec<String>, Vec<String>) =
@@ -61,7 +59,7 @@ fn row(judgement: &Judgement, work: u64) -> String {
     format!("{} | {} | {steps} | {why}", judgement.verdict, work / 1_000_000)
 }
 
-/// What a link takes: many steps of the search, or the size of what few of them are about.
+/// What a link takes, and the size of what it is about.
 fn reason(link: &LinkJudgement) -> String {
     let widest = link.accepted.as_ref().and_then(|accepted| {
         let goal = &accepted.goal;
@@ -72,13 +70,5 @@ fn reason(link: &LinkJudgement) -> String {
     });
     let terms =
         widest.map_or_else(String::new, |n| format!(", {n} terms in its longest condition"));
-    let proof = link.accepted.as_ref().map(|a| a.certificate.finding);
-    let part = match (link.work / link.cost.max(1) >= STEP, proof) {
-        (false, _) => "many states are looked at",
-        (true, Some(Finding::Proved)) => {
-            "sums of products and squares, as linear and semidefinite programs"
-        }
-        (true, _) => "a point, in few steps that are long",
-    };
-    format!("{part}{terms}")
+    format!("{}{terms}", link.burden())
 }

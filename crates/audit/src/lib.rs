@@ -3,6 +3,7 @@
 
 mod argument;
 mod behind;
+mod burden;
 mod document;
 mod existence;
 mod explain;
@@ -21,6 +22,7 @@ mod spoken;
 mod verdict;
 
 pub use argument::{BoundedSum, contradicts_bounds};
+pub use burden::Burden;
 pub use document::*;
 pub use existence::Existence;
 pub use explain::*;

@@ -93,8 +93,8 @@ impl Search<'_> {
                 differences(state, &self.squares.within(DIFFERENCES))
             };
             let boxes = || {
-                self.note(Method::Boxes);
-                self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits))
+                let tried = self.cuts.then(|| self.note(Method::Boxes));
+                tried.and_then(|()| self.boxes(state, &vars, MAX_SPLITS.saturating_sub(splits)))
             };
             self.note(Method::Combinations);
             let combined = combination(state);

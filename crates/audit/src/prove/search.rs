@@ -71,6 +71,8 @@ pub(crate) struct Search<'a> {
     pub(crate) ideals: bool,
     /// whether products of premises and boxes may be tried
     pub(crate) products: bool,
+    /// whether ranges may be cut into boxes
+    pub(crate) cuts: bool,
     /// for sums of squares
     pub(crate) squares: Fuel,
     /// for points by approach, cells and elimination by cases
@@ -111,6 +113,7 @@ impl<'a> Search<'a> {
             defined: Vec::new(),
             ideals: false,
             products: true,
+            cuts: true,
             squares: Fuel::new(0),
             cells: Fuel::new(0),
             far: false,
