@@ -7,12 +7,10 @@ use std::path::{Path, PathBuf};
 use kane::audit::{Judgement, Options, Verdict, audit, read};
 use kane::report::{Report, Summary, html};
 
-/// Operations from which a claim is said to take long: a tenth of a second and more. The same on every machine.
-const LONG: u64 = 10_000_000;
+use crate::support::{assert_snapshot, root};
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+/// Coefficient operations from which a claim stands in the table of slow ones; they are the same on every machine.
+const LONG: u64 = 10_000_000;
 
 /// The Markdown files right under `folder`, sorted.
 fn pages(folder: &str) -> Vec<PathBuf> {
@@ -56,11 +54,7 @@ fn every_shipped_document_audits_as_expected() {
         }
     }
     assert!(surprises.is_empty(), "not as expected:\n{}", surprises.join("\n"));
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(root().join("snapshots/conformance"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("slow_claims", slow));
+    assert_snapshot("slow_claims", &slow);
 }
 
 /// The verdict on a claim that takes long and what of it does; `None` where none of its links takes long.

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use kane::audit::Verdict;
 
-use crate::support::{judged, root};
+use crate::support::{assert_snapshot, judged};
 
 const FREE: &str = "var x, y, z, w";
 const ORTHANT: &str = "var x >= 0, y >= 0, z >= 0, w >= 0";
@@ -112,11 +112,5 @@ fn sixty_claims_in_several_variables_are_decided_or_left_open_but_never_wrong() 
     let share = format!("{decided} of {} decided", CLAIMS.len());
     println!("several variables: {share} in {:.1} s", start.elapsed().as_secs_f64());
     println!("several variables: the longest took {:.1} s: {}", slowest.0, slowest.1);
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(root().join("snapshots/conformance"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| {
-        insta::assert_snapshot!("several_variables", format!("{table}\n{share}\n"));
-    });
+    assert_snapshot("several_variables", &format!("{table}\n{share}\n"));
 }

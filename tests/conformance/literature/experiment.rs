@@ -19,7 +19,7 @@ use kane::impact::{Alpha, ImpactLaw, Law, laws};
 use kane::number::{Number, Rational};
 
 use super::exact;
-use crate::support::root;
+use crate::support::{assert_snapshot, root};
 
 /// The rows of a data file, after its comments and the line of names.
 fn rows(name: &str) -> Vec<Vec<String>> {
@@ -159,11 +159,7 @@ fn the_laws_beside_the_measured_points() {
     for (name, points) in series() {
         let _ = write!(page, "\n{name}\n{}\n", table(&points));
     }
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(root().join("snapshots/conformance"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("experiment", page));
+    assert_snapshot("experiment", &page);
 }
 
 /// Source of the printed figures: the collection of laws that this project was given.
