@@ -7,13 +7,11 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 use polycore::{Gf, Uni};
 
-/// Degrees up to which they fit into one word, one bit a degree.
-const DEGREE: usize = 24;
-
 /// Whether no factor of p has a degree between 0 and its own: such a factor is one modulo each prime too, with a degree
 /// that the factors there add up to. Exact where it is `true`; `false` says nothing.
 pub(crate) fn is_irreducible(p: &[BigInt], fuel: &Fuel) -> bool {
-    let Some(degree) = p.len().checked_sub(1).filter(|n| (1..=DEGREE).contains(n)) else {
+    // one bit of a word a degree
+    let Some(degree) = p.len().checked_sub(1).filter(|n| (1..64).contains(n)) else {
         return false;
     };
     let whole = 1 | 1 << degree;

@@ -71,8 +71,11 @@ impl Memory {
         known.iter().find(|k| k.0 == *side && k.1 == *given).map(|k| k.2.clone())
     }
 
+    /// Takes values in the place of those that no longer served.
     fn keep(&self, side: &Side, given: &Sentence, values: Values) {
-        self.0.borrow_mut().push((side.clone(), given.clone(), values));
+        let mut known = self.0.borrow_mut();
+        known.retain(|k| k.0 != *side || k.1 != *given);
+        known.push((side.clone(), given.clone(), values));
     }
 }
 
