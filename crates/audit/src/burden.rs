@@ -21,7 +21,7 @@ pub enum Burden {
 }
 
 impl LinkJudgement {
-    /// What takes long about this link.
+    /// What takes long about this link: *heuristic*, from its counts of steps and operations.
     #[must_use]
     pub fn burden(&self) -> Burden {
         let proved = |a: &std::rc::Rc<crate::Accepted>| a.certificate.finding == Finding::Proved;
