@@ -52,11 +52,9 @@ pub(crate) fn quotient<F: Format>(a: F, b: F, direction: Outward) -> F {
     }
     // The residue a − q·b is a float; over b it has the sign of the error.
     let (product, error) = two_product(quotient, b);
+    // It is NaN where the product overflows.
     let residue = (a - product) - error;
-    if residue.is_nan() || residue.is_infinite() {
-        return step(quotient, direction);
-    }
-    let sign = if b < zero { -residue } else { residue };
+    let sign = if b.is_negative() { -residue } else { residue };
     settle(quotient, sign, direction, false)
 }
 
@@ -90,10 +88,10 @@ fn settle<F: Format>(nearest: F, error: F, direction: Outward, from_infinite: bo
         return nearest;
     }
     if nearest.is_infinite() {
-        let positive = nearest > F::zero();
+        let negative = nearest.is_negative();
         return match direction {
-            Outward::Down if positive => F::greatest(),
-            Outward::Up if !positive => -F::greatest(),
+            Outward::Down if !negative => F::greatest(),
+            Outward::Up if negative => -F::greatest(),
             Outward::Down | Outward::Up => nearest,
         };
     }

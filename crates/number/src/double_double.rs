@@ -20,7 +20,7 @@ use crate::{
 /// | operation | bound | source |
 /// |---|---|---|
 /// | a + b, a − b | 3u² + 13u³ | Joldes, Muller and Popescu 2017, algorithm 6 |
-/// | a·b | 5u² with FMA, else 7u² | the same, algorithms 12 and 10 |
+/// | a·b | 7u² | the same, algorithm 10 |
 /// | a/b | 15u² + 56u³ | the same, algorithm 17 |
 /// | a·b + c | 32u² | fast only where no bits cancel, otherwise by an exact sum |
 /// | √a | 25/8·u² | Lefèvre, Louvet, Muller, Picot and Rideau 2023 |
@@ -116,15 +116,10 @@ impl DoubleDouble {
         self.sum(&other.opposite())
     }
 
-    /// Algorithm 12 where there is a fused multiply-add, algorithm 10 elsewhere.
+    /// Algorithm 10, which needs no fused multiply-add: the product is the same on every machine.
     fn product(&self, other: &Self) -> Self {
         let (high, error) = two_product(self.high, other.high);
-        let cross = if cfg!(target_feature = "fma") {
-            let corner = self.high.mul_add(other.low, self.low * other.low);
-            self.low.mul_add(other.high, corner)
-        } else {
-            self.high * other.low + self.low * other.high
-        };
+        let cross = self.high * other.low + self.low * other.high;
         Self::checked(high, fast_two_sum(high, error + cross))
     }
 

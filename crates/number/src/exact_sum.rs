@@ -136,7 +136,8 @@ impl ExactSum {
             // half a unit that was rounded to even: what is left says to which side
             let twice = error * 2.0;
             let next = parts.next().unwrap_or(0.0);
-            if next != 0.0 && (next > 0.0) == (error > 0.0) && (high + twice) - high == twice {
+            let same_side = next.is_sign_negative() == error.is_sign_negative();
+            if next != 0.0 && same_side && (high + twice) - high == twice {
                 high += twice;
             }
             break;
@@ -232,6 +233,12 @@ mod tests {
         assert_eq!(sum.value(), f64::INFINITY);
         sum.add(f64::NEG_INFINITY);
         assert!(sum.value().is_nan());
+        // of two orders, each of whose sums is a float
+        for sign in [1.0, -1.0] {
+            let mut sum = ExactSum::default();
+            [f64::MAX, 8e307].into_iter().for_each(|term| sum.add(sign * term));
+            assert_eq!(sum.value(), sign * f64::INFINITY);
+        }
         // what is not finite stays, whatever comes after it
         for (first, then, whole) in [
             (f64::INFINITY, f64::MAX, f64::INFINITY),

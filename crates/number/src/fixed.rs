@@ -226,9 +226,8 @@ impl<const LIMBS: usize> Fixed<LIMBS> {
 
     /// Forgets limbs at the top that are 0.
     fn trim(&mut self) {
-        while self.len > 0 && self.limbs[self.len - 1] == 0 {
-            self.len -= 1;
-        }
+        let top = self.limbs[..self.len].iter().rposition(|limb| *limb != 0);
+        self.len = top.map_or(0, |top| top + 1);
     }
 
     /// The integer alone, without sign and exponent.

@@ -103,3 +103,16 @@ impl Format for f64 {
         Self::next_down(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_infinite_is_not_nan() {
+        for x in [0.0, -1.0, f64::MAX, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(Format::is_nan(x), x.is_nan(), "{x}");
+            assert_eq!(Format::is_infinite(x), x.is_infinite(), "{x}");
+        }
+    }
+}

@@ -58,5 +58,5 @@ impl Ordered for Rational {
 #[must_use]
 pub fn power_of(base: u32, exponent: i64) -> Rational {
     let power = Rational::from_integer(Integer::from(base).pow(exponent.unsigned_abs()));
-    if exponent < 0 { power.recip() } else { power }
+    if exponent.is_negative() { power.recip() } else { power }
 }

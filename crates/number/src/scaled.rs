@@ -74,11 +74,8 @@ impl Scaled {
         if !high.is_finite() || high == 0.0 {
             return DoubleDouble::from(high);
         }
-        // Below the normal floats the nearest one takes a part of the low half with it, and what
-        // is left is less than half of the least float.
-        if binade(high) < -1021 {
-            return DoubleDouble::from(high);
-        }
+        // Below the normal floats the nearest one takes a part of the low half with it; what that
+        // half scales to is zero there, since it is no more than half of the least float.
         DoubleDouble::new(high, scale(self.mantissa.low(), self.exponent))
     }
 
@@ -99,7 +96,7 @@ impl Scaled {
     /// The magnitude |a|. Exact.
     #[must_use]
     pub fn abs(self) -> Self {
-        if self.mantissa.high() < 0.0 { self.opposite() } else { self }
+        if self.is_negative() { self.opposite() } else { self }
     }
 
     /// Whether this is 0.
@@ -198,7 +195,7 @@ impl Scaled {
         let low = self.mantissa.low();
         let side = if low == 0.0 {
             0
-        } else if (low < 0.0) == negative {
+        } else if low.is_sign_negative() == negative {
             1
         } else {
             -1
@@ -209,7 +206,7 @@ impl Scaled {
     }
 }
 
-/// The magnitude pattern nearest to quarters·2^unit, ties to even; quarters < 2^56.
+/// The magnitude pattern nearest to quarters·2^unit, ties to even; 2^53 < quarters < 2^56, more bits than a format has.
 fn round_bits<F: Binary>(quarters: u64, unit: i64) -> u64 {
     let top = unit.saturating_add(i64::from(63 - quarters.leading_zeros()));
     if top > F::GREATEST_EXPONENT {
@@ -219,14 +216,10 @@ fn round_bits<F: Binary>(quarters: u64, unit: i64) -> u64 {
         return 0;
     }
     let target = (top - i64::from(F::PRECISION) + 1).max(F::LEAST_EXPONENT);
-    let significand = match target - unit {
-        drop @ 1..=63 => {
-            let (kept, rest) = (quarters >> drop, quarters & ((1 << drop) - 1));
-            let half = 1 << (drop - 1);
-            kept + u64::from(rest > half || (rest == half && kept % 2 == 1))
-        }
-        drop => quarters << -drop,
-    };
+    let drop = target - unit;
+    let (kept, rest) = (quarters >> drop, quarters & ((1 << drop) - 1));
+    let half = 1 << (drop - 1);
+    let significand = kept + u64::from(rest > half || (rest == half && kept % 2 == 1));
     let steps = (target - F::LEAST_EXPONENT).unsigned_abs() << (F::PRECISION - 1);
     steps + significand
 }
@@ -350,5 +343,24 @@ impl Real for Scaled {
     /// that.
     fn greatest_root(coefficients: &[Self], lower: &Self, upper: &Self) -> Option<Self> {
         crate::root::float::greatest_root(coefficients, lower, upper, -96)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::power_of;
+
+    #[test]
+    fn zero_has_no_sign_and_addends_meet_up_to_their_distance() {
+        assert!(!Scaled::zero().is_negative() && !(-Scaled::zero()).is_negative());
+        assert!(Scaled::zero().abs().to_f64().is_sign_positive());
+        let one = Scaled::one();
+        for (exponent, meets) in [(-499, true), (-500, true), (-501, false)] {
+            for sum in [one.scaled_by(exponent) + one, one + one.scaled_by(exponent)] {
+                let small = if meets { power_of(2, exponent) } else { Rational::zero() };
+                assert_eq!(sum.to_rational(), Some(Rational::one() + small), "1 + 2^{exponent}");
+            }
+        }
     }
 }

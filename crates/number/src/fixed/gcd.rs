@@ -60,6 +60,11 @@ const fn of_words(mut a: u64, mut b: u64) -> u64 {
     a
 }
 
+/// Whether the words x ≥ y, which (a, b) has come to, tell a step.
+fn is_certain(x: u64, y: u64, v: [u64; 3]) -> bool {
+    y >= v[2] && x - y >= v[1] + v[2]
+}
+
 /// Some steps of Euclid's algorithm at once: (a, b) becomes ±(u₀·a − v₀·b, v₁·b − u₁·a), with the
 /// upper sign if their number is even.
 struct Steps {
@@ -81,7 +86,7 @@ impl Steps {
         };
         let (mut x, mut y) = (leading(&a.limbs), leading(&b.limbs));
         let (mut u, mut v, mut even) = ([0, 1, 0], [0, 0, 1], false);
-        while y >= v[2] && x - y >= v[1] + v[2] {
+        while is_certain(x, y, v) {
             let (quotient, rest) = (x / y, x % y);
             (x, y, even) = (y, rest, !even);
             u = [u[1], u[2], u[1] + quotient * u[2]];

@@ -16,9 +16,9 @@ const EVALUATION: i64 = -98;
 /// The greatest root in \[lower, upper\], see [`Real::greatest_root`](crate::Real::greatest_root).
 ///
 /// `noise` is the binary logarithm of the relative error that the caller's coefficients carry. It
-/// decides nothing while there is a change of sign or a root of the closed form strictly inside;
-/// only when there is none, the highest end or critical point counts at which the polynomial
-/// vanishes to within that noise.
+/// decides nothing while there is a change of sign, a root of the closed form strictly inside, or an
+/// end that is a root exactly; only when there is none, the highest end or critical point counts at
+/// which the polynomial vanishes to within that noise.
 ///
 /// Degree 1 by division, degree 2 by the stable formula, degree 3 on the monotone pieces between
 /// the critical points, from the top. Heuristic for double roots, which no floating system tells
@@ -51,19 +51,20 @@ pub(crate) fn greatest_root(
         [c0, c1] => Some(-*c0 / c1).filter(inside),
         [c0, c1, c2] => {
             ends.extend([vertex(c1, c2)].into_iter().filter(inside));
-            quadratic([c0, c1, c2], noise).and_then(|roots| roots.into_iter().find(inside))
+            quadratic([c0, c1, c2]).and_then(|roots| roots.into_iter().find(inside))
         }
         [_, c1, c2, c3] => {
             let three = Scaled::from(3.0);
             let slope = [c1, &c2.double(), &(three * c3)];
-            ends.extend(quadratic(slope, EVALUATION).into_iter().flatten().filter(inside));
+            ends.extend(quadratic(slope).into_iter().flatten().filter(inside));
             ends.push(*lower);
             f.topmost_change(&ends)
         }
         _ => None,
     };
     ends.push(*lower);
-    root.or_else(|| ends.into_iter().find(|end| f.vanishes(end, noise)))
+    root.or_else(|| below.is_zero().then_some(*lower))
+        .or_else(|| ends.into_iter().find(|end| f.vanishes(end, noise)))
 }
 
 /// Where the parabola turns.
@@ -71,14 +72,14 @@ fn vertex(c1: &Scaled, c2: &Scaled) -> Scaled {
     -c1.scaled_by(-1) / c2
 }
 
-/// Both roots of c₀ + c₁x + c₂x², the greater first, or `None` if they are not real by more than
-/// the noise. The leading coefficient is not zero.
+/// Both roots of c₀ + c₁x + c₂x², the greater first, or `None` if they are not real. The leading
+/// coefficient is not zero.
 ///
 /// With h = c₁/2 the discriminant is h² − c₂c₀, the second product taken with its rounding error
 /// (Kahan; error bound in Jeannerod, Louvet and Muller 2013, "Further analysis of Kahan's
 /// algorithm for the accurate computation of 2×2 determinants"). The root of greater magnitude is
 /// formed without cancellation, the other from the product of both.
-fn quadratic([c0, c1, c2]: [&Scaled; 3], noise: i64) -> Option<[Scaled; 2]> {
+fn quadratic([c0, c1, c2]: [&Scaled; 3]) -> Option<[Scaled; 2]> {
     let half = c1.scaled_by(-1);
     if half.is_zero() {
         let root = (-*c0 / c2).sqrt()?;
@@ -87,11 +88,7 @@ fn quadratic([c0, c1, c2]: [&Scaled; 3], noise: i64) -> Option<[Scaled; 2]> {
     let product = *c2 * c0;
     let error = (-*c2).mul_add(c0, &product);
     let discriminant = half.mul_add(&half, &-product) + error;
-    let root = match discriminant.sqrt() {
-        Some(root) => root,
-        None if -discriminant <= half.square().scaled_by(noise) => Scaled::zero(),
-        None => return None,
-    };
+    let root = discriminant.sqrt()?;
     let sum = if half.is_negative() { root - half } else { -(half + root) };
     let (first, second) = (sum / c2, *c0 / sum);
     Some(if first > second { [first, second] } else { [second, first] })
@@ -155,29 +152,30 @@ impl Polynomial<'_> {
         while let Some(middle) = bracket.middle_of_exponents() {
             bracket.shrink(middle, &self.at(&middle));
         }
-        self.newton(bracket)
+        self.newton(bracket, MOST_STEPS)
     }
 
     /// Replaces an end that is zero by a bound below which there is no root: every root but zero
-    /// is at least |c₀|/(|c₀| + max|cᵢ|) in magnitude (Cauchy).
+    /// is at least |c₀|/(|c₀| + max|cᵢ|) in magnitude (Cauchy). The root in the bracket is beyond it,
+    /// and so is the other end.
     fn keep_off_zero(&self, bracket: &mut Bracket) {
         let exponents = self.0.iter().filter(|c| !c.is_zero()).map(|c| c.exponent());
         let Some(greatest) = exponents.max().filter(|_| !self.0[0].is_zero()) else { return };
         let least = Scaled::one().scaled_by(self.0[0].exponent() - greatest - 3);
-        if bracket.lower.is_zero() && least < bracket.upper {
+        if bracket.lower.is_zero() {
             bracket.lower = least;
         }
-        if bracket.upper.is_zero() && bracket.lower < -least {
+        if bracket.upper.is_zero() {
             bracket.upper = -least;
         }
     }
 
     /// Newton's method that never leaves the bracket, and halves it where the steps do not shrink
     /// to a half each (Press, Teukolsky, Vetterling and Flannery: Numerical Recipes, section 9.4).
-    fn newton(&self, mut bracket: Bracket) -> Scaled {
+    fn newton(&self, mut bracket: Bracket, most_steps: usize) -> Scaled {
         let mut x = bracket.middle();
-        let mut last = bracket.upper - bracket.lower;
-        for _ in 0..MOST_STEPS {
+        let mut last = bracket.width();
+        for _ in 0..most_steps {
             let (value, slope) = self.with_slope(&x);
             if value.is_zero() {
                 break;
@@ -216,19 +214,64 @@ impl Bracket {
         }
     }
 
+    fn width(&self) -> Scaled {
+        self.upper - self.lower
+    }
+
     fn middle(&self) -> Scaled {
         (self.lower + self.upper).scaled_by(-1)
     }
 
-    /// A power of two between the ends, halfway in the exponent, if they are binades apart: by
-    /// the arithmetic middle a root near zero would take a step for each binade.
+    /// A power of two between the ends, which are of one sign, halfway in the exponent, if they are binades
+    /// apart: by the arithmetic middle a root near zero would take a step for each binade.
     fn middle_of_exponents(&self) -> Option<Scaled> {
-        let (a, b) = (self.lower, self.upper);
-        let apart = a.exponent().abs_diff(b.exponent()) > 2;
-        if a.is_zero() || b.is_zero() || a.is_negative() != b.is_negative() || !apart {
-            return None;
+        let [a, b] = [self.lower, self.upper].map(Scaled::exponent);
+        let middle = Scaled::one().scaled_by(i64::midpoint(a, b));
+        let middle = if self.lower.is_negative() { -middle } else { middle };
+        (a.abs_diff(b) > 2).then_some(middle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(x: i32) -> Scaled {
+        Scaled::from(f64::from(x))
+    }
+
+    /// (x − r)((x − a)² + b) for r next to 1 and a, b that keep the other roots away: from a bracket of a quarter each
+    /// step doubles the bits that are right, after 2, 4, 8, …, so that ten of them have all.
+    #[test]
+    fn the_steps_near_a_simple_root_double_its_bits() {
+        let mut tried = 0;
+        for thirds in 5..12 {
+            let r = number(thirds) / number(7);
+            for a in [-5, -1, 3] {
+                for b in [1, 4, 30] {
+                    for sign in [1, -1] {
+                        let (a, b) = (number(a), number(b));
+                        let square = a.square() + b;
+                        let f = [
+                            -(r * square),
+                            square + r * a.double(),
+                            -(a.double() + r),
+                            Scaled::one(),
+                        ];
+                        let f = f.map(|c| c * number(sign));
+                        let bracket = Bracket {
+                            lower: r * number(3) / number(4),
+                            upper: r * number(9) / number(8),
+                            negative_above: sign < 0,
+                        };
+                        let found = Polynomial(&f).newton(bracket, 10);
+                        let off = (found - r).abs();
+                        assert!(off <= r.scaled_by(-95), "{r}, {a}, {b}: {off}");
+                        tried += 1;
+                    }
+                }
+            }
         }
-        let middle = Scaled::one().scaled_by(i64::midpoint(a.exponent(), b.exponent()));
-        Some(if a.is_negative() { -middle } else { middle })
+        assert_eq!(tried, 7 * 3 * 3 * 2);
     }
 }

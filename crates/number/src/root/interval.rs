@@ -164,7 +164,7 @@ impl Search<'_> {
         if at_end.contains_zero() {
             return None;
         }
-        let above = at_end.lower() > 0.0;
+        let above = at_end.lower().is_sign_positive();
         let step = top.upper().abs() * f64::EPSILON;
         let mut distance = top.width().max(step).max(f64::MIN_POSITIVE);
         loop {

@@ -45,10 +45,10 @@ pub(crate) fn greatest_root(
 
 /// Whether the value at x is below zero, or `None` if floats do not tell: four roundings, each of at
 /// most 2⁻⁵³ of the sum of magnitudes, are less than 2⁻⁵⁰ of it.
-fn sign_at([c0, c1, c2]: [f64; 3], x: f64) -> Option<bool> {
-    let value = (c2 * x + c1) * x + c0;
-    let magnitude = (c2.abs() * x.abs() + c1.abs()) * x.abs() + c0.abs();
-    (value.abs() > 8.0 * f64::EPSILON * magnitude).then_some(value < 0.0)
+fn sign_at(coefficients: [f64; 3], x: f64) -> Option<bool> {
+    let at = |[c0, c1, c2]: [f64; 3], x: f64| (c2 * x + c1) * x + c0;
+    let (value, magnitude) = (at(coefficients, x), at(coefficients.map(f64::abs), x.abs()));
+    (value.abs() > 8.0 * f64::EPSILON * magnitude).then_some(value.is_sign_negative())
 }
 
 #[cfg(test)]
@@ -115,15 +115,23 @@ mod tests {
     fn where_floats_tell_a_sign_it_is_that_of_the_fraction() {
         let exact = |x: f64| decode(x).expect("it is finite");
         let mut told = [0; 2];
-        for (r, s, c2) in
-            [(0.1, -3.7, 1.3), (-0.7, 1e6, -0.9), (-5.1, -1e-7, 7.0), (1e20, -2.3, 0.3)]
-        {
+        // of two roots of opposite signs next to the less one the square is small, and the terms that cancel are not
+        for (r, s, c2) in [
+            (0.1, -3.7, 1.3),
+            (-0.7, 1e6, -0.9),
+            (-5.1, -1e-7, 7.0),
+            (1e20, -2.3, 0.3),
+            (-0.3, 1.1, 3.3),
+            (0.77, -12.9, -0.17),
+            (6.1, -6.7, 1.9),
+        ] {
             // c₂(x − r)(x − s), rounded
             let c = [c2 * r * s, -c2 * (r + s), c2];
             let near = |root: f64| {
-                [-1e-3, -3e-15, -4e-16, 0.0, 3e-16, 1e-15, 2e-14].map(|off| root * (1.0 + off))
+                let steps = (0..9).map(move |step| f64::from_bits(root.to_bits() - 4 + step));
+                steps.chain([-1e-3, -3e-15, 1e-15, 2e-14].map(|off| root * (1.0 + off)))
             };
-            for x in near(r).into_iter().chain(near(s)).chain([0.0, 1.0, -2.0, -(r + s) / 2.0]) {
+            for x in near(r).chain(near(s)).chain([0.0, 1.0, -2.0, -(r + s) / 2.0]) {
                 let at = |c: [Rational; 3], x: &Rational| (&c[2] * x + &c[1]) * x + &c[0];
                 let value = at(c.map(exact), &exact(x));
                 let magnitude = at(c.map(|c| exact(c.abs())), &exact(x.abs()));

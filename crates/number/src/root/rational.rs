@@ -26,7 +26,7 @@ pub(crate) fn greatest_root(
         return Some(upper.clone());
     }
     match &f.0[..] {
-        [c0, c1] => Some(-c0 / c1).filter(|x| lower <= x && x < upper),
+        [c0, c1] => Some(-c0 / c1).filter(|x| lower <= x && x <= upper),
         [c0, c1, c2] => quadratic([c0, c1, c2], lower, upper),
         [_, _, _, _] => {
             let f = &f / &f.gcd(&f.derivative());
@@ -47,9 +47,9 @@ fn quadratic([c0, c1, c2]: [&Rational; 3], lower: &Rational, upper: &Rational) -
         // Both roots are irrational, or there is none in the interval.
         return None;
     };
-    let (a, b) = ((&root - &half) / c2, (-&root - &half) / c2);
-    let (greater, less) = if a > b { (a, b) } else { (b, a) };
-    [greater, less].into_iter().find(|x| lower <= x && x <= upper)
+    let mut roots = [(&root - &half) / c2, (-&root - &half) / c2];
+    roots.sort();
+    roots.into_iter().rfind(|x| lower <= x && x <= upper)
 }
 
 /// The square root of a rational if it is one.

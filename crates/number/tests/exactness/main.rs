@@ -6,6 +6,8 @@ mod algebraic;
 mod axioms;
 /// Every number system against its promise, by one suite.
 mod conformance;
+/// Enclosures of roots.
+mod enclosures;
 /// Correct rounding, against two other ways of telling the nearest float.
 mod encoding;
 /// Fractions for chains of operations, against those on the heap.
@@ -24,6 +26,8 @@ mod reference;
 mod roots;
 /// Float to rational and back, on random bit patterns.
 mod round_trip;
+/// Roots that rounding could move elsewhere.
+mod rounded_roots;
 /// The greatest root where it is known beforehand.
 mod small_roots;
 /// Units in the last place and steps, with the comparison's three answers.

@@ -149,7 +149,9 @@ fn the_root_of_a_cubic_is_found_in_every_binade() {
             let square = r.square();
             let f = [-(square * r), square, -r, Scaled::one()];
             let far = Scaled::one().scaled_by(1020);
-            for (lower, upper) in [(-far, far), (Scaled::zero(), far), (-far, Scaled::zero())] {
+            for (lower, upper) in
+                [(-far, far), (-far.double(), far), (Scaled::zero(), far), (-far, Scaled::zero())]
+            {
                 let found = Scaled::greatest_root(&f, &lower, &upper);
                 if lower < r && r < upper {
                     let off = (found.expect("it is there") - r).abs();

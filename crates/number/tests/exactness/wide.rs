@@ -55,6 +55,39 @@ fn sums_and_products_next_to_the_greatest_float_are_exact() {
     }
 }
 
+/// Beyond the range a quotient is infinite, as that of floats; by infinity it is zero.
+#[test]
+fn quotients_beyond_the_range_are_infinite() {
+    let number = |x: f64| DoubleDouble::from(x);
+    for sign in [1.0, -1.0] {
+        for (a, b) in [(1.0, 0.0), (1.0, 5e-324), (1e200, 1e-200), (f64::MAX, 0.5)] {
+            let quotient = number(sign * a) / number(b);
+            assert_eq!((quotient.high(), quotient.low()), (sign * f64::INFINITY, 0.0), "{a}/{b}");
+            assert!(!quotient.is_finite());
+        }
+        assert_eq!((number(sign) / number(f64::INFINITY)).high(), 0.0);
+        let product = number(sign * 1e200).mul_add(&number(1e200), &number(-sign));
+        assert!(!product.is_finite(), "{product}");
+    }
+}
+
+/// Next to the least floats a pair is off by half of the least one at most, and its high part is the float nearest to it.
+#[test]
+fn a_pair_next_to_the_subnormals_is_the_nearest() {
+    for exponent in -1080..-960 {
+        for low in [0, 1, -1, 3] {
+            let exact = (rational(5, 3) + rational(low, 1) * two_to(-70)) * two_to(exponent);
+            let wide = Scaled::from_rational(&exact);
+            let held = wide.to_rational().expect("a moderate exponent");
+            let pair = wide.to_double_double();
+            let sum = pair.to_rational().expect("it is finite");
+            let off = if sum < held { &held - &sum } else { &sum - &held };
+            assert!(off <= two_to(-1075), "{exact}: {off}");
+            assert_eq!(encode::<f64>(&sum, Rounding::NearestEven), pair.high(), "{exact}");
+        }
+    }
+}
+
 #[test]
 fn every_float_survives_widening() {
     fn f64_survives(bits: u64) -> bool {
