@@ -89,20 +89,14 @@ impl Algebraic {
         if self.is_negative() {
             return None;
         }
-        // √ keeps the order: the k-th positive root of p has for its root the k-th of p(y²).
+        // √ keeps the order: as many roots of p(y²) are greater as there are of p.
         let p = Uni::new(self.polynomial().into_iter().map(Rational::from_integer).collect());
-        let zero = Rational::zero();
-        let sturm = Sturm::new(&p);
-        let rank = self.settle(|low, high| {
-            let free = low.is_positive() && !p.eval(low).is_zero();
-            (free && sturm.count(low, high) == 1).then(|| sturm.count(&zero, low))
-        });
-        let mut even = vec![zero; 2 * p.deg() + 1];
+        let greater = self.roots_above(&p);
+        let mut even = vec![Rational::zero(); 2 * p.deg() + 1];
         for (power, c) in p.0.into_iter().enumerate() {
             even[2 * power] = c;
         }
-        let roots = real_roots(&Uni::new(even)).into_iter().map(Self::from_root);
-        roots.filter(|root| !root.is_negative() && !root.is_zero()).nth(rank)
+        real_roots(&Uni::new(even)).into_iter().nth_back(greater).map(Self::from_root)
     }
 
     /// The number if it is rational.
@@ -186,6 +180,15 @@ impl Algebraic {
         }
     }
 
+    /// How many roots of a square-free polynomial are greater than this one of them, which is irrational. The last
+    /// coefficient is 1 at least.
+    fn roots_above(&self, polynomial: &Uni<Rational>) -> usize {
+        // beyond 1 + Σ|cᵢ| there is none (Cauchy)
+        let bound = polynomial.0.iter().fold(Rational::one(), |sum, c| sum + c.abs());
+        let sturm = Sturm::new(polynomial);
+        self.settle(|low, high| (sturm.count(low, high) == 1).then(|| sturm.count(high, &bound)))
+    }
+
     fn root_of_rational(radicand: &Rational) -> Self {
         if let Some(root) = square_root(radicand) {
             return root.into();
@@ -239,10 +242,6 @@ impl Algebraic {
         let generator = Self::from(middle) + root;
         Self::from(residue.0[1].clone()) * generator + Self::from(residue.0[0].clone())
     }
-
-    fn is_zero(&self) -> bool {
-        matches!(&self.0, Kind::Rational(exact) if exact.is_zero())
-    }
 }
 
 impl From<Rational> for Algebraic {
@@ -292,5 +291,32 @@ impl fmt::Display for Written<'_> {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// φ and −1/φ, the roots of x² − x − 1, in a field of each.
+    #[test]
+    fn an_element_of_a_quadratic_field_is_the_surd() {
+        let number = |n: i64| Rational::from_integer(n.into());
+        let golden = Uni::new([-1, -1, 1].map(number).to_vec());
+        for (low, high, sign) in [(1, 2, ""), (-1, 0, "-")] {
+            let field = Arc::new(NumberField::new(&golden, number(low), number(high)));
+            for (constant, slope) in [(3, 2), (0, 2), (-1, -4), (7, 6)] {
+                let residue = Uni::new(vec![number(constant), number(slope)]);
+                let element = Algebraic::element(field.clone(), residue);
+                let Kind::Surd(surd) = &element.0 else { panic!("{element} is a surd") };
+                // r₀ + r₁(1 ± √5)/2
+                let half = number(slope) / Integer::from(2);
+                let b = if sign.is_empty() { half.clone() } else { -&half };
+                assert_eq!((&surd.a, &surd.b), (&(number(constant) + &half), &b), "{element}");
+                assert_eq!(surd.d, 5.into());
+            }
+            let constant = Algebraic::element(field, Uni::constant(number(7)));
+            assert_eq!(constant.as_rational(), Some(&number(7)));
+        }
     }
 }

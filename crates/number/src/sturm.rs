@@ -24,13 +24,18 @@ impl Sturm<Rational> {
         Self::with(&polynomial.0, scaled)
     }
 
+    /// An integer that is greater in magnitude than every root (Cauchy); none for the zero polynomial.
+    fn bound(&self) -> Option<Rational> {
+        let polynomial = self.chain.first()?;
+        let leading = polynomial.last()?;
+        let greatest = polynomial.iter().map(|c| (c / leading).abs()).max()?;
+        Some(greatest.ceil() + Integer::from(1))
+    }
+
     /// An interval (low, high] for each distinct real root, ascending: by halving the interval
     /// that Cauchy's bound gives.
     pub(crate) fn isolate(&self) -> Vec<(Rational, Rational)> {
-        let Some(leading) = self.chain.first().and_then(|f| f.last()) else { return Vec::new() };
-        let ratio = |c: &Rational| (c / leading).abs();
-        let greatest = self.chain[0].iter().map(ratio).max().unwrap_or_default();
-        let bound = greatest.ceil() + Integer::from(1);
+        let Some(bound) = self.bound() else { return Vec::new() };
         let mut isolated = Vec::new();
         let mut todo = vec![(-bound.clone(), bound)];
         while let Some((low, high)) = todo.pop() {

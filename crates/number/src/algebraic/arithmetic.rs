@@ -2,16 +2,15 @@
 
 use std::sync::Arc;
 
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use polycore::Uni;
 
 use super::compositum::{Compositum, compositum};
 use super::field::NumberField;
-use super::roots::{Root, real_roots};
+use super::roots::real_roots;
 use super::surd::Surd;
 use super::{Algebraic, Element, Kind};
 use crate::operators::operators;
-use crate::sturm::Sturm;
 use crate::{Integer, Number, Rational};
 
 operators!(Algebraic);
@@ -179,19 +178,9 @@ impl Algebraic {
         if polynomial.deg() == field.modulus().deg() {
             return self;
         }
-        let mut roots: Vec<Root> = real_roots(&polynomial);
-        let sturm = Sturm::new(&polynomial);
-        let rank = self.settle(|low, high| {
-            let alone = sturm.count(low, high) == 1 && !polynomial.eval(low).is_zero();
-            alone.then(|| sturm.count(&-root_bound(&polynomial), low))
-        });
-        if rank < roots.len() { Self::from_root(roots.swap_remove(rank)) } else { self }
+        let greater = self.roots_above(&polynomial);
+        real_roots(&polynomial).into_iter().nth_back(greater).map_or(self, Self::from_root)
     }
-}
-
-/// A bound beyond which a monic polynomial has no root: 1 + Σ|cᵢ| (Cauchy).
-fn root_bound(polynomial: &Uni<Rational>) -> Rational {
-    polynomial.0.iter().fold(Rational::from_integer(1.into()), |sum, c| sum + c.abs())
 }
 
 impl Number for Algebraic {

@@ -18,7 +18,7 @@ pub(super) struct Compositum {
     pub(super) second: Uni<Rational>,
 }
 
-/// ℚ(α, β) = ℚ(γ) with γ = α + kβ for the first small integer k that tells all pairs of
+/// ℚ(α, β) = ℚ(γ) with γ = α + kβ for the first positive integer k that tells all pairs of
 /// conjugates apart.
 ///
 /// In the algebra ℚ\[u, v\]/(f(u), g(v)) of dimension n·m the powers of u + kv are then a basis.
@@ -26,8 +26,7 @@ pub(super) struct Compositum {
 /// system for all three. Then the factor that has γ for a root is split off. Exact; of the order
 /// of (n·m)³ operations on rationals that grow, so for a few mixed operations on small degrees.
 pub(super) fn compositum(a: &NumberField, b: &NumberField) -> Compositum {
-    let multipliers = (1_i64..).flat_map(|k| [k, -k]);
-    let found = multipliers.into_iter().find_map(|k| {
+    let found = (1_u64..).find_map(|k| {
         let k = Integer::from(k);
         let [polynomial, first, second] = generate(a.modulus(), b.modulus(), &k)?;
         let (modulus, low, high) = isolate_sum(&polynomial, a, b, &k);
@@ -100,8 +99,8 @@ fn isolate_sum(
         let (low, high) = a.generator(bits);
         let (from, to) = times(&b.generator(bits), &(k.clone(), k.clone()));
         let (low, high) = (low + from, high + to);
-        let ends_free = !polynomial.eval(&low).is_zero() && !polynomial.eval(&high).is_zero();
-        if ends_free && sturm.count(&low, &high) == 1 {
+        // γ, which is irrational, is between the ends: that the upper one is no root is counted
+        if !polynomial.eval(&low).is_zero() && sturm.count(&low, &high) == 1 {
             let factor = factor_at(polynomial, &factors(polynomial), &low, &high);
             return (factor, low, high);
         }

@@ -218,6 +218,13 @@ mod tests {
         for other in others {
             assert!(!at_two.is_same(&other) && !other.is_same(&at_two), "{other:?}");
         }
+        // ±2⁻⁴⁰·√2, each in an interval that reaches beyond the middle of both
+        let tiny = |n: i64| number(n, 4) * crate::power_of(2, -40);
+        let near =
+            Uni::new(vec![crate::power_of(2, -79) * number(-1, 1), number(0, 1), number(1, 1)]);
+        let [below, above] = [(-6, 1), (-1, 6)]
+            .map(|(low, high)| Arc::new(NumberField::new(&near, tiny(low), tiny(high))));
+        assert!(!below.is_same(&above) && !above.is_same(&below));
     }
 
     #[test]

@@ -34,11 +34,9 @@ impl Real for Algebraic {
                 let half = c1.clone() * Self::from(Rational::new(1.into(), 2.into()));
                 let discriminant = half.square() - c2.clone() * c0;
                 let root = discriminant.sqrt()?;
-                let sum = (root.clone() - &half) / c2;
-                let difference = (-root - half) / c2;
-                let (greater, less) =
-                    if sum > difference { (sum, difference) } else { (difference, sum) };
-                [greater, less].into_iter().find(inside)
+                let mut roots = [(root.clone() - &half) / c2, (-root - half) / c2];
+                roots.sort();
+                roots.into_iter().rfind(inside)
             }
             _ => {
                 // A conjugate's root lies elsewhere: where the norm has one root, the cubic has
@@ -63,16 +61,16 @@ impl Real for Algebraic {
 }
 
 fn value(f: &[Algebraic], x: &Algebraic) -> Algebraic {
-    f.iter().rev().fold(Algebraic::zero(), |sum, c| sum * x + c)
+    f.iter().rev().fold(Algebraic::zero(), |sum, c| sum.mul_add(x, c))
 }
 
 /// The product of the polynomial's conjugates: rational, and zero at each of its roots.
 ///
 /// Over ℚ(θ), with m(t) the polynomial of θ, it is the resultant of m(t) and f(t, x) by t, here
-/// by interpolation at integers.
+/// by interpolation at integers, some more than the degree asks for.
 fn norm(f: &[Algebraic]) -> Uni<Rational> {
     let Some((field, residues)) = Algebraic::in_common_field(f) else { return Uni::zero() };
-    let count = field.modulus().deg() * (f.len() - 1) + 1;
+    let count = field.modulus().deg() * f.len();
     let at = (0_i64..).take(count).map(|x| Rational::from_integer(Integer::from(x)));
     let points: Vec<Rational> = at.collect();
     let value = |x: &Rational| {

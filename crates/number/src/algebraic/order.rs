@@ -58,9 +58,9 @@ impl Algebraic {
         // divisor has a root there only if it is that one.
         let is_root = |number: &Self| {
             let (low, high) = number.isolating_interval();
-            common.deg() > 0 && sturm.count(&low, &high) == 1
+            sturm.count(&low, &high) == 1
         };
-        let meet = is_root(self) && is_root(other);
+        let meet = [self, other].into_iter().all(is_root);
         let mut bits = 64;
         loop {
             if let Some(order) = self.compare_enclosures(other, bits) {

@@ -83,7 +83,7 @@ impl Surd {
         let next = &root + 1;
         let ends = [root, next].map(|n| &self.a + &self.b * Rational::new(n, unit.clone()));
         let [p, q] = ends;
-        if p < q { (p, q) } else { (q, p) }
+        if self.b.is_negative() { (q, p) } else { (p, q) }
     }
 }
 

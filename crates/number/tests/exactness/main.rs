@@ -4,6 +4,8 @@
 mod algebraic;
 /// Field and order axioms, through the testkit that later number systems share.
 mod axioms;
+/// Algebraic numbers next to each other.
+mod close_numbers;
 /// Every number system against its promise, by one suite.
 mod conformance;
 /// Enclosures of roots.
