@@ -1,6 +1,6 @@
 //! Exact points at which a goal's hypotheses hold, found and evaluated without the kernel.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane::algebra::syntax::{Evaluator, NoValue};
 use kane::kernel::{Bound, Conclusion, Context, Expr, Goal, Link, Rel, Relation, Sentence, Var};
@@ -119,6 +119,9 @@ fn symbols(context: &Context, roots: &[&Expr]) -> BTreeSet<usize> {
     out
 }
 
+/// Failures in a row after which an equation is seldom tried again: each takes up to fifteen evaluations.
+const HOPELESS: usize = 16;
+
 /// Finds points for a goal: free symbols at random, the others from the equations.
 pub(crate) struct Sampler<'g> {
     goal: &'g Goal,
@@ -130,6 +133,8 @@ pub(crate) struct Sampler<'g> {
     order: Vec<usize>,
     /// equations and symbols that were found to be linear
     linear: BTreeSet<(usize, usize)>,
+    /// how often in a row an equation was not solved for a symbol
+    unsolved: BTreeMap<(usize, usize), usize>,
 }
 
 impl<'g> Sampler<'g> {
@@ -154,7 +159,32 @@ impl<'g> Sampler<'g> {
         let equations = all.into_iter().filter(equation).map(with_symbols).collect();
         let others = others.into_iter().filter(|r| !equation(r)).map(with_symbols).collect();
         let mentioned = symbols(&goal.context, &sides).into_iter().collect();
-        Self { goal, equations, others, mentioned, order: Vec::new(), linear: BTreeSet::new() }
+        Self {
+            goal,
+            equations,
+            others,
+            mentioned,
+            order: Vec::new(),
+            linear: BTreeSet::new(),
+            unsolved: BTreeMap::new(),
+        }
+    }
+
+    /// How many operations it takes to evaluate all hypotheses once, nearly: definitions once, but anew within each
+    /// derivative, where each operation stands for three.
+    pub(crate) fn weight(&self) -> usize {
+        fn weight(context: &Context, e: &Expr, seen: &mut BTreeSet<usize>) -> usize {
+            let own: usize = match e {
+                Expr::Deriv(f, _) => return 1 + 3 * weight(context, f, &mut BTreeSet::new()),
+                Expr::Let(i) if seen.insert(*i) => weight(context, &context.lets[*i].body, seen),
+                _ => 1,
+            };
+            own + e.children().into_iter().map(|e| weight(context, e, seen)).sum::<usize>()
+        }
+        let all = self.equations.iter().chain(&self.others);
+        let sides = all.flat_map(|(r, _)| [&r.lhs, &r.rhs]);
+        let mut seen = BTreeSet::new();
+        sides.map(|e| weight(&self.goal.context, e, &mut seen)).sum()
     }
 
     /// A point where the hypotheses hold, as far as that is known.
@@ -204,7 +234,14 @@ impl<'g> Sampler<'g> {
                 used[i] = true;
                 let (_, symbols) = &self.equations[i];
                 let v = symbols.iter().copied().find(|v| open.contains(v))?;
-                point[v] = self.solved(i, v, &point, chance)?;
+                let failures = self.unsolved.get(&(i, v)).copied().unwrap_or(0);
+                if failures >= HOPELESS && !chance.once_in(HOPELESS) {
+                    return None;
+                }
+                let solved = self.solved(i, v, &point, chance);
+                let failures = if solved.is_some() { 0 } else { failures + 1 };
+                self.unsolved.insert((i, v), failures);
+                point[v] = solved?;
                 open.remove(&v);
                 last = Some(v);
                 continue;

@@ -38,6 +38,9 @@ const SMALL: Budget = Budget {
     document: u64::MAX,
 };
 
+/// Operations of one evaluation of hypotheses up to which a claim has all of its points.
+const WEIGHT: usize = 1_000;
+
 fn accepts(goal: &Goal, certificate: &Certificate) -> bool {
     check(goal, certificate, Fuel::new(20_000_000)).is_ok()
 }
@@ -433,8 +436,10 @@ impl Sampled {
         }
         let mut sampler = Sampler::new(&case.goal);
         let (wanted, mut seen) = (many(1_000), 0);
-        // where hypotheses are seldom met, a point takes as long as a hundred elsewhere
-        let (most, mut tries, mut failures) = (many(2_500), 0, 0);
+        // where hypotheses are seldom met, a point takes as long as a hundred elsewhere; where they are derivatives of
+        // derivatives, as long as forty
+        let most = many(2_500) * WEIGHT / sampler.weight().max(WEIGHT);
+        let (mut tries, mut failures) = (0, 0);
         while seen < wanted && failures < 300 && tries < most && (seen > 0 || tries < 100) {
             tries += 1;
             match sampler.point(chance, 10) {
