@@ -1,5 +1,7 @@
 //! Values at a point: rationals, or polynomials in one real algebraic number.
 
+use std::cell::OnceCell;
+
 use kane_kernel::{Fuel, Point, Poly, Root};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -92,19 +94,17 @@ impl Partial {
 /// Replaces variables by rational values: Dⁿ·p(values), a positive multiple.
 #[must_use]
 pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
-    // n^k·d^(N−k) for the k-th power of n/d in a polynomial of degree N
-    let powers: Vec<(usize, Vec<BigInt>)> = values
+    // n^k·d^(N−k) for the k-th power of n/d in a polynomial of degree N, of which only some may occur
+    let powers: Vec<(usize, Vec<OnceCell<BigInt>>)> = values
         .iter()
-        .map(|(v, q)| {
-            let degree = p.degree(*v);
-            let power = |k| q.numer().pow(k) * q.denom().pow(degree - k);
-            (*v, (0..=degree).map(power).collect())
-        })
+        .map(|(v, _)| (*v, vec![OnceCell::new(); p.degree(*v) as usize + 1]))
         .collect();
     Poly::sum(p.terms().map(|(m, c)| {
         let mut coefficient = c.clone();
-        for (v, of) in &powers {
-            let power = &of[kane_kernel::exponent(m, *v) as usize];
+        for ((v, of), (_, q)) in powers.iter().zip(values) {
+            let k = kane_kernel::exponent(m, *v);
+            let power =
+                of[k as usize].get_or_init(|| q.numer().pow(k) * q.denom().pow(p.degree(*v) - k));
             if !power.is_one() {
                 coefficient *= power;
             }
@@ -112,6 +112,20 @@ pub fn specialised(p: &Poly, values: &[(usize, Q)]) -> Poly {
         let rest = m.iter().filter(|(v, _)| powers.iter().all(|x| x.0 != *v));
         (rest.copied().collect(), coefficient)
     }))
+}
+
+/// What [`specialised`] costs beyond what is counted elsewhere, as products of two coefficients: nothing where the
+/// powers of the values have a word or two, and the products of their words where they are long.
+#[must_use]
+pub fn burden(p: &Poly, values: &[(usize, Q)]) -> u64 {
+    let words = |(v, q): &(usize, Q)| {
+        let bits = q.numer().bits().max(q.denom().bits()).saturating_sub(1);
+        bits.saturating_mul(u64::from(p.degree(*v))) / 64
+    };
+    let words = values.iter().map(words).fold(0, u64::saturating_add);
+    let terms = u64::try_from(p.len()).unwrap_or(u64::MAX);
+    // a product of two words takes an eighth of what one of two coefficients takes
+    words.saturating_mul(words).saturating_mul(terms) / 8
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ const CONDITIONS: usize = 16;
 /// Bits of their coefficients.
 const BITS: u64 = 256;
 /// By how much of its size a condition is to hold: by 2^−m of it.
-const MARGINS: [u32; 3] = [4, 8, 13];
+const MARGINS: [u32; 4] = [4, 8, 13, 18];
 /// Coordinates beyond which it is given up.
 const FAR: i64 = 1 << 20;
 /// Binary digits behind the point that a coordinate keeps, and that values, slopes and steps keep.
@@ -103,7 +103,9 @@ struct Seen {
 fn value(p: &Poly, vars: &[usize], at: &[BigInt], fuel: &Fuel) -> Option<BigInt> {
     let degree = |m: &[Power]| m.iter().map(|x| x.1).sum::<u32>();
     let highest = p.terms().map(|(m, _)| degree(m)).max().unwrap_or(0);
-    fuel.spend(u64::try_from(p.len()).ok()? * u64::from(4 + highest)).ok()?;
+    // the last factor counts the words of a term, of which there are several where the degree is high
+    let words = 1 + u64::from(DIGITS) * u64::from(highest) / 256;
+    fuel.spend(u64::try_from(p.len()).ok()? * u64::from(4 + highest) * words).ok()?;
     let mut sum = BigInt::zero();
     for (m, c) in p.terms() {
         let mut term = c << (DIGITS * (highest - degree(m)));

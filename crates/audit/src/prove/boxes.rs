@@ -14,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::elimination::open_vars;
 use super::search::{Search, Step};
-use super::tactics;
+use super::{line, tactics};
 use crate::argument::{Argument, Rules as _};
 
 type Q = BigRational;
@@ -53,7 +53,7 @@ impl Search<'_> {
             return Some(proof);
         }
         if let Some([v]) = state.atoms.last().map(|a| a.poly.vars()).as_deref()
-            && let Some(proof) = tactics::sign_table(state, *v)
+            && let Some(proof) = line::sign_table(state, *v)
         {
             return Some(proof);
         }
@@ -65,8 +65,8 @@ impl Search<'_> {
         }
         // Cut the variable whose range is widest after mapping to (0, 1); unbounded ones first.
         let at = |v: usize| {
-            let (lower, upper) = tactics::bounds(state, v);
-            let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+            let (lower, upper) = line::bounds(state, v);
+            let value = |i: Option<usize>| i.map(|i| line::bound_value(state, i, v));
             (value(lower), value(upper))
         };
         let width = |v: usize| match at(v) {
@@ -101,7 +101,7 @@ impl Search<'_> {
         let rest: Vec<usize> = open_vars(&next);
         let inner = if rest.len() <= 1 {
             tactics::quick(&next)
-                .or_else(|| rest.iter().find_map(|&w| tactics::sign_table(&next, w)))?
+                .or_else(|| rest.iter().find_map(|&w| line::sign_table(&next, w)))?
         } else {
             self.boxes(&next, &rest, depth - 1)?
         };
@@ -244,9 +244,9 @@ fn ends(state: &State<'_, '_>, atom: usize, v: usize) -> Option<Vec<End>> {
     if degree == 0 {
         return None;
     }
-    let (lower, upper) = tactics::bounds(state, v);
+    let (lower, upper) = line::bounds(state, v);
     let end = |bound: usize| -> Option<End> {
-        let at = tactics::bound_value(state, bound, v);
+        let at = line::bound_value(state, bound, v);
         let there = specialised(p, &[(v, at.clone())]);
         let power = at.denom().pow(degree);
         let by = &state.atoms[bound].poly;
@@ -267,8 +267,8 @@ fn ends(state: &State<'_, '_>, atom: usize, v: usize) -> Option<Vec<End>> {
 fn signs(state: &State<'_, '_>, p: &Poly) -> [bool; 2] {
     let vars = p.vars();
     let range = |v: usize| {
-        let (lower, upper) = tactics::bounds(state, v);
-        let at = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+        let (lower, upper) = line::bounds(state, v);
+        let at = |i: Option<usize>| i.map(|i| line::bound_value(state, i, v));
         let (a, b) = (at(lower), at(upper));
         let two = Q::from_integer(2.into());
         match (a, b) {

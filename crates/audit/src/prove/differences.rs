@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::elimination::open_vars;
-use super::tactics;
+use super::{line, tactics};
 use crate::argument::{Argument, Rules as _};
 
 type Q = BigRational;
@@ -88,7 +88,7 @@ fn on_cones(
         known && a.poly.vars().iter().all(|v| vars.contains(v))
     };
     let last: Vec<usize> = (0..state.atoms.len()).rev().filter(linear).collect();
-    let own: Option<Vec<usize>> = vars.iter().map(|&v| tactics::bounds(state, v).0).collect();
+    let own: Option<Vec<usize>> = vars.iter().map(|&v| line::bounds(state, v).0).collect();
     let mut tried: Vec<Vec<usize>> = Vec::new();
     for cone in [own, independent(state, vars, &last)].into_iter().flatten() {
         if tried.contains(&cone) {
@@ -362,7 +362,7 @@ impl Part {
         };
         let then = tactics::quick(&next)
             .or_else(|| match open_vars(&next)[..] {
-                [v] => tactics::sign_table(&next, v),
+                [v] => line::sign_table(&next, v),
                 _ => None,
             })
             .or_else(|| on_face(parts))

@@ -5,11 +5,12 @@ use kane_kernel::{Atom, Point, Poly, Sign, State};
 
 use super::differences::differences;
 use super::elimination::{Elimination, open_vars};
+use super::factors::positive_factor;
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
-use super::search::{MAX_SPLITS, Outcome, Search, positive_factor, since};
+use super::search::{MAX_SPLITS, Outcome, Search, since};
 use super::squares::{Reach, squares};
-use super::{cases, conjugates, expansion, means, pairs, tactics, written};
+use super::{cases, conjugates, expansion, ideal, line, means, pairs, products, tactics, written};
 use crate::argument::Argument;
 use crate::open::Method;
 
@@ -34,7 +35,7 @@ impl Search<'_> {
         let vars = open_vars(state);
         self.note(Method::SignTables);
         for &v in &vars {
-            if let Some(proof) = tactics::sign_table(state, v) {
+            if let Some(proof) = line::sign_table(state, v) {
                 return Outcome::Closed(proof);
             }
         }
@@ -82,11 +83,11 @@ impl Search<'_> {
             };
             let products = |degree| {
                 self.note(Method::Products);
-                tactics::products(state, degree)
+                products::products(state, degree)
             };
             let ideal = || {
                 let tried = self.ideals.then(|| self.note(Method::Ideals));
-                tried.and_then(|()| tactics::ideal(state))
+                tried.and_then(|()| ideal::ideal(state))
             };
             let differences = || {
                 self.note(Method::Differences);

@@ -1,7 +1,7 @@
 //! The sample: a point that satisfies what the search leaves, from simple values.
 
 use kane_algebra::field::theta;
-use kane_algebra::point::{Partial, specialised};
+use kane_algebra::point::{Partial, burden, specialised};
 use kane_algebra::ring::univariate;
 use kane_algebra::sign_table::Cell as LineCell;
 use kane_kernel::{Atom, Point, Sign, State};
@@ -11,10 +11,10 @@ use num_traits::{One, Signed, Zero};
 
 use super::conics::conics;
 use super::elimination::{Elimination, open_vars};
+use super::line::{self, open_cells};
 use super::parameter::Parametrised;
 use super::search::Search;
 use super::surds::surds;
-use super::tactics::{self, open_cells};
 
 type Q = BigRational;
 
@@ -97,17 +97,21 @@ impl Search<'_> {
                 }
                 let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
                 assignment.extend(alone.iter().cloned());
+                let work: u64 = state.atoms.iter().map(|a| burden(&a.poly, &assignment)).sum();
+                if state.scope.fuel.spend_beyond(work).is_err() {
+                    return None;
+                }
                 let at = |a: &Atom| {
                     let a = Atom::new(specialised(&a.poly, &assignment), a.sign);
                     (a.decided() != Some(false)).then_some(a)
                 };
                 let Some(atoms) = state.atoms.iter().map(at).collect() else { continue };
                 let special = State { atoms, ..state.clone() };
-                if tactics::is_empty(&special, last) {
+                if line::is_empty(&special, last) {
                     continue;
                 }
                 let mut partial = Partial::default();
-                match tactics::line(&special, last) {
+                match line::table(&special, last) {
                     None => {
                         let Some(simple) = candidates(&special, last).into_iter().next() else {
                             continue;
@@ -172,12 +176,22 @@ pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
     let alone = state.atoms.iter().filter(|a| a.poly.vars() == [v]);
     let tests: Vec<(Sign, Vec<BigInt>)> =
         alone.filter_map(|a| Some((a.sign, univariate(&a.poly, v)?))).collect();
-    let admits = |q: &Q| tests.iter().all(|(sign, p)| sign.admits(kane_kernel::sign_at(p, q)));
+    // Horner's rule takes as many products as there are coefficients, of numbers that grow
+    let pay = |p: &[BigInt], q: &Q| {
+        let bits = q.numer().bits().max(q.denom().bits()).saturating_mul(p.len() as u64);
+        state.scope.fuel.spend_beyond((bits / 64).saturating_mul(p.len() as u64) / 8)
+    };
+    let admits = |q: &Q| {
+        let here = |(sign, p): &(Sign, Vec<BigInt>)| {
+            pay(p, q).is_ok() && sign.admits(kane_kernel::sign_at(p, q))
+        };
+        tests.iter().all(here)
+    };
     let simple = SIMPLE.iter().map(|&(n, d)| Q::new_raw(n.into(), d.into()));
     let mut out: Vec<Q> = simple.filter(admits).collect();
     if out.len() < 8 {
-        let (lower, upper) = tactics::bounds(state, v);
-        let value = |i: Option<usize>| i.map(|i| tactics::bound_value(state, i, v));
+        let (lower, upper) = line::bounds(state, v);
+        let value = |i: Option<usize>| i.map(|i| line::bound_value(state, i, v));
         let beside = match (value(lower), value(upper)) {
             // A narrow range: points inside it.
             (Some(a), Some(b)) => {
@@ -196,7 +210,7 @@ pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
         }
     }
     if out.is_empty()
-        && let Some((table, indices)) = tactics::line(state, v)
+        && let Some((table, indices)) = line::table(state, v)
     {
         out.extend(open_cells(state, &table, &indices).iter().filter_map(|cell| {
             let is_rational = !matches!(cell, LineCell::Root(i) if !table.roots[*i].is_exact());

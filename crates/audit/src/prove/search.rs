@@ -2,13 +2,11 @@
 
 use std::cell::{Cell, RefCell};
 
-use kane_algebra::quotient::exact_quotient;
-use kane_algebra::ring::{common_sign, content_in};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
-use num_traits::Zero;
 
 use super::attempt::Attempt;
 use super::elimination::{Elimination, Factors};
+use super::factors::{cancellation, cannot_vanish, content_to_split, leading, pinched};
 use super::hints::Hint;
 use super::tactics;
 use crate::argument::{Argument, Rules};
@@ -505,142 +503,4 @@ fn all(
         }
     }
     if open { Outcome::Open } else { Outcome::Closed(wrap(proofs)) }
-}
-
-/// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.
-fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {
-    let (mut rest, mut factors) = (d.clone(), Vec::new());
-    for (i, a) in state.atoms.iter().enumerate() {
-        if rest.is_constant() {
-            break;
-        }
-        let known = matches!(a.sign, Sign::Positive | Sign::NonZero);
-        if !known || a.poly.is_constant() || !may_divide(&a.poly, &rest) {
-            continue;
-        }
-        let mut n = 0;
-        while let Some(q) = exact_quotient(&rest, &a.poly, &state.scope.fuel) {
-            rest = q;
-            n += 1;
-        }
-        if n > 0 {
-            factors.push((i, n));
-        }
-    }
-    rest.as_constant().is_some_and(|c| !c.is_zero()).then_some(factors)
-}
-
-/// Whether a polynomial visibly cannot vanish: known factors times a sum of positive terms.
-fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
-    let mut rest = d.clone();
-    for a in &state.atoms {
-        if matches!(a.sign, Sign::Positive | Sign::NonZero) && !a.poly.is_constant() {
-            while let Some(q) = exact_quotient(&rest, &a.poly, &state.scope.fuel) {
-                rest = q;
-            }
-        }
-    }
-    if rest.is_constant() {
-        return true;
-    }
-    let trial = state.with(Atom::new(rest.clone(), Sign::Zero));
-    common_sign(&rest).is_some() && tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
-}
-
-/// A polynomial that is said not to vanish, is seen to be positive, and divides a condition.
-pub(super) fn positive_factor(state: &State<'_, '_>) -> Option<Poly> {
-    let divides = |p: &Poly| {
-        let mut order = state.atoms.iter().filter(|a| a.sign.is_order());
-        order.any(|a| {
-            may_divide(p, &a.poly) && exact_quotient(&a.poly, p, &state.scope.fuel).is_some()
-        })
-    };
-    let positive = |p: &Poly| {
-        let trial = state.with(Atom::new(p.neg(), Sign::Positive));
-        tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
-    };
-    let told = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Positive && a.poly == *p);
-    let said = state.atoms.iter().filter(|a| a.sign == Sign::NonZero && a.decided().is_none());
-    let parts = said.map(|a| a.poly.primitive().1).filter(divides);
-    parts.flat_map(|p| [p.neg(), p]).find(|p| !told(p) && positive(p))
-}
-
-/// An atom with factors that are known not to vanish, and what is left of it.
-fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Poly)> {
-    let known: Vec<usize> = (0..state.atoms.len())
-        .filter(|&j| {
-            let a = &state.atoms[j];
-            matches!(a.sign, Sign::Positive | Sign::NonZero) && !a.poly.is_constant()
-        })
-        .collect();
-    for (i, atom) in state.atoms.iter().enumerate() {
-        if atom.poly.is_constant() {
-            continue;
-        }
-        let order = matches!(atom.sign, Sign::Positive | Sign::NonNegative);
-        let (mut rest, mut factors) = (atom.poly.clone(), Vec::new());
-        for &j in known.iter().filter(|&&j| j != i) {
-            let by = &state.atoms[j].poly;
-            if !may_divide(by, &rest) {
-                continue;
-            }
-            let mut n = 0;
-            let mut before = rest.clone();
-            while let Some(q) = exact_quotient(&rest, by, &state.scope.fuel) {
-                before = std::mem::replace(&mut rest, q);
-                n += 1;
-            }
-            if order && state.atoms[j].sign == Sign::NonZero && n % 2 == 1 {
-                rest = before;
-                n -= 1;
-            }
-            if n > 0 {
-                factors.push((j, n));
-            }
-        }
-        // What would only become trivially true may still serve as a leading coefficient.
-        let trivial = Atom::new(rest.clone(), atom.sign).decided() == Some(true);
-        if !factors.is_empty() && !trivial {
-            return Some((i, factors, rest));
-        }
-    }
-    None
-}
-
-/// Whether every variable of d occurs in p with at least the same degree.
-fn may_divide(d: &Poly, p: &Poly) -> bool {
-    d.terms().all(|(m, _)| m.iter().all(|&(v, e)| p.degree(v) >= e))
-}
-
-/// A polynomial that two atoms allow to be nothing but 0.
-fn pinched(state: &State<'_, '_>) -> Option<Poly> {
-    let weak: Vec<Poly> = state
-        .atoms
-        .iter()
-        .filter(|a| a.sign == Sign::NonNegative && !a.poly.is_constant())
-        .map(|a| a.poly.primitive().1)
-        .collect();
-    let pair = weak.iter().enumerate().find(|(i, p)| weak[..*i].contains(&p.neg()));
-    let known =
-        |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly.primitive().1 == *p);
-    pair.map(|(_, p)| p.clone()).filter(|p| !known(p) && !known(&p.neg()))
-}
-
-/// A factor of an atom that depends on fewer variables, worth a case distinction.
-fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
-    for a in &state.atoms {
-        let vars = a.poly.vars();
-        if vars.len() < 2 || a.poly.len() < 2 || a.poly.len() > 60 || a.sign == Sign::NonZero {
-            continue;
-        }
-        for &v in &vars {
-            let content = content_in(&a.poly, v);
-            if !content.is_constant() {
-                // A power splits like its base.
-                let base = content.vars()[0];
-                return Some(if content.len() == 1 { Poly::var(base) } else { content });
-            }
-        }
-    }
-    None
 }

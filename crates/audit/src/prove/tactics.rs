@@ -4,23 +4,16 @@
 
 use kane_algebra::point::specialised;
 use kane_algebra::quotient::exact_quotient;
-use kane_algebra::ring::{Ideal, Ring, common_sign, within_gate};
-use kane_algebra::sign_table::{Cell, SignTable};
+use kane_algebra::ring::common_sign;
 use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::combination::{Multiple, Size, Summand, combined};
-use super::elimination::Factors;
+use super::line;
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
-
-fn order(sign: Sign) -> bool {
-    matches!(sign, Sign::Positive | Sign::NonNegative)
-}
-
 /// A state that is visibly contradictory: false constants, atoms against each other, wrong signs.
 pub(crate) fn quick(state: &State<'_, '_>) -> Option<Argument> {
     quick_among(state, &vec![true; state.atoms.len()])
@@ -66,7 +59,7 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
             let proof = match (a.3, b.3) {
                 (Sign::Zero, Sign::Positive | Sign::NonZero) => cancel_to_constant(state, i, j),
                 (Sign::Positive | Sign::NonZero, Sign::Zero) => cancel_to_constant(state, j, i),
-                (x, y) if order(x) && order(y) && a.1 != b.1 => {
+                (x, y) if x.is_order() && y.is_order() && a.1 != b.1 => {
                     let opposed =
                         vec![term(&b.2, vec![factor(i, 1)]), term(&a.2, vec![factor(j, 1)])];
                     if x == Sign::Positive || y == Sign::Positive {
@@ -141,53 +134,6 @@ fn cancel_to_constant(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argum
     state.closes(&proof).is_ok().then_some(proof)
 }
 
-/// Indices of the tightest lower and upper bounds of a variable.
-pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<usize>) {
-    let mut lower: Option<(Q, usize)> = None;
-    let mut upper: Option<(Q, usize)> = None;
-    for (i, a) in state.atoms.iter().enumerate() {
-        if !order(a.sign) || a.poly.len() > 2 {
-            continue;
-        }
-        let Some([c, k]) = a.poly.univariate(v).and_then(|p| <[BigInt; 2]>::try_from(p).ok())
-        else {
-            continue;
-        };
-        if k.is_zero() {
-            continue;
-        }
-        let at = Q::new(-c, k.clone());
-        // Of equal bounds the strict one is tighter.
-        let strict = a.sign == Sign::Positive;
-        if k.is_positive() {
-            if lower.as_ref().is_none_or(|(b, _)| at > *b || (at == *b && strict)) {
-                lower = Some((at, i));
-            }
-        } else if upper.as_ref().is_none_or(|(b, _)| at < *b || (at == *b && strict)) {
-            upper = Some((at, i));
-        }
-    }
-    (lower.map(|b| b.1), upper.map(|b| b.1))
-}
-
-/// The value of a bound.
-pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
-    match state.atoms[i].poly.univariate(v).as_deref() {
-        Some([c, k]) => Q::new(-c, k.clone()),
-        _ => Q::zero(),
-    }
-}
-
-/// Whether the bounds of a variable leave it no value.
-pub(crate) fn is_empty(state: &State<'_, '_>, v: usize) -> bool {
-    let (Some(lower), Some(upper)) = bounds(state, v) else {
-        return false;
-    };
-    let strict = [lower, upper].iter().any(|i| state.atoms[*i].sign == Sign::Positive);
-    let (low, high) = (bound_value(state, lower, v), bound_value(state, upper, v));
-    low > high || (strict && low == high)
-}
-
 /// Atom i contradicts the bounds of its variables, seen from the signs of coefficients.
 pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     let atom = &state.atoms[i];
@@ -195,7 +141,7 @@ pub(crate) fn wrong_sign(state: &State<'_, '_>, i: usize) -> Option<Argument> {
         return None;
     }
     let vars = atom.poly.vars();
-    let bounds: Vec<_> = vars.iter().map(|&v| (v, bounds(state, v))).collect();
+    let bounds: Vec<_> = vars.iter().map(|&v| (v, line::bounds(state, v))).collect();
     if bounds.iter().all(|(_, b)| b.0.is_some() || b.1.is_some()) {
         let mut bounds: Vec<_> = bounds.iter().map(|&(v, (l, u))| (v, l, u)).collect();
         // The bound itself says nothing about itself.
@@ -229,7 +175,7 @@ fn one_sign_above_zero(
     bounds: &[(usize, Option<usize>, Option<usize>)],
 ) -> Option<Argument> {
     let from_zero = |&(v, l, _): &(usize, Option<usize>, Option<usize>)| {
-        l.filter(|&l| bound_value(state, l, v).is_zero()).map(|l| (v, Some(l), None))
+        l.filter(|&l| line::bound_value(state, l, v).is_zero()).map(|l| (v, Some(l), None))
     };
     common_sign(&state.atoms[i].poly)?;
     let bounds = bounds.iter().map(from_zero).collect::<Option<Vec<_>>>()?;
@@ -248,10 +194,10 @@ fn mixed_at_ends(
     for &(v, l, u) in bounds {
         match (l, u) {
             (Some(l), Some(u)) => {
-                lower.push((v, bound_value(state, l, v)));
-                upper.push((v, bound_value(state, u, v)));
+                lower.push((v, line::bound_value(state, l, v)));
+                upper.push((v, line::bound_value(state, u, v)));
             }
-            (Some(l), None) if bound_value(state, l, v).is_zero() => {}
+            (Some(l), None) if line::bound_value(state, l, v).is_zero() => {}
             _ => return false,
         }
     }
@@ -267,7 +213,7 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     let half_line = |v: usize| {
         state.atoms.iter().enumerate().find_map(|(j, a)| {
             let (m, c) = a.poly.terms().next()?;
-            let alone = a.poly.len() == 1 && m[..] == [(v, 1)] && order(a.sign) && j != i;
+            let alone = a.poly.len() == 1 && m[..] == [(v, 1)] && a.sign.is_order() && j != i;
             alone.then(|| (j, c.clone(), a.sign == Sign::Positive))
         })
     };
@@ -322,11 +268,11 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Argument> {
 /// A target divided by a premise, target = q·h + r with q < 0 and r ≤ 0 visibly: a contradiction.
 pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Argument> {
     for (i, target) in state.atoms.iter().enumerate().rev() {
-        if !order(target.sign) || target.poly.len() < 2 {
+        if !target.sign.is_order() || target.poly.len() < 2 {
             continue;
         }
         for (j, h) in state.atoms.iter().enumerate() {
-            if i == j || !order(h.sign) || h.poly.len() < 2 {
+            if i == j || !h.sign.is_order() || h.poly.len() < 2 {
                 continue;
             }
             if let Some(proof) = divided(state, i, j) {
@@ -384,230 +330,4 @@ fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
     };
     let proof = Argument::Split { poly: q, zero, positive, negative: Box::new(then) };
     state.closes(&proof).is_ok().then_some(proof)
-}
-
-/// Atoms in the variable v alone: the sign table of the line, with the atoms' indices.
-pub(crate) fn line(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<usize>)> {
-    let mut polys = Vec::new();
-    let mut indices = Vec::new();
-    for (i, a) in state.atoms.iter().enumerate() {
-        if a.poly.vars() == [v] {
-            polys.push(kane_algebra::ring::univariate(&a.poly, v)?);
-            indices.push(i);
-        }
-    }
-    if polys.is_empty() {
-        return None;
-    }
-    let table = SignTable::new(&polys, &state.scope.fuel).ok()?;
-    Some((table, indices))
-}
-
-/// The cells on which all atoms of a line hold, those with the simplest points first.
-pub(crate) fn open_cells(state: &State<'_, '_>, table: &SignTable, indices: &[usize]) -> Vec<Cell> {
-    let holds = |cell: &Cell| {
-        let admits = |(k, i): (usize, &usize)| state.atoms[*i].sign.admits(table.sign(k, *cell));
-        indices.iter().enumerate().all(admits)
-    };
-    let mut cells: Vec<Cell> = table.cells().filter(holds).collect();
-    // Simplest first: small rationals, then exact roots, then irrational ones.
-    cells.sort_by_key(|c| match c {
-        Cell::Root(i) if !table.roots[*i].is_exact() => (2u8, BigInt::zero(), 0u8),
-        Cell::Root(_) => weight(&table.sample(*c), 1),
-        Cell::Gap(_) => weight(&table.sample(*c), 0),
-    });
-    cells
-}
-
-/// Orders rationals by simplicity: 1 before −1 before 2 before 1/2; 0 comes after 1.
-fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
-    let size: BigInt = q.numer().abs() + q.denom() * 2;
-    let zero = if q.is_zero() { BigInt::from(2) } else { BigInt::zero() };
-    (0, size * 2 + zero + i32::from(q.is_negative()), kind)
-}
-
-/// The sign table of v as a proof, if no cell is open.
-pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
-    let (table, indices) = line(state, v)?;
-    if !open_cells(state, &table, &indices).is_empty() {
-        return None;
-    }
-    let atoms = indices
-        .iter()
-        .zip(&table.factored)
-        .map(|(i, (c, powers))| (*i, c.clone(), powers.clone()))
-        .collect();
-    let proof = Argument::SignTable { var: v, bases: table.bases, roots: table.roots, atoms };
-    state.closes(&proof).is_ok().then_some(proof)
-}
-
-/// Linear programming over products of atoms and squares of binomials (Handelman 1988; diagonally
-/// dominant sums of squares). Small systems only.
-pub(crate) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
-    let fuel = &state.scope.fuel;
-    let live: Vec<usize> =
-        (0..state.atoms.len()).filter(|&i| state.atoms[i].decided().is_none()).collect();
-    let total =
-        |p: &Poly| p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum::<u32>()).max().unwrap_or(0);
-    let known: Vec<usize> = live.iter().copied().filter(|&i| order(state.atoms[i].sign)).collect();
-    let equations: Vec<usize> =
-        live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::Zero).collect();
-    let distinct: Vec<usize> =
-        live.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
-    let ring = Ring::of(&live.iter().map(|&i| &state.atoms[i].poly).collect::<Vec<_>>());
-    let top = live.iter().map(|&i| total(&state.atoms[i].poly)).max()?;
-    if ring.len() > 5 || known.len() > 14 || top > 8 || live.is_empty() {
-        return None;
-    }
-    let limit = top.max(degree);
-    // Products of at most `degree` atoms, no larger than the largest atom allows.
-    let mut generators: Vec<(Factors, Poly, bool)> = vec![(Vec::new(), Poly::one(), true)];
-    let mut layer = generators.clone();
-    for _ in 0..degree {
-        let mut next = Vec::new();
-        for (factors, p, strict) in &layer {
-            let from = factors.last().map_or(0, |f| f.0);
-            for &i in known.iter().filter(|&&i| i >= from) {
-                let q = p.mul(&state.atoms[i].poly, fuel).ok()?;
-                if total(&q) > limit {
-                    continue;
-                }
-                let mut factors = factors.clone();
-                match factors.last_mut() {
-                    Some(last) if last.0 == i => last.1 += 1,
-                    _ => factors.push((i, 1)),
-                }
-                next.push((factors, q, *strict && state.atoms[i].sign == Sign::Positive));
-            }
-        }
-        generators.extend(next.iter().cloned());
-        layer = next;
-    }
-    for &i in &distinct {
-        let square = state.atoms[i].poly.pow(2, fuel).ok()?;
-        generators.push((vec![(i, 2)], square, true));
-    }
-    if generators.len() > 400 {
-        return None;
-    }
-    // Squares: monomials and binomials up to half the degree.
-    let vars: Vec<usize> = {
-        let mut v: Vec<usize> = live.iter().flat_map(|&i| state.atoms[i].poly.vars()).collect();
-        v.sort_unstable();
-        v.dedup();
-        v
-    };
-    let mut monomials: Vec<Monomial> = vec![Vec::new()];
-    for _ in 0..(limit / 2).min(3) {
-        let mut next = Vec::new();
-        for m in &monomials {
-            for &v in &vars {
-                let mut n = m.clone();
-                match n.iter_mut().find(|x| x.0 == v) {
-                    Some(x) => x.1 += 1,
-                    None => {
-                        n.push((v, 1));
-                        n.sort_unstable();
-                    }
-                }
-                next.push(n);
-            }
-        }
-        monomials.extend(next);
-        monomials.sort();
-        monomials.dedup();
-        if monomials.len() > 36 {
-            break;
-        }
-    }
-    let mut squares: Vec<Poly> = Vec::new();
-    for (i, a) in monomials.iter().enumerate() {
-        let a = Poly::term(a.clone(), BigInt::one());
-        for b in &monomials[..i] {
-            let b = Poly::term(b.clone(), BigInt::one());
-            squares.push(a.add(&b));
-            squares.push(a.sub(&b));
-        }
-        squares.push(a);
-    }
-    let mut columns: Vec<Summand> = Vec::new();
-    let mut add = |square: Poly, g: &(Vec<(usize, u32)>, Poly, bool)| -> Option<()> {
-        let p = square.pow(2, fuel).ok()?.mul(&g.1, fuel).ok()?;
-        if total(&p) <= limit && columns.len() < 1500 {
-            let strict = g.2 && square.is_constant();
-            let term = Term { weight: BigInt::one(), square, factors: g.0.clone() };
-            columns.push((term, p, strict));
-        }
-        Some(())
-    };
-    for g in &generators {
-        add(Poly::one(), g)?;
-    }
-    for g in generators.iter().filter(|g| g.0.len() <= 1) {
-        for s in &squares {
-            if !s.is_constant() {
-                add(s.clone(), g)?;
-            }
-        }
-    }
-    let mut multiples: Vec<Multiple> = Vec::new();
-    for &i in &equations {
-        for m in &monomials {
-            let m = Poly::term(m.clone(), BigInt::one());
-            let p = m.mul(&state.atoms[i].poly, fuel).ok()?;
-            if total(&p) <= limit {
-                multiples.push((i, m.clone(), p.clone()));
-                multiples.push((i, m.neg(), p.neg()));
-            }
-        }
-    }
-    combined(state, columns, multiples, &Size { rows: 130, columns: 1500, pivots: 400 })
-}
-
-/// 1, or a product of atoms that do not vanish, in the ideal of the equations.
-pub(crate) fn ideal(state: &State<'_, '_>) -> Option<Argument> {
-    let equations: Vec<usize> = (0..state.atoms.len())
-        .filter(|&i| state.atoms[i].sign == Sign::Zero && state.atoms[i].decided().is_none())
-        .collect();
-    let polys: Vec<&Poly> = equations.iter().map(|&i| &state.atoms[i].poly).collect();
-    let distinct: Vec<usize> = (0..state.atoms.len())
-        .filter(|&i| {
-            let a = &state.atoms[i];
-            matches!(a.sign, Sign::NonZero | Sign::Positive) && a.decided().is_none()
-        })
-        .collect();
-    let targets: Vec<usize> =
-        distinct.iter().copied().filter(|&i| state.atoms[i].sign == Sign::NonZero).collect();
-    let others: Vec<&Poly> = targets.iter().map(|&i| &state.atoms[i].poly).collect();
-    if polys.is_empty() || !within_gate(&polys, &others) {
-        return None;
-    }
-    let ideal = Ideal::new(&polys, &others)?;
-    let powers: Vec<Vec<(usize, u32)>> = std::iter::once(Vec::new())
-        .chain((1..=2).flat_map(|n| targets.iter().map(move |&i| vec![(i, n)])))
-        .collect();
-    for factors in powers {
-        let mut product = Poly::one();
-        for (i, n) in &factors {
-            product = product
-                .mul(&state.atoms[*i].poly.pow(*n, &state.scope.fuel).ok()?, &state.scope.fuel)
-                .ok()?;
-        }
-        let Some((lift, common)) = ideal.lift(&product) else {
-            continue;
-        };
-        let cofactors: Vec<(usize, Poly)> = equations.iter().copied().zip(lift).collect();
-        // common · Π = Σ …; multiply once more by −Π to leave nothing beside a positive square.
-        let square: Vec<_> = factors.iter().map(|(i, n)| (*i, 2 * n)).collect();
-        let cofactors = cofactors
-            .into_iter()
-            .map(|(i, c)| Some((i, c.mul(&product.neg(), &state.scope.fuel).ok()?)))
-            .collect::<Option<Vec<_>>>()?;
-        let term = Term { weight: common, square: Poly::one(), factors: square };
-        let scaled = Argument::Positive { terms: vec![term], cofactors };
-        if state.closes(&scaled).is_ok() {
-            return Some(scaled);
-        }
-    }
-    None
 }
