@@ -2,9 +2,10 @@
 
 use std::ops::Deref;
 
-use kane_number::{Number, Ordered, Rational, Real};
+use kane_number::{Comparison, Number, Ordered, Rational, Real};
 
-use crate::{Alpha, Contact, Facing, Frame, Impulse, LawInfo, Outcome, Ratios, Restitution, Work};
+use crate::resolution::{self, NoImpulse, Regimes, Settled};
+use crate::{Alpha, Contact, Facing, Frame, Impulse, LawInfo, Outcome, Ratios, Restitution};
 
 /// A sign that a guard asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +20,21 @@ pub enum Relation {
     NotPositive,
     /// < 0
     Negative,
+}
+
+impl Relation {
+    /// Whether a quantity of this sign is as asked, or `None` if that is not certain.
+    #[inline]
+    #[must_use]
+    pub fn admits(self, sign: Comparison) -> Option<bool> {
+        match self {
+            Self::Positive => sign.is_greater(),
+            Self::NotNegative => sign.is_at_least(),
+            Self::Zero => sign.is_equal(),
+            Self::NotPositive => sign.is_at_most(),
+            Self::Negative => sign.is_less(),
+        }
+    }
 }
 
 /// Guards as constants, which a constant expression keeps only in a constant of their own.
@@ -84,36 +100,6 @@ pub struct Regime<L: 'static, N: 'static> {
     pub slip: Option<Formula<L, N, N>>,
     /// The work of friction, where `p_t`·(`v_t` + `v_t⁺`)/2 would cancel; J.
     pub work: Option<Formula<L, N, N>>,
-}
-
-/// Why a law gives no impulse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NoImpulse {
-    /// The number system cannot tell whether the regime applies.
-    #[error("{law}: cannot decide whether the contact is in the regime \"{regime}\"")]
-    Undecided {
-        /// The law's id.
-        law: &'static str,
-        /// The first regime in question.
-        regime: &'static str,
-    },
-    /// The number system does not hold the root that the regime needs.
-    #[error("{law}: the impulse of the regime \"{regime}\" is no number of this system")]
-    Unrepresentable {
-        /// The law's id.
-        law: &'static str,
-        /// The regime that applies.
-        regime: &'static str,
-    },
-    /// The law says nothing of such a contact.
-    #[error("{law}: {reason}")]
-    Outside {
-        /// The law's id.
-        law: &'static str,
-        /// What the law lacks there.
-        reason: &'static str,
-    },
 }
 
 /// A law that gives the impulse of a collision.
@@ -191,9 +177,9 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`] if no regime applies, or none can be chosen in this number system.
     fn regime<N: Real>(&self, contact: &Contact<N>) -> Result<Chosen<Self, N>, NoImpulse> {
-        let (facing, contact) = forwards(self, contact.clone())?;
-        let (regime, root) = taken(self, &contact, |_, regime, _, root| Ok((regime, root)))?;
-        Ok(Chosen { regime, facing, contact, root })
+        let Settled { place, facing, contact, root } = resolution::settled(self, contact)?;
+        let regime = &self.regimes::<N>()[place];
+        Ok(Chosen { regime, facing, contact, root: root.unwrap_or_else(N::zero) })
     }
 
     /// Gives the impulse in N·s, by the first regime that applies.
@@ -204,13 +190,7 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`], see [`regime`](Self::regime).
     fn impulse<N: Real>(&self, contact: &Contact<N>) -> Result<Impulse<N>, NoImpulse> {
-        let (facing, contact) = forwards(self, contact.map(N::to_working))?;
-        let impulse = taken(self, &contact, accepted_impulse)?;
-        let impulse = match facing {
-            Facing::Forward => impulse,
-            Facing::Backward => impulse.mirrored(),
-        };
-        Ok(impulse.map(N::from_working))
+        resolution::impulse(self, contact)
     }
 
     /// Gives the impulse with all that follows from it at the contact.
@@ -218,8 +198,7 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     /// # Errors
     /// [`NoImpulse`], see [`regime`](Self::regime).
     fn resolve<N: Real>(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
-        let (outcome, _) = resolved(self, contact.map(N::to_working))?;
-        Ok(outcome.map(N::from_working))
+        Ok(resolution::resolved(self, contact)?.0)
     }
 
     /// The law in terms of α, for `v_t` > 0, or `None` where it has no finite value: its outcome on
@@ -228,150 +207,68 @@ pub trait ImpactLaw: Clone + Send + Sync + 'static {
     ///
     /// Exact in exact numbers; see each law for its bound in floats.
     fn ratios<N: Real>(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {
-        let alpha = match alpha {
-            Alpha::Finite(alpha) => alpha,
-            Alpha::Infinite => {
-                let k = N::from_rational(&self.normal_collision()?);
-                return Some(Ratios { k, impulse: N::zero(), energy: N::zero() });
-            }
-        };
-        let contact = Contact::of_alpha(alpha.to_working());
-        if self.frame(&contact).is_some() {
-            return None;
-        }
-        let (outcome, _) = resolved(self, contact).ok()?;
-        // v_t = 1/2 and μ·p_n = 1
-        let ratios = Ratios {
-            k: outcome.slip.double(),
-            impulse: -outcome.impulse.tangential,
-            energy: outcome.work.tangential.double(),
-        };
-        Some(ratios.map(N::from_working))
+        resolution::ratios(self, alpha)
     }
 }
 
-/// The contact turned to face forwards, and how it faced.
-#[inline]
-fn forwards<L: ImpactLaw, N: Real>(
-    law: &L,
-    contact: Contact<N>,
-) -> Result<(Facing, Contact<N>), NoImpulse> {
-    match contact.facing() {
-        Some(Facing::Forward) => Ok((Facing::Forward, contact)),
-        Some(Facing::Backward) => Ok((Facing::Backward, contact.mirrored())),
-        None => Err(NoImpulse::Undecided { law: law.id(), regime: "forward or backward slip" }),
+#[inline(always)]
+fn regime<L: ImpactLaw, N: Number>(law: &L, place: usize) -> &'static Regime<L, N> {
+    &law.regimes::<N>()[place]
+}
+
+impl<L: ImpactLaw, N: Real> Regimes<N> for L {
+    #[inline(always)]
+    fn info(&self) -> &'static LawInfo {
+        const { &L::INFO }
     }
-}
 
-/// What `then` makes of the first regime that applies, and its root, at a contact that faces forwards.
-#[inline(always)]
-fn taken<L: ImpactLaw, N: Real, T>(
-    law: &L,
-    contact: &Contact<N>,
-    then: impl Fn(&L, &'static Regime<L, N>, &Contact<N>, N) -> Result<T, NoImpulse>,
-) -> Result<T, NoImpulse> {
-    // At a place that is a constant the compiler sees the formulas of the regime and what they share.
-    // It is worth its length where these are a few instructions.
-    if N::IS_FLOAT
-        && let Some(value) = at(law, 0, contact, &then)
-            .or_else(|| at(law, 1, contact, &then))
-            .or_else(|| at(law, 2, contact, &then))
-    {
-        return value;
+    fn normal_collision(&self) -> Option<Rational> {
+        ImpactLaw::normal_collision(self)
     }
-    let places = if N::IS_FLOAT { 3 } else { 0 }..law.regimes::<N>().len();
-    for place in places {
-        if let Some(value) = at(law, place, contact, &then) {
-            return value;
-        }
+
+    #[inline(always)]
+    fn has_frame(&self, contact: &Contact<N>) -> bool {
+        self.frame(contact).is_some()
     }
-    Err(outside(law))
-}
 
-/// The same of the regime at a place; `None` if there is none or it does not apply.
-#[inline(always)]
-fn at<L: ImpactLaw, N: Real, T>(
-    law: &L,
-    place: usize,
-    contact: &Contact<N>,
-    then: &impl Fn(&L, &'static Regime<L, N>, &Contact<N>, N) -> Result<T, NoImpulse>,
-) -> Option<Result<T, NoImpulse>> {
-    let regime = law.regimes::<N>().get(place)?;
-    match regime.applies(law, contact) {
-        Some(true) => {}
-        Some(false) => return None,
-        None => return Some(Err(NoImpulse::Undecided { law: law.id(), regime: regime.name })),
+    #[inline(always)]
+    fn acceptance(&self, contact: &Contact<N>, impulse: &Impulse<N>) -> Option<N> {
+        ImpactLaw::acceptance(self, contact, impulse)
     }
-    let root = match &regime.root {
-        None => Some(N::zero()),
-        Some(root) => root.solve(law, contact),
-    };
-    Some(match root {
-        Some(root) => then(law, regime, contact, root),
-        None => Err(NoImpulse::Unrepresentable { law: law.id(), regime: regime.name }),
-    })
-}
 
-/// The impulse of a regime, if the law accepts it.
-#[inline(always)]
-fn accepted_impulse<L: ImpactLaw, N: Real>(
-    law: &L,
-    regime: &'static Regime<L, N>,
-    contact: &Contact<N>,
-    root: N,
-) -> Result<Impulse<N>, NoImpulse> {
-    let impulse = (regime.impulse)(law, contact, &root);
-    accept(law, regime.name, contact, &impulse)?;
-    Ok(impulse)
-}
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.regimes::<N>().len()
+    }
 
-/// The outcome of a regime, if the law accepts its impulse, and the root if there is one.
-#[inline(always)]
-fn accepted_outcome<L: ImpactLaw, N: Real>(
-    law: &L,
-    regime: &'static Regime<L, N>,
-    contact: &Contact<N>,
-    root: N,
-) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
-    let outcome = regime.outcome(law, contact, &root);
-    accept(law, regime.name, contact, &outcome.impulse)?;
-    Ok((outcome, regime.root.as_ref().map(|_| root)))
-}
+    #[inline(always)]
+    fn name(&self, place: usize) -> &'static str {
+        regime::<L, N>(self, place).name
+    }
 
-/// The outcome of a law, and the root of its regime if that has one.
-#[inline(always)]
-pub(crate) fn resolved<L: ImpactLaw, N: Real>(
-    law: &L,
-    contact: Contact<N>,
-) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
-    let (facing, contact) = forwards(law, contact)?;
-    let (outcome, root) = taken(law, &contact, accepted_outcome)?;
-    Ok(match facing {
-        Facing::Forward => (outcome, root),
-        Facing::Backward => (outcome.mirrored(), root),
-    })
-}
+    #[inline(always)]
+    fn applies(&self, place: usize, contact: &Contact<N>) -> Option<bool> {
+        regime(self, place).applies(self, contact)
+    }
 
-fn outside<L: ImpactLaw>(law: &L) -> NoImpulse {
-    let reason = law.gap().unwrap_or("no regime applies, which is a defect of the law");
-    NoImpulse::Outside { law: law.id(), reason }
-}
+    #[inline(always)]
+    fn root(&self, place: usize, contact: &Contact<N>) -> Option<Option<N>> {
+        regime(self, place).root.as_ref().map(|root| root.solve(self, contact))
+    }
 
-#[inline]
-fn accept<L: ImpactLaw, N: Real>(
-    law: &L,
-    regime: &'static str,
-    contact: &Contact<N>,
-    impulse: &Impulse<N>,
-) -> Result<(), NoImpulse> {
-    let Some(quantity) = law.acceptance(contact, impulse) else { return Ok(()) };
-    match quantity.sign().is_at_least() {
-        Some(true) => Ok(()),
-        Some(false) => Err(match L::INFO.rejects {
-            Some(reason) => NoImpulse::Outside { law: law.id(), reason },
-            None => outside(law),
-        }),
-        None => Err(NoImpulse::Undecided { law: law.id(), regime }),
+    #[inline(always)]
+    fn impulse(&self, place: usize, contact: &Contact<N>, root: &N) -> Impulse<N> {
+        (regime(self, place).impulse)(self, contact, root)
+    }
+
+    #[inline(always)]
+    fn slip(&self, place: usize, contact: &Contact<N>, root: &N) -> Option<N> {
+        regime(self, place).slip.map(|slip| slip(self, contact, root))
+    }
+
+    #[inline(always)]
+    fn work(&self, place: usize, contact: &Contact<N>, root: &N) -> Option<N> {
+        regime(self, place).work.map(|work| work(self, contact, root))
     }
 }
 
@@ -401,35 +298,6 @@ impl<L: ImpactLaw, N: Number> Regime<L, N> {
     pub(crate) const fn with_root(self, root: Root<L, N>) -> Self {
         Self { root: Some(root), ..self }
     }
-
-    /// What follows at a contact that faces forwards, given the root.
-    #[inline(always)]
-    pub fn outcome(&self, law: &L, contact: &Contact<N>, root: &N) -> Outcome<N> {
-        let impulse = (self.impulse)(law, contact, root);
-        let slip = match self.slip {
-            Some(slip) => slip(law, contact, root),
-            None => contact.slip_after(&impulse),
-        };
-        let half = |x: N| x / N::one().double();
-        let tangential = match self.work {
-            Some(work) => work(law, contact, root),
-            None => half((slip.clone() + contact.slip()) * &impulse.tangential),
-        };
-        let (separation, normal) = match law.restitution() {
-            Restitution::Newton if law.frame(contact).is_none() => {
-                let (e, a) = (contact.restitution(), contact.approach());
-                let loss = (N::one() - e) * a * &impulse.normal;
-                (e.clone() * a, -half(loss))
-            }
-            Restitution::Newton | Restitution::Poisson | Restitution::Energetic => {
-                let separation = contact.separation_after(&impulse);
-                let mean = separation.clone() - contact.approach();
-                (separation, half(mean * &impulse.normal))
-            }
-        };
-        let work = Work { normal, tangential };
-        Outcome { regime: self.name, impulse, slip, separation, work }
-    }
 }
 
 impl<L, N: Ordered> Regime<L, N> {
@@ -451,7 +319,7 @@ impl<L, N: Ordered> Regime<L, N> {
 
 impl<L, N: Real> Root<L, N> {
     /// The root, or `None` if it is no number of this system or cannot be told.
-    fn solve(&self, law: &L, contact: &Contact<N>) -> Option<N> {
+    pub(crate) fn solve(&self, law: &L, contact: &Contact<N>) -> Option<N> {
         let (lower, upper) = (self.between)(law, contact);
         N::greatest_root(&(self.coefficients)(law, contact), &lower, &upper)
     }
@@ -490,13 +358,6 @@ impl<L, N: Number> Guard<L, N> {
 impl<L, N: Ordered> Guard<L, N> {
     #[inline]
     fn holds(&self, law: &L, contact: &Contact<N>) -> Option<bool> {
-        let sign = (self.quantity)(law, contact).sign();
-        match self.relation {
-            Relation::Positive => sign.is_greater(),
-            Relation::NotNegative => sign.is_at_least(),
-            Relation::Zero => sign.is_equal(),
-            Relation::NotPositive => sign.is_at_most(),
-            Relation::Negative => sign.is_less(),
-        }
+        self.relation.admits((self.quantity)(law, contact).sign())
     }
 }

@@ -69,6 +69,7 @@ mod spatial;
 mod spatial_contact;
 
 pub mod puzzle;
+mod resolution;
 
 pub use alpha::{Alpha, InvalidAlpha, Ratios};
 pub use catalogue::{Law, NumberSystem, law, laws};
@@ -78,9 +79,10 @@ pub use frame::Frame;
 pub use impulse::Impulse;
 pub use info::{Lasting, LawInfo, ModelInfo, Parameter, Provenance, Restitution};
 pub use invalid::InvalidInput;
-pub use law::{Chosen, Coefficients, Formula, Guard, ImpactLaw, NoImpulse, Regime, Relation, Root};
+pub use law::{Chosen, Coefficients, Formula, Guard, ImpactLaw, Regime, Relation, Root};
 pub use outcome::{Outcome, Work};
 pub use over::{Equation, Formulas, LawOver, RegimeOver, Taken};
 pub use parameters::{UnknownParameter, set_parameter};
+pub use resolution::NoImpulse;
 pub use spatial::{SpatialDelassus, Symmetric};
 pub use spatial_contact::SpatialContact;

@@ -5,10 +5,10 @@
 
 use kane_number::{Number, Real};
 
-use crate::law::resolved;
+use crate::resolution::{self, Regimes, Settled};
 use crate::{
-    Alpha, Chosen, Contact, Facing, Frame, ImpactLaw, Impulse, LawInfo, NoImpulse, Outcome, Ratios,
-    Regime, Relation,
+    Alpha, Coefficients, Contact, Facing, Frame, ImpactLaw, Impulse, LawInfo, NoImpulse, Outcome,
+    Ratios, Regime, Relation,
 };
 
 /// The equation of a regime's root at a contact.
@@ -20,16 +20,23 @@ pub struct Equation<N> {
     pub between: (N, N),
 }
 
+impl<N> Equation<N> {
+    fn new(coefficients: Coefficients<N>, between: (N, N)) -> Self {
+        let coefficients = match coefficients {
+            Coefficients::Quadratic(coefficients) => coefficients.into(),
+            Coefficients::Cubic(coefficients) => coefficients.into(),
+        };
+        Self { coefficients, between }
+    }
+}
+
 /// A regime of a law, see [`Regime`].
 pub trait RegimeOver<N: Number> {
     /// What happens at the contact, for people.
     fn name(&self) -> &'static str;
 
-    /// The guards at a contact: quantities, and the sign that each must have.
-    fn guards<'a>(
-        &'a self,
-        contact: &'a Contact<N>,
-    ) -> Box<dyn Iterator<Item = (N, Relation)> + 'a>;
+    /// A guard at a contact by its place: a quantity, and the sign that it must have; `None` beyond the last.
+    fn guard(&self, place: usize, contact: &Contact<N>) -> Option<(N, Relation)>;
 
     /// The equation of the root, if there is one.
     fn equation(&self, contact: &Contact<N>) -> Option<Equation<N>>;
@@ -39,6 +46,13 @@ pub trait RegimeOver<N: Number> {
 
     /// What follows at a contact that faces forwards, given the root.
     fn outcome(&self, contact: &Contact<N>, root: &N) -> Outcome<N>;
+}
+
+impl<N: Number> dyn RegimeOver<N> + '_ {
+    /// The guards at a contact: quantities, and the sign that each must have.
+    pub fn guards(&self, contact: &Contact<N>) -> impl Iterator<Item = (N, Relation)> {
+        (0..).map_while(move |place| self.guard(place, contact))
+    }
 }
 
 /// A law's formulas, without any comparison.
@@ -115,20 +129,15 @@ impl<L: ImpactLaw, N: Number> RegimeOver<N> for Bound<'_, L, N> {
         self.regime.name
     }
 
-    fn guards<'a>(
-        &'a self,
-        contact: &'a Contact<N>,
-    ) -> Box<dyn Iterator<Item = (N, Relation)> + 'a> {
-        let guards = self.regime.guards.iter();
-        Box::new(guards.map(|guard| ((guard.quantity)(self.law, contact), guard.relation)))
+    fn guard(&self, place: usize, contact: &Contact<N>) -> Option<(N, Relation)> {
+        let guard = self.regime.guards.get(place)?;
+        Some(((guard.quantity)(self.law, contact), guard.relation))
     }
 
     fn equation(&self, contact: &Contact<N>) -> Option<Equation<N>> {
         let root = self.regime.root.as_ref()?;
-        Some(Equation {
-            coefficients: (root.coefficients)(self.law, contact).to_vec(),
-            between: (root.between)(self.law, contact),
-        })
+        let coefficients = (root.coefficients)(self.law, contact);
+        Some(Equation::new(coefficients, (root.between)(self.law, contact)))
     }
 
     fn impulse(&self, contact: &Contact<N>, root: &N) -> Impulse<N> {
@@ -136,7 +145,14 @@ impl<L: ImpactLaw, N: Number> RegimeOver<N> for Bound<'_, L, N> {
     }
 
     fn outcome(&self, contact: &Contact<N>, root: &N) -> Outcome<N> {
-        self.regime.outcome(self.law, contact, root)
+        let Self { law, regime } = self;
+        let told = (
+            regime.slip.map(|slip| slip(law, contact, root)),
+            regime.work.map(|work| work(law, contact, root)),
+        );
+        let impulse = (regime.impulse)(law, contact, root);
+        let has_frame = ImpactLaw::frame(*law, contact).is_some();
+        resolution::outcome(&L::INFO, regime.name, contact, impulse, told, has_frame)
     }
 }
 
@@ -154,41 +170,56 @@ impl<L: ImpactLaw, N: Number> Formulas<N> for L {
     }
 
     fn regimes(&self) -> Vec<Box<dyn RegimeOver<N> + '_>> {
-        let bound =
-            |regime| -> Box<dyn RegimeOver<N> + '_> { Box::new(Bound { law: self, regime }) };
-        ImpactLaw::regimes::<N>(self).iter().map(bound).collect()
+        let all = ImpactLaw::regimes::<N>(self);
+        listed(all.len(), &|place| Box::new(Bound { law: self, regime: &all[place] }))
     }
+}
+
+/// The regimes at all places.
+fn listed<'l, N>(
+    count: usize,
+    at: &dyn Fn(usize) -> Box<dyn RegimeOver<N> + 'l>,
+) -> Vec<Box<dyn RegimeOver<N> + 'l>> {
+    (0..count).map(at).collect()
+}
+
+/// A function of a resolution: over the law itself in floats, elsewhere over the table of its formulas.
+macro_rules! resolve {
+    ($number:ty, $function:ident, $law:expr, $given:expr) => {
+        if <$number as Real>::IS_FLOAT {
+            resolution::$function($law, $given)
+        } else {
+            resolution::tabled::$function($law, $given)
+        }
+    };
 }
 
 impl<L: ImpactLaw, N: Real> LawOver<N> for L {
     fn regime(&self, contact: &Contact<N>) -> Result<Taken<N>, NoImpulse> {
-        let Chosen { regime, facing, contact, root } = ImpactLaw::regime(self, contact)?;
-        let root = regime.root.as_ref().map(|_| root);
-        Ok(Taken { name: regime.name, facing, contact, root })
+        let Settled { place, facing, contact, root } = resolve!(N, settled, self, contact)?;
+        Ok(Taken { name: Regimes::<N>::name(self, place), facing, contact, root })
     }
 
     fn place(&self, contact: &Contact<N>) -> Option<usize> {
-        let holds = |regime: &Regime<L, N>| regime.applies(self, contact) == Some(true);
-        ImpactLaw::regimes::<N>(self).iter().position(holds)
+        resolution::place(self, contact)
     }
 
     fn impulse(&self, contact: &Contact<N>) -> Result<Impulse<N>, NoImpulse> {
-        ImpactLaw::impulse(self, contact)
+        resolve!(N::Working, impulse, self, contact)
     }
 
     fn resolve(&self, contact: &Contact<N>) -> Result<Outcome<N>, NoImpulse> {
-        ImpactLaw::resolve(self, contact)
+        Ok(resolve!(N::Working, resolved, self, contact)?.0)
     }
 
     fn resolve_with_root(
         &self,
         contact: &Contact<N>,
     ) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
-        let (outcome, root) = resolved(self, contact.map(N::to_working))?;
-        Ok((outcome.map(N::from_working), root.as_ref().map(N::from_working)))
+        resolve!(N::Working, resolved, self, contact)
     }
 
     fn ratios(&self, alpha: &Alpha<N>) -> Option<Ratios<N>> {
-        ImpactLaw::ratios(self, alpha)
+        resolve!(N::Working, ratios, self, alpha)
     }
 }
