@@ -130,7 +130,7 @@ fn holds(step: &Step, at: &dyn Fn(usize) -> BigInt) -> Option<&'static str> {
 
 #[test]
 fn sums_and_products_that_are_told_are_so_at_points() {
-    let paper = include_str!("../../../docs/derivations/oblique-collision.md");
+    let paper = include_str!("../../../../docs/derivations/oblique-collision.md");
     let short = audited("short.md", &format!("```kane\n{SHORT}\n```\n"));
     let paper = audited("paper.md", paper);
     let mut seen = std::collections::BTreeMap::new();
@@ -264,7 +264,7 @@ fn a_proof_leaves_definitions_as_they_are_where_premises_say_enough() {
 
 #[test]
 fn an_equality_is_told_by_what_its_symbols_are_defined_as_up_to_two_equal_sides() {
-    let paper = audited("p.md", include_str!("../../../docs/derivations/oblique-collision.md"));
+    let paper = audited("p.md", include_str!("../../../../docs/derivations/oblique-collision.md"));
     let (proof, flat) = told(&paper, "(9)");
     let steps = flat(&proof);
     let solved = steps.iter().find_map(|step| match step {
@@ -279,7 +279,7 @@ fn an_equality_is_told_by_what_its_symbols_are_defined_as_up_to_two_equal_sides(
 
 #[test]
 fn a_limit_that_is_not_used_is_not_passed_to() {
-    let paper = audited("p.md", include_str!("../../../docs/derivations/oblique-collision.md"));
+    let paper = audited("p.md", include_str!("../../../../docs/derivations/oblique-collision.md"));
     let (proof, flat) = told(&paper, "literal-BC");
     let passes = flat(&proof).iter().filter(|step| matches!(step, Step::Pass { .. })).count();
     assert_eq!(passes, 1, "multiply by alpha, and let it tend to 0");

@@ -1,8 +1,6 @@
 //! Clean impacts of which an earlier version raised an alarm, or did not name the law: found by random logs, see
 //! `scripts/adversary`.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use kane_impact::laws;
 use kane_records::check::Check;
 use kane_records::format::Format;

@@ -1,7 +1,5 @@
 //! Logs made by equations that are written out here: what they follow is found, with its numbers.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use std::fmt::Write as _;
 
 use kane_impact::laws;

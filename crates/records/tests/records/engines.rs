@@ -1,8 +1,6 @@
 //! Small parts of recorded logs of public engines: what is known of them is found. One row in
 //! eleven of the recordings (2026-11), see `tests/data/README.md`.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use kane_impact::laws;
 use kane_records::check::Check;
 use kane_records::friction::FrictionLaw;
@@ -24,7 +22,7 @@ fn failed(study: &Study, check: Check) -> u64 {
 
 #[test]
 fn pymunk_keeps_every_check_and_is_coulombs() {
-    let study = studied(include_str!("data/pymunk-7.3.1_default.csv"));
+    let study = studied(include_str!("../data/pymunk-7.3.1_default.csv"));
     assert!(study.as_expected(), "{:?}", study.checks);
     assert_eq!(friction(&study), FrictionLaw::Coulomb);
     assert_eq!(study.restitution.as_ref().map(|found| found.law), Some(NormalLaw::Stated));
@@ -33,10 +31,10 @@ fn pymunk_keeps_every_check_and_is_coulombs() {
 
 #[test]
 fn rapier_0_34_is_coulombs_and_rapier_0_36_is_bounded_by_the_compression() {
-    let old = studied(include_str!("data/rapier2d-0.34.0_tight.csv"));
+    let old = studied(include_str!("../data/rapier2d-0.34.0_tight.csv"));
     assert!(old.as_expected(), "{:?}", old.checks);
     assert_eq!(friction(&old), FrictionLaw::Coulomb);
-    let new = studied(include_str!("data/rapier2d-0.36.1_tight.csv"));
+    let new = studied(include_str!("../data/rapier2d-0.36.1_tight.csv"));
     assert_eq!(friction(&new), FrictionLaw::Compression);
     assert_eq!(new.friction[0].consistent, new.friction[0].rows);
     assert_eq!(new.restitution.as_ref().map(|found| found.law), Some(NormalLaw::Stated));
@@ -51,7 +49,7 @@ fn rapier_0_34_is_coulombs_and_rapier_0_36_is_bounded_by_the_compression() {
 
 #[test]
 fn box2d_is_coulombs_about_a_contact_point_within_its_margin() {
-    let study = studied(include_str!("data/box2d-2.3.10_v2x_above_threshold.csv"));
+    let study = studied(include_str!("../data/box2d-2.3.10_v2x_above_threshold.csv"));
     assert_eq!(study.precision.told.format.name(), "binary32");
     assert_eq!(friction(&study), FrictionLaw::Coulomb);
     assert_eq!(study.restitution.as_ref().map(|found| found.law), Some(NormalLaw::Stated));
@@ -61,7 +59,7 @@ fn box2d_is_coulombs_about_a_contact_point_within_its_margin() {
 
 #[test]
 fn mujoco_has_its_own_restitution_and_roughly_coulombs_friction() {
-    let study = studied(include_str!("data/mujoco-4.0.0_default.csv"));
+    let study = studied(include_str!("../data/mujoco-4.0.0_default.csv"));
     let found = study.restitution.as_ref().expect("it approaches");
     assert_eq!(found.law, NormalLaw::Depends);
     assert!(found.observed[2] > 1.5 && failed(&study, Check::Energy) == 0);

@@ -1,8 +1,6 @@
 //! Faults planted into recorded logs of public engines: each changes what is found, against the recording without it.
 //! One row in eleven of the recordings (2026-11), see `tests/data/README.md`.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use kane_impact::laws;
 use kane_records::check::Check;
 use kane_records::comparison::{Comparison, compare};
@@ -11,12 +9,12 @@ use kane_records::study::{Options, Study, study};
 
 /// The recordings, each with its name.
 const RECORDINGS: [(&str, &str); 6] = [
-    ("pymunk", include_str!("data/pymunk-7.3.1_default.csv")),
-    ("rapier 0.34.0 tight", include_str!("data/rapier2d-0.34.0_tight.csv")),
-    ("rapier 0.36.1 tight", include_str!("data/rapier2d-0.36.1_tight.csv")),
-    ("box2d", include_str!("data/box2d-2.3.10_v2x_above_threshold.csv")),
-    ("mujoco", include_str!("data/mujoco-4.0.0_default.csv")),
-    ("rapier 0.36.1 default", include_str!("data/rapier2d-0.36.1_default.csv")),
+    ("pymunk", include_str!("../data/pymunk-7.3.1_default.csv")),
+    ("rapier 0.34.0 tight", include_str!("../data/rapier2d-0.34.0_tight.csv")),
+    ("rapier 0.36.1 tight", include_str!("../data/rapier2d-0.36.1_tight.csv")),
+    ("box2d", include_str!("../data/box2d-2.3.10_v2x_above_threshold.csv")),
+    ("mujoco", include_str!("../data/mujoco-4.0.0_default.csv")),
+    ("rapier 0.36.1 default", include_str!("../data/rapier2d-0.36.1_default.csv")),
 ];
 
 // dt, phase, mass, radius, inertia, mu, e, then v_x, v_y and omega before and after

@@ -1,8 +1,6 @@
 //! Logs made by every published law, with floats of either format: the law is named among those
 //! that give every row, nothing that mechanics asks is called broken, and a planted fault is found.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use std::fmt::Write as _;
 
 use kane_impact::bodies::{Collision, Motion, PlanarBody};

@@ -1,8 +1,6 @@
 //! A log of measured impacts: the spheres of Kharaz, Gorham and Salman, whose digitised points are in
 //! `docs/data`.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use std::fmt::Write as _;
 
 use kane_impact::laws;
@@ -27,8 +25,8 @@ fn points(file: &str) -> Vec<(f64, f64)> {
 /// away, and is taken between its neighbours; the rebound along the normal was not digitised, and is
 /// the published e = 0.98 times the approach.
 fn log() -> String {
-    let velocities = points(include_str!("../../../docs/data/kharaz-2001-restitution.csv"));
-    let spins = points(include_str!("../../../docs/data/kharaz-2001-spin.csv"));
+    let velocities = points(include_str!("../../../../docs/data/kharaz-2001-restitution.csv"));
+    let spins = points(include_str!("../../../../docs/data/kharaz-2001-spin.csv"));
     let between = |angle: f64| {
         let pair = spins.windows(2).find(|pair| pair[0].0 <= angle && angle <= pair[1].0)?;
         let share = (angle - pair[0].0) / (pair[1].0 - pair[0].0);

@@ -1,8 +1,6 @@
 //! A pyramid in place of the cone of friction: named along its diagonals, Coulomb's along its axes, and
 //! out of the plane between them.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use std::fmt::Write as _;
 
 use kane_impact::laws;

@@ -1,7 +1,5 @@
 //! What is no row is rejected, counted and listed; what is no log is an error.
 
-#![allow(clippy::float_arithmetic, reason = "logs are made of floats")]
-
 use std::fmt::Write as _;
 use std::io::Read as _;
 

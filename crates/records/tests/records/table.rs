@@ -5,7 +5,7 @@ use kane_records::reader::{Kind, ReadFault};
 use kane_records::study::{Options, Study, study};
 use kane_records::table::{Cells, Table, study_table};
 
-const LOG: &str = include_str!("data/pymunk-7.3.1_default.csv");
+const LOG: &str = include_str!("../data/pymunk-7.3.1_default.csv");
 
 /// The cells of a log in CSV, without its comments.
 fn cells(log: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
