@@ -34,6 +34,8 @@ fn hostile() -> Vec<String> {
         "var x\nclaim a: (x + 1)^999 >= (x - 1)^998".to_owned(),
         format!("var {}\nclaim a: exists m: {}", names(400), above(400)),
         format!("var x\nlet f0 := x\n{}claim a: exists m: m > f39", doubled(40)),
+        "var x, y\nclaim a: x^10000 + y^10000 >= 2*x^5000*y^5000".to_owned(),
+        "var x, y\nclaim a: x^10000 + y^10000 > 3*x^5001*y^4999 when x^9999 > 7*y".to_owned(),
         "var x, y, z\nclaim a: (x + y + z + 1)^60 != (x - y + 2*z)^61".to_owned(),
     ]
 }

@@ -37,3 +37,25 @@ fn its_neighbour_that_allows_no_loss_is_proved() {
     let audit = audited("claim dissipates: T_r <= T_0   when mu > 0   from loss");
     assert_eq!(audit.judgements.last().expect("it was judged").verdict, Verdict::Proved);
 }
+
+/// Witnesses lie between a sphere and a plane that nearly touches it: √n is the greatest sum.
+#[test]
+fn a_claim_that_fails_between_two_boundaries_near_each_other_is_refuted() {
+    for (names, most) in [
+        ("a, b, c", "1732/1000"),
+        ("a, b, c, s", "1999/1000"),
+        ("a, b, c, s, p", "2236/1000"),
+        ("a, b, c, s, p, q", "2449/1000"),
+    ] {
+        let range = names.replace(", ", " <= 1, 0 <= ");
+        let squares = names.replace(", ", "^2 + ");
+        let sum = names.replace(", ", " + ");
+        let text = format!(
+            "```kane\nvar 0 <= {range} <= 1\nclaim most: {sum} <= {most} when {squares}^2 <= 1\n```\n"
+        );
+        let document = read("sphere.md", text.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let claim = audit.judgements.last().expect("there is a claim");
+        assert_eq!(claim.verdict, Verdict::Refuted, "{text}");
+    }
+}
