@@ -130,11 +130,9 @@ impl Algebraic {
     #[must_use]
     pub fn isolating_interval(&self) -> (Rational, Rational) {
         let polynomial = self.polynomial().into_iter().map(Rational::from_integer).collect();
-        let polynomial = Uni::new(polynomial);
-        let sturm = Sturm::new(&polynomial);
+        let sturm = Sturm::new(&Uni::new(polynomial));
         self.settle(|low, high| {
-            let alone =
-                low == high || (sturm.count(low, high) == 1 && !polynomial.eval(low).is_zero());
+            let alone = low == high || sturm.has_one(low, high);
             alone.then(|| (low.clone(), high.clone()))
         })
     }
@@ -180,13 +178,10 @@ impl Algebraic {
         }
     }
 
-    /// How many roots of a square-free polynomial are greater than this one of them, which is irrational. The last
-    /// coefficient is 1 at least.
+    /// How many roots of a square-free polynomial are greater than this one of them, which is irrational.
     fn roots_above(&self, polynomial: &Uni<Rational>) -> usize {
-        // beyond 1 + Σ|cᵢ| there is none (Cauchy)
-        let bound = polynomial.0.iter().fold(Rational::one(), |sum, c| sum + c.abs());
         let sturm = Sturm::new(polynomial);
-        self.settle(|low, high| (sturm.count(low, high) == 1).then(|| sturm.count(high, &bound)))
+        self.settle(|low, high| sturm.has_one(low, high).then(|| sturm.count_above(high)))
     }
 
     fn root_of_rational(radicand: &Rational) -> Self {

@@ -42,17 +42,16 @@ pub(crate) fn quotient<F: Format>(a: F, b: F, direction: Outward) -> F {
         return zero;
     }
     let quotient = a / b;
-    let infinite = a.is_infinite();
-    let small = |x: F| x.abs() < F::small();
-    if small(quotient) || (small(a) && !infinite) {
-        return step(quotient, direction);
+    if a.is_infinite() {
+        return quotient;
     }
-    if infinite || quotient.is_infinite() {
-        return settle(quotient, zero, direction, infinite);
+    let small = |x: F| x.abs() < F::small();
+    if small(quotient) || small(a) {
+        return step(quotient, direction);
     }
     // The residue a − q·b is a float; over b it has the sign of the error.
     let (product, error) = two_product(quotient, b);
-    // It is NaN where the product overflows.
+    // It is NaN where the product overflows, or the quotient has.
     let residue = (a - product) - error;
     let sign = if b.is_negative() { -residue } else { residue };
     settle(quotient, sign, direction, false)

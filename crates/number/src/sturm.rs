@@ -32,6 +32,16 @@ impl Sturm<Rational> {
         Some(greatest.ceil() + Integer::from(1))
     }
 
+    /// The number of distinct real roots above x.
+    pub(crate) fn count_above(&self, x: &Rational) -> usize {
+        self.bound().map_or(0, |bound| self.count(x, &bound))
+    }
+
+    /// Whether there is one root from low to high, which is not low itself.
+    pub(crate) fn has_one(&self, low: &Rational, high: &Rational) -> bool {
+        self.chain.first().is_some_and(|f| !is_zero(&value(f, low))) && self.count(low, high) == 1
+    }
+
     /// An interval (low, high] for each distinct real root, ascending: by halving the interval
     /// that Cauchy's bound gives.
     pub(crate) fn isolate(&self) -> Vec<(Rational, Rational)> {
@@ -77,11 +87,14 @@ impl<N: Ordered> Sturm<N> {
     }
 
     fn changes(&self, x: &N) -> usize {
-        let value = |f: &Vec<N>| f.iter().rev().fold(N::zero(), |sum, c| sum * x + c);
-        let signs: Vec<bool> =
-            self.chain.iter().map(value).filter(|v| !is_zero(v)).map(|v| is_positive(&v)).collect();
+        let values = self.chain.iter().map(|f| value(f, x));
+        let signs: Vec<bool> = values.filter(|v| !is_zero(v)).map(|v| is_positive(&v)).collect();
         signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
+}
+
+fn value<N: Ordered>(polynomial: &[N], x: &N) -> N {
+    polynomial.iter().rev().fold(N::zero(), |sum, c| sum * x + c)
 }
 
 fn is_zero<N: Ordered>(number: &N) -> bool {

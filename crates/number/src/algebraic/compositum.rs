@@ -99,8 +99,8 @@ fn isolate_sum(
         let (low, high) = a.generator(bits);
         let (from, to) = times(&b.generator(bits), &(k.clone(), k.clone()));
         let (low, high) = (low + from, high + to);
-        // γ, which is irrational, is between the ends: that the upper one is no root is counted
-        if !polynomial.eval(&low).is_zero() && sturm.count(&low, &high) == 1 {
+        // γ, which is irrational, lies between the ends: then the upper one is no root either
+        if sturm.has_one(&low, &high) {
             let factor = factor_at(polynomial, &factors(polynomial), &low, &high);
             return (factor, low, high);
         }

@@ -48,9 +48,8 @@ impl Real for Algebraic {
                         if low == high {
                             return Some(value(f, x) == Self::zero());
                         }
-                        let alone =
-                            norm.eval(low) != Rational::default() && all.count(low, high) == 1;
-                        alone.then(|| sturm.count(&low.clone().into(), &high.clone().into()) == 1)
+                        all.has_one(low, high)
+                            .then(|| sturm.count(&low.clone().into(), &high.clone().into()) == 1)
                     })
                 };
                 let candidates = Self::roots(&norm.0).into_iter().rev();

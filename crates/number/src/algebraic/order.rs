@@ -68,7 +68,7 @@ impl Algebraic {
             }
             let ((low, high), (from, to)) = (self.enclose(bits), other.enclose(bits));
             let (low, high) = (low.min(from), high.max(to));
-            if meet && !common.eval(&low).is_zero() && sturm.count(&low, &high) == 1 {
+            if meet && sturm.has_one(&low, &high) {
                 return Ordering::Equal;
             }
             bits *= 2;

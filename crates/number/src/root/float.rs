@@ -16,8 +16,8 @@ const EVALUATION: i64 = -98;
 /// The greatest root in \[lower, upper\], see [`Real::greatest_root`](crate::Real::greatest_root).
 ///
 /// `noise` is the binary logarithm of the relative error that the caller's coefficients carry. It
-/// decides nothing while there is a change of sign, a root of the closed form strictly inside, or an
-/// end that is a root exactly; only when there is none, the highest end or critical point counts at
+/// decides nothing while there is a change of sign, a root of the closed form inside, or an end
+/// that is a root exactly; only when there is none, the highest end or critical point counts at
 /// which the polynomial vanishes to within that noise.
 ///
 /// Degree 1 by division, degree 2 by the stable formula, degree 3 on the monotone pieces between
@@ -45,7 +45,7 @@ pub(crate) fn greatest_root(
         // As promised one end is a root; the upper one is the greater.
         return Some(*upper);
     }
-    let inside = |x: &Scaled| lower < x && x < upper;
+    let inside = |x: &Scaled| lower <= x && x < upper;
     let mut ends = vec![*upper];
     let root = match f.0 {
         [c0, c1] => Some(-*c0 / c1).filter(inside),
@@ -198,6 +198,7 @@ impl Polynomial<'_> {
 }
 
 /// An interval with opposite signs at its ends.
+#[derive(Clone, Copy)]
 struct Bracket {
     lower: Scaled,
     upper: Scaled,
@@ -264,9 +265,12 @@ mod tests {
                             upper: r * number(9) / number(8),
                             negative_above: sign < 0,
                         };
-                        let found = Polynomial(&f).newton(bracket, 10);
-                        let off = (found - r).abs();
-                        assert!(off <= r.scaled_by(-95), "{r}, {a}, {b}: {off}");
+                        // and they end by themselves
+                        for most in [10, usize::MAX] {
+                            let found = Polynomial(&f).newton(bracket, most);
+                            let off = (found - r).abs();
+                            assert!(off <= r.scaled_by(-95), "{r}, {a}, {b}: {off}");
+                        }
                         tried += 1;
                     }
                 }

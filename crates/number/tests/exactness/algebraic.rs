@@ -128,6 +128,10 @@ fn roots_come_in_order_and_once() {
     let roots = Algebraic::roots(&[-6, 9, 2, -6, 0, 1].map(|c| rational(c, 1)));
     let written: Vec<String> = roots.iter().map(ToString::to_string).collect();
     assert_eq!(written, ["-2", "-sqrt(3)", "1", "sqrt(3)"]);
+    // (1 ± √5)/2 lie beyond every quotient of two coefficients
+    let golden = Algebraic::roots(&[-1, -1, 1].map(|c| rational(c, 1)));
+    let written: Vec<String> = golden.iter().map(ToString::to_string).collect();
+    assert_eq!(written, ["1/2 - 1/2*sqrt(5)", "1/2 + 1/2*sqrt(5)"]);
     assert!(Algebraic::roots(&[]).is_empty() && Algebraic::roots(&[rational(1, 1)]).is_empty());
     assert!(Algebraic::roots(&[rational(1, 1), rational(0, 1), rational(1, 1)]).is_empty());
 }
@@ -164,6 +168,10 @@ fn nested_roots_are_exact() {
     let fourth = root_of(2).sqrt().expect("positive");
     assert_eq!(fourth.square(), root_of(2));
     assert!((-root_of(2)).sqrt().is_none());
+    // of the roots of x³ − 3x + 1 one is negative, and of the others each has its own
+    for x in Algebraic::roots(&[1, -3, 0, 1].map(|c| rational(c, 1))) {
+        assert_eq!(x.sqrt().map(|root| root.square()), (!x.is_negative()).then_some(x));
+    }
 }
 
 #[test]

@@ -129,6 +129,11 @@ fn what_cannot_be_solved_is_refused() {
     let two = rational(2, 1);
     let f = [-two.clone(), rational(0, 1), rational(1, 1)];
     assert_eq!(Rational::greatest_root(&f, &rational(0, 1), &two), None);
+    let line = [-two.clone(), rational(1, 1)];
+    for (lower, upper) in [(0, 1), (3, 4), (3, 1)] {
+        let (lower, upper) = (rational(lower, 1), rational(upper, 1));
+        assert_eq!(Rational::greatest_root(&line, &lower, &upper), None, "2 is elsewhere");
+    }
 }
 
 #[test]
