@@ -1,10 +1,10 @@
-//! What the audit makes of documents: one program, so that both cores have something to do until the end.
+//! What the audit makes of documents: one program, so that both cores have something to do until the end; what is held to a
+//! time or to room is alone in `budget` and `reader`.
 
 mod counterexamples;
 mod inequalities;
 mod linear;
 mod memo;
-mod reader;
 mod small_places;
 mod summands;
 mod telling;

@@ -3,7 +3,7 @@
 use kane_audit::read;
 use proptest::prelude::*;
 
-use super::{GOOD, LOWERED};
+use crate::{GOOD, LOWERED};
 
 /// Documents near the good ones: pieces of them dropped, doubled, moved, and bytes changed.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
