@@ -55,6 +55,46 @@ pub(crate) trait Regimes<N> {
     fn work(&self, place: usize, contact: &Contact<N>, root: &N) -> Option<N>;
 }
 
+/// What a function makes of the first regime that applies, and its root, at a contact that faces forwards.
+///
+/// At a place that is a constant the compiler sees the formulas of the regime and what they share, which is worth its
+/// length where these are a few instructions; a function that took `then` as a value would hide them.
+macro_rules! taken {
+    ($number:ty, $law:ident, $contact:ident, $then:path) => {
+        'taken: {
+            if <$number>::IS_FLOAT {
+                if let Some(root) = at($law, 0, &$contact) {
+                    break 'taken match root {
+                        Ok(root) => $then($law, 0, &$contact, root),
+                        Err(none) => Err(none),
+                    };
+                }
+                if let Some(root) = at($law, 1, &$contact) {
+                    break 'taken match root {
+                        Ok(root) => $then($law, 1, &$contact, root),
+                        Err(none) => Err(none),
+                    };
+                }
+                if let Some(root) = at($law, 2, &$contact) {
+                    break 'taken match root {
+                        Ok(root) => $then($law, 2, &$contact, root),
+                        Err(none) => Err(none),
+                    };
+                }
+            }
+            for place in if <$number>::IS_FLOAT { 3 } else { 0 }..$law.count() {
+                if let Some(root) = at($law, place, &$contact) {
+                    break 'taken match root {
+                        Ok(root) => $then($law, place, &$contact, root),
+                        Err(none) => Err(none),
+                    };
+                }
+            }
+            Err(outside($law.info()))
+        }
+    };
+}
+
 /// The regime that a law takes, and what its formulas are given.
 pub(crate) struct Settled<N> {
     pub(crate) place: usize,
@@ -76,7 +116,7 @@ pub(crate) fn settled<F: Regimes<N> + ?Sized, N: Real>(
     contact: &Contact<N>,
 ) -> Result<Settled<N>, NoImpulse> {
     let (facing, contact) = forwards(law, contact.clone())?;
-    let (place, root) = taken(law, &contact, |_, place, _, root| Ok((place, root)))?;
+    let (place, root) = taken!(N, law, contact, itself)?;
     Ok(Settled { place, facing, contact, root })
 }
 
@@ -95,7 +135,7 @@ pub(crate) fn impulse<F: Regimes<N::Working> + ?Sized, N: Real>(
     contact: &Contact<N>,
 ) -> Result<Impulse<N>, NoImpulse> {
     let (facing, contact) = forwards(law, contact.map(N::to_working))?;
-    let impulse = taken(law, &contact, accepted_impulse)?;
+    let impulse = taken!(N::Working, law, contact, accepted_impulse)?;
     let impulse = match facing {
         Facing::Forward => impulse,
         Facing::Backward => impulse.mirrored(),
@@ -150,7 +190,7 @@ fn working<F: Regimes<N> + ?Sized, N: Real>(
     contact: Contact<N>,
 ) -> Result<(Outcome<N>, Option<N>), NoImpulse> {
     let (facing, contact) = forwards(law, contact)?;
-    let (outcome, root) = taken(law, &contact, accepted_outcome)?;
+    let (outcome, root) = taken!(N, law, contact, accepted_outcome)?;
     Ok(match facing {
         Facing::Forward => (outcome, root),
         Facing::Backward => (outcome.mirrored(), root),
@@ -172,58 +212,44 @@ fn forwards<F: Regimes<N> + ?Sized, N: Real>(
     }
 }
 
-/// What `then` makes of the first regime that applies, and its root, at a contact that faces forwards.
+/// The root of the regime at a place, if it has one; `None` if there is no such regime or it does not apply.
 #[inline(always)]
-fn taken<F: Regimes<N> + ?Sized, N: Real, T>(
-    law: &F,
-    contact: &Contact<N>,
-    then: impl Fn(&F, usize, &Contact<N>, Option<N>) -> Result<T, NoImpulse>,
-) -> Result<T, NoImpulse> {
-    // At a place that is a constant the compiler sees the formulas of the regime and what they share.
-    // It is worth its length where these are a few instructions.
-    if N::IS_FLOAT
-        && let Some(value) = at(law, 0, contact, &then)
-            .or_else(|| at(law, 1, contact, &then))
-            .or_else(|| at(law, 2, contact, &then))
-    {
-        return value;
-    }
-    for place in if N::IS_FLOAT { 3 } else { 0 }..law.count() {
-        if let Some(value) = at(law, place, contact, &then) {
-            return value;
-        }
-    }
-    Err(outside(law.info()))
-}
-
-/// The same of the regime at a place; `None` if there is none or it does not apply.
-#[inline(always)]
-fn at<F: Regimes<N> + ?Sized, N: Real, T>(
+fn at<F: Regimes<N> + ?Sized, N: Real>(
     law: &F,
     place: usize,
     contact: &Contact<N>,
-    then: &impl Fn(&F, usize, &Contact<N>, Option<N>) -> Result<T, NoImpulse>,
-) -> Option<Result<T, NoImpulse>> {
+) -> Option<Result<Option<N>, NoImpulse>> {
     if place >= law.count() {
         return None;
     }
+    let here = || (law.info().id, law.name(place));
     match law.applies(place, contact) {
         Some(true) => {}
         Some(false) => return None,
         None => {
-            let (law, regime) = (law.info().id, law.name(place));
+            let (law, regime) = here();
             return Some(Err(NoImpulse::Undecided { law, regime }));
         }
     }
-    let root = match law.root(place, contact) {
-        None => None,
-        Some(Some(root)) => Some(root),
+    Some(match law.root(place, contact) {
+        None => Ok(None),
+        Some(Some(root)) => Ok(Some(root)),
         Some(None) => {
-            let (law, regime) = (law.info().id, law.name(place));
-            return Some(Err(NoImpulse::Unrepresentable { law, regime }));
+            let (law, regime) = here();
+            Err(NoImpulse::Unrepresentable { law, regime })
         }
-    };
-    Some(then(law, place, contact, root))
+    })
+}
+
+/// The place of a regime, and its root.
+#[inline(always)]
+fn itself<F: Regimes<N> + ?Sized, N: Real>(
+    _: &F,
+    place: usize,
+    _: &Contact<N>,
+    root: Option<N>,
+) -> Result<(usize, Option<N>), NoImpulse> {
+    Ok((place, root))
 }
 
 /// The impulse of a regime, if the law accepts it.
