@@ -61,36 +61,25 @@ pub(crate) trait Regimes<N> {
 /// length where these are a few instructions; a function that took `then` as a value would hide them.
 macro_rules! taken {
     ($number:ty, $law:ident, $contact:ident, $then:path) => {
+        taken!($number, $law, $contact, $then, first 3: 0, 1, 2)
+    };
+    ($number:ty, $law:ident, $contact:ident, $then:path, first $count:literal: $($place:expr),*) => {
         'taken: {
             if <$number>::IS_FLOAT {
-                if let Some(root) = at($law, 0, &$contact) {
-                    break 'taken match root {
-                        Ok(root) => $then($law, 0, &$contact, root),
-                        Err(none) => Err(none),
-                    };
-                }
-                if let Some(root) = at($law, 1, &$contact) {
-                    break 'taken match root {
-                        Ok(root) => $then($law, 1, &$contact, root),
-                        Err(none) => Err(none),
-                    };
-                }
-                if let Some(root) = at($law, 2, &$contact) {
-                    break 'taken match root {
-                        Ok(root) => $then($law, 2, &$contact, root),
-                        Err(none) => Err(none),
-                    };
-                }
+                $(taken!($law, $contact, $then, $place, 'taken);)*
             }
-            for place in if <$number>::IS_FLOAT { 3 } else { 0 }..$law.count() {
-                if let Some(root) = at($law, place, &$contact) {
-                    break 'taken match root {
-                        Ok(root) => $then($law, place, &$contact, root),
-                        Err(none) => Err(none),
-                    };
-                }
+            for place in if <$number>::IS_FLOAT { $count } else { 0 }..$law.count() {
+                taken!($law, $contact, $then, place, 'taken);
             }
             Err(outside($law.info()))
+        }
+    };
+    ($law:ident, $contact:ident, $then:path, $place:expr, $taken:lifetime) => {
+        if let Some(root) = at($law, $place, &$contact) {
+            break $taken match root {
+                Ok(root) => $then($law, $place, &$contact, root),
+                Err(none) => Err(none),
+            };
         }
     };
 }

@@ -97,7 +97,8 @@ impl Search<'_> {
                 }
                 let mut assignment: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
                 assignment.extend(alone.iter().cloned());
-                let work: u64 = state.atoms.iter().map(|a| burden(&a.poly, &assignment)).sum();
+                let burdens = state.atoms.iter().map(|a| burden(&a.poly, &assignment));
+                let work = burdens.fold(0, u64::saturating_add);
                 if state.scope.fuel.spend_beyond(work).is_err() {
                     return None;
                 }
