@@ -46,6 +46,13 @@ pub fn prove_goal(goal: &Goal, budget: Budget) -> Result<Decided, Open> {
     found.decided.ok_or(found.open.unwrap_or(Open::NoProof(budget.steps)))
 }
 
+/// Whether a goal is proved, as what the kernel accepted says, with a part of this work.
+pub(crate) fn is_proved(goal: &Goal, budget: Budget, work: &Fuel) -> bool {
+    let earlier = RefCell::default();
+    let work = work.within(budget.document);
+    Prover { work, ..alone(goal, &[], budget, &earlier) }.prove(goal).decided.is_some()
+}
+
 /// That a goal is refuted at a point, if the kernel accepts it.
 ///
 /// # Errors

@@ -21,6 +21,7 @@ mod dollars;
 mod existence;
 mod exponential;
 mod hint;
+mod interior;
 mod label;
 mod sequence;
 mod statement;

@@ -1,23 +1,20 @@
 //! Symbols that equations tie to the variable of a derivative, which would hold them fixed.
 //!
 //! The equations of a claim's premises and conditions are taken together: y = z and z = x² tie y to x.
-//! Two sides each of which is at most the other are equal. What the equations pin to one value, such
+//! Inequalities that hold only with equality are equations, too. What the equations pin to one value, such
 //! as m in m = 2, ties nothing to anything.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 use std::rc::Rc;
 
 use kane_algebra::rational_function::RationalFunction;
 use kane_algebra::syntax::{Angle, Scope};
-use kane_kernel::{Expr, Link, Rel, Relation, Target};
-use num_traits::Signed as _;
+use kane_kernel::{Expr, Fuel, Link, Rel, Relation, Target};
 
 use super::Fault;
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
-
-/// Inequalities of a claim above which no two are compared: each then counts as an equation.
-const MAX_INEQUALITIES: usize = 100;
+use super::interior::{WORK, tight};
 
 /// What varies in a derivative.
 #[derive(Clone, Debug)]
@@ -29,14 +26,11 @@ struct Derivative {
     total: bool,
 }
 
-/// An equation, or one side at most the other, as a difference.
+/// What a relation speaks of.
 #[derive(Debug)]
 struct Difference {
-    lower: Expr,
-    upper: Expr,
-    is_equation: bool,
-    /// upper − lower, if it can be written out
-    value: Option<RationalFunction>,
+    relation: Relation,
+    /// the symbols of the difference of its sides, in lowest terms
     symbols: BTreeSet<usize>,
 }
 
@@ -48,17 +42,32 @@ pub(super) struct Ties<'a> {
     /// by statement
     derivatives: HashMap<usize, Rc<Vec<Derivative>>>,
     relations: HashMap<usize, Rc<Vec<Rc<Difference>>>>,
+    /// what is left to tell which inequalities are equations
+    work: Fuel,
 }
 
 /// An equation and what states it: cited statements, or the claim's own conditions.
+#[derive(Clone, Debug)]
 struct Equation {
     symbols: BTreeSet<usize>,
     cited: Vec<Option<usize>>,
 }
 
+/// A symbol that is tied to the variable of a derivative.
+#[derive(Debug)]
+struct Tied {
+    symbol: usize,
+    to: usize,
+    /// what states the equations between them
+    links: Vec<Option<usize>>,
+    /// the statement with the derivative
+    place: usize,
+}
+
 impl<'a> Ties<'a> {
     pub(super) fn new(scope: &'a Scope, drafts: &'a [Draft]) -> Self {
-        Self { scope, drafts, derivatives: HashMap::new(), relations: HashMap::new() }
+        let (derivatives, relations) = (HashMap::new(), HashMap::new());
+        Self { scope, drafts, derivatives, relations, work: Fuel::new(WORK) }
     }
 
     /// The fault that the premises of a claim, each at its place in the list, or its conditions tie a
@@ -81,6 +90,9 @@ impl<'a> Ties<'a> {
         if let Some(sought) = premises.iter().find(|(premise, _)| self.is_sought(*premise)) {
             return Some(Self::beside_sought(sought.1));
         }
+        if derivatives.iter().all(|(derivative, _)| derivative.others.is_empty()) {
+            return None;
+        }
         let mut relations = Vec::new();
         for (place, (premise, _)) in premises.iter().enumerate() {
             let said = self.relations_of(*premise);
@@ -89,24 +101,43 @@ impl<'a> Ties<'a> {
         let own = self.claim(index)?;
         let of_target = target.map(|target| when_of(&self.drafts.get(target)?.body));
         for relation in own.when.iter().chain(of_target.flatten().unwrap_or_default()) {
-            relations.extend(self.differences(relation).into_iter().map(|d| (Rc::new(d), None)));
+            relations.push((Rc::new(self.difference(relation)), None));
         }
-        let mut equations = equations(&relations);
+        let said: Vec<&Relation> = relations.iter().map(|(d, _)| &d.relation).collect();
+        let alone = |rel: fn(Rel) -> bool| -> Vec<Vec<usize>> {
+            (0..said.len()).filter(|i| rel(said[*i].rel)).map(|i| vec![i]).collect()
+        };
+        let equal = equations(&relations, &alone(|rel| rel == Rel::Eq));
+        if let Some(tied) = self.tied(equal.clone(), &derivatives) {
+            return Some(self.fault(index, premises, tied, true));
+        }
+        let tight = tight(self.scope.context(), &said, &self.work);
+        let sure = tight.is_some();
+        let tight = equations(&relations, &tight.unwrap_or_else(|| alone(|rel| rel != Rel::Eq)));
+        let tied = self.tied([equal, tight].concat(), &derivatives)?;
+        Some(self.fault(index, premises, tied, sure))
+    }
+
+    /// What equations tie in one of the derivatives.
+    fn tied(
+        &self,
+        mut equations: Vec<Equation>,
+        derivatives: &[(Derivative, usize)],
+    ) -> Option<Tied> {
         // an angle, its cosine and its sine vary together, whatever is said of them
         equations.extend(self.scope.angles().map(|(theta, Angle { cos, sin, .. })| Equation {
             symbols: [theta, cos, sin].into(),
             cited: Vec::new(),
         }));
         let vars = &self.scope.context().vars;
-        let (symbol, chain, (x, place)) = derivatives.iter().find_map(|(derivative, place)| {
+        derivatives.iter().find_map(|(derivative, place)| {
             let Derivative { by, others, total } = derivative;
             let varies = |v: &usize| vars.get(*v).is_some_and(|var| var.of == Some(*by));
             let ties = |e: &&Equation| !total || !e.symbols.iter().any(varies);
-            let (y, chain) =
+            let (symbol, links) =
                 chain(&equations.iter().filter(ties).collect::<Vec<_>>(), *by, others)?;
-            Some((y, chain, (*by, *place)))
-        })?;
-        Some(self.fault(index, premises, (symbol, x), &chain, place))
+            Some(Tied { symbol, to: *by, links, place: *place })
+        })
     }
 
     /// Whether a statement says that something exists for which nothing is named.
@@ -133,16 +164,15 @@ impl<'a> Ties<'a> {
         &self,
         index: usize,
         premises: &[(usize, &Cited)],
-        (y, x): (usize, usize),
-        chain: &[Option<usize>],
-        place: usize,
+        Tied { symbol, to, links, place }: Tied,
+        sure: bool,
     ) -> Fault {
         let name = |v: usize| self.scope.context().vars.get(v).map_or("?", |var| &var.name);
-        let (x, y) = (name(x), name(y));
+        let (x, y) = (name(to), name(symbol));
         let own = |draft: &Draft| draft.parts.label.clone();
         let mut span: Range<usize> = self.drafts.get(index).map(own).unwrap_or_default();
         let mut labels: Vec<String> = Vec::new();
-        for link in chain {
+        for link in &links {
             let cited = link.and_then(|place| premises.get(place)).map(|(_, cited)| cited);
             if let Some(cited) = cited {
                 span = cited.span.clone();
@@ -152,10 +182,13 @@ impl<'a> Ties<'a> {
                 labels.push(label);
             }
         }
-        let message = match labels.as_slice() {
-            [one] => format!("{one} ties `{y}` to `{x}`"),
-            several => format!("{} together tie `{y}` to `{x}`", several.join(", ")),
+        let tie = match (labels.as_slice(), sure) {
+            ([one], true) => format!("{one} ties"),
+            ([one], false) => format!("{one} may tie"),
+            (several, true) => format!("{} together tie", several.join(", ")),
+            (several, false) => format!("{} together may tie", several.join(", ")),
         };
+        let message = format!("{tie} `{y}` to `{x}`");
         let where_it_is = match self.drafts.get(place) {
             Some(draft) if place != index => format!("`{}`", draft.label),
             _ => "this claim".to_owned(),
@@ -212,101 +245,38 @@ impl<'a> Ties<'a> {
         }
         let body = self.drafts.get(index).map(|draft| &draft.body);
         let relations = body.map(relations).unwrap_or_default();
-        let found = relations.into_iter().filter_map(|r| self.differences(r)).map(Rc::new);
+        let found = relations.into_iter().map(|r| Rc::new(self.difference(r)));
         let found = Rc::new(found.collect::<Vec<_>>());
         self.relations.insert(index, found.clone());
         found
     }
 
-    /// What an equation or an inequality that is not strict says; nothing if it is an identity.
-    fn differences(&self, relation: &Relation) -> Option<Difference> {
-        let (lower, upper) = match relation.rel {
-            Rel::Eq | Rel::Le => (&relation.lhs, &relation.rhs),
-            Rel::Ge => (&relation.rhs, &relation.lhs),
-            Rel::Ne | Rel::Lt | Rel::Gt => return None,
-        };
-        let difference = Expr::Sub(upper.clone().into(), lower.clone().into());
-        let value = RationalFunction::from_expr(&difference, self.scope.context()).ok();
-        let symbols: BTreeSet<usize> = match &value {
-            Some(value) => value.fraction().0.vars().into_iter().collect(),
-            None => self.scope.symbols(&difference),
-        };
+    fn difference(&self, relation: &Relation) -> Difference {
+        let (lhs, rhs) = (relation.lhs.clone(), relation.rhs.clone());
+        let difference = Expr::Sub(lhs.into(), rhs.into());
+        let symbols: BTreeSet<usize> =
+            match RationalFunction::from_expr(&difference, self.scope.context()) {
+                Ok(value) => value.fraction().0.vars().into_iter().collect(),
+                Err(_) => self.scope.symbols(&difference),
+            };
         // what is said of an exponential is said of what is in it
         let symbols = self.scope.with_factors(symbols);
-        let is_equation = relation.rel == Rel::Eq;
-        let (lower, upper) = (lower.clone(), upper.clone());
-        Some(Difference { lower, upper, is_equation, value, symbols })
-    }
-}
-
-impl Difference {
-    /// Whether the two say the opposite of each other, up to a positive factor, so that together they
-    /// are an equation.
-    fn opposes(&self, other: &Self) -> bool {
-        match (&self.value, &other.value) {
-            (Some(a), Some(b)) if self.symbols == other.symbols && !b.is_zero() => {
-                let ratio = a.clone() / b;
-                ratio.as_constant().is_some_and(|ratio| ratio.is_negative())
-            }
-            (None, None) => self.lower == other.upper && self.upper == other.lower,
-            _ => false,
-        }
+        Difference { relation: relation.clone(), symbols }
     }
 }
 
 /// A relation, and the place of what states it.
 type Stated = (Rc<Difference>, Option<usize>);
 
-/// The equations among the relations, with the inequalities that make one when taken together.
-fn equations(relations: &[Stated]) -> Vec<Equation> {
-    let inequalities: Vec<_> = relations.iter().filter(|(d, _)| !d.is_equation).collect();
-    let all = inequalities.len() > MAX_INEQUALITIES;
-    let opposite = |d: &Difference| inequalities.iter().find(|(other, _)| d.opposes(other));
-    let sides = if all { Sides::default() } else { Sides::of(relations) };
-    let mut equations = Vec::new();
-    for (d, cited) in relations {
-        let mut cited = vec![*cited];
-        if !d.is_equation && !all {
-            match opposite(d) {
-                Some((_, other)) => cited.push(*other),
-                None if sides.lead(&d.upper, &d.lower) => {}
-                None => continue,
-            }
-        }
-        equations.push(Equation { symbols: d.symbols.clone(), cited });
-    }
-    equations
-}
-
-/// The sides of relations, each with those that are at least as great.
-#[derive(Default)]
-struct Sides<'d>(HashMap<&'d Expr, Vec<&'d Expr>>);
-
-impl<'d> Sides<'d> {
-    fn of(relations: &'d [Stated]) -> Self {
-        let mut greater: HashMap<&Expr, Vec<&Expr>> = HashMap::new();
-        for (d, _) in relations {
-            greater.entry(&d.lower).or_default().push(&d.upper);
-            if d.is_equation {
-                greater.entry(&d.upper).or_default().push(&d.lower);
-            }
-        }
-        Self(greater)
-    }
-
-    /// Whether a ≤ … ≤ b leads from the one to the other.
-    fn lead(&self, from: &'d Expr, to: &Expr) -> bool {
-        let mut seen = HashSet::from([from]);
-        let mut next = vec![from];
-        while let Some(side) = next.pop() {
-            if side == to {
-                return true;
-            }
-            let greater = self.0.get(side).map_or(&[][..], Vec::as_slice);
-            next.extend(greater.iter().filter(|side| seen.insert(**side)));
-        }
-        false
-    }
+/// Each of these sets of relations as equations that it makes together.
+fn equations(relations: &[Stated], sets: &[Vec<usize>]) -> Vec<Equation> {
+    let stated = |set: &Vec<usize>| {
+        let all: Vec<&Stated> = set.iter().filter_map(|i| relations.get(*i)).collect();
+        let cited: Vec<Option<usize>> = all.iter().map(|(_, cited)| *cited).collect();
+        let one = |(d, _): &&Stated| Equation { symbols: d.symbols.clone(), cited: cited.clone() };
+        all.iter().map(one).collect::<Vec<_>>()
+    };
+    sets.iter().flat_map(stated).collect()
 }
 
 /// The first of the symbols that a chain of equations ties to x, and the chain from it to x.
