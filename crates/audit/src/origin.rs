@@ -44,26 +44,3 @@ impl Origin {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::survey;
-
-    #[test]
-    fn a_place_behind_a_formula_is_found_in_the_file() {
-        let source = "# T\n\n```kane\nvar x, alpha # μ 𝛂\ngiven a: $x = \\frac{\\alpha}{2}$ when x > 0, \
-                      alpha = 1\nclaim b: $x > 0$, x >= 0 from a\n```\n";
-        let survey = survey("d.md", source.as_bytes());
-        let document = survey.document.expect("it is well formed");
-        let (given, claim) = (&document.statements[0], &document.statements[1]);
-        let file = |range| &source[survey.origin.in_file(range)];
-        assert_eq!(file(given.parts.content.clone()), "$x = \\frac{\\alpha}{2}$");
-        assert_eq!(file(given.parts.when.clone().expect("it has one")), "when x > 0, alpha = 1");
-        assert_eq!(file(claim.parts.label.clone()), "b");
-        assert_eq!(file(claim.parts.content.clone()), "$x > 0$, x >= 0");
-        assert_eq!(file(claim.parts.from.clone().expect("it has one")), "from a");
-        // in the middle of a formula the whole of it is meant
-        let middle = given.parts.content.start + 4;
-        assert_eq!(file(middle..middle + 2), "$x = \\frac{\\alpha}{2}$");
-    }
-}

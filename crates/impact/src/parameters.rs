@@ -57,31 +57,3 @@ pub fn set_parameter(
     let known = names.collect::<Vec<_>>().join(", ");
     Err(UnknownParameter::Name { name: asked.to_owned(), known })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::laws;
-
-    #[test]
-    fn a_parameter_that_is_set_reaches_its_law_and_no_other() {
-        let mut seen = 0;
-        for (place, law) in laws().iter().enumerate() {
-            for parameter in law.info.parameters {
-                let value = Rational::new(3.into(), 7.into());
-                let mut adjusted = laws().to_vec();
-                let name = format!("{}.{}", law.info.id, parameter.name);
-                set_parameter(&mut adjusted, &name, &Rational::from_integer(1.into())).unwrap();
-                set_parameter(&mut adjusted, &name, &value).unwrap();
-                let mut expected = laws().to_vec();
-                expected[place] = law.with(parameter.name, &value).unwrap();
-                assert_eq!(adjusted, expected, "{name}");
-                seen += 1;
-            }
-        }
-        assert_eq!(seen, 10);
-        let far = Rational::from_integer((-9).into());
-        let refused = set_parameter(&mut laws().to_vec(), "walton.beta0", &far).unwrap_err();
-        assert_eq!(refused.to_string(), "walton.beta0 is -9, but must be from 0 to 1");
-    }
-}

@@ -1,5 +1,5 @@
 //! Each rule of arguments: a valid use is written out in what the kernel accepts, and each part of
-//! it can be wrong. And what the search finds on random states is always written out so.
+//! it can be wrong.
 
 use kane_kernel::{
     Atom, Conclusion, Context, Fuel, Goal, Passages, Poly, Root, Sign, State, Term, Var, scope,
@@ -8,7 +8,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use super::{Argument, Rules, expand};
-use crate::prove::closed;
 
 type Q = BigRational;
 
@@ -283,120 +282,4 @@ fn a_derived_atom_of_each_sign_is_cut_in() {
     }
     cancelled(Sign::NonNegative, distinct(x()), 2, below());
     cancelled(Sign::Positive, distinct(x()), 2, at_least(n(1).sub(&y())));
-}
-
-/// A small source of chance, the same in each run.
-struct Chance(u64);
-
-impl Chance {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % n
-    }
-
-    fn poly(&mut self) -> Poly {
-        let mut out = Poly::default();
-        for _ in 0..=self.below(3) {
-            let mut monomial = Vec::new();
-            for v in 0..3 {
-                let e = self.below(6).saturating_sub(3);
-                if e > 0 {
-                    monomial.push((v, u32::try_from(e).unwrap_or(1)));
-                }
-            }
-            let c = i64::try_from(self.below(9)).unwrap_or(0) - 4;
-            out = out.add(&Poly::term(monomial, c.into()));
-        }
-        out
-    }
-
-    fn atom(&mut self) -> Atom {
-        let signs = [Sign::Zero, Sign::NonZero, Sign::NonNegative, Sign::Positive];
-        let sign = signs[usize::try_from(self.below(4)).unwrap_or(0)];
-        match self.below(3) {
-            0 => {
-                let v = usize::try_from(self.below(3)).unwrap_or(0);
-                let (c, k) = (self.below(5), [1, -1][usize::from(self.below(2) == 0)]);
-                let c = i64::try_from(c).unwrap_or(0) - 2;
-                Atom::new(Poly::var(v).sub(&n(c)).scale(&k.into()), sign)
-            }
-            _ => Atom::new(self.poly(), sign),
-        }
-    }
-
-    fn atoms(&mut self) -> Vec<Atom> {
-        (0..3 + self.below(4)).map(|_| self.atom()).collect()
-    }
-}
-
-/// Whether atoms hold at a point with these coordinates.
-fn hold(atoms: &[Atom], at: &[i64]) -> bool {
-    atoms.iter().all(|a| {
-        let mut value = BigInt::from(0);
-        for (m, c) in a.poly.terms() {
-            let power = |&(v, e): &(usize, u32)| BigInt::from(at[v]).pow(e);
-            value += c * m.iter().map(power).product::<BigInt>();
-        }
-        a.sign.admits(kane_kernel::sign(&value))
-    })
-}
-
-#[test]
-fn what_the_search_finds_is_written_out_and_nothing_false_is() {
-    let mut chance = Chance(7);
-    let mut kinds = [0usize; 8];
-    let mut found: Vec<Argument> = Vec::new();
-    let (mut contradictory, mut satisfied) = (0, 0);
-    for _ in 0..400 {
-        let atoms = chance.atoms();
-        let cases = vec![chance.atoms(), chance.atoms()];
-        asked(&atoms, |state| {
-            let state = state.with_cases(cases.clone());
-            if let Some(argument) = closed(&state) {
-                contradictory += 1;
-                assert_eq!(state.closes(&argument), Ok(()), "{argument:?}");
-                let proof = expand(&state, &argument).expect("it is written out");
-                assert_eq!(state.refute(&proof), Ok(()), "{argument:?}\n{proof:?}");
-                count(&argument, &mut kinds);
-                found.push(argument);
-            }
-            let coordinates = || (-2i64..=2).flat_map(|a| (-2..=2).map(move |b| (a, b)));
-            let points = coordinates().flat_map(|(a, b)| (-2..=2).map(move |c| [a, b, c]));
-            let holds = |p: &[i64; 3]| hold(&atoms, p) && cases.iter().any(|c| hold(c, p));
-            if points.into_iter().any(|p| holds(&p)) {
-                satisfied += 1;
-                for argument in found.iter().rev().take(40) {
-                    if let Ok(proof) = expand(&state, argument) {
-                        assert!(state.refute(&proof).is_err(), "{argument:?}");
-                    }
-                }
-            }
-        });
-    }
-    println!("{contradictory} contradictory states, {satisfied} with a point; rules {kinds:?}");
-    assert!(contradictory > 60 && satisfied > 30, "{contradictory} {satisfied}");
-    assert!(kinds.iter().all(|k| *k > 0), "all rules are used: {kinds:?}");
-}
-
-fn count(argument: &Argument, kinds: &mut [usize; 8]) {
-    let kind = match argument {
-        Argument::Absurd(_) => 0,
-        Argument::Assume { .. } => 1,
-        Argument::Split { .. } => 2,
-        Argument::Substitute { .. } => 3,
-        Argument::Cancel { .. } => 4,
-        Argument::Positive { .. } => 5,
-        Argument::Orthant { .. } => 6,
-        Argument::SignTable { .. } => 7,
-    };
-    kinds[kind] += 1;
-    match argument {
-        Argument::Assume { cases, .. } => cases.iter().for_each(|c| count(c, kinds)),
-        Argument::Split { zero, positive, negative, .. } => {
-            [zero, positive, negative].into_iter().for_each(|a| count(a, kinds));
-        }
-        Argument::Substitute { then, .. } | Argument::Cancel { then, .. } => count(then, kinds),
-        _ => {}
-    }
 }

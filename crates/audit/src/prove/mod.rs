@@ -476,15 +476,3 @@ fn speaks_of_limits(conclusion: &Conclusion) -> bool {
     };
     links.iter().any(|l| matches!(l, Link::Limit(_)))
 }
-
-/// A contradiction in a state, if a small search finds one.
-#[cfg(test)]
-pub(crate) fn closed(state: &kane_kernel::State<'_, '_>) -> Option<crate::argument::Argument> {
-    let any = |_: usize, _: &kane_kernel::Poly| true;
-    let mut search = Search::new(60, &any, false);
-    search.ideals = true;
-    match search.solve(state) {
-        Outcome::Closed(argument) => Some(argument),
-        _ => None,
-    }
-}

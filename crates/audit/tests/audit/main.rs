@@ -2,9 +2,11 @@
 //! time or to room is alone in `budget` and `reader`.
 
 mod counterexamples;
+mod dollars;
 mod inequalities;
 mod linear;
 mod memo;
 mod small_places;
 mod summands;
 mod telling;
+mod written_out;
