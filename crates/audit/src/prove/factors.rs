@@ -1,12 +1,45 @@
 //! Factors of conditions: those that are known not to vanish, and those worth a case distinction.
 
+use kane_algebra::factors::factors;
 use kane_algebra::quotient::exact_quotient;
 use kane_algebra::ring::{common_sign, content_in};
-use kane_kernel::{Atom, Poly, Sign, State};
-use num_traits::Zero;
+use kane_kernel::{Atom, Fuel, Poly, Sign, State};
+use num_traits::{Signed as _, Zero};
 
 use super::elimination::Factors;
 use super::tactics;
+
+/// Terms of an equation that is factored.
+const EQUATION: usize = 30;
+
+/// The factors of degree one in a variable, up to what is free of it, of an equation of degree two in it: as
+/// (k − x)·(k + x) = 0 has two.
+pub(super) fn linear_factors(atom: &Atom, v: usize, fuel: &Fuel) -> Vec<Poly> {
+    if atom.sign != Sign::Zero || atom.poly.degree(v) != 2 || atom.poly.len() > EQUATION {
+        return Vec::new();
+    }
+    let [c, b, a] = [0, 1, 2].map(|n| atom.poly.coefficient(v, n));
+    let root = || -> Option<Poly> {
+        let product = a.mul(&c, fuel).ok()?.scale(&4.into());
+        square_root(&b.mul(&b, fuel).ok()?.sub(&product), fuel)
+    };
+    let line = |root: Poly| {
+        let slope = a.mul(&Poly::var(v), fuel).ok()?.scale(&2.into());
+        Some(slope.add(&b).add(&root).primitive().1)
+    };
+    root().map_or_else(Vec::new, |root| [root.neg(), root].into_iter().filter_map(line).collect())
+}
+
+/// A polynomial whose square this is.
+fn square_root(p: &Poly, fuel: &Fuel) -> Option<Poly> {
+    let (constant, factors) = factors(p);
+    let root = constant.sqrt();
+    if constant.is_negative() || &root * &root != constant {
+        return None;
+    }
+    let half = |(f, n): (Poly, u32)| (n % 2 == 0).then(|| f.pow(n / 2, fuel).ok()).flatten();
+    factors.into_iter().try_fold(Poly::constant(root), |p, factor| p.mul(&half(factor)?, fuel).ok())
+}
 
 /// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.
 pub(super) fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32)>> {

@@ -10,6 +10,7 @@ use kane_kernel::{
 };
 use num_rational::BigRational;
 
+use super::factors::linear_factors;
 use super::limits;
 use super::search::{Outcome, Search};
 use super::variation::{determined, ratio};
@@ -68,7 +69,11 @@ pub(crate) fn model(
     used.extend(mentioned(goal));
     let functions = OnceCell::new();
     let of_x = || functions.get_or_init(|| simple_functions(x)).clone();
-    let candidates = |v: &usize| candidates(&goal.context, *v, x, used.contains(v), &of_x);
+    let candidates = |v: &usize| {
+        let simple = candidates(&goal.context, *v, x, used.contains(v), &of_x);
+        let of_x = goal.context.vars.get(*v).is_some_and(|var| var.of == Some(x));
+        if of_x { [roots(&rest, *v, x), simple].concat() } else { simple }
+    };
     let lists: Vec<Vec<Rc<Expr>>> = free.iter().map(candidates).collect();
     let tries = super::sample::diagonal(&lists, effort.candidates);
     for choice in tries {
@@ -87,6 +92,17 @@ pub(crate) fn model(
         }
     }
     None
+}
+
+/// What equations of degree two in a function say that it may be, as functions of x, and what is never negative.
+fn roots(state: &State<'_, '_>, v: usize, x: usize) -> Vec<Rc<Expr>> {
+    let fuel = &state.scope.fuel;
+    let factors = state.atoms.iter().flat_map(|atom| linear_factors(atom, v, fuel));
+    let of_x = factors.filter(|p| p.vars().iter().all(|w| [v, x].contains(w)));
+    let root = |p: Poly| ratio(&p.coefficient(v, 0).neg(), &p.coefficient(v, 1));
+    let roots: Vec<Expr> = of_x.map(root).collect();
+    let magnitudes = roots.clone().into_iter().map(|root| Expr::Abs(root.into()));
+    roots.into_iter().chain(magnitudes).map(Rc::new).collect()
 }
 
 /// Symbols in the conclusion and in the `when`.

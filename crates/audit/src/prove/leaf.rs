@@ -10,7 +10,9 @@ use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, since};
 use super::squares::{Reach, squares};
-use super::{cases, conjugates, expansion, ideal, line, means, pairs, products, tactics, written};
+use super::{
+    cases, colon, conjugates, expansion, ideal, line, means, pairs, products, tactics, written,
+};
 use crate::argument::Argument;
 use crate::open::Method;
 
@@ -57,7 +59,13 @@ impl Search<'_> {
         {
             return Outcome::Closed(proof);
         }
-        // one of three signs is left, so that this is no case distinction
+        // of each three signs one is left, so that these are no case distinctions
+        if self.proofs
+            && vars.len() > 1
+            && let Some(equation) = colon::divided(state)
+        {
+            return self.by_equation(state, equation, trail, splits);
+        }
         if self.proofs
             && vars.len() > 1
             && let Some(factor) = positive_factor(state)
@@ -202,6 +210,26 @@ impl Search<'_> {
         let fresh = since(&next, state.atoms.len());
         match self.run(&next, &fresh, Vec::new(), trail, splits) {
             Outcome::Closed(positive) => {
+                let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
+                Outcome::Closed(Argument::Split { poly, zero, positive, negative })
+            }
+            other => other,
+        }
+    }
+
+    /// What is left once an equation is known.
+    fn by_equation(
+        &self,
+        state: &State<'_, '_>,
+        equation: colon::Equation,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let colon::Equation { poly, positive, negative } = equation;
+        let next = state.with(Atom::new(poly.clone(), Sign::Zero));
+        let fresh = since(&next, state.atoms.len());
+        match self.run(&next, &fresh, Vec::new(), trail, splits) {
+            Outcome::Closed(zero) => {
                 let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
                 Outcome::Closed(Argument::Split { poly, zero, positive, negative })
             }

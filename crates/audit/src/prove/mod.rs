@@ -8,6 +8,7 @@ mod boxes;
 mod budget;
 mod cases;
 mod cells;
+mod colon;
 mod combination;
 mod components;
 mod conics;

@@ -55,8 +55,10 @@ pub(super) fn inside(state: &State<'_, '_>, germ: &Germ, given: &Sentence) -> Op
         if let Some(found) = alone.chain([&boundaries[..]]).find_map(on) {
             return Some(found);
         }
-        let values = [solved.with(&chosen), eliminated(state, germ, given, &chosen)];
-        for values in values.into_iter().flatten() {
+        // what the author of the given may have meant first, then the simple functions themselves
+        let determined = [solved.with(&chosen), eliminated(state, germ, given, &chosen)];
+        let chosen = (!boundaries.is_empty()).then_some(chosen);
+        for values in determined.into_iter().chain([chosen]).flatten() {
             if let Some(found) = proved(values) {
                 return Some(found);
             }

@@ -5,11 +5,12 @@ use std::cmp::Ordering;
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Fraction, Fuel, Germ, Limit, Poly, Rejection, Side, State, Target, differs, exponent,
+    Atom, Fraction, Fuel, Germ, Limit, Poly, Rejection, Side, State, Target, differs, exponent,
 };
 use num_bigint::BigInt;
 
 use super::bounds::at_zero;
+use super::factors::linear_factors;
 use super::germs::Germs;
 use super::search::{Outcome, Search};
 use super::variation::{substituted, varies};
@@ -135,8 +136,8 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
             let bounds: Vec<(Poly, Poly)> = rest
                 .atoms
                 .iter()
-                .filter(|a| a.sign.is_order() && a.poly.degree(f) == 1)
-                .map(|a| (a.poly.coefficient(f, 1), a.poly.coefficient(f, 0)))
+                .flat_map(|a| linear_in(a, f, fuel))
+                .map(|p| (p.coefficient(f, 1), p.coefficient(f, 0)))
                 .filter(|(_, b)| !b.is_empty())
                 .take(BOUNDS)
                 // as for sines and cosines
@@ -170,6 +171,14 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
     out.dedup();
     out.truncate(QUOTIENTS);
     out
+}
+
+/// What is of degree one in a function: the polynomial of an inequality, or factors of an equation.
+fn linear_in(atom: &Atom, f: usize, fuel: &Fuel) -> Vec<Poly> {
+    if atom.sign.is_order() && atom.poly.degree(f) == 1 {
+        return vec![atom.poly.clone()];
+    }
+    linear_factors(atom, f, fuel)
 }
 
 /// num/den with −b/a in the place of a variable.
