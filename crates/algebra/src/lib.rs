@@ -4,6 +4,7 @@
 pub mod cells;
 mod coprime;
 pub mod descartes;
+pub mod division;
 pub mod factors;
 pub mod field;
 mod fraction;

@@ -65,20 +65,6 @@ impl Ring {
     }
 }
 
-/// Division with remainder in graded reverse lexicographic order: q, r and a positive integer c with
-/// c·p = q·d + r.
-#[must_use]
-pub fn division(p: &Poly, d: &Poly) -> Option<(Poly, Poly, BigInt)> {
-    if d.is_empty() {
-        return None;
-    }
-    let ring = Ring::of(&[p, d]);
-    let (mut q, r) = ring.outward(p).divide(&[ring.outward(d)]);
-    let ((q, a), (r, b)) = (ring.inward(&q.swap_remove(0)), ring.inward(&r));
-    let common = num_integer::lcm(a.clone(), b.clone());
-    Some((q.scale(&(&common / a)), r.scale(&(&common / b)), common))
-}
-
 /// p/g and q/g for the greatest common divisor g, as primitive polynomials up to a common rational
 /// factor: returns (p′, q′) with p·q′ = p′·q.
 #[must_use]
@@ -229,13 +215,6 @@ mod tests {
             let (a, b) = cancelled(&p, &q);
             prop_assert_eq!(times(&p, &b), times(&a, &q));
             prop_assert!(gcd(&a, &b).is_constant() || q.is_constant());
-        }
-
-        #[test]
-        fn division_with_remainder_adds_up(p in poly(), d in poly()) {
-            let (q, r, c) = division(&p, &d).expect("d is not zero");
-            prop_assert!(c.is_positive());
-            prop_assert_eq!(p.scale(&c), times(&q, &d).add(&r));
         }
 
         #[test]

@@ -1,5 +1,6 @@
 //! L·D·Lᵀ of a rational symmetric matrix: whether it is positive semidefinite, exactly.
 
+use kane_kernel::{Checked, Fuel};
 use num_traits::{Signed, Zero};
 
 use super::Q;
@@ -11,8 +12,8 @@ pub(super) struct Factor {
 }
 
 /// The matrix as a sum of weighted squares of rows, all weights positive; `None` if it is not
-/// positive semidefinite.
-pub(super) fn factors(mut a: Vec<Vec<Q>>) -> Option<Vec<Factor>> {
+/// positive semidefinite, or if its fractions grow beyond what the budget allows.
+pub(super) fn factors(mut a: Vec<Vec<Q>>, fuel: &Fuel) -> Option<Vec<Factor>> {
     let n = a.len();
     let mut out = Vec::new();
     for i in 0..n {
@@ -34,6 +35,7 @@ pub(super) fn factors(mut a: Vec<Vec<Q>>) -> Option<Vec<Factor>> {
                 continue;
             }
             for k in j..n {
+                pay([&row[j], &row[k], &pivot, &a[j][k]], fuel).ok()?;
                 let less = &row[j] * &row[k] * &pivot;
                 a[j][k] -= less;
             }
@@ -41,4 +43,15 @@ pub(super) fn factors(mut a: Vec<Vec<Q>>) -> Option<Vec<Factor>> {
         out.push(Factor { weight: pivot, row });
     }
     Some(out)
+}
+
+/// Pays for products of fractions that are longer than a word: greatest common divisors take the square of their length.
+fn pay(of: [&Q; 4], fuel: &Fuel) -> Checked {
+    let words = |q: &Q| (q.numer().bits() + q.denom().bits()) / 64;
+    let words: u64 = of.into_iter().map(words).sum();
+    if words == 0 {
+        Ok(())
+    } else {
+        fuel.spend_beyond(words.saturating_mul(words).saturating_mul(4))
+    }
 }

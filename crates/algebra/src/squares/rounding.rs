@@ -130,7 +130,8 @@ fn at(
             matrices[*block][*column][*row] = value.clone();
         }
     }
-    let factors = matrices.into_iter().map(ldl::factors).collect::<Option<Vec<_>>>()?;
+    let factors =
+        matrices.into_iter().map(|m| ldl::factors(m, fuel)).collect::<Option<Vec<_>>>()?;
     Some(Exact { values, factors })
 }
 

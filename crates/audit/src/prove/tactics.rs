@@ -2,6 +2,7 @@
 //!
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
+use kane_algebra::division::division;
 use kane_algebra::point::specialised;
 use kane_algebra::quotient::exact_quotient;
 use kane_algebra::ring::common_sign;
@@ -265,6 +266,9 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Argument> {
     None
 }
 
+/// Terms of a quotient, or nobody would follow it.
+const QUOTIENT: usize = 200;
+
 /// A target divided by a premise, target = q·h + r with q < 0 and r ≤ 0 visibly: a contradiction.
 pub(crate) fn division_by_premise(state: &State<'_, '_>) -> Option<Argument> {
     for (i, target) in state.atoms.iter().enumerate().rev() {
@@ -288,7 +292,7 @@ fn divided(state: &State<'_, '_>, i: usize, j: usize) -> Option<Argument> {
     if target.poly.len() > 80 || h.poly.len() > 16 {
         return None;
     }
-    let (q, r, scale) = kane_algebra::ring::division(&target.poly, &h.poly)?;
+    let (q, r, scale) = division(&target.poly, &h.poly, QUOTIENT, &state.scope.fuel)?;
     // Only the part of q that helps; the rest goes back into r.
     let helpful = q.terms().filter(|(_, c)| c.is_negative());
     let helpful = Poly::sum(helpful.map(|(m, c)| (m.to_vec(), c.clone())));
