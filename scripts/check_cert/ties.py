@@ -1,5 +1,6 @@
 """Which unknowns equations tie to the variable of a derivative (the language, "Derivatives")."""
 
+from . import interior
 from .divisor import reduced
 from .errors import Rejected
 from .pieces import Pieces
@@ -16,6 +17,8 @@ class Ties:
         self.pieces = Pieces(document, self.ring, {})
         self.equations = [self.symbols(r) for r in relations if r[0] == "="]
         self.equations += [self.symbols(r) for r in self.circular(relations)]
+        unequal = [r for r in relations if r[0] != "="]
+        self.equations += [self.spoken_of(r) for r in unequal if not interior.has_room(r, document)]
         # an angle, its cosine and its sine vary together, whatever is said of them
         self.equations += {frozenset(document.of_angle(name)) for name in document.points}
 
@@ -35,11 +38,14 @@ class Ties:
     def symbols(self, relation):
         """The unknowns that an equation speaks of; none of an identity."""
         gap = self.gap(relation)
-        if gap:
-            names = self.ring.variables(gap[0])
-        else:
-            names = self.document.mentioned(relation[1]) | self.document.mentioned(relation[2])
-        # what is said of an exponential is said of what is in it
+        return self.with_factors(self.ring.variables(gap[0])) if gap else self.spoken_of(relation)
+
+    def spoken_of(self, relation):
+        """The unknowns that stand in a relation, guards included."""
+        return self.with_factors(self.document.mentioned(relation[1]) | self.document.mentioned(relation[2]))
+
+    def with_factors(self, names):
+        """What is said of an exponential is said of what is in it."""
         inside = [dict(self.document.exponentials[name][0]) for name in names if name in self.document.exponentials]
         return frozenset(names).union(*inside)
 

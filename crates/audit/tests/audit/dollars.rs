@@ -9,7 +9,7 @@ fn document(statement: &str) -> String {
 
 fn source(statement: &str) -> String {
     let text = document(statement);
-    let read = read("d.md", text.as_bytes()).unwrap_or_else(|faults| panic!("{}", faults[0]));
+    let read = read("d.md", text.as_bytes()).expect("it is well formed");
     let last = read.statements.last().expect("a statement");
     // the digest is of the file, and not of what it is read as
     let written: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
