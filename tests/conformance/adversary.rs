@@ -190,3 +190,15 @@ fn no_verdict_on_a_limit_with_roots_is_wrong() {
         assert!(printed.contains("wrong: 0"), "{printed}");
     }
 }
+
+#[test]
+fn no_verdict_on_roots_of_numbers_is_wrong() {
+    if let Some(printed) = trial("surds.py", 160) {
+        let kinds = [
+            "equal sides, true, proved: ",
+            "equal sides, false, refuted: ",
+            "by chance, true, proved: ",
+        ];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}

@@ -1,8 +1,12 @@
 //! Ideals of equations divided by what does not vanish: if f·g is in the ideal of e₁ and e₂ and f is not 0, then g = 0.
-//! From s² = c and y² = c, with s + y not 0, follows s = y.
+//! From s² = c and y² = c, with s + y not 0, follows s = y. And from s² = y² where neither is negative, without more.
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Poly, Sign, State, Term};
+use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term};
+use num_bigint::BigInt;
+use num_traits::Signed as _;
+
+use super::elimination::Factors;
 
 use crate::argument::{Argument, Rules as _};
 
@@ -45,6 +49,60 @@ pub(super) fn divided(state: &State<'_, '_>) -> Option<Equation> {
     None
 }
 
+/// An equation that is new, from one that says that two monomials have equal squares, neither of which is negative.
+pub(super) fn rooted(state: &State<'_, '_>) -> Option<Equation> {
+    (0..state.atoms.len()).find_map(|i| {
+        let atom = &state.atoms[i];
+        if atom.sign != Sign::Zero || atom.poly.len() != 2 {
+            return None;
+        }
+        let mut terms = atom.poly.terms();
+        let (one, other) = (terms.next()?, terms.next()?);
+        let negated = |(m, c): (&[Power], &BigInt)| (m.to_vec(), -c);
+        let (m, c) = root((one.0.to_vec(), one.1.clone())).or_else(|| root(negated(one)))?;
+        let turn = if one.1.is_negative() { 1 } else { -1 };
+        let (n, d) = root((other.0.to_vec(), other.1 * turn))?;
+        let (first, second) = (factors(state, &m)?, factors(state, &n)?);
+        let poly = Poly::term(m, c.clone()).sub(&Poly::term(n, d.clone()));
+        if poly.is_constant() || is_told(state, &poly) || is_told(state, &poly.neg()) {
+            return None;
+        }
+        // (M − N)² + 2·(M − N)·N = M² − N² = 0, and the same with M and N in each other's place
+        let fresh = state.atoms.len();
+        let argument = |(weight, known): (&BigInt, &Factors), turn: i32| {
+            let term = |weight, factors| Term { weight, square: Poly::one(), factors };
+            let mixed = [&known[..], &[(fresh, 1)]].concat();
+            let terms = vec![term(BigInt::from(1), vec![(fresh, 2)]), term(weight * 2, mixed)];
+            Argument::Positive { terms, cofactors: vec![(i, Poly::constant(turn.into()))] }
+        };
+        let positive = argument((&d, &second), turn);
+        let negative = argument((&c, &first), -turn);
+        let closes = |poly: Poly, proof: &Argument| {
+            state.with(Atom::new(poly, Sign::Positive)).closes(proof).is_ok()
+        };
+        let sure = closes(poly.clone(), &positive) && closes(poly.neg(), &negative);
+        sure.then_some(Equation { poly, positive, negative })
+    })
+}
+
+/// The root of a term, if it is a square.
+fn root((m, c): (Monomial, BigInt)) -> Option<(Monomial, BigInt)> {
+    let root = if c.is_negative() { return None } else { c.sqrt() };
+    let even = m.iter().all(|(_, n)| n % 2 == 0) && &root * &root == c;
+    even.then(|| (m.into_iter().map(|(v, n)| (v, n / 2)).collect(), root))
+}
+
+/// The conditions that a monomial's variables are not negative, with its powers.
+fn factors(state: &State<'_, '_>, m: &[Power]) -> Option<Factors> {
+    let order = |&(v, n): &Power| {
+        let is_it = |a: &Atom| a.sign.is_order() && a.poly == Poly::var(v);
+        Some((state.atoms.iter().position(is_it)?, n))
+    };
+    let mut factors: Factors = m.iter().map(order).collect::<Option<_>>()?;
+    factors.sort_unstable();
+    Some(factors)
+}
+
 /// What two equations leave without the highest power of a variable, and their cofactors in it.
 fn differences(state: &State<'_, '_>, i: usize, j: usize) -> Vec<(Poly, [(usize, Poly); 2])> {
     let fuel = &state.scope.fuel;
@@ -70,8 +128,7 @@ fn by(
 ) -> Option<Equation> {
     let fuel = &state.scope.fuel;
     let (content, quotient) = exact_quotient(difference, &state.atoms[k].poly, fuel)?.primitive();
-    let told = |a: &Atom| a.sign == Sign::Zero && (a.poly == quotient || a.poly == quotient.neg());
-    if quotient.is_constant() || state.atoms.iter().any(told) {
+    if quotient.is_constant() || is_told(state, &quotient) || is_told(state, &quotient.neg()) {
         return None;
     }
     // content²·f²·g² − (content·f·g)² = 0, and the latter is in the ideal
@@ -89,4 +146,9 @@ fn by(
     };
     let (positive, negative) = (argument(&quotient)?, argument(&quotient.neg())?);
     Some(Equation { poly: quotient, positive, negative })
+}
+
+/// Whether an equation is known.
+fn is_told(state: &State<'_, '_>, p: &Poly) -> bool {
+    state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly == *p)
 }

@@ -62,7 +62,7 @@ impl Search<'_> {
         // of each three signs one is left, so that these are no case distinctions
         if self.proofs
             && vars.len() > 1
-            && let Some(equation) = colon::divided(state)
+            && let Some(equation) = colon::rooted(state).or_else(|| colon::divided(state))
         {
             return self.by_equation(state, equation, trail, splits);
         }

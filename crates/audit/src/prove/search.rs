@@ -234,6 +234,10 @@ impl<'a> Search<'a> {
                 |s: &State<'_, '_>| self.run(s, &since(s, fresh), pending.clone(), trail, splits);
             return all(states.iter().map(next), |cases| Argument::Assume { formula, cases });
         }
+        // before equations between roots are solved for some of them
+        if let Some(outcome) = self.by_roots(state, trail) {
+            return outcome;
+        }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
             trail.extend(elimination);
