@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use polycore::{Gf, Uni};
 
-use crate::irreducible::is_irreducible;
+use crate::irreducible::pieces;
 use crate::work::spend_fraction;
 
 type Q = BigRational;
@@ -18,6 +18,12 @@ type Q = BigRational;
 const FACTOR_DEGREE: usize = 24;
 /// Beyond this measure of degree and coefficients, too: factoring knows no budget.
 const FACTOR_COST: u64 = 60_000;
+
+/// Factors modulo a prime above which those of a polynomial are not searched for: all their sums are tried.
+const MOST_PIECES: u32 = 6;
+
+/// What a search for factors may take: a tenth of a second.
+const MOST_LIFTING: u64 = 8_000_000;
 
 pub(crate) fn uni(p: &[BigInt]) -> Uni<Q> {
     Uni::new(p.iter().map(|c| Q::from_integer(c.clone())).collect())
@@ -90,11 +96,20 @@ fn irreducible_factors(p: &[BigInt], fuel: &Fuel) -> Result<Option<Vec<Vec<BigIn
         return Ok(None);
     }
     fuel.spend(cost)?;
-    let one = || is_irreducible(&rest, fuel).then(|| vec![primitive(&rest)]);
-    let mut factors = quadratic_factors(&rest).or_else(one).unwrap_or_else(|| {
-        let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
-        factors.map(|(f, _)| integers(&f)).collect()
-    });
+    let mut factors = match (quadratic_factors(&rest), pieces(&rest, fuel)) {
+        (Some(factors), _) => factors,
+        (None, Some(1)) => vec![primitive(&rest)],
+        (None, pieces) => {
+            // lifting takes the square of the bits
+            let lifting = cost.saturating_mul(height);
+            if pieces.is_some_and(|n| n > MOST_PIECES) || lifting > MOST_LIFTING {
+                return Ok(None);
+            }
+            fuel.spend_beyond(lifting)?;
+            let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
+            factors.map(|(f, _)| integers(&f)).collect()
+        }
+    };
     if backwards {
         for factor in &mut factors {
             factor.reverse();

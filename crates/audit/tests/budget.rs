@@ -35,6 +35,11 @@ fn hostile() -> Vec<String> {
         format!("var {}\nclaim a: exists m: {}", names(400), above(400)),
         format!("var x\nlet f0 := x\n{}claim a: exists m: m > f39", doubled(40)),
         "var x, y\nclaim a: x^10000 + y^10000 >= 2*x^5000*y^5000".to_owned(),
+        "var x\nclaim a: x^2 > sqrt(2) + sqrt(3) + sqrt(5) when x > 2".to_owned(),
+        "var x\nclaim a: x != sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7) when x > 3".to_owned(),
+        "var x, y, z\nclaim a: sqrt(sqrt(100 + sqrt(11))) + z*z - (z + 1/2) = min(sqrt(2/3 + sqrt(13/7)), 343 + max(z, 5)) \
+         when x <= x^2 + 1.01, y < 1/2, x < z + y"
+            .to_owned(),
         "var x, y\nclaim a: x^10000 + y^10000 > 3*x^5001*y^4999 when x^9999 > 7*y".to_owned(),
         "var x, y, z\nclaim a: (x + y + z + 1)^60 != (x - y + 2*z)^61".to_owned(),
     ]
