@@ -5,6 +5,7 @@
 //! equations leave free can move a little. So if the strict inequalities contradict each other, and
 //! they as they are do not, some hold only with equality. What the search does not show is not known here.
 
+use std::cell::OnceCell;
 use std::convert::Infallible;
 
 use kane_algebra::syntax::rebuild;
@@ -28,40 +29,32 @@ const BUDGET: Budget = Budget {
     document: 2_000_000,
 };
 /// What all questions of a document may take together.
-pub(super) const WORK: u64 = 50_000_000;
+const WORK: u64 = 50_000_000;
 
-/// The sets of inequalities, by their indices, that hold only with equality under the equations, where
-/// these do not say so already. No set can do without one of its inequalities, and no two have one in common.
-/// `None` where the work does not suffice to tell.
-pub(super) fn tight(
-    context: &Context,
-    relations: &[&Relation],
-    work: &Fuel,
-) -> Option<Vec<Vec<usize>>> {
-    let is_inequality = |i: &usize| relations.get(*i).is_some_and(|r| r.rel != Rel::Eq);
-    let mut left: Vec<usize> = (0..relations.len()).filter(is_inequality).collect();
-    let all = Interior::of(context, relations, work);
-    let mut found = Vec::new();
-    if !left.is_empty() && all.is_empty(&left) && !all.contradict() {
-        while all.is_empty(&left) {
-            let mut least = left.clone();
-            for i in &left {
-                let without: Vec<usize> = least.iter().copied().filter(|j| j != i).collect();
-                if all.is_empty(&without) {
-                    least = without;
-                }
-            }
-            left.retain(|i| !least.contains(i));
-            if least.is_empty() {
-                break;
-            }
-            least.retain(|i| !all.is_known(*i));
-            if !least.is_empty() {
-                found.push(least);
-            }
-        }
+/// Finds inequalities that hold only with equality, in one document.
+#[derive(Debug)]
+pub(super) struct Interiors<'a> {
+    context: &'a Context,
+    /// the context with strict guards, once it is asked for
+    strict: OnceCell<Context>,
+    /// what is left for all questions
+    work: Fuel,
+}
+
+impl<'a> Interiors<'a> {
+    pub(super) fn new(context: &'a Context) -> Self {
+        Self { context, strict: OnceCell::new(), work: Fuel::new(WORK) }
     }
-    (work.left() > 0).then_some(found)
+
+    /// Sets of inequalities, by their indices, that hold only with equality under the equations, where these do not say
+    /// so already. No set can do without one of its inequalities. `None` where the work does not suffice to tell.
+    pub(super) fn tight(&self, relations: &[&Relation]) -> Option<Vec<Vec<usize>>> {
+        let mut found = Vec::new();
+        if relations.iter().any(|r| r.rel != Rel::Eq) {
+            Interior::of(self, relations).search((0..relations.len()).collect(), &mut found);
+        }
+        (self.work.left() > 0).then_some(found)
+    }
 }
 
 /// Relations and what is true where they all can move.
@@ -70,17 +63,22 @@ struct Interior<'a> {
     relations: &'a [&'a Relation],
     work: &'a Fuel,
     /// the context with strict guards
-    strict: Context,
+    strict: &'a Context,
     /// each relation made strict, and what is under its roots above 0; equations are as they were
     inside: Vec<Vec<Relation>>,
 }
 
 impl<'a> Interior<'a> {
-    fn of(context: &'a Context, relations: &'a [&'a Relation], work: &'a Fuel) -> Self {
-        let definition =
-            |d: &Definition| Definition { name: d.name.clone(), body: with_strict_guards(&d.body) };
-        let lets: Vec<Definition> = context.lets.iter().map(definition).collect();
-        let strict = Context { lets, ..context.clone() };
+    fn of(document: &'a Interiors<'a>, relations: &'a [&'a Relation]) -> Self {
+        let Interiors { context, strict, work } = document;
+        let strict = strict.get_or_init(|| {
+            let definition = |d: &Definition| Definition {
+                name: d.name.clone(),
+                body: with_strict_guards(&d.body),
+            };
+            let lets: Vec<Definition> = context.lets.iter().map(definition).collect();
+            Context { lets, ..(*context).clone() }
+        });
         let inside = |r: &&Relation| {
             let relation = Relation {
                 lhs: with_strict_guards(&r.lhs),
@@ -92,7 +90,7 @@ impl<'a> Interior<'a> {
             }
             let mut conditions = Vec::new();
             for side in [&relation.lhs, &relation.rhs] {
-                radicands(&strict, side, &mut conditions);
+                radicands(strict, side, &mut conditions);
             }
             conditions.push(relation);
             conditions
@@ -101,28 +99,67 @@ impl<'a> Interior<'a> {
         Self { context, relations, work, strict, inside }
     }
 
-    /// Whether the equations and these inequalities, made strict, contradict each other.
-    fn is_empty(&self, inequalities: &[usize]) -> bool {
-        let wanted = |(i, r): &(usize, &&Relation)| r.rel == Rel::Eq || inequalities.contains(i);
-        let chosen = self.relations.iter().enumerate().filter(wanted);
-        let inside = chosen.flat_map(|(i, _)| self.inside.get(i).cloned().unwrap_or_default());
-        contradict(&self.strict, inside.collect(), self.work)
+    /// Finds what holds only with equality among these relations.
+    ///
+    /// Those of claims on different cases stand beside each other here, though they need not hold together. So some may
+    /// contradict each other as they are, and what holds only with equality is looked for without each of them.
+    fn search(&self, left: Vec<usize>, found: &mut Vec<Vec<usize>>) {
+        if self.work.left() == 0 || !self.is_empty(&left) {
+            return;
+        }
+        let least = left.iter().fold(left.clone(), |least, i| {
+            let less = without(&least, &[*i]);
+            if self.is_empty(&less) { less } else { least }
+        });
+        if self.contradict(&least) {
+            for i in &least {
+                self.search(without(&left, &[*i]), found);
+            }
+            return;
+        }
+        let (equations, tight): (Vec<usize>, Vec<usize>) =
+            least.into_iter().partition(|i| self.is_equation(*i));
+        let rest = without(&left, &tight);
+        let new: Vec<usize> =
+            tight.into_iter().filter(|i| !self.is_known(*i, &equations)).collect();
+        if !new.is_empty() && !found.contains(&new) {
+            found.push(new);
+        }
+        self.search(rest, found);
     }
 
-    /// Whether the relations as they are contradict each other.
-    fn contradict(&self) -> bool {
-        contradict(self.context, self.relations.iter().map(|r| (*r).clone()).collect(), self.work)
+    fn is_equation(&self, i: usize) -> bool {
+        self.relations.get(i).is_some_and(|r| r.rel == Rel::Eq)
     }
 
-    /// Whether the equations alone make the sides of an inequality equal.
-    fn is_known(&self, i: usize) -> bool {
-        let equations = self.relations.iter().filter(|r| r.rel == Rel::Eq);
+    /// Whether the inequalities among these relations, made strict, and the equations contradict each other.
+    fn is_empty(&self, chosen: &[usize]) -> bool {
+        let inside = chosen.iter().filter_map(|i| self.inside.get(*i)).flatten();
+        contradict(self.strict, inside.cloned().collect(), self.work)
+    }
+
+    /// Whether these relations, as they are, contradict each other.
+    fn contradict(&self, chosen: &[usize]) -> bool {
+        contradict(self.context, self.said(chosen), self.work)
+    }
+
+    /// Whether equations alone make the sides of an inequality equal.
+    fn is_known(&self, i: usize, equations: &[usize]) -> bool {
         self.relations.get(i).is_some_and(|inequality| {
             let apart = Relation { rel: Rel::Ne, ..(**inequality).clone() };
-            let said = equations.map(|r| (*r).clone()).chain([apart]);
+            let said = self.said(equations).into_iter().chain([apart]);
             contradict(self.context, said.collect(), self.work)
         })
     }
+
+    fn said(&self, chosen: &[usize]) -> Vec<Relation> {
+        chosen.iter().filter_map(|i| self.relations.get(*i)).map(|r| (*r).clone()).collect()
+    }
+}
+
+/// The first list without what is in the second.
+fn without(all: &[usize], some: &[usize]) -> Vec<usize> {
+    all.iter().copied().filter(|i| !some.contains(i)).collect()
 }
 
 /// Whether relations are shown to have no common point.

@@ -10,11 +10,11 @@ use std::rc::Rc;
 
 use kane_algebra::rational_function::RationalFunction;
 use kane_algebra::syntax::{Angle, Scope};
-use kane_kernel::{Expr, Fuel, Link, Rel, Relation, Target};
+use kane_kernel::{Expr, Link, Rel, Relation, Target};
 
 use super::Fault;
 use super::citation::{Cited, Draft, DraftBody, DraftClaim, DraftContent};
-use super::interior::{WORK, tight};
+use super::interior::Interiors;
 
 /// What varies in a derivative.
 #[derive(Clone, Debug)]
@@ -42,8 +42,7 @@ pub(super) struct Ties<'a> {
     /// by statement
     derivatives: HashMap<usize, Rc<Vec<Derivative>>>,
     relations: HashMap<usize, Rc<Vec<Rc<Difference>>>>,
-    /// what is left to tell which inequalities are equations
-    work: Fuel,
+    interiors: Interiors<'a>,
 }
 
 /// An equation and what states it: cited statements, or the claim's own conditions.
@@ -67,7 +66,8 @@ struct Tied {
 impl<'a> Ties<'a> {
     pub(super) fn new(scope: &'a Scope, drafts: &'a [Draft]) -> Self {
         let (derivatives, relations) = (HashMap::new(), HashMap::new());
-        Self { scope, drafts, derivatives, relations, work: Fuel::new(WORK) }
+        let interiors = Interiors::new(scope.context());
+        Self { scope, drafts, derivatives, relations, interiors }
     }
 
     /// The fault that the premises of a claim, each at its place in the list, or its conditions tie a
@@ -111,7 +111,7 @@ impl<'a> Ties<'a> {
         if let Some(tied) = self.tied(equal.clone(), &derivatives) {
             return Some(self.fault(index, premises, tied, true));
         }
-        let tight = tight(self.scope.context(), &said, &self.work);
+        let tight = self.interiors.tight(&said);
         let sure = tight.is_some();
         let tight = equations(&relations, &tight.unwrap_or_else(|| alone(|rel| rel != Rel::Eq)));
         let tied = self.tied([equal, tight].concat(), &derivatives)?;
