@@ -20,9 +20,9 @@ const FACTOR_DEGREE: usize = 24;
 const FACTOR_COST: u64 = 60_000;
 
 /// Factors modulo a prime above which those of a polynomial are not searched for: all their sums are tried.
-const MOST_PIECES: u32 = 6;
+const MOST_PIECES: u32 = 8;
 
-/// What a search for factors may take: a tenth of a second.
+/// What a search for factors may take: some tenths of a second without optimization.
 const MOST_LIFTING: u64 = 8_000_000;
 
 pub(crate) fn uni(p: &[BigInt]) -> Uni<Q> {
@@ -96,18 +96,22 @@ fn irreducible_factors(p: &[BigInt], fuel: &Fuel) -> Result<Option<Vec<Vec<BigIn
         return Ok(None);
     }
     fuel.spend(cost)?;
-    let mut factors = match (quadratic_factors(&rest), pieces(&rest, fuel)) {
-        (Some(factors), _) => factors,
-        (None, Some(1)) => vec![primitive(&rest)],
-        (None, pieces) => {
-            // lifting takes the square of the bits
-            let lifting = cost.saturating_mul(height);
-            if pieces.is_some_and(|n| n > MOST_PIECES) || lifting > MOST_LIFTING {
-                return Ok(None);
+    let mut factors = if let Some(factors) = quadratic_factors(&rest) {
+        factors
+    } else {
+        match pieces(&rest, fuel) {
+            Some(1) => vec![primitive(&rest)],
+            pieces => {
+                // lifting takes the square of the bits
+                let lifting = cost.saturating_mul(height);
+                if pieces.is_some_and(|n| n > MOST_PIECES) || lifting > MOST_LIFTING {
+                    return Ok(None);
+                }
+                let sums = cost << pieces.unwrap_or(MOST_PIECES);
+                fuel.spend_beyond(lifting.saturating_add(sums))?;
+                let factors = polyfactor::factor(&uni(&rest)).into_iter();
+                factors.filter(|(f, _)| f.deg() > 0).map(|(f, _)| integers(&f)).collect()
             }
-            fuel.spend_beyond(lifting)?;
-            let factors = polyfactor::factor(&uni(&rest)).into_iter().filter(|(f, _)| f.deg() > 0);
-            factors.map(|(f, _)| integers(&f)).collect()
         }
     };
     if backwards {

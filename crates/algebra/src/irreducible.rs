@@ -27,8 +27,8 @@ pub(crate) fn pieces(p: &[BigInt], fuel: &Fuel) -> Option<u32> {
     fewest
 }
 
-/// The degrees of products of factors modulo a prime, one bit a degree, and how many factors there are; `None` where the degree falls there or a factor
-/// is repeated (Cantor and Zassenhaus 1981: factors of distinct degrees).
+/// The degrees of products of factors modulo a prime, one bit a degree, and how many factors there are; `None` where
+/// the degree falls there or a factor is repeated (Cantor and Zassenhaus 1981: factors of distinct degrees).
 fn sums<const PRIME: u64>(p: &[BigInt]) -> Option<(u64, u32)> {
     let residue = |c: &BigInt| c.mod_floor(&PRIME.into()).to_u64();
     let residues: Option<Vec<_>> = p.iter().map(|c| Some(Gf::<PRIME>::new(residue(c)?))).collect();
