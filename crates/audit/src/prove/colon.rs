@@ -4,10 +4,12 @@
 use kane_algebra::quotient::exact_quotient;
 use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term};
 use num_bigint::BigInt;
-use num_traits::Signed as _;
+use num_traits::{One as _, Signed as _};
 
+use super::conics;
+use super::conjugates::known;
 use super::elimination::Factors;
-
+use super::settled::Settled;
 use crate::argument::{Argument, Rules as _};
 
 /// Terms of an equation that is combined.
@@ -15,16 +17,9 @@ const TERMS: usize = 24;
 /// Equations above which none are combined.
 const EQUATIONS: usize = 16;
 
-/// An equation that follows, and why it is neither positive nor negative.
-pub(super) struct Equation {
-    pub(super) poly: Poly,
-    pub(super) positive: Argument,
-    pub(super) negative: Argument,
-}
-
 /// An equation that is new, from two equations without the highest power of a variable in which both have the same
 /// degree.
-pub(super) fn divided(state: &State<'_, '_>) -> Option<Equation> {
+pub(super) fn divided(state: &State<'_, '_>) -> Option<Settled> {
     let short = |a: &Atom, sign: &[Sign]| {
         sign.contains(&a.sign) && a.decided().is_none() && a.poly.len() <= TERMS
     };
@@ -50,7 +45,7 @@ pub(super) fn divided(state: &State<'_, '_>) -> Option<Equation> {
 }
 
 /// An equation that is new, from one that says that two monomials have equal squares, neither of which is negative.
-pub(super) fn rooted(state: &State<'_, '_>) -> Option<Equation> {
+pub(super) fn rooted(state: &State<'_, '_>) -> Option<Settled> {
     (0..state.atoms.len()).find_map(|i| {
         let atom = &state.atoms[i];
         if atom.sign != Sign::Zero || atom.poly.len() != 2 {
@@ -62,45 +57,38 @@ pub(super) fn rooted(state: &State<'_, '_>) -> Option<Equation> {
         let (m, c) = root((one.0.to_vec(), one.1.clone())).or_else(|| root(negated(one)))?;
         let turn = if one.1.is_negative() { 1 } else { -1 };
         let (n, d) = root((other.0.to_vec(), other.1 * turn))?;
-        let (first, second) = (factors(state, &m)?, factors(state, &n)?);
+        let (first, second) = (known(state, &m)?, known(state, &n)?);
         let poly = Poly::term(m, c.clone()).sub(&Poly::term(n, d.clone()));
         if poly.is_constant() || is_told(state, &poly) || is_told(state, &poly.neg()) {
             return None;
         }
         // (M − N)² + 2·(M − N)·N = M² − N² = 0, and the same with M and N in each other's place
         let fresh = state.atoms.len();
-        let argument = |(weight, known): (&BigInt, &Factors), turn: i32| {
-            let term = |weight, factors| Term { weight, square: Poly::one(), factors };
-            let mixed = [&known[..], &[(fresh, 1)]].concat();
-            let terms = vec![term(BigInt::from(1), vec![(fresh, 2)]), term(weight * 2, mixed)];
+        let argument = |weight: &BigInt, (square, factors): (Monomial, Factors), turn: i32| {
+            let term = |weight, square, factors| Term { weight, square, factors };
+            let square = Poly::term(square, BigInt::one());
+            let mixed = [&factors[..], &[(fresh, 1)]].concat();
+            let terms = vec![
+                term(BigInt::one(), Poly::one(), vec![(fresh, 2)]),
+                term(weight * 2, square, mixed),
+            ];
             Argument::Positive { terms, cofactors: vec![(i, Poly::constant(turn.into()))] }
         };
-        let positive = argument((&d, &second), turn);
-        let negative = argument((&c, &first), -turn);
+        let positive = argument(&d, second, turn);
+        let negative = argument(&c, first, -turn);
         let closes = |poly: Poly, proof: &Argument| {
             state.with(Atom::new(poly, Sign::Positive)).closes(proof).is_ok()
         };
         let sure = closes(poly.clone(), &positive) && closes(poly.neg(), &negative);
-        sure.then_some(Equation { poly, positive, negative })
+        sure.then_some(Settled { poly, sign: Sign::Zero, other: positive, negative })
     })
 }
 
 /// The root of a term, if it is a square.
 fn root((m, c): (Monomial, BigInt)) -> Option<(Monomial, BigInt)> {
-    let root = if c.is_negative() { return None } else { c.sqrt() };
-    let even = m.iter().all(|(_, n)| n % 2 == 0) && &root * &root == c;
+    let root = if c.is_negative() { None } else { conics::root(&c) }?;
+    let even = m.iter().all(|(_, n)| n % 2 == 0);
     even.then(|| (m.into_iter().map(|(v, n)| (v, n / 2)).collect(), root))
-}
-
-/// The conditions that a monomial's variables are not negative, with its powers.
-fn factors(state: &State<'_, '_>, m: &[Power]) -> Option<Factors> {
-    let order = |&(v, n): &Power| {
-        let is_it = |a: &Atom| a.sign.is_order() && a.poly == Poly::var(v);
-        Some((state.atoms.iter().position(is_it)?, n))
-    };
-    let mut factors: Factors = m.iter().map(order).collect::<Option<_>>()?;
-    factors.sort_unstable();
-    Some(factors)
 }
 
 /// What two equations leave without the highest power of a variable, and their cofactors in it.
@@ -125,7 +113,7 @@ fn by(
     difference: &Poly,
     cofactors: &[(usize, Poly)],
     k: usize,
-) -> Option<Equation> {
+) -> Option<Settled> {
     let fuel = &state.scope.fuel;
     let (content, quotient) = exact_quotient(difference, &state.atoms[k].poly, fuel)?.primitive();
     if quotient.is_constant() || is_told(state, &quotient) || is_told(state, &quotient.neg()) {
@@ -145,7 +133,7 @@ fn by(
         next.closes(&argument).is_ok().then_some(argument)
     };
     let (positive, negative) = (argument(&quotient)?, argument(&quotient.neg())?);
-    Some(Equation { poly: quotient, positive, negative })
+    Some(Settled { poly: quotient, sign: Sign::Zero, other: positive, negative })
 }
 
 /// Whether an equation is known.

@@ -8,6 +8,7 @@ use num_traits::{One, Signed};
 use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::hints::is_told;
+use super::settled::Settled;
 use crate::argument::{Argument, Rules as _};
 
 /// Terms of a difference.
@@ -83,16 +84,9 @@ pub(super) fn closed(state: &State<'_, '_>) -> Option<Argument> {
     })
 }
 
-/// What follows from the squares of the sides of a condition: P² − Q² > 0, and why it is neither 0 nor negative.
-pub(super) struct Squared {
-    pub(super) poly: Poly,
-    pub(super) zero: Argument,
-    pub(super) negative: Argument,
-}
-
-/// The squares of the sides of a condition in odd powers of a variable v, of which a premise says a·v² = c and
+/// P² − Q² > 0 for the sides of a condition in odd powers of a variable v, of which a premise says a·v² = c and
 /// the squares have even powers alone; without v, where the sign of a is known.
-pub(super) fn squared_sides(state: &State<'_, '_>) -> Option<Squared> {
+pub(super) fn squared_sides(state: &State<'_, '_>) -> Option<Settled> {
     (0..state.atoms.len()).rev().find_map(|i| {
         let atom = &state.atoms[i];
         let strict = atom.sign == Sign::Positive && atom.decided().is_none();
@@ -115,7 +109,7 @@ fn pure(state: &State<'_, '_>, v: usize) -> Option<usize> {
 }
 
 /// The squares of the sides of condition i, with a premise on v².
-fn squares_of(state: &State<'_, '_>, i: usize, v: usize, premise: usize) -> Option<Squared> {
+fn squares_of(state: &State<'_, '_>, i: usize, v: usize, premise: usize) -> Option<Settled> {
     let fuel = &state.scope.fuel;
     let (p, q) = sides(state, &state.atoms[i].poly)?;
     let squares = p.pow(2, fuel).ok()?.sub(&q.pow(2, fuel).ok()?);
@@ -148,7 +142,7 @@ fn squares_of(state: &State<'_, '_>, i: usize, v: usize, premise: usize) -> Opti
     };
     let sure =
         closes(Sign::Zero, poly.clone(), &zero) && closes(Sign::Positive, poly.neg(), &negative);
-    sure.then_some(Squared { poly, zero, negative })
+    sure.then_some(Settled { poly, sign: Sign::Positive, other: zero, negative })
 }
 
 /// scale·Π lead·p = cofactor·(a premise) + what is left of p.

@@ -7,7 +7,7 @@ use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 use num_traits::{Signed as _, Zero};
 
 use super::elimination::Factors;
-use super::tactics;
+use super::{conics, tactics};
 
 /// Terms of an equation that is factored.
 const EQUATION: usize = 30;
@@ -33,10 +33,7 @@ pub(super) fn linear_factors(atom: &Atom, v: usize, fuel: &Fuel) -> Vec<Poly> {
 /// A polynomial whose square this is.
 fn square_root(p: &Poly, fuel: &Fuel) -> Option<Poly> {
     let (constant, factors) = factors(p);
-    let root = constant.sqrt();
-    if constant.is_negative() || &root * &root != constant {
-        return None;
-    }
+    let root = if constant.is_negative() { None } else { conics::root(&constant) }?;
     let half = |(f, n): (Poly, u32)| (n % 2 == 0).then(|| f.pow(n / 2, fuel).ok()).flatten();
     factors.into_iter().try_fold(Poly::constant(root), |p, factor| p.mul(&half(factor)?, fuel).ok())
 }

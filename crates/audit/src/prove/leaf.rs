@@ -9,6 +9,7 @@ use super::factors::positive_factor;
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, since};
+use super::settled::Settled;
 use super::squares::{Reach, squares};
 use super::{
     cases, colon, conjugates, expansion, ideal, line, means, pairs, products, tactics, written,
@@ -64,7 +65,7 @@ impl Search<'_> {
             && vars.len() > 1
             && let Some(equation) = colon::rooted(state).or_else(|| colon::divided(state))
         {
-            return self.by_equation(state, equation, trail, splits);
+            return self.by_settled(state, equation, trail, splits);
         }
         if self.proofs
             && vars.len() > 1
@@ -131,7 +132,7 @@ impl Search<'_> {
                 && self.squares.spend(ORDER).is_ok()
                 && let Some(squared) = conjugates::squared_sides(state)
             {
-                return self.by_squared_sides(state, squared, trail, splits + 1);
+                return self.by_settled(state, squared, trail, splits + 1);
             }
             if combined.is_none()
                 && splits < MAX_SPLITS
@@ -197,42 +198,18 @@ impl Search<'_> {
             .or_else(|| self.on_boundary(state, trail, splits))
     }
 
-    /// What is left once it is known how the squares of two sides compare.
-    fn by_squared_sides(
+    /// What is left once a sign is known.
+    fn by_settled(
         &self,
         state: &State<'_, '_>,
-        squared: conjugates::Squared,
+        settled: Settled,
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        let conjugates::Squared { poly, zero, negative } = squared;
-        let next = state.with(Atom::new(poly.clone(), Sign::Positive));
+        let next = state.with(settled.atom());
         let fresh = since(&next, state.atoms.len());
         match self.run(&next, &fresh, Vec::new(), trail, splits) {
-            Outcome::Closed(positive) => {
-                let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
-                Outcome::Closed(Argument::Split { poly, zero, positive, negative })
-            }
-            other => other,
-        }
-    }
-
-    /// What is left once an equation is known.
-    fn by_equation(
-        &self,
-        state: &State<'_, '_>,
-        equation: colon::Equation,
-        trail: &[Elimination],
-        splits: u32,
-    ) -> Outcome {
-        let colon::Equation { poly, positive, negative } = equation;
-        let next = state.with(Atom::new(poly.clone(), Sign::Zero));
-        let fresh = since(&next, state.atoms.len());
-        match self.run(&next, &fresh, Vec::new(), trail, splits) {
-            Outcome::Closed(zero) => {
-                let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
-                Outcome::Closed(Argument::Split { poly, zero, positive, negative })
-            }
+            Outcome::Closed(left) => Outcome::Closed(settled.split(left)),
             other => other,
         }
     }

@@ -38,6 +38,7 @@ mod retelling;
 mod sample;
 mod search;
 mod series;
+mod settled;
 mod squares;
 mod squeeze;
 mod surds;

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
 use super::elimination::{Elimination, open_vars};
-use super::radicals::{FEWEST, Radical, Radicals, Reduced, contradiction};
+use super::radicals::{Radical, Radicals, Reduced, contradiction};
 use super::sample::{candidates, complete, diagonal};
 use super::search::{Outcome, Search};
 
@@ -23,48 +23,46 @@ const OTHERS: usize = 3;
 const TRIES: usize = 40;
 /// Weights of the roots in it, by the power to which they are raised: with some of them two conjugates may be equal.
 const WEIGHTS: [u32; 3] = [1, 2, 5];
+
 impl Search<'_> {
     /// How a state ends that speaks of three roots of numbers or more, where that is seen.
     pub(super) fn by_roots(&self, state: &State<'_, '_>, trail: &[Elimination]) -> Option<Outcome> {
-        if let Some(proof) = contradiction(state) {
+        let radicals = Radicals::of(state)?;
+        if let Some(proof) = contradiction(state, &radicals) {
             return Some(Outcome::Closed(proof));
         }
-        if self.models {
-            point(state, trail).map(Outcome::Model)
-        } else {
-            seen(state).map(|_| Outcome::Open)
+        let values = values(state, &radicals)?;
+        // what has a point has no proof
+        if !self.models {
+            return Some(Outcome::Open);
         }
+        let fuel = &state.scope.fuel;
+        let mut partial = WEIGHTS.iter().find_map(|&w| written(&radicals, w, fuel))?;
+        values.into_iter().for_each(|(v, q)| partial.set(v, q));
+        // where the number's polynomial has factors, a 0 is not always seen to be one
+        let is_shown = |a: &Atom| partial.sign(&a.poly, fuel).is_some_and(|s| a.sign.admits(s));
+        if !state.atoms.iter().all(is_shown) {
+            return None;
+        }
+        complete(state, partial, trail).map(Outcome::Model)
     }
 }
 
-/// A point of a state of three roots or more, with simple values for what is no root.
-fn point(state: &State<'_, '_>, trail: &[Elimination]) -> Option<Point> {
-    let (radicals, values) = seen(state)?;
-    let mut partial = WEIGHTS.iter().find_map(|&w| written(&radicals, w, &state.scope.fuel))?;
-    values.into_iter().for_each(|(v, q)| partial.set(v, q));
-    complete(state, partial, trail)
-}
-
-/// The roots, three or more, and simple values for what is none, where all conditions seem to hold.
-fn seen(state: &State<'_, '_>) -> Option<(Radicals, Vec<(usize, Q)>)> {
-    let radicals = Radicals::of(state);
-    if !(FEWEST..=ROOTS).contains(&radicals.0.len()) {
-        return None;
-    }
+/// Simple values for what is no root, where all conditions seem to hold.
+fn values(state: &State<'_, '_>, radicals: &Radicals) -> Option<Vec<(usize, Q)>> {
     let others: Vec<usize> = open_vars(state).into_iter().filter(|v| !radicals.has(*v)).collect();
-    if others.len() > OTHERS {
+    if radicals.0.len() > ROOTS || others.len() > OTHERS {
         return None;
     }
     let lists: Vec<Vec<Q>> = others.iter().map(|v| candidates(state, *v)).collect();
-    let values = diagonal(&lists, TRIES).into_iter().find_map(|values| {
+    diagonal(&lists, TRIES).into_iter().find_map(|values| {
         let values: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
         let holds = |a: &Atom| {
-            let sign = radicals.sign(&specialised(&a.poly, &values));
+            let sign = radicals.seen(&specialised(&a.poly, &values), &state.scope.fuel);
             sign.is_some_and(|sign| a.sign.admits(sign))
         };
         state.atoms.iter().all(holds).then_some(values)
-    })?;
-    Some((radicals, values))
+    })
 }
 
 /// The roots by the number with these weights.

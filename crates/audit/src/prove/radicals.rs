@@ -1,8 +1,9 @@
 //! Roots of numbers, and roots of what is made of such: the sign of A + B·s with a·s² = c is that of A and B where they
 //! agree, and else that of A times that of a·A² − B²·c, which has one root less.
 //!
-//! So whatever is said of roots of numbers is decided. Which sign is the true one is read off enclosures; that the
-//! others contradict themselves is shown from the innermost root outward. What is within 2⁻¹²⁸ of 0 is tried as 0.
+//! Which sign is the true one is read off enclosures; that the others contradict themselves is shown from the innermost
+//! root outward. What is within 2⁻¹²⁸ of 0 is tried as 0. No root is left in the end, so that a false sign of up to
+//! seven roots is shown to be one, as far as the work for a state reaches.
 
 use kane_algebra::ring::common_sign;
 use kane_kernel::{Atom, Fuel, Poly, Power, Sign, State, Term};
@@ -14,15 +15,18 @@ use super::fixed::Enclosure;
 use crate::argument::{Argument, Rules as _};
 
 /// Roots below which other ways have shorter proofs.
-pub(super) const FEWEST: usize = 3;
+const FEWEST: usize = 3;
 /// Roots above which nothing is tried.
 const ROOTS: usize = 7;
 /// Terms of a polynomial on the way.
 const TERMS: usize = 200;
-/// What a look at the value of a term costs, in coefficient operations.
+/// Powers of one root in a polynomial that is looked at.
+const DEGREE: u32 = 64;
+/// What a look at the value of a term costs, and of each root in it, in coefficient operations.
 const LOOK: u64 = 20;
 /// Coefficient operations that one state may take.
 const WORK: u64 = 4_000_000;
+
 /// A variable s with a·s² = c, a > 0, and s ≥ 0.
 pub(super) struct Radical {
     pub(super) s: usize,
@@ -41,14 +45,15 @@ pub(super) struct Radical {
 pub(super) struct Radicals(pub(super) Vec<Radical>);
 
 impl Radicals {
-    pub(super) fn of(state: &State<'_, '_>) -> Self {
+    /// Those of a state, if there are so many that other ways seldom end.
+    pub(super) fn of(state: &State<'_, '_>) -> Option<Self> {
         let mut all = Self(Vec::new());
         while all.0.len() < ROOTS {
             let next = (0..state.atoms.len()).find_map(|i| all.next(state, i));
             let Some(next) = next else { break };
             all.0.push(next);
         }
-        all
+        (all.0.len() >= FEWEST).then_some(all)
     }
 
     /// Whether a variable is one of them.
@@ -101,6 +106,17 @@ impl Radicals {
         self.value(p)?.sign()
     }
 
+    /// The same where it is not too much to look at, paid for by what the budget is a part of.
+    pub(super) fn seen(&self, p: &Poly, fuel: &Fuel) -> Option<i8> {
+        let high = |v: usize| p.degree(v) > DEGREE;
+        if p.len() > TERMS || p.vars().into_iter().any(|v| !self.has(v) || high(v)) {
+            return None;
+        }
+        let factors = p.terms().map(|(m, _)| 1 + m.iter().map(|(_, n)| u64::from(*n)).sum::<u64>());
+        fuel.spend_beyond(LOOK * factors.sum::<u64>()).ok()?;
+        self.sign(p)
+    }
+
     /// Whether all terms of a polynomial have one sign, and one of them is a number.
     fn shows(&self, p: &Poly) -> bool {
         let number = |(m, _): (&[Power], &BigInt)| m.is_empty();
@@ -108,22 +124,15 @@ impl Radicals {
     }
 }
 
-/// A contradiction of what is said of roots of numbers, of which there are three or more, if something false is.
-pub(super) fn contradiction(state: &State<'_, '_>) -> Option<Argument> {
-    let radicals = Radicals::of(state);
-    if radicals.0.len() < FEWEST {
-        return None;
-    }
+/// A contradiction of what is said of these roots, if something false is.
+pub(super) fn contradiction(state: &State<'_, '_>, radicals: &Radicals) -> Option<Argument> {
     let fuel = state.scope.fuel.within(WORK);
     (0..state.atoms.len()).find_map(|i| {
         let atom = &state.atoms[i];
-        let length = u64::try_from(atom.poly.len()).ok()?;
-        state.scope.fuel.spend_beyond(LOOK * length).ok()?;
-        let sign = (atom.poly.len() <= TERMS).then(|| radicals.sign(&atom.poly)).flatten()?;
-        if atom.sign.admits(sign) {
+        if atom.sign.admits(radicals.seen(&atom.poly, &state.scope.fuel)?) {
             return None;
         }
-        let proof = refuted(state, &radicals, i, &fuel)?;
+        let proof = refuted(state, radicals, i, &fuel)?;
         state.closes(&proof).is_ok().then_some(proof)
     })
 }

@@ -1,0 +1,31 @@
+//! Polynomials of whose three signs one is left.
+
+use kane_kernel::{Atom, Poly, Sign};
+
+use crate::argument::Argument;
+
+/// A polynomial that is zero, or positive, and why it has neither other sign.
+pub(super) struct Settled {
+    pub(super) poly: Poly,
+    /// [`Sign::Zero`] or [`Sign::Positive`]
+    pub(super) sign: Sign,
+    /// that it is not zero, if it is positive, and not positive, if it is zero
+    pub(super) other: Argument,
+    /// that it is not negative
+    pub(super) negative: Argument,
+}
+
+impl Settled {
+    /// What is known by it.
+    pub(super) fn atom(&self) -> Atom {
+        Atom::new(self.poly.clone(), self.sign)
+    }
+
+    /// The split on the sign, once an argument shows that the one that is left contradicts itself, too.
+    pub(super) fn split(self, left: Argument) -> Argument {
+        let Self { poly, sign, other, negative } = self;
+        let (zero, positive) = if sign == Sign::Zero { (left, other) } else { (other, left) };
+        let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
+        Argument::Split { poly, zero, positive, negative }
+    }
+}
