@@ -84,6 +84,17 @@ pub(super) fn rooted(state: &State<'_, '_>) -> Option<Settled> {
     })
 }
 
+/// Whether a variable is a root, and an equation says that its square is a product of variables.
+pub(super) fn is_root_of_product(state: &State<'_, '_>, v: usize) -> bool {
+    let root = state.scope.root(v).is_some();
+    root && state.atoms.iter().any(|a| {
+        a.sign == Sign::Zero
+            && a.poly.len() == 2
+            && a.poly.vars().len() > 2
+            && a.poly.coefficients(v).iter().map(Poly::len).eq([1, 0, 1])
+    })
+}
+
 /// The root of a term, if it is a square.
 fn root((m, c): (Monomial, BigInt)) -> Option<(Monomial, BigInt)> {
     let root = if c.is_negative() { None } else { conics::root(&c) }?;

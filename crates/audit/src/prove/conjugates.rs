@@ -1,15 +1,14 @@
 //! A difference of two sides that are not negative, times their sum: (P − Q)·(P + Q) = P² − Q². Where P and Q
 //! are made of roots the squares say more than the sides.
 
-use kane_kernel::{Atom, Monomial, Poly, Sign, State, Term, exponent};
+use kane_kernel::{Atom, Monomial, Poly, Sign, State};
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
+use num_traits::{One as _, Signed as _};
 
 use super::combination::{Multiple, Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::hints::is_told;
-use super::settled::Settled;
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 
 /// Terms of a difference.
 const TERMS: usize = 8;
@@ -82,107 +81,6 @@ pub(super) fn closed(state: &State<'_, '_>) -> Option<Argument> {
         strict.then(|| squared(state, &atom.poly, &roots))??;
         multiplied(state, i, &roots)
     })
-}
-
-/// P² − Q² > 0 for the sides of a condition in odd powers of a variable v, of which a premise says a·v² = c and
-/// the squares have even powers alone; without v, where the sign of a is known.
-pub(super) fn squared_sides(state: &State<'_, '_>) -> Option<Settled> {
-    (0..state.atoms.len()).rev().find_map(|i| {
-        let atom = &state.atoms[i];
-        let strict = atom.sign == Sign::Positive && atom.decided().is_none();
-        let of = |&v: &usize| odd(&atom.poly, v).then(|| pure(state, v)).flatten().map(|j| (v, j));
-        let (v, premise) = strict.then(|| atom.poly.vars().iter().find_map(of))??;
-        squares_of(state, i, v, premise)
-    })
-}
-
-fn odd(p: &Poly, v: usize) -> bool {
-    p.terms().any(|(m, _)| exponent(m, v) % 2 == 1)
-}
-
-/// The premise a·v² = c, where a is no number.
-fn pure(state: &State<'_, '_>, v: usize) -> Option<usize> {
-    state.atoms.iter().position(|a| {
-        let parts = a.poly.coefficients(v);
-        a.sign == Sign::Zero && parts.len() == 3 && parts[1].is_empty() && !parts[2].is_constant()
-    })
-}
-
-/// The squares of the sides of condition i, with a premise on v².
-fn squares_of(state: &State<'_, '_>, i: usize, v: usize, premise: usize) -> Option<Settled> {
-    let fuel = &state.scope.fuel;
-    let (p, q) = sides(state, &state.atoms[i].poly)?;
-    let squares = p.pow(2, fuel).ok()?.sub(&q.pow(2, fuel).ok()?);
-    if odd(&squares, v) {
-        return None;
-    }
-    let rest = Divided::of(state, &squares, v, premise).unwrap_or_else(|| Divided::none(squares));
-    let (content, poly) = rest.left.primitive();
-    if is_told(state, &poly) {
-        return None;
-    }
-    // aⁿ·(P − Q)·(P + Q) − … · premise − (what is left) = 0, whose first summand is positive
-    let mut terms = Vec::new();
-    for (m, c) in p.add(&q).terms() {
-        let (square, mut factors) = known(state, m)?;
-        factors.push((i, 1));
-        factors.extend(rest.lead);
-        factors.sort_unstable();
-        let square = Poly::term(square, BigInt::one());
-        terms.push(Term { weight: c * &rest.scale, square, factors });
-    }
-    let fresh = state.atoms.len();
-    let by_premise = (premise, rest.cofactor.neg());
-    let cofactors = vec![by_premise.clone(), (fresh, Poly::constant(-&content))];
-    let zero = Argument::Positive { terms: terms.clone(), cofactors };
-    terms.push(Term { weight: content, square: Poly::one(), factors: vec![(fresh, 1)] });
-    let negative = Argument::Positive { terms, cofactors: vec![by_premise] };
-    let closes = |sign, poly: Poly, proof: &Argument| {
-        state.with(Atom::new(poly, sign)).closes(proof).is_ok()
-    };
-    let sure =
-        closes(Sign::Zero, poly.clone(), &zero) && closes(Sign::Positive, poly.neg(), &negative);
-    sure.then_some(Settled { poly, sign: Sign::Positive, other: zero, negative })
-}
-
-/// scale·Π lead·p = cofactor·(a premise) + what is left of p.
-struct Divided {
-    scale: BigInt,
-    lead: Option<(usize, u32)>,
-    cofactor: Poly,
-    left: Poly,
-}
-
-impl Divided {
-    /// p as it is.
-    fn none(p: Poly) -> Self {
-        Self { scale: BigInt::one(), lead: None, cofactor: Poly::default(), left: p }
-    }
-
-    /// p, even in v, without v by a premise a·v² = c, where a condition says that a, or −a, is positive.
-    fn of(state: &State<'_, '_>, p: &Poly, v: usize, premise: usize) -> Option<Self> {
-        let fuel = &state.scope.fuel;
-        let (content, lead) = state.atoms[premise].poly.coefficients(v).pop()?.primitive();
-        let is_it = |a: &Atom| {
-            let same = |q: &Poly| *q == lead || *q == lead.neg();
-            a.sign == Sign::Positive && same(&a.poly)
-        };
-        let at = state.atoms.iter().position(is_it)?;
-        let positive = &state.atoms[at].poly;
-        let flip = if (*positive == lead) == content.is_positive() { 1 } else { -1 };
-        let rule = state.atoms[premise].poly.scale(&BigInt::from(flip));
-        let lead = positive.scale(&content.abs());
-        let (mut n, mut cofactor, mut left) = (0, Poly::default(), p.clone());
-        while left.degree(v) >= 2 {
-            let top = left.coefficients(v).pop()?;
-            let by = top.mul(&Poly::power(v, left.degree(v) - 2), fuel).ok()?;
-            left = left.mul(&lead, fuel).ok()?.sub(&by.mul(&rule, fuel).ok()?);
-            cofactor = cofactor.mul(&lead, fuel).ok()?.add(&by);
-            n += 1;
-        }
-        let cofactor = cofactor.scale(&BigInt::from(flip));
-        Some(Self { scale: content.abs().pow(n), lead: (n > 0).then_some((at, n)), cofactor, left })
-    }
 }
 
 /// Condition i times itself and times each of its terms, multiples of equations, and the other conditions.

@@ -32,15 +32,24 @@ struct Known<'a> {
     fuel: &'a Fuel,
 }
 
-/// One of the last atoms contradicts the others.
+/// One of the last inequalities, or of the last equations, contradicts the other atoms.
 pub(crate) fn expansion(state: &State<'_, '_>) -> Option<Argument> {
-    let order = |i: &usize| state.atoms[*i].sign.is_order() && state.atoms[*i].decided().is_none();
-    let targets =
-        (0..state.atoms.len()).rev().filter(order).filter(|&i| state.atoms[i].poly.len() > 1);
-    targets.take(3).find_map(|target| contradicted(state, target))
+    let long = |i: &usize| state.atoms[*i].decided().is_none() && state.atoms[*i].poly.len() > 1;
+    let with = |fits: fn(Sign) -> bool| {
+        let all = (0..state.atoms.len()).rev().filter(long);
+        all.filter(move |&i| fits(state.atoms[i].sign)).take(3)
+    };
+    with(Sign::is_order).find_map(|i| contradicted(state, i, &state.atoms[i].poly)).or_else(|| {
+        let either = |i: usize| {
+            let poly = &state.atoms[i].poly;
+            [poly.clone(), poly.neg()].iter().find_map(|p| contradicted(state, i, p))
+        };
+        with(|sign| sign == Sign::Zero).find_map(either)
+    })
 }
 
-fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Argument> {
+/// Why p, the polynomial of an atom or, for an equation, its negative, is not above 0.
+fn contradicted(state: &State<'_, '_>, target: usize, p: &Poly) -> Option<Argument> {
     let atoms = &state.atoms;
     let usable =
         |i: &usize| *i != target && atoms[*i].sign.is_order() && atoms[*i].decided().is_none();
@@ -62,17 +71,22 @@ fn contradicted(state: &State<'_, '_>, target: usize) -> Option<Argument> {
         }
     }
     let known = Known { atoms, variables, premises, fuel: &state.scope.fuel };
-    let wanted = atoms[target].poly.neg();
-    let Expanded { multiplier, terms } = known.expand(&wanted, MAX_DEPTH)?;
-    // multiplier·target + Σ terms = 0
+    let Expanded { multiplier, terms } = known.expand(&p.neg(), MAX_DEPTH)?;
+    // multiplier·p + Σ terms = 0
     let mut all: Vec<(BigInt, Factors)> = Vec::new();
-    for (weight, factors) in known.product(&multiplier)? {
-        all.push((weight, merged(&factors, &[(target, 1)])));
+    let mut cofactors = Vec::new();
+    if atoms[target].sign == Sign::Zero {
+        let turned = *p != atoms[target].poly;
+        cofactors.push((target, if turned { multiplier.neg() } else { multiplier }));
+    } else {
+        for (weight, factors) in known.product(&multiplier)? {
+            all.push((weight, merged(&factors, &[(target, 1)])));
+        }
     }
     all.extend(terms);
     let terms =
         all.into_iter().map(|(weight, factors)| Term { weight, square: Poly::one(), factors });
-    let proof = Argument::Positive { terms: terms.collect(), cofactors: Vec::new() };
+    let proof = Argument::Positive { terms: terms.collect(), cofactors };
     state.closes(&proof).is_ok().then_some(proof)
 }
 

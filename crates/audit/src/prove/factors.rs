@@ -7,6 +7,7 @@ use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 use num_traits::{Signed as _, Zero};
 
 use super::elimination::Factors;
+use super::hints::is_told;
 use super::{conics, tactics};
 
 /// Terms of an equation that is factored.
@@ -31,11 +32,13 @@ pub(super) fn linear_factors(atom: &Atom, v: usize, fuel: &Fuel) -> Vec<Poly> {
 }
 
 /// A polynomial whose square this is.
-fn square_root(p: &Poly, fuel: &Fuel) -> Option<Poly> {
+pub(super) fn square_root(p: &Poly, fuel: &Fuel) -> Option<Poly> {
     let (constant, factors) = factors(p);
     let root = if constant.is_negative() { None } else { conics::root(&constant) }?;
+    let factors = factors.into_iter().filter(|(f, _)| !f.is_constant());
     let half = |(f, n): (Poly, u32)| (n % 2 == 0).then(|| f.pow(n / 2, fuel).ok()).flatten();
-    factors.into_iter().try_fold(Poly::constant(root), |p, factor| p.mul(&half(factor)?, fuel).ok())
+    let mut halves = factors.map(half);
+    halves.try_fold(Poly::constant(root), |p, half| p.mul(&half?, fuel).ok())
 }
 
 /// Atoms that are known not to vanish and whose product is ±d up to a factor; none for a constant.
@@ -169,7 +172,10 @@ pub(super) fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
             if !content.is_constant() {
                 // A power splits like its base.
                 let base = content.vars()[0];
-                return Some(if content.len() == 1 { Poly::var(base) } else { content });
+                let part = if content.len() == 1 { Poly::var(base) } else { content };
+                if !is_told(state, &part.primitive().1) {
+                    return Some(part);
+                }
             }
         }
     }

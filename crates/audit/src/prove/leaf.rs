@@ -7,6 +7,7 @@ use super::differences::differences;
 use super::elimination::{Elimination, open_vars};
 use super::factors::positive_factor;
 use super::hints::{Hint, Wealth, hinted, untold};
+use super::isolated::isolated;
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, since};
 use super::settled::Settled;
@@ -63,7 +64,7 @@ impl Search<'_> {
         // of each three signs one is left, so that these are no case distinctions
         if self.proofs
             && vars.len() > 1
-            && let Some(equation) = colon::rooted(state).or_else(|| colon::divided(state))
+            && let Some(equation) = colon::divided(state)
         {
             return self.by_settled(state, equation, trail, splits);
         }
@@ -129,8 +130,7 @@ impl Search<'_> {
             }
             if combined.is_none()
                 && splits < MAX_SPLITS
-                && self.squares.spend(ORDER).is_ok()
-                && let Some(squared) = conjugates::squared_sides(state)
+                && let Some(squared) = isolated(state)
             {
                 return self.by_settled(state, squared, trail, splits + 1);
             }
@@ -199,7 +199,7 @@ impl Search<'_> {
     }
 
     /// What is left once a sign is known.
-    fn by_settled(
+    pub(super) fn by_settled(
         &self,
         state: &State<'_, '_>,
         settled: Settled,

@@ -23,6 +23,7 @@ mod functions;
 mod germs;
 mod hints;
 mod ideal;
+mod isolated;
 mod leaf;
 mod limits;
 mod line;

@@ -5,6 +5,7 @@ use std::cell::{Cell, RefCell};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 
 use super::attempt::Attempt;
+use super::colon;
 use super::elimination::{Elimination, Factors};
 use super::factors::{cancellation, cannot_vanish, content_to_split, leading, pinched};
 use super::hints::Hint;
@@ -238,6 +239,12 @@ impl<'a> Search<'a> {
         if let Some(outcome) = self.by_roots(state, trail) {
             return outcome;
         }
+        // before a root that is a product of others is solved for
+        if self.proofs
+            && let Some(equation) = colon::rooted(state)
+        {
+            return self.by_settled(state, equation, trail, splits);
+        }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
             trail.extend(elimination);
@@ -332,7 +339,9 @@ impl<'a> Search<'a> {
             let is_function = var.is_some_and(|w| w.of.is_some());
             let class = usize::from(!d.is_constant());
             let place = self.defined.iter().position(|d| *d == v);
-            let (place, kept) = place.map_or((self.defined.len(), kept), |place| (place, 0));
+            // a root of a product may yet be a product of roots
+            let last = self.defined.len() + usize::from(colon::is_root_of_product(state, v));
+            let (place, kept) = place.map_or((last, kept), |place| (place, 0));
             // where a proof is to be read, what varies goes first, and what has a range last
             let (first, second) = match self.defined.is_empty() {
                 true => (class, usize::from(!is_function)),

@@ -83,24 +83,50 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
             targets.push(Product { factors: vec![(i, n)], poly: poly(i).pow(n, fuel).ok()? });
         }
     }
-    let equated: Vec<Poly> = equations.iter().map(|&i| poly(i)).collect();
-    for target in targets.into_iter().take(TARGETS) {
+    for (n, target) in targets.into_iter().take(TARGETS).enumerate() {
         let more = if reach == Reach::Higher { 2 } else { 0 };
         let degree = most.max(total_degree(&target.poly)).next_multiple_of(2) + more;
         if degree > DEGREE {
             continue;
         }
-        let polys: Vec<Poly> = products.iter().map(|p| p.poly.clone()).collect();
-        let question =
-            Question { positive: &target.poly, products: &polys, equations: &equated, degree };
-        if let Some(found) = identity(&question, fuel) {
-            let proof = argument(&target, &products, &equations, found);
-            if state.closes(&proof).is_ok() {
-                return Some(proof);
-            }
+        let among = Among { state, target: &target, degree };
+        // of the newest, without what has other variables, too: matrices are smaller, and fewer of them singular
+        let vars = target.poly.vars();
+        let near = |p: &Poly| p.vars().iter().all(|v| vars.contains(v));
+        let few: Vec<Product> = products.iter().filter(|p| near(&p.poly)).cloned().collect();
+        let equal: Vec<usize> = equations.iter().copied().filter(|&i| near(&poly(i))).collect();
+        let all = few.len() == products.len() && equal.len() == equations.len();
+        let first =
+            (n == 0 && reach == Reach::Atoms && !all).then(|| among.proof(&few, &equal, fuel));
+        let found = first.flatten().or_else(|| among.proof(&products, &equations, fuel));
+        if found.is_some() {
+            return found;
         }
     }
     None
+}
+
+/// What is contradicted, and the degree of the identity.
+struct Among<'a> {
+    state: &'a State<'a, 'a>,
+    target: &'a Product,
+    degree: u32,
+}
+
+impl Among<'_> {
+    /// A contradiction by squares times some products, and multiples of some equations.
+    fn proof(&self, products: &[Product], equations: &[usize], fuel: &Fuel) -> Option<Argument> {
+        let polys: Vec<Poly> = products.iter().map(|p| p.poly.clone()).collect();
+        let equated = equations.iter().map(|&i| self.state.atoms[i].poly.clone());
+        let question = Question {
+            positive: &self.target.poly,
+            products: &polys,
+            equations: &equated.collect::<Vec<_>>(),
+            degree: self.degree,
+        };
+        let proof = argument(self.target, products, equations, identity(&question, fuel)?);
+        self.state.closes(&proof).is_ok().then_some(proof)
+    }
 }
 
 /// Whether an atom says no more than that its variables are not negative, which other atoms say.

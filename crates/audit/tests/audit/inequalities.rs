@@ -104,3 +104,26 @@ fn sides_are_compared_by_squares_that_a_premise_with_a_leading_coefficient_reduc
     assert_eq!(verdict(&claim("4")), Verdict::Proved);
     assert_eq!(verdict(&claim("41/10")), Verdict::Refuted);
 }
+
+#[test]
+fn roots_that_stand_alone_on_their_side_are_squared_away() {
+    let verdict = |claim: &str| {
+        let vectors = "var a in R^3, b in R^3, f in R^2, s in R^2, r >= 0, x >= 0, y >= 0";
+        let text = format!("```kane\n{vectors}\ngiven cone: norm(f) <= r\nclaim c: {claim}\n```\n");
+        let document = read("lengths.md", text.as_bytes()).expect("it can be read");
+        audit(document, &Options::default(), &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+    };
+    for claim in [
+        "norm(a + b) <= norm(a) + norm(b)",
+        "abs(norm(a) - norm(b)) <= norm(a - b)",
+        "abs(dot(a, b)) <= norm(a)*norm(b)",
+        "dot(f, s) >= -r*norm(s) from cone",
+        "sqrt(x + y + 2*sqrt(x*y)) = sqrt(x) + sqrt(y)",
+        "(r + x)/sqrt(1 + r^2) <= sqrt(1 + x^2)",
+    ] {
+        assert_eq!(verdict(claim), Some(Verdict::Proved), "{claim}");
+    }
+    for claim in ["norm(a - b) <= norm(a) - norm(b)", "abs(dot(a, b)) < norm(a)*norm(b)"] {
+        assert_eq!(verdict(claim), Some(Verdict::Refuted), "{claim}");
+    }
+}

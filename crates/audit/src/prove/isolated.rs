@@ -1,0 +1,226 @@
+//! Roots on one side: A > N, where N is not negative, says that A² > N², in which the roots are squared that stood
+//! alone on their side.
+
+use std::collections::BTreeSet;
+
+use kane_algebra::quotient::exact_quotient;
+use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term, exponent};
+use num_bigint::BigInt;
+use num_traits::{One, Signed};
+
+use super::conjugates::known;
+use super::elimination::Factors;
+use super::hints::is_told;
+use super::settled::Settled;
+use crate::argument::{Argument, Rules as _};
+
+/// Terms of a condition that is squared, and of its square.
+const TERMS: usize = 16;
+const SQUARE: usize = 150;
+/// Rules that are used one after the other.
+const PASSES: usize = 12;
+
+/// An equation that reduces powers of a variable: a·vⁿ = …, n ≥ 2, where a is a number or an atom says that it has a
+/// sign.
+struct Rule {
+    v: usize,
+    equation: usize,
+    degree: u32,
+    /// the atom on a, and whether that is −a
+    lead: Option<(usize, bool)>,
+    /// whether it says no more than the square of v, which is not negative
+    is_root: bool,
+}
+
+impl Rule {
+    /// One an equation: for its last root, or for its last variable, as the search reduces by them.
+    fn all(state: &State<'_, '_>) -> Vec<Self> {
+        let of = |(equation, atom): (usize, &Atom)| {
+            let is_one = atom.sign == Sign::Zero && !atom.poly.is_constant();
+            let vars = atom.poly.vars().into_iter().rev().filter(|_| is_one);
+            let rules: Vec<Self> = vars.filter_map(|v| Self::of(state, v, equation)).collect();
+            let root = rules.iter().position(|rule| rule.is_root);
+            rules.into_iter().nth(root.unwrap_or(0))
+        };
+        state.atoms.iter().enumerate().filter_map(of).collect()
+    }
+
+    fn of(state: &State<'_, '_>, v: usize, equation: usize) -> Option<Self> {
+        let p = &state.atoms[equation].poly;
+        let degree = p.degree(v);
+        let a = p.coefficient(v, degree).primitive().1;
+        let lead = |(i, atom): (usize, &Atom)| {
+            let same = atom.poly == a || atom.poly == a.neg();
+            (atom.sign == Sign::Positive && same).then(|| (i, atom.poly != a))
+        };
+        let told = || state.atoms.iter().enumerate().find_map(lead);
+        let lead = if a.is_constant() { None } else { Some(told()?) };
+        let pure = degree == 2 && p.coefficient(v, 1).is_empty();
+        // a cosine beside a sine is none
+        let is_named = lead.is_some() || state.scope.root(v).is_some();
+        let is_root = pure && is_named && known(state, &[(v, 1)]).is_some();
+        (degree >= 2).then_some(Self { v, equation, degree, lead, is_root })
+    }
+}
+
+/// A > N with squares that have fewer roots than the condition has: A² − N² is positive.
+pub(super) fn isolated(state: &State<'_, '_>) -> Option<Settled> {
+    let strict = |i: &usize| {
+        let atom = &state.atoms[*i];
+        atom.sign == Sign::Positive && atom.decided().is_none() && atom.poly.len() <= TERMS
+    };
+    let rules = Rule::all(state);
+    (0..state.atoms.len()).rev().filter(strict).find_map(|i| {
+        let p = &state.atoms[i].poly;
+        sides(p, &rules).into_iter().find_map(|side| squared(state, i, &side, &rules))
+    })
+}
+
+/// Which roots a monomial has in odd powers.
+fn odd(m: &[Power], rules: &[Rule]) -> Vec<usize> {
+    rules.iter().filter(|r| r.is_root).map(|r| r.v).filter(|&v| exponent(m, v) % 2 == 1).collect()
+}
+
+/// How many products of roots a polynomial has.
+fn products(p: &Poly, rules: &[Rule]) -> usize {
+    let all: BTreeSet<Vec<usize>> = p.terms().map(|(m, _)| odd(m, rules)).collect();
+    all.iter().filter(|product| !product.is_empty()).count()
+}
+
+/// What may stand on the lesser side: the terms with roots that are taken away, or all that is.
+fn sides(p: &Poly, rules: &[Rule]) -> Vec<Poly> {
+    let taken = |of: &dyn Fn(&[Power]) -> bool| {
+        let terms = p.terms().filter(|(m, c)| c.is_negative() && of(m));
+        Poly::sum(terms.map(|(m, c)| (m.to_vec(), -c)))
+    };
+    let mut out = vec![taken(&|m| !odd(m, rules).is_empty()), taken(&|_| true)];
+    out.dedup();
+    out.retain(|n| !n.is_empty());
+    out
+}
+
+/// The squares of the sides of condition i.
+fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Option<Settled> {
+    let fuel = &state.scope.fuel;
+    let p = &state.atoms[i].poly;
+    let terms: Vec<(BigInt, (Monomial, Factors))> =
+        lesser.terms().map(|(m, c)| Some((c * 2, known(state, m)?))).collect::<Option<_>>()?;
+    let square = p.pow(2, fuel).ok()?.add(&p.mul(&lesser.scale(&2.into()), fuel).ok()?);
+    if square.len() > SQUARE {
+        return None;
+    }
+    let rest = Divided::of(state, &square, rules)?;
+    let (content, poly) = rest.left.primitive();
+    if products(&poly, rules) >= products(p, rules) || is_told(state, &reduced(state, &poly)) {
+        return None;
+    }
+    // scale·Π lead·(p² + 2·p·N) − Σ cofactor·premise − (what is left) = 0, whose first summand is positive
+    let with = |(square, factors): (Monomial, Factors), of_p: u32| {
+        let mut factors = [&factors[..], &[(i, of_p)], &rest.lead[..]].concat();
+        factors.sort_unstable();
+        (Poly::term(square, BigInt::one()), factors)
+    };
+    let whole = std::iter::once((BigInt::one(), with((Monomial::new(), Factors::new()), 2)));
+    let mixed = terms.into_iter().map(|(weight, known)| (weight, with(known, 1)));
+    let term = |(weight, (square, factors)): (BigInt, (Poly, Factors))| {
+        let weight = weight * &rest.scale;
+        Term { weight, square, factors }
+    };
+    let mut terms: Vec<Term> = whole.chain(mixed).map(term).collect();
+    let fresh = state.atoms.len();
+    let premises: Vec<(usize, Poly)> = rest.cofactors.iter().map(|(j, c)| (*j, c.neg())).collect();
+    let by_zero = [&premises[..], &[(fresh, Poly::constant(-&content))]].concat();
+    let zero = Argument::Positive { terms: terms.clone(), cofactors: by_zero };
+    terms.push(Term { weight: content, square: Poly::one(), factors: vec![(fresh, 1)] });
+    let negative = Argument::Positive { terms, cofactors: premises };
+    let closes = |sign, poly: Poly, proof: &Argument| {
+        state.with(Atom::new(poly, sign)).closes(proof).is_ok()
+    };
+    let sure =
+        closes(Sign::Zero, poly.clone(), &zero) && closes(Sign::Positive, poly.neg(), &negative);
+    sure.then_some(Settled { poly, sign: Sign::Positive, other: zero, negative })
+}
+
+/// A polynomial without the factors that conditions say not to vanish, as the search cancels them.
+fn reduced(state: &State<'_, '_>, p: &Poly) -> Poly {
+    let mut rest = p.clone();
+    for atom in state.atoms.iter().filter(|a| a.sign == Sign::Positive && !a.poly.is_constant()) {
+        if atom.poly == *p || atom.poly.len() > TERMS {
+            continue;
+        }
+        while let Some(q) = exact_quotient(&rest, &atom.poly, &state.scope.fuel)
+            && !q.is_constant()
+        {
+            rest = q;
+        }
+    }
+    rest.primitive().1
+}
+
+/// scale·Π lead·p = Σ cofactor·premise + what is left of p.
+struct Divided {
+    scale: BigInt,
+    lead: Factors,
+    cofactors: Vec<(usize, Poly)>,
+    left: Poly,
+}
+
+impl Divided {
+    /// p without the powers that rules reduce; `None` where that goes on.
+    fn of(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Option<Self> {
+        let mut out = Self {
+            scale: BigInt::one(),
+            lead: Factors::new(),
+            cofactors: Vec::new(),
+            left: p.clone(),
+        };
+        for _ in 0..PASSES {
+            let high = |rule: &&Rule| out.left.degree(rule.v) >= rule.degree;
+            // the last are made of the others
+            let Some(rule) = rules.iter().rev().find(high) else { return Some(out) };
+            out = out.by(state, rule)?;
+        }
+        None
+    }
+
+    /// The same without high powers of one variable.
+    fn by(mut self, state: &State<'_, '_>, rule: &Rule) -> Option<Self> {
+        let fuel = &state.scope.fuel;
+        let equation = &state.atoms[rule.equation].poly;
+        let (content, a) = equation.coefficient(rule.v, rule.degree).primitive();
+        let minus = rule.lead.is_some_and(|(_, minus)| minus);
+        // the equation with a positive number times the atom's polynomial before the power
+        let turn = BigInt::from(if content.is_positive() == minus { -1 } else { 1 });
+        let positive = if minus { a.neg() } else { a };
+        let (equation, size) = (equation.scale(&turn), content.abs());
+        let lead = positive.scale(&size);
+        let (mut n, mut cofactor) = (0, Poly::default());
+        while self.left.degree(rule.v) >= rule.degree {
+            let top = self.left.coefficients(rule.v).pop()?;
+            let rest = Poly::power(rule.v, self.left.degree(rule.v) - rule.degree);
+            let by = top.mul(&rest, fuel).ok()?;
+            self.left = self.left.mul(&lead, fuel).ok()?.sub(&by.mul(&equation, fuel).ok()?);
+            if self.left.len() > SQUARE {
+                return None;
+            }
+            cofactor = cofactor.mul(&lead, fuel).ok()?.add(&by);
+            n += 1;
+        }
+        let scaled = lead.pow(n, fuel).ok()?;
+        for (_, known) in &mut self.cofactors {
+            *known = known.mul(&scaled, fuel).ok()?;
+        }
+        let cofactor = cofactor.scale(&turn);
+        match self.cofactors.iter_mut().find(|known| known.0 == rule.equation) {
+            Some((_, known)) => known.add_all(&cofactor),
+            None => self.cofactors.push((rule.equation, cofactor)),
+        }
+        self.scale *= size.pow(n);
+        match rule.lead.map(|(atom, _)| (atom, self.lead.iter_mut().find(|l| l.0 == atom))) {
+            Some((_, Some((_, power)))) => *power += n,
+            Some((atom, None)) => self.lead.push((atom, n)),
+            None => {}
+        }
+        Some(self)
+    }
+}
