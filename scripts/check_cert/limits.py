@@ -46,6 +46,8 @@ def check_bound(proof, side, f, limit, variable, passes):
     allowed_at_end(goal, germ, num)
     allowed_at_end(goal, germ, den)
 
+    if isinstance(limit, tuple) and not roots(goal.document, limit) <= roots(goal.document, f):
+        f = ("add", f, ("mul", ("num", 0, 1), limit))
     state = along(goal, germ, local)
     formula = cache(lambda: differs(goal, f, num, den, sense))
     proof.check(part_along, state.conditions, [*state.formulas, formula])
@@ -59,6 +61,13 @@ def check_bound(proof, side, f, limit, variable, passes):
     formula = cache(lambda: end(goal, limit, num, den, order))
     proof.check(at_zero, constants.conditions, [*constants.formulas, formula], passes)
     return germ, sense
+
+
+def roots(document, expression):
+    """The radicands of an expression: those of a limit are known only where it is part of what is compared."""
+    found = set()
+    document.roots(expression, found, set())
+    return found
 
 
 def differs(goal, f, num, den, sense="="):

@@ -1,10 +1,11 @@
 //! Limits: what holds along a germ t → 0+, and what of it is left at t = 0.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
 use crate::normal::regions;
-use crate::state::{depends, varies};
+use crate::state::{depends, has, varies};
 use crate::{
     Approach, Atom, Atoms, Bound, Cases, Checked, Conclusion, Context, Expr, Fraction, Fuel, Germ,
     Goal, Hypothesis, Limit, Passages, Piece, Poly, Rejection, Relation, Scope, Sentence, Side,
@@ -52,6 +53,22 @@ impl Side {
             None => Poly::var(self.var).mul(&step, fuel)?.sub(&Poly::one()),
         };
         Ok(Atom::new(poly, Sign::Zero))
+    }
+}
+
+impl Limit {
+    /// What is compared along a germ: the expression f or, where the limit L has a root that f has not, f + 0·L, so
+    /// that it is known of this root what it is a root of.
+    #[must_use]
+    pub fn compared(&self, scope: &Scope<'_>) -> Cow<'_, Expr> {
+        let of_f = |e: &Expr| has(scope, &self.expr, &|part| part == e);
+        match &self.to {
+            Target::Finite(to) if has(scope, to, &|e| matches!(e, Expr::Sqrt(_)) && !of_f(e)) => {
+                let nothing = Expr::Mul(Expr::int(0).into(), to.clone().into());
+                Cow::Owned(Expr::Add(self.expr.clone().into(), nothing.into()))
+            }
+            _ => Cow::Borrowed(&self.expr),
+        }
     }
 }
 
@@ -358,7 +375,8 @@ fn bound(state: &State<'_, '_>, limit: &Limit, side: &Side, proof: &SideProof) -
         return Err(Rejection::OutsideDomain);
     }
     let along = state.along(&proof.germ)?;
-    let wrong = differs(state.scope, &limit.expr, (&proof.num, &proof.den), proof.sense)?;
+    let (compared, ends) = (limit.compared(state.scope), (&proof.num, &proof.den));
+    let wrong = differs(state.scope, &compared, ends, proof.sense)?;
     along.with_cases(wrong).refute(&proof.along)?;
     let parts = (&proof.num, &proof.den, proof.order);
     state.with_cases(misses(state, side, parts, &limit.to)?).refute(&proof.at_zero)

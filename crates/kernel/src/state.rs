@@ -255,20 +255,16 @@ impl Root {
     }
 }
 
-/// Whether an expression mentions a symbol with a property, through definitions and values too.
-fn mentions(scope: &Scope<'_>, e: &Expr, wanted: impl Fn(usize) -> bool) -> bool {
+/// Whether an expression has a part with a property, through definitions too.
+pub(crate) fn has(scope: &Scope<'_>, e: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
     let mut seen = BTreeSet::new();
     let mut todo = vec![e];
     while let Some(e) = todo.pop() {
         match e {
-            Expr::Var(v) | Expr::Deriv(_, v) => match scope.context.value(*v) {
-                Some(value) => todo.push(value),
-                None if wanted(*v) => return true,
-                None => {}
-            },
             Expr::Let(i) if seen.insert(*i) => {
                 todo.extend(scope.context.lets.get(*i).map(|d| &d.body));
             }
+            e if wanted(e) => return true,
             _ => {}
         }
         todo.extend(e.children());
@@ -276,12 +272,23 @@ fn mentions(scope: &Scope<'_>, e: &Expr, wanted: impl Fn(usize) -> bool) -> bool
     false
 }
 
+/// Whether an expression mentions a symbol with a property, through definitions and values too.
+fn mentions(scope: &Scope<'_>, e: &Expr, wanted: &dyn Fn(usize) -> bool) -> bool {
+    has(scope, e, &|e| match e {
+        Expr::Var(v) | Expr::Deriv(_, v) => match scope.context.value(*v) {
+            Some(value) => mentions(scope, value, wanted),
+            None => wanted(*v),
+        },
+        _ => false,
+    })
+}
+
 /// Whether an expression depends on a function of x.
 pub(crate) fn varies(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
-    mentions(scope, e, |v| scope.context.vars.get(v).is_none_or(|w| w.of == Some(x)))
+    mentions(scope, e, &|v| scope.context.vars.get(v).is_none_or(|w| w.of == Some(x)))
 }
 
 /// Whether an expression depends on x or on a function of x.
 pub(crate) fn depends(scope: &Scope<'_>, e: &Expr, x: usize) -> bool {
-    mentions(scope, e, |v| v == x) || varies(scope, e, x)
+    mentions(scope, e, &|v| v == x) || varies(scope, e, x)
 }

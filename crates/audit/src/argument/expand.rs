@@ -74,7 +74,7 @@ pub(crate) fn side_proof(
     argument: &SideArgument,
 ) -> Step<SideProof> {
     let SideArgument { germ, num, den, order, sense, along, at_zero, upper } = argument;
-    let wrong = differs(state.scope, &limit.expr, (num, den), *sense)?;
+    let wrong = differs(state.scope, &limit.compared(state.scope), (num, den), *sense)?;
     let there = state.along_unproved(germ)?.with_cases(wrong);
     let ends = misses(state, &germ.side, (num, den, *order), &limit.to)?;
     Ok(SideProof {

@@ -330,7 +330,12 @@ impl Teller<'_> {
             // Proved when the certificate was checked.
             let (Ok(along), Ok(cases)) = (
                 state.along_unproved(&proof.germ),
-                kane_kernel::differs(scope, &limit.expr, (&proof.num, &proof.den), proof.sense),
+                kane_kernel::differs(
+                    scope,
+                    &limit.compared(scope),
+                    (&proof.num, &proof.den),
+                    proof.sense,
+                ),
             ) else {
                 continue;
             };

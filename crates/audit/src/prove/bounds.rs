@@ -9,7 +9,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::enclosure::Ground;
 use super::search::{Outcome, Search};
-use super::series::{Along, Series, Value};
+use super::series::{Along, Rationals, Series, Value};
 use crate::argument::{Argument, SideArgument};
 
 /// Powers of t along which roots are tried.
@@ -22,7 +22,7 @@ const PRECISION: usize = 24;
 /// What an expression tends to along a side, read off its series.
 pub(super) fn target(state: &State<'_, '_>, limit: &Limit, side: &Side) -> Option<Target> {
     POWERS.iter().find_map(|&power| {
-        let along = Along { scope: state.scope, side, power, terms: PRECISION };
+        let along = Along { scope: state.scope, side, power, terms: PRECISION, numbers: Rationals };
         let finite = |q| Target::Finite(Expr::Num(q));
         Some(match along.value(&limit.expr)? {
             Value::Zero => finite(BigRational::zero()),
@@ -53,9 +53,9 @@ pub(super) fn one_side(
         return None;
     }
     POWERS.iter().find_map(|&power| {
-        let along = Along { scope: state.scope, side, power, terms: PRECISION };
+        let along = Along { scope: state.scope, side, power, terms: PRECISION, numbers: Rationals };
         let value = along.value(&limit.expr)?;
-        let bounds = bounds(&value, &closed_target(&along, &limit.to)?, t)?;
+        let bounds = bounds(&along, &value, &closed_target(&along, &limit.to)?, t)?;
         let ends = bounds
             .iter()
             .map(|b| at_zero(state, limit, side, (&b.num, &b.den, b.order), steps))
@@ -96,7 +96,7 @@ struct Bound {
 }
 
 /// Quotients that bound what tends to a target: L ± c·t, or c/tⁿ.
-fn bounds(value: &Value, to: &Target, t: usize) -> Option<Vec<Bound>> {
+fn bounds(along: &Along<'_, '_>, value: &Value, to: &Target, t: usize) -> Option<Vec<Bound>> {
     let integer = |q: BigRational| q.abs().floor().to_integer() + BigInt::one();
     let infinite = |s: &Series, sense| {
         let order = u32::try_from(-s.low).ok().filter(|n| *n > 0)?;
@@ -110,8 +110,8 @@ fn bounds(value: &Value, to: &Target, t: usize) -> Option<Vec<Bound>> {
         (Target::MinusInf, Value::Series(s)) if !s.is_positive() => infinite(s, Ordering::Less),
         (Target::Finite(Expr::Num(limit)), value) => {
             let slope = match value {
-                Value::Series(s) if s.low >= 0 && s.coefficient(0)? == *limit => {
-                    s.coefficient(1)?
+                Value::Series(s) if s.low >= 0 && along.coefficient(s, 0)? == *limit => {
+                    along.coefficient(s, 1)?
                 }
                 Value::Zero if limit.is_zero() => BigRational::zero(),
                 _ => return None,
@@ -157,7 +157,7 @@ fn bounded(
     end: &Argument,
 ) -> Option<SideArgument> {
     let Bound { num, den, order, sense } = bound;
-    let wrong = differs(state.scope, &limit.expr, (num, den), *sense).ok()?;
+    let wrong = differs(state.scope, &limit.compared(state.scope), (num, den), *sense).ok()?;
     let there = state.along_unproved(germ).ok()?.with_cases(wrong);
     let formula = there.formulas.len() - 1;
     let states = there.assume(formula).ok()?;

@@ -137,7 +137,7 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
         let shift = u32::try_from((-series.low).max(0)).ok()?;
         let start = series.low + i64::from(shift);
         let cut = u32::try_from(start).ok()? + terms;
-        let coefficient = |n: u32| series.coefficient(i64::from(n) - i64::from(shift));
+        let coefficient = |n: u32| self.along.coefficient(&series, i64::from(n) - i64::from(shift));
         let known = (0..cut).map(coefficient).collect::<Option<Vec<_>>>()?;
         let scale = known.iter().fold(BigInt::one(), |lcm, c| lcm.lcm(c.denom()));
         let whole = |c: &BigRational| (c * BigRational::from_integer(scale.clone())).to_integer();

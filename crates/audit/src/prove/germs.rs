@@ -17,8 +17,8 @@ enum Radius {
     Fixed(u32),
     /// 1/(2ᵏ·(1 + Σc²))
     Constants(u32),
-    /// D, where it is known to be positive
-    Known(Poly),
+    /// D/2ᵏ, where D is known to be positive
+    Known(Poly, u32),
     /// D²/((1 + D²)·2·(1 + Σc²))
     Lead(Poly),
 }
@@ -50,7 +50,7 @@ impl Radius {
             Self::Constants(k) => {
                 (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k))))
             }
-            Self::Known(d) => Some((d.clone(), Poly::one())),
+            Self::Known(d, k) => Some((d.clone(), Poly::constant(power(*k)))),
             Self::Lead(d) => {
                 let fuel = &state.scope.fuel;
                 let square = d.mul(d, fuel).ok()?;
@@ -184,9 +184,21 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
             |lead: &Poly| self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
         let radii = self.leads().into_iter().flat_map(move |lead| {
             let signs = [lead.clone(), lead.neg()].into_iter().filter(known);
-            signs.map(Radius::Known).chain([Radius::Lead(lead)]).collect::<Vec<_>>()
+            signs.map(|d| Radius::Known(d, 0)).chain([Radius::Lead(lead)]).collect::<Vec<_>>()
         });
         radii.filter_map(|radius| self.germ(&radius))
+    }
+
+    /// Germs of radii that shrink with a polynomial in constants or, if it is none in them, with these constants.
+    pub(super) fn near(&self, lead: Poly) -> impl Iterator<Item = Germ> {
+        let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
+        let shrinking = if lead.is_constant() {
+            vec![Radius::Fixed(0), Radius::Constants(1), Radius::Fixed(7), Radius::Constants(7)]
+        } else {
+            let known = is_known.then(|| Radius::Known(lead.clone(), 2));
+            known.into_iter().chain([Radius::Lead(lead)]).collect()
+        };
+        shrinking.into_iter().filter_map(|radius| self.germ(&radius))
     }
 
     /// A germ whose radius shrinks with a polynomial in constants.

@@ -1,9 +1,10 @@
 //! Limits: finding what an expression tends to, and what premised limits say about constants.
 
+use kane_algebra::factors::factors;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Expr, Fraction, Fuel, Germ, Goal, Limit, Piece, Poly, Side, Sign, State, Target,
-    constants, differs, exponent, premised, sides,
+    Atom, Fuel, Germ, Goal, Limit, Poly, Side, Sign, State, Target, constants, differs, exponent,
+    premised, sides,
 };
 use num_bigint::BigInt;
 use std::cmp::Ordering;
@@ -12,6 +13,8 @@ use super::bounds;
 use super::germs::{Germs, Memory};
 use super::search::{Outcome, Search};
 use super::squeeze;
+use super::symbols::without_squares;
+use super::tangents;
 use super::variation::{substituted, varies};
 use crate::argument::{Passage, SideArgument};
 
@@ -140,22 +143,6 @@ fn read_off(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> Ve
     out
 }
 
-/// A polynomial with radicands in the place of squares of their roots, so that it shows what is left at t = 0.
-fn without_squares(state: &State<'_, '_>, mut p: Poly) -> Poly {
-    let scope = state.scope;
-    for v in p.vars() {
-        let Some(Expr::Sqrt(radicand)) = scope.root(v) else { continue };
-        let Ok(pieces) = scope.pieces(radicand) else { continue };
-        if let [Piece { value: Some(Fraction { num, den }), .. }] = &pieces[..]
-            && *den == Poly::one()
-            && let Ok(rest) = p.remainder(v, &Poly::power(v, 2).sub(num), false, &scope.fuel)
-        {
-            p = rest;
-        }
-    }
-    p
-}
-
 /// A proof of a limit from one side.
 pub(crate) fn one_side(
     state: &State<'_, '_>,
@@ -170,6 +157,7 @@ pub(crate) fn one_side(
                 Germs::new(state, side, steps).along(power).all().find_map(argument)
             })
         })
+        .or_else(|| tangents::one_side(state, limit, side, steps))
         .or_else(|| squeeze::one_side(state, limit, side, steps))
 }
 
@@ -193,8 +181,12 @@ fn by_quotient(
             continue;
         }
         tried.push(start.clone());
+        // a power shrinks faster than what it is a power of
+        let fuel = &state.scope.fuel;
+        let mut bases = factors(&start).1.into_iter().filter(|(f, _)| !f.is_constant());
+        let lead = bases.try_fold(Poly::one(), |product, (f, _)| product.mul(&f, fuel).ok())?;
         if let Some(proof) =
-            germs.with_lead(start).and_then(|g| along(state, limit, side, g, &found, steps))
+            germs.with_lead(lead).and_then(|g| along(state, limit, side, g, &found, steps))
         {
             return Some(proof);
         }
@@ -213,8 +205,13 @@ fn along(
 ) -> Option<SideArgument> {
     let parts = (&found.num, &found.den, found.order);
     let at_zero = bounds::at_zero(state, limit, side, parts, steps)?;
-    let wrong =
-        differs(state.scope, &limit.expr, (&found.num, &found.den), Ordering::Equal).ok()?;
+    let wrong = differs(
+        state.scope,
+        &limit.compared(state.scope),
+        (&found.num, &found.den),
+        Ordering::Equal,
+    )
+    .ok()?;
     let along = state.along_unproved(&germ).ok()?.with_cases(wrong);
     let may = varies(state, side.var);
     let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {

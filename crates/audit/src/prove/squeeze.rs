@@ -28,11 +28,11 @@ const SQUARES: u64 = 10_000_000;
 const GERMS: usize = 2;
 
 /// A quotient beside an expression, and why it tends to the limit.
-struct Beside {
-    num: Poly,
-    den: Poly,
-    order: u32,
-    end: Argument,
+pub(super) struct Beside {
+    pub(super) num: Poly,
+    pub(super) den: Poly,
+    pub(super) order: u32,
+    pub(super) end: Argument,
 }
 
 /// A proof of a limit from one side by quotients between which the expression lies.
@@ -63,8 +63,9 @@ fn along(
             found.push(Beside { num, den, order, end });
         }
     }
+    let may = varies(state, germ.side.var);
     let shown = |sense: Ordering| {
-        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, steps))
+        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, steps, &may))
     };
     match limit.to {
         Target::PlusInf => shown(Ordering::Greater),
@@ -77,19 +78,19 @@ fn along(
 }
 
 /// The argument that the expression is on one side of a quotient along a germ.
-fn bounded(
+pub(super) fn bounded(
     state: &State<'_, '_>,
     limit: &Limit,
     germ: &Germ,
     beside: &Beside,
     sense: Ordering,
     steps: u64,
+    may_eliminate: &dyn Fn(usize, &Poly) -> bool,
 ) -> Option<SideArgument> {
     let Beside { num, den, order, end } = beside;
-    let wrong = differs(state.scope, &limit.expr, (num, den), sense).ok()?;
+    let wrong = differs(state.scope, &limit.compared(state.scope), (num, den), sense).ok()?;
     let there = state.along_unproved(germ).ok()?.with_cases(wrong);
-    let may = varies(state, germ.side.var);
-    let mut search = Search::new(steps, &may, false);
+    let mut search = Search::new(steps, may_eliminate, false);
     search.products = true;
     search.squares = state.scope.fuel.within(SQUARES);
     let Outcome::Closed(along) = search.solve(&there) else { return None };

@@ -1,5 +1,6 @@
 //! Claims that are proved of functions: limits, and what limits among the premises lead to.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
@@ -143,10 +144,13 @@ impl Writer<'_> {
         limit: &Limit,
         p: &SideProof,
     ) -> Result<String, NotEmitted> {
+        if matches!(limit.compared(state.scope), Cow::Owned(_)) {
+            return Err(NotEmitted::Step("a limit with a root of its own"));
+        }
         self.uses(&p.germ.side);
         let germ = self.germ(state, &p.germ)?;
         let along = state.along_unproved(&p.germ)?;
-        let wrong = differs(state.scope, &limit.expr, (&p.num, &p.den), p.sense)?;
+        let wrong = differs(state.scope, &limit.compared(state.scope), (&p.num, &p.den), p.sense)?;
         let comparison = self.proof(&along.with_cases(wrong), &p.along)?;
         let sense = match p.sense {
             Ordering::Less => "AtMost",

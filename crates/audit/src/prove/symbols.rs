@@ -1,0 +1,222 @@
+//! Fractions in constants and roots of constants, as coefficients of series.
+
+use std::cell::RefCell;
+
+use kane_algebra::ring::{cancelled, common_sign};
+use kane_kernel::{Atom, Expr, Fraction, Piece, Poly, Sign, State};
+use num_rational::BigRational;
+use num_traits::Signed as _;
+
+use super::factors::square_root;
+use super::series::Numbers;
+
+/// Terms of a numerator or a denominator.
+const TERMS: usize = 60;
+
+/// num/den
+pub(super) type Quotient = (Poly, Poly);
+
+/// Such fractions at the end of a limit along a variable.
+pub(super) struct Symbols<'a, 's, 'g> {
+    state: &'a State<'s, 'g>,
+    x: usize,
+    /// what is known without cases
+    known: Vec<Atom>,
+    /// roots and their radicands
+    roots: Vec<(usize, Poly)>,
+    /// what signs were asked of, and what was divided by: near its zeros the radius is small
+    asked: RefCell<Vec<Poly>>,
+}
+
+impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
+    pub(super) fn new(state: &'a State<'s, 'g>, x: usize) -> Self {
+        let mut plain = state.clone();
+        for formula in 0..state.formulas.len() {
+            if let Ok(cases) = plain.assume(formula)
+                && let [only] = &cases[..]
+            {
+                plain = only.clone();
+            }
+        }
+        let known = plain.atoms.to_vec();
+        let mut out = Self { state, x, known, roots: Vec::new(), asked: RefCell::new(Vec::new()) };
+        for v in state.scope.context.vars.len()..state.scope.germ() {
+            let radicand = out.radicand(v);
+            out.roots.extend(radicand.map(|radicand| (v, radicand)));
+        }
+        out
+    }
+
+    /// What a root is the root of, if that is a polynomial in constants and earlier roots.
+    fn radicand(&self, root: usize) -> Option<Poly> {
+        let Some(Expr::Sqrt(radicand)) = self.state.scope.root(root) else { return None };
+        let pieces = self.state.scope.pieces(radicand).ok()?;
+        let [Piece { value: Some(Fraction { num, den }), .. }] = &pieces[..] else { return None };
+        let known = |v: &usize| {
+            self.state.is_constant(*v, self.x) || self.roots.iter().any(|(root, _)| root == v)
+        };
+        (*den == Poly::one() && num.vars().iter().all(known)).then(|| num.clone())
+    }
+
+    /// The product of what signs were asked of and of what was divided by.
+    pub(super) fn lead(&self) -> Option<Poly> {
+        let asked = self.asked.borrow();
+        let fuel = &self.state.scope.fuel;
+        asked.iter().try_fold(Poly::one(), |product, p| product.mul(p, fuel).ok())
+    }
+
+    fn ask(&self, p: &Poly) {
+        let (_, p) = p.primitive();
+        let constant = |v: &usize| self.state.is_constant(*v, self.x);
+        let mut asked = self.asked.borrow_mut();
+        // powers of one variable shrink like itself
+        let parts =
+            if p.len() == 1 { p.vars().into_iter().map(Poly::var).collect() } else { vec![p] };
+        for part in parts {
+            let new = !asked.contains(&part) && !asked.contains(&part.neg());
+            if !part.is_constant() && part.vars().iter().all(constant) && new {
+                asked.push(part);
+            }
+        }
+    }
+
+    fn reduced(&self, num: &Poly, den: &Poly) -> Option<Quotient> {
+        let plain = |p: &Poly| without_squares(self.state, p.clone());
+        let num = plain(num);
+        if num.is_empty() {
+            return Some((num, Poly::one()));
+        }
+        let (num, den) = lowest(&cancelled(&num, &plain(den)));
+        (num.len() <= TERMS && den.len() <= TERMS && !den.is_empty()).then_some((num, den))
+    }
+
+    fn is_strict(&self, v: usize) -> bool {
+        let radicand = self.roots.iter().find(|(root, _)| *root == v);
+        match radicand {
+            Some((_, radicand)) => self.sign(radicand) == Some(true),
+            None => self.known.contains(&Atom::new(Poly::var(v), Sign::Positive)),
+        }
+    }
+
+    /// Whether a polynomial is positive or negative, if that is plain.
+    fn sign(&self, p: &Poly) -> Option<bool> {
+        if let Some(positive) = common_sign(p) {
+            let strict = |m: &[(usize, u32)]| m.iter().all(|&(v, _)| self.is_strict(v));
+            let square =
+                |m: &[(usize, u32)]| m.iter().all(|&(v, n)| n % 2 == 0 || self.is_strict(v));
+            if p.terms().all(|(m, _)| square(m)) && p.terms().any(|(m, _)| strict(m)) {
+                return Some(positive);
+            }
+        }
+        let (content, p) = p.primitive();
+        let told = |p: &Poly| {
+            self.known.iter().any(|a| a.sign == Sign::Positive && a.poly.primitive().1 == *p)
+        };
+        let sign = if told(&p) { true } else { told(&p.neg()).then_some(false)? };
+        Some(sign == content.is_positive())
+    }
+}
+
+impl Numbers for Symbols<'_, '_, '_> {
+    type Number = Quotient;
+
+    fn number(&self, q: &BigRational) -> Quotient {
+        (Poly::constant(q.numer().clone()), Poly::constant(q.denom().clone()))
+    }
+
+    fn symbol(&self, v: usize) -> Option<Quotient> {
+        self.state.is_constant(v, self.x).then(|| (Poly::var(v), Poly::one()))
+    }
+
+    fn sum(&self, a: &Quotient, b: &Quotient) -> Option<Quotient> {
+        let fuel = &self.state.scope.fuel;
+        let num = a.0.mul(&b.1, fuel).ok()?.add(&b.0.mul(&a.1, fuel).ok()?);
+        self.reduced(&num, &a.1.mul(&b.1, fuel).ok()?)
+    }
+
+    fn product(&self, a: &Quotient, b: &Quotient) -> Option<Quotient> {
+        let fuel = &self.state.scope.fuel;
+        self.reduced(&a.0.mul(&b.0, fuel).ok()?, &a.1.mul(&b.1, fuel).ok()?)
+    }
+
+    /// Without roots in the denominator: nothing is known of them where it is asked whether that vanishes.
+    fn inverse(&self, a: &Quotient) -> Option<Quotient> {
+        let fuel = &self.state.scope.fuel;
+        self.ask(&a.0);
+        let (mut num, mut den) = a.clone();
+        for (root, _) in self.roots.iter().rev() {
+            let [rest, part] = [0, 1].map(|n| num.coefficient(*root, n));
+            if !part.is_empty() {
+                let conjugate = rest.sub(&part.mul(&Poly::var(*root), fuel).ok()?);
+                let product = num.mul(&conjugate, fuel).ok()?;
+                (num, den) = self.reduced(&product, &den.mul(&conjugate, fuel).ok()?)?;
+            }
+        }
+        (!num.is_empty()).then_some((den, num))
+    }
+
+    /// √(N/D²) = S·√R/(R·D) with N·R = S², where R is 1, the radicand of a root, or a product of two.
+    fn root(&self, a: &Quotient) -> Option<Quotient> {
+        let fuel = &self.state.scope.fuel;
+        let square = a.0.mul(&a.1, fuel).ok()?;
+        let absolute =
+            |p: Poly| self.sign(&p).map(|positive| if positive { p.clone() } else { p.neg() });
+        let den = absolute(a.1.clone())?;
+        let one = vec![(Poly::one(), Poly::one())];
+        let single = self.roots.iter().map(|(root, radicand)| (Poly::var(*root), radicand.clone()));
+        let single: Vec<(Poly, Poly)> = single.collect();
+        let both = single.iter().enumerate().flat_map(|(i, a)| {
+            let pair = move |b: &(Poly, Poly)| {
+                Some((a.0.mul(&b.0, fuel).ok()?, a.1.mul(&b.1, fuel).ok()?))
+            };
+            single[..i].iter().filter_map(pair)
+        });
+        one.into_iter().chain(single.iter().cloned()).chain(both).find_map(|(roots, radicands)| {
+            let root = square_root(&square.mul(&radicands, fuel).ok()?, fuel)?;
+            let num = absolute(root)?.mul(&roots, fuel).ok()?;
+            self.reduced(&num, &radicands.mul(&den, fuel).ok()?)
+        })
+    }
+
+    fn is_zero(&self, a: &Quotient) -> bool {
+        a.0.is_empty()
+    }
+
+    fn is_positive(&self, a: &Quotient) -> Option<bool> {
+        self.ask(&a.0);
+        Some(self.sign(&a.0)? == self.sign(&a.1)?)
+    }
+}
+
+/// A polynomial with radicands in the place of squares of their roots, so that it shows what is left at t = 0.
+pub(super) fn without_squares(state: &State<'_, '_>, mut p: Poly) -> Poly {
+    let scope = state.scope;
+    for v in p.vars() {
+        let Some(Expr::Sqrt(radicand)) = scope.root(v) else { continue };
+        let Ok(pieces) = scope.pieces(radicand) else { continue };
+        if let [Piece { value: Some(Fraction { num, den }), .. }] = &pieces[..]
+            && *den == Poly::one()
+            && let Ok(rest) = p.remainder(v, &Poly::power(v, 2).sub(num), false, &scope.fuel)
+        {
+            p = rest;
+        }
+    }
+    p
+}
+
+/// A quotient without common factors of its coefficients, those of the denominator mostly positive.
+fn lowest((num, den): &Quotient) -> Quotient {
+    let ((n, num), (d, den)) = (num.primitive(), den.primitive());
+    let q = BigRational::new(n, d);
+    let minus = common_sign(&den) == Some(false);
+    let turn = |p: Poly| if minus { p.neg() } else { p };
+    (turn(num.scale(q.numer())), turn(den.scale(q.denom())))
+}
+
+/// a + b·t as one quotient.
+pub(super) fn line(state: &State<'_, '_>, a: &Quotient, b: &Quotient) -> Option<Quotient> {
+    let fuel = &state.scope.fuel;
+    let step = b.0.mul(&Poly::var(state.scope.germ()), fuel).ok()?.mul(&a.1, fuel).ok()?;
+    let num = a.0.mul(&b.1, fuel).ok()?.add(&step);
+    Some(lowest(&cancelled(&num, &a.1.mul(&b.1, fuel).ok()?)))
+}
