@@ -7,7 +7,6 @@ use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 use num_traits::{Signed as _, Zero};
 
 use super::elimination::Factors;
-use super::hints::is_told;
 use super::{conics, tactics};
 
 /// Terms of an equation that is factored.
@@ -172,10 +171,7 @@ pub(super) fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
             if !content.is_constant() {
                 // A power splits like its base.
                 let base = content.vars()[0];
-                let part = if content.len() == 1 { Poly::var(base) } else { content };
-                if !is_told(state, &part.primitive().1) {
-                    return Some(part);
-                }
+                return Some(if content.len() == 1 { Poly::var(base) } else { content });
             }
         }
     }

@@ -20,25 +20,62 @@ const SQUARE: usize = 150;
 /// Rules that are used one after the other.
 const PASSES: usize = 12;
 
+/// ±pᵏ for the polynomial p of an atom that says that it is positive.
+#[derive(Clone, Copy)]
+struct Lead {
+    atom: usize,
+    power: u32,
+    is_minus: bool,
+}
+
+impl Lead {
+    /// A primitive polynomial as such a power.
+    fn of(state: &State<'_, '_>, a: &Poly) -> Option<Self> {
+        let one = |(atom, p): (usize, &Atom)| {
+            if p.sign != Sign::Positive || p.poly.is_constant() {
+                return None;
+            }
+            let (mut rest, mut power) = (a.clone(), 0);
+            while let Some(q) = exact_quotient(&rest, &p.poly, &state.scope.fuel) {
+                (rest, power) = (q, power + 1);
+            }
+            let is_minus = rest == Poly::one().neg();
+            (is_minus || rest == Poly::one()).then_some(Self { atom, power, is_minus })
+        };
+        state.atoms.iter().enumerate().find_map(one)
+    }
+}
+
 /// An equation that reduces powers of a variable: a·vⁿ = …, n ≥ 2, where a is a number or an atom says that it has a
 /// sign.
 struct Rule {
     v: usize,
     equation: usize,
     degree: u32,
-    /// the atom on a, and whether that is −a
-    lead: Option<(usize, bool)>,
+    /// the atom p of which a is ± a power, if a is no number
+    lead: Option<Lead>,
     /// whether it says no more than the square of v, which is not negative
     is_root: bool,
+    /// whether a is positive
+    is_up: bool,
 }
 
 impl Rule {
-    /// One an equation: for its last root, or for its last variable, as the search reduces by them.
+    /// One an equation: for its last root, or for its last variable, as the search reduces by them. In s² + t² = 1
+    /// neither is the root of what the other says.
     fn all(state: &State<'_, '_>) -> Vec<Self> {
         let of = |(equation, atom): (usize, &Atom)| {
             let is_one = atom.sign == Sign::Zero && !atom.poly.is_constant();
             let vars = atom.poly.vars().into_iter().rev().filter(|_| is_one);
-            let rules: Vec<Self> = vars.filter_map(|v| Self::of(state, v, equation)).collect();
+            let mut rules: Vec<Self> = vars.filter_map(|v| Self::of(state, v, equation)).collect();
+            let up = |rule: &Self| rule.is_root && rule.is_up;
+            let (above, all) = (
+                rules.iter().filter(|r| up(r)).count(),
+                rules.iter().filter(|r| r.is_root).count(),
+            );
+            // the one whose square is what the others' squares, and the rest, make up
+            let alone = |r: &Self| if r.is_up { above == 1 } else { all - above == 1 };
+            rules.iter_mut().for_each(|r| r.is_root = r.is_root && alone(r));
             let root = rules.iter().position(|rule| rule.is_root);
             rules.into_iter().nth(root.unwrap_or(0))
         };
@@ -48,18 +85,15 @@ impl Rule {
     fn of(state: &State<'_, '_>, v: usize, equation: usize) -> Option<Self> {
         let p = &state.atoms[equation].poly;
         let degree = p.degree(v);
-        let a = p.coefficient(v, degree).primitive().1;
-        let lead = |(i, atom): (usize, &Atom)| {
-            let same = atom.poly == a || atom.poly == a.neg();
-            (atom.sign == Sign::Positive && same).then(|| (i, atom.poly != a))
-        };
-        let told = || state.atoms.iter().enumerate().find_map(lead);
-        let lead = if a.is_constant() { None } else { Some(told()?) };
+        let (content, a) = p.coefficient(v, degree).primitive();
+        let lead = if a.is_constant() { None } else { Some(Lead::of(state, &a)?) };
         let pure = degree == 2 && p.coefficient(v, 1).is_empty();
         // a cosine beside a sine is none
         let is_named = lead.is_some() || state.scope.root(v).is_some();
         let is_root = pure && is_named && known(state, &[(v, 1)]).is_some();
-        (degree >= 2).then_some(Self { v, equation, degree, lead, is_root })
+        let is_up = content.is_positive()
+            != lead.map_or(a == Poly::one().neg(), |lead: Lead| lead.is_minus);
+        (degree >= 2).then_some(Self { v, equation, degree, lead, is_root, is_up })
     }
 }
 
@@ -188,7 +222,7 @@ impl Divided {
         let fuel = &state.scope.fuel;
         let equation = &state.atoms[rule.equation].poly;
         let (content, a) = equation.coefficient(rule.v, rule.degree).primitive();
-        let minus = rule.lead.is_some_and(|(_, minus)| minus);
+        let minus = rule.lead.is_some_and(|lead| lead.is_minus);
         // the equation with a positive number times the atom's polynomial before the power
         let turn = BigInt::from(if content.is_positive() == minus { -1 } else { 1 });
         let positive = if minus { a.neg() } else { a };
@@ -216,10 +250,11 @@ impl Divided {
             None => self.cofactors.push((rule.equation, cofactor)),
         }
         self.scale *= size.pow(n);
-        match rule.lead.map(|(atom, _)| (atom, self.lead.iter_mut().find(|l| l.0 == atom))) {
-            Some((_, Some((_, power)))) => *power += n,
-            Some((atom, None)) => self.lead.push((atom, n)),
-            None => {}
+        if let Some(Lead { atom, power, .. }) = rule.lead {
+            match self.lead.iter_mut().find(|known| known.0 == atom) {
+                Some((_, known)) => *known += power * n,
+                None => self.lead.push((atom, power * n)),
+            }
         }
         Some(self)
     }
