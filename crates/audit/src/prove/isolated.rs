@@ -68,14 +68,10 @@ impl Rule {
             let is_one = atom.sign == Sign::Zero && !atom.poly.is_constant();
             let vars = atom.poly.vars().into_iter().rev().filter(|_| is_one);
             let mut rules: Vec<Self> = vars.filter_map(|v| Self::of(state, v, equation)).collect();
-            let up = |rule: &Self| rule.is_root && rule.is_up;
-            let (above, all) = (
-                rules.iter().filter(|r| up(r)).count(),
-                rules.iter().filter(|r| r.is_root).count(),
-            );
             // the one whose square is what the others' squares, and the rest, make up
-            let alone = |r: &Self| if r.is_up { above == 1 } else { all - above == 1 };
-            rules.iter_mut().for_each(|r| r.is_root = r.is_root && alone(r));
+            let roots = |up: bool| rules.iter().filter(|r| r.is_root && r.is_up == up).count();
+            let alone = [roots(false) == 1, roots(true) == 1];
+            rules.iter_mut().for_each(|r| r.is_root &= alone[usize::from(r.is_up)]);
             let root = rules.iter().position(|rule| rule.is_root);
             rules.into_iter().nth(root.unwrap_or(0))
         };
@@ -85,6 +81,9 @@ impl Rule {
     fn of(state: &State<'_, '_>, v: usize, equation: usize) -> Option<Self> {
         let p = &state.atoms[equation].poly;
         let degree = p.degree(v);
+        if degree < 2 {
+            return None;
+        }
         let (content, a) = p.coefficient(v, degree).primitive();
         let lead = if a.is_constant() { None } else { Some(Lead::of(state, &a)?) };
         let pure = degree == 2 && p.coefficient(v, 1).is_empty();
@@ -93,7 +92,7 @@ impl Rule {
         let is_root = pure && is_named && known(state, &[(v, 1)]).is_some();
         let is_up = content.is_positive()
             != lead.map_or(a == Poly::one().neg(), |lead: Lead| lead.is_minus);
-        (degree >= 2).then_some(Self { v, equation, degree, lead, is_root, is_up })
+        Some(Self { v, equation, degree, lead, is_root, is_up })
     }
 }
 
