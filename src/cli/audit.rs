@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use kane::audit::{Audit, Body, Diagnostic, Document, Memo, Options};
-use kane::judges::{self, Claims, Judge, Limits, NotAsked};
+use kane::judges::{self, Claims, Judge, Limits, NotAsked, Theory};
 use kane::report::remarks::{self, Remark, of_audit};
 use kane::report::{self, Picture, Report};
 
@@ -93,7 +93,9 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
         })
         .unzip();
 
-    let answers: Vec<Vec<Judge>> = match reports.iter().map(|report| ask(report, args)).collect() {
+    let mut coq = Coq { shares: reports.len() >= SHARING, theory: None };
+    let answers = reports.iter().map(|report| ask(report, args, &mut coq)).collect();
+    let answers: Vec<Vec<Judge>> = match answers {
         Ok(answers) => answers,
         Err(outcome) => return outcome,
     };
@@ -132,8 +134,28 @@ fn unread(faults: &[Diagnostic], format: AuditFormat) -> Outcome {
     }
 }
 
+/// From how many documents on Coq compiles the whole theory once, and not for each document its part.
+const SHARING: usize = 3;
+
+/// Coq, with the theory that documents share once it is compiled.
+struct Coq {
+    shares: bool,
+    theory: Option<Result<Theory, NotAsked>>,
+}
+
+impl Coq {
+    fn ask(&mut self, claims: &Claims<'_>, limits: &Limits) -> Result<Judge, NotAsked> {
+        let file = judges::coq::file(claims);
+        if !self.shares {
+            return judges::ask_coq(&file, limits);
+        }
+        let theory = self.theory.get_or_insert_with(|| Theory::new(limits)).as_ref();
+        theory.map_err(Clone::clone)?.ask(&file, limits)
+    }
+}
+
 /// Puts the claims of a document to the judges that are asked for.
-fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
+fn ask(report: &Report<'_>, args: &AuditArgs, coq: &mut Coq) -> Result<Vec<Judge>, Outcome> {
     let limits = Limits::default();
     let claims = claims(report);
     let mut all = Vec::new();
@@ -147,7 +169,7 @@ fn ask(report: &Report<'_>, args: &AuditArgs) -> Result<Vec<Judge>, Outcome> {
         let judged = match name {
             JudgeName::Coq => {
                 tell(0, 1);
-                judges::ask_coq(&judges::coq::file(&claims), &limits)
+                coq.ask(&claims, &limits)
             }
             JudgeName::Z3 => judges::ask_z3(&claims, &limits, &tell),
         };

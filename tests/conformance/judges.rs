@@ -2,14 +2,16 @@
 //! nothing; with `KANE_REQUIRE_JUDGES=1`, as in the gate, that is a failure.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::LazyLock;
 use std::time::Duration;
 
 use kane::audit::{Audit, Options, Verdict, audit, read};
 use kane::judges::coq::{File, NotEmitted, file};
-use kane::judges::{ALLOWED_AXIOMS, Answer, Claims, Limits, ask_coq, ask_z3};
+use kane::judges::{ALLOWED_AXIOMS, Answer, Claims, Judge, Limits, Theory, ask_coq, ask_z3};
 use kane::kernel::{Conclusion, Evidence, Expr, Fuel, Link, SideProof, check};
 
 use crate::many;
@@ -44,6 +46,15 @@ const WITH_A_ROOT: [&str; 2] = ["coupled-collision.md", "hertz.md"];
 
 const LIMITS: Limits = Limits { file: Duration::from_secs(300), question: Duration::from_secs(2) };
 
+/// Asks Coq about a file beside the theory, which is compiled once for all tests.
+pub(crate) fn coq(file: &File) -> Judge {
+    static THEORY: LazyLock<Theory> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("theory");
+        Theory::within(folder, &LIMITS).expect("coqc runs")
+    });
+    THEORY.ask(file, &LIMITS).expect("coqc runs")
+}
+
 fn judged(name: &str) -> Audit {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/derivations").join(name);
     let bytes = fs::read(path).expect("the document is there");
@@ -61,15 +72,21 @@ fn every_shipped_document_has_its_row() {
 /// The document that Coq is asked about where someone waits for the answer.
 const THE_PAPER: &str = "oblique-collision.md";
 
-/// All of the documents in the gate, and else the paper alone.
+/// All of the documents in the gate, and else the paper alone. Where one needs more or less of the theory than those
+/// before it, its file is put to Coq as it is handed out, with its own theory.
 #[test]
 fn coq_accepts_every_lemma_of_the_shipped_documents() {
     if !installed("coqc") {
         return;
     }
+    let mut theories = BTreeSet::new();
     for name in DOCUMENTS.into_iter().filter(|name| many::all() || *name == THE_PAPER) {
         let audit = judged(name);
-        let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
+        let file = file(&Claims::of(&audit));
+        let judge = match theories.insert(file.theory()) {
+            true => ask_coq(&file, &LIMITS).expect("coqc runs"),
+            false => coq(&file),
+        };
         // what rests on a claim that is not proved has a lemma, but no theorem from the givens
         let fits = |((statement, _), answer): &(&(usize, usize), &Answer)| match audit.judgements
             [*statement]
@@ -96,7 +113,7 @@ fn coq_accepts_what_is_emitted_of_motions() {
     }
     for name in MOTIONS {
         let audit = judged(name);
-        let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
+        let judge = coq(&file(&Claims::of(&audit)));
         let agrees = judge.answers.values().filter(|a| matches!(a, Answer::Agrees)).count();
         let open = judge.answers.values().filter(|a| matches!(a, Answer::NotAsked(_))).count();
         assert_eq!(agrees + open, judge.answers.len(), "{name}: {:?}", judge.answers);
@@ -110,7 +127,7 @@ fn coq_accepts_every_base_and_every_step_of_an_induction() {
         return;
     }
     let audit = judged(WITH_INDUCTIONS);
-    let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
+    let judge = coq(&file(&Claims::of(&audit)));
     let mut accepted = 0;
     for ((statement, link), answer) in &judge.answers {
         match answer {
@@ -172,7 +189,7 @@ fn a_transplanted_proof_is_rejected() {
         let neighbour = lemma.text.replace("(Num 14 1)", "(Num 13 1)").replace("/ 14", "/ 13");
         assert_ne!(lemma.text, neighbour);
         lemma.text = neighbour;
-        let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
+        let judge = coq(&file);
         for ((i, _), answer) in &judge.answers {
             let rejected = matches!(answer, Answer::Disagrees(_));
             assert_eq!(rejected, *i == statement, "{answer:?}");
@@ -229,7 +246,7 @@ fn a_limit_between_two_bounds_needs_both() {
     }
     // Each lemma that is rejected costs a run.
     let asked = ["both", "lower"].map(|label| place(&audit, label));
-    let judge = ask_coq(&file(&Claims::of(&audit).only(&asked)), &LIMITS).expect("coqc runs");
+    let judge = coq(&file(&Claims::of(&audit).only(&asked)));
     let [both, lower] = asked.map(|statement| &judge.answers[&(statement, 0)]);
     assert!(matches!(both, Answer::Agrees), "{both:?}");
     assert!(matches!(lower, Answer::Disagrees(_)), "{lower:?}");
@@ -247,7 +264,7 @@ fn a_lemma_that_says_something_else_is_rejected() {
     let changed = changed.expect("(9r) is emitted");
     changed.text = changed.text.replace("= 5 / 14 * m * v_0 ^ 2.\n", "= 5 / 13 * m * v_0 ^ 2.\n");
     let statement = changed.statement;
-    let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
+    let judge = coq(&file);
     assert!(matches!(judge.answers[&(statement, 0)], Answer::Disagrees(_)));
 }
 
@@ -266,7 +283,7 @@ fn coq_on_the_semantics_suite() {
             continue;
         };
         let audit = audit(document, &Options::default(), &mut |_, _| {});
-        let judge = ask_coq(&file(&Claims::of(&audit)), &LIMITS).expect("coqc runs");
+        let judge = coq(&file(&Claims::of(&audit)));
         assert!(judge.agrees(), "{name}: {:?}", judge.answers);
     }
 }
@@ -320,7 +337,7 @@ fn a_limit_that_is_not_and_functions_that_do_not_fit_are_rejected() {
         lemma.text = lemma.text.replace(" exact (", " Fail exact (").replace(" Qed.", " Abort.");
         lemma.name = Err(NotEmitted::Step("a planted error"));
     }
-    let judge = ask_coq(&file, &LIMITS).expect("coqc runs");
+    let judge = coq(&file);
     assert_eq!(judge.answers[&(statements[changes.len()], 0)], Answer::Agrees);
 }
 

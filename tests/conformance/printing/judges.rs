@@ -8,7 +8,7 @@ use std::process::Command;
 use kane::algebra::syntax::{NoValue, Notation, coq, coq_relation, eval, holds};
 use kane::audit::Accepted;
 use kane::judges::smt::question;
-use kane::judges::{Answer, Claims, Limits, ask_coq};
+use kane::judges::{Answer, Claims};
 use kane::kernel::{
     Certificate, Conclusion, Context, Evidence, Expr, Finding, Goal, Link, Proof, Relation, digest,
 };
@@ -217,8 +217,7 @@ fn no_name_clashes_with_a_word_of_coq_or_of_the_file() {
     }
     let audit = judged(&text);
     assert!(audit.as_expected(), "every claim ends as it should");
-    let limits = Limits { file: std::time::Duration::from_secs(300), ..Limits::default() };
-    let judge = ask_coq(&kane::judges::coq::file(&Claims::of(&audit)), &limits).expect("coqc runs");
+    let judge = crate::judges::coq(&kane::judges::coq::file(&Claims::of(&audit)));
     let others: Vec<_> =
         judge.answers.iter().filter(|(_, a)| !matches!(a, Answer::Agrees)).collect();
     assert!(others.is_empty(), "{others:?}");

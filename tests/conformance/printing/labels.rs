@@ -92,8 +92,7 @@ fn coq_reads_no_label_as_its_own() {
     let lemmas = code.matches("\nLemma claim_").count();
     assert_eq!(lemmas, 2 * NASTY.len(), "one lemma a claim");
     if installed("coqc") {
-        let limits = kane::judges::Limits::default();
-        let judge = kane::judges::ask_coq(&file, &limits).expect("coqc runs");
+        let judge = crate::judges::coq(&file);
         assert!(judge.agrees(), "{:?}", judge.answers);
     }
 }

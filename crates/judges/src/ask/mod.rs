@@ -6,7 +6,7 @@ mod z3;
 
 use std::time::Duration;
 
-pub use coq::{ALLOWED_AXIOMS, ask_coq};
+pub use coq::{ALLOWED_AXIOMS, Theory, ask_coq};
 pub use z3::ask_z3;
 
 /// How long a judge may take.

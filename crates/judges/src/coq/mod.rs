@@ -119,7 +119,13 @@ impl File {
     /// The file for a directory that has [`shared_theory`]: the same lemmas behind a line that loads it.
     #[must_use]
     pub fn beside_theory(&self) -> String {
-        self.behind(SHARED, &[])
+        self.beside_theory_without(&[])
+    }
+
+    /// [`Self::beside_theory`] without the lemmas of these names.
+    #[must_use]
+    pub fn beside_theory_without(&self, names: &[&str]) -> String {
+        self.behind(SHARED, names)
     }
 
     /// The file without the lemmas of these names.
@@ -174,10 +180,9 @@ impl File {
         all
     }
 
-    /// The lemma to which a line of [`Self::without`] belongs.
+    /// The lemma to which a line of the file's text belongs.
     #[must_use]
-    pub fn lemma_at(&self, line: usize, without: &[&str]) -> Option<&str> {
-        let text = self.without(without);
+    pub fn lemma_at(&self, line: usize, text: &str) -> Option<&str> {
         let before = text.lines().take(line).collect::<Vec<_>>();
         let heading = before.iter().rev().find_map(|l| l.strip_prefix("Definition goal_"))?;
         let label = heading.split_whitespace().next()?;
