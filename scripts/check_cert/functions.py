@@ -122,7 +122,9 @@ class Functions:
     def other_limit(self, finding):
         """A limit that the conclusion speaks of is another one."""
         goal, claim = self.goal, self.claim
-        number, other, side = keys(self.failure, "limit", "to", "side")
+        told = dict(self.failure)
+        apart = told.pop("apart", None)
+        number, other, side = keys(told, "limit", "to", "side")
         if claim.form == "not implied" and finding == "proved":
             statement = claim.other
             _, f, limit = statement.limits[count(number, len(statement.limits))]
@@ -134,7 +136,10 @@ class Functions:
             demand(explicit(other) and not self.document.mentioned(other), "a limit is no number")
         for truth in (claim.when, statement.when):
             self.demand_true(truth)
-        demand(other != limit and self.differ(other, limit), "the limit is as claimed")
+        if apart is None:
+            demand(other != limit and self.differ(other, limit), "the limit is as claimed")
+        else:
+            self.show_apart(apart, limit, other)
         germ = check_side(Proof(self.domain), side, f, other, self.variable)
         demand(germ.is_premised(statement), "a proof of another side")
 
@@ -142,6 +147,13 @@ class Functions:
         """Conditions on constants are true at the values."""
         pieces = self.domain.pieces.truth(relations)
         demand(all(truth is True for _, truth in pieces), "a condition is not met, or not evident")
+
+    def show_apart(self, part, limit, other):
+        """Checks a proof that two numbers are defined and differ."""
+        demand(not isinstance(limit, str) and not isinstance(other, str), "a limit is no number")
+        unequal = ("!=", limit, other)
+        pieces = self.domain.pieces
+        self.show(part, sides([unequal]), lambda: regions(pieces.truth([unequal]), False, None))
 
     def differ(self, other, limit):
         """Is a number not what the limit is, or is that undefined?"""

@@ -99,10 +99,11 @@ pub(crate) fn walk(c: &mut Certificate, see: See<'_>) {
                     see("Failure::Reaches", Field::List(sides));
                     sides.iter_mut().for_each(|s| side_proof(s, see));
                 }
-                Failure::Limit { link, target, proof } => {
+                Failure::Limit { link, target, proof: side, apart } => {
                     see("Failure::Limit.link", Field::Index(link));
                     see("Failure::Limit.target", Field::Target(target));
-                    side_proof(proof, see);
+                    side_proof(side, see);
+                    apart.iter_mut().for_each(|p| proof("Failure::Limit.apart", p, see));
                 }
             }
         }
@@ -249,6 +250,7 @@ pub(crate) const KINDS: &[&str] = &[
     "Functions.failure",
     "Failure::Limit.link",
     "Failure::Limit.target",
+    "Failure::Limit.apart",
     "Side.var",
     "Side.at",
     "Side.above",

@@ -237,6 +237,7 @@ fn extra() -> Vec<Case> {
         claim inner: a*b <= 1/4 when a + b = 1\n\
         claim irrational: a^2 != 2\n\
         claim signs: a^2 >= 2 when a^3 >= 3\n\
+        claim apart: sqrt(x) -> sqrt(3) as x -> 2\n\
         ```\n";
     kane::audit::read("extra.md", text.as_bytes()).map(|d| cases(&d)).unwrap_or_default()
 }

@@ -222,8 +222,12 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
             let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
             tends(zero, &goal.when, proofs)
         }
-        (Failure::Limit { link, target, proof }, Conclusion::Link(_), Finding::Refuted)
-        | (Failure::Limit { link, target, proof }, Conclusion::NotImplied(_), Finding::Proved) => {
+        (Failure::Limit { link, target, proof, apart }, Conclusion::Link(_), Finding::Refuted)
+        | (
+            Failure::Limit { link, target, proof, apart },
+            Conclusion::NotImplied(_),
+            Finding::Proved,
+        ) => {
             let Some(Link::Limit(claimed)) = goal.conclusion.links().get(*link) else {
                 return Err(Rejection::WrongEvidence);
             };
@@ -234,7 +238,12 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
             let subjects: Vec<_> = expressions(&when, &both).collect();
             let scope = Scope::new(&domain.context, &subjects, fuel.clone())?;
             applies(&scope, &when)?;
-            differ(&scope, &claimed.to, target)?.then_some(()).ok_or(Rejection::NotAModel(None))
+            let Some(proof) = apart else {
+                let differ = differ(&scope, &claimed.to, target)?;
+                return differ.then_some(()).ok_or(Rejection::NotAModel(None));
+            };
+            let unequal = unequal(&claimed.to, target).ok_or(Rejection::WrongEvidence)?;
+            contradicts(&on_domain(unequal, &[]), Finding::Proved, proof, fuel)
         }
         _ => Err(Rejection::WrongEvidence),
     }
@@ -284,6 +293,16 @@ fn one_sided(scope: &Scope<'_>, limit: &Limit, proof: &SideProof) -> Checked<Lim
 fn applies(scope: &Scope<'_>, when: &[Relation]) -> Checked {
     let holds = scope.all(when)?.iter().all(|p| p.value == Some(true));
     holds.then_some(()).ok_or(Rejection::NotAModel(None))
+}
+
+/// That two closed targets differ, as a conclusion; of numbers only.
+#[must_use]
+pub fn unequal(claimed: &Target, found: &Target) -> Option<Conclusion> {
+    let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
+        return None;
+    };
+    let differ = Relation { lhs: a.clone(), rel: Rel::Ne, rhs: b.clone() };
+    Some(Conclusion::Link(Link::Relation(differ)))
 }
 
 /// Whether two closed targets are visibly different.

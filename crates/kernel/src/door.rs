@@ -44,11 +44,12 @@ pub(crate) fn enter(goal: &Goal, certificate: &Certificate) -> Checked {
             match &f.failure {
                 Failure::At(p) => point(p),
                 Failure::Reaches(sides) => sides.iter().try_for_each(side_proof),
-                Failure::Limit { target, proof, .. } => {
+                Failure::Limit { target, proof: side, apart, .. } => {
                     if let Target::Finite(e) = target {
                         expression(e)?;
                     }
-                    side_proof(proof)
+                    apart.iter().try_for_each(proof)?;
+                    side_proof(side)
                 }
             }
         }

@@ -19,7 +19,9 @@ mod state;
 mod univariate;
 
 pub use ast::*;
-pub use check::{check, claim_state, digest, on_functions, point_state, range_premise, scope};
+pub use check::{
+    check, claim_state, digest, on_functions, point_state, range_premise, scope, unequal,
+};
 pub use limit::{
     Place, constants, differs, inside_goal, inside_state, misses, narrowing, owed, premised,
     premises, sides,

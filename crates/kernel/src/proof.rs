@@ -221,5 +221,7 @@ pub enum Failure {
         target: Target,
         /// the proof
         proof: SideProof,
+        /// proof that they differ, if it is not visible
+        apart: Option<Proof>,
     },
 }

@@ -9,7 +9,7 @@ use kane_kernel::{
     Atom, Conclusion, Context, Evidence, Expr, Failure, Finding, Fuel, Functions, Germ, Goal,
     Hypothesis, Limit, Link, Model, Point, Poly, Proof, Rejection, Relation, Root, Scope,
     SideProof, Sign, State, Target, claim_state, constants, inside_goal, narrowing, on_functions,
-    owed, point_state, range_premise, scope,
+    owed, point_state, range_premise, scope, unequal,
 };
 use num_rational::BigRational;
 use serde_json::{Map, Value, json};
@@ -382,7 +382,7 @@ impl Writer<'_> {
                 let zero = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
                 json!({ "reaches": self.sides(&tends(&zero, &goal.when), &labels, sides)? })
             }
-            Failure::Limit { link, target, proof } => {
+            Failure::Limit { link, target, proof, apart } => {
                 let Some(Link::Limit(claimed)) = goal.conclusion.links().get(*link) else {
                     return Err(Rejection::WrongEvidence);
                 };
@@ -394,7 +394,14 @@ impl Writer<'_> {
                     Target::PlusInf => "oo".to_owned(),
                     Target::MinusInf => "-oo".to_owned(),
                 };
-                json!({ "limit": link, "to": to, "side": side[0] })
+                let mut told = json!({ "limit": link, "to": to, "side": side[0] });
+                if let Some((proof, unequal)) = apart.as_ref().zip(unequal(&claimed.to, target)) {
+                    let goal = on(unequal, &[]);
+                    let scope = scope(&goal, Fuel::new(u64::MAX))?;
+                    let state = claim_state(&scope, &goal, Finding::Proved)?;
+                    told["apart"] = self.proof(&state, &labels, proof)?;
+                }
+                told
             }
         };
         Ok(json!({

@@ -5,14 +5,15 @@ use std::rc::Rc;
 
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
-    Passages, Place, Poly, Proof, Rel, Relation, Scope, State, Target, claim_state, constants,
-    on_functions, point_state, premises, range_premise, scope, sides,
+    Passages, Place, Poly, Proof, Rel, Relation, Side, State, Target, claim_state, constants,
+    on_functions, point_state, premises, range_premise, scope, sides, unequal,
 };
 use num_rational::BigRational;
 
 use super::factors::linear_factors;
 use super::limits;
 use super::search::{Outcome, Search};
+use super::tangents;
 use super::variation::{determined, ratio};
 use crate::argument::{expand, side_proof};
 
@@ -184,6 +185,9 @@ fn candidates(
 const NUMBERS: [(i64, i64); 10] =
     [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
 
+/// Times that roots are looked for which a limit needs.
+const NESTED: usize = 3;
+
 /// A quadratic polynomial a + b·x + c·x².
 type Quadratic = (i64, i64, i64);
 
@@ -237,16 +241,11 @@ fn certified(
     let outer = scope(goal, effort.fuel()).ok()?;
     let domain = on_functions(&outer, goal, x, &values);
     let bare = |conclusion, when| Goal { conclusion, when, ..domain.clone() };
-    let any = |_: usize, _: &Poly| true;
     let premise = |h: &Hypothesis| -> Option<Proof> {
         let goal = bare(Conclusion::NotImplied(h.sentence.clone()), Vec::new());
         let scope = scope(&goal, effort.fuel()).ok()?;
         let fails = scope.premise(&h.sentence, h.given, false).ok()?;
-        let state = point_state(&scope, &goal, Some(fails)).ok()?;
-        match Search::new(effort.steps, &any, false).solve(&state) {
-            Outcome::Closed(argument) => expand(&state, &argument).ok(),
-            _ => None,
-        }
+        closed(&point_state(&scope, &goal, Some(fails)).ok()?, effort)
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
@@ -267,6 +266,14 @@ fn certified(
     Some(Functions { var: x, values, ranges: ranges?, premises, failure })
 }
 
+/// A proof that no point satisfies a state, if the search finds one.
+fn closed(state: &State<'_, '_>, effort: &Effort) -> Option<Proof> {
+    match Search::new(effort.steps, &|_: usize, _: &Poly| true, false).solve(state) {
+        Outcome::Closed(argument) => expand(state, &argument).ok(),
+        _ => None,
+    }
+}
+
 fn mentions(e: &Expr, x: usize) -> bool {
     let mut todo = vec![e];
     while let Some(e) = todo.pop() {
@@ -278,13 +285,56 @@ fn mentions(e: &Expr, x: usize) -> bool {
     false
 }
 
-/// Whether a limit that was found is another one than is claimed, for the values in place.
-fn differs_from(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Option<bool> {
-    let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
-        return Some(claimed != found);
+/// That a limit that was found is another one than is claimed, for the values in place: by a proof, if it is not visible.
+fn apart(
+    claimed: &Target,
+    found: &Target,
+    bare: &dyn Fn(Conclusion, Vec<Relation>) -> Goal,
+    effort: &Effort,
+) -> Option<Option<Proof>> {
+    let Some(unequal) = unequal(claimed, found) else {
+        return (claimed != found).then_some(None);
     };
-    let equal = Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() };
-    Some(scope.relation(&equal).ok()?.iter().all(|piece| piece.value != Some(true)))
+    let goal = bare(unequal, Vec::new());
+    let scope = scope(&goal, effort.fuel()).ok()?;
+    let equal = match (claimed, found) {
+        (Target::Finite(a), Target::Finite(b)) => {
+            Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() }
+        }
+        _ => return None,
+    };
+    let visible = scope.relation(&equal).ok()?.iter().all(|piece| piece.value != Some(true));
+    if visible {
+        return Some(None);
+    }
+    closed(&claim_state(&scope, &goal, Finding::Proved).ok()?, effort).map(Some)
+}
+
+/// What a limit is from one side, if that is a number in roots of numbers: those that the scope lacks are named in the
+/// target of a limit that is only looked at.
+fn irrational(
+    claimed: &Limit,
+    side: &Side,
+    bare: &dyn Fn(Conclusion, Vec<Relation>) -> Goal,
+    effort: &Effort,
+) -> Option<Target> {
+    let mut roots = Expr::int(0);
+    for _ in 0..NESTED {
+        let probe = Limit { to: Target::Finite(roots.clone()), ..claimed.clone() };
+        let goal = bare(Conclusion::Link(Link::Limit(probe.clone())), Vec::new());
+        let scope = scope(&goal, effort.fuel()).ok()?;
+        let state = constants(&scope, &goal, probe.var).ok()?;
+        match tangents::value(&state, &probe, side) {
+            Ok(target) => return Some(target),
+            Err(missing) if missing.is_empty() => return None,
+            Err(missing) => {
+                for q in missing {
+                    roots = Expr::Add(roots.into(), Expr::Sqrt(Expr::Num(q).into()).into());
+                }
+            }
+        }
+    }
+    None
 }
 
 /// How the conclusion fails for explicit functions.
@@ -292,7 +342,7 @@ fn failure(
     goal: &Goal,
     finding: Finding,
     x: usize,
-    bare: &dyn Fn(Conclusion, Vec<kane_kernel::Relation>) -> Goal,
+    bare: &dyn Fn(Conclusion, Vec<Relation>) -> Goal,
     effort: &Effort,
 ) -> Option<Failure> {
     let links: &[Link] = match &goal.conclusion {
@@ -309,19 +359,20 @@ fn failure(
         let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, claimed.var).ok()?;
         for side in sides(&scope, claimed) {
-            let Some(target) = limits::value(&state, claimed, &side, effort.steps) else {
+            let found = limits::value(&state, claimed, &side, effort.steps);
+            let Some(target) = found.or_else(|| irrational(claimed, &side, bare, effort)) else {
                 continue;
             };
-            if !differs_from(&scope, &claimed.to, &target)? {
+            let Some(apart) = apart(&claimed.to, &target, bare, effort) else {
                 continue;
-            }
+            };
             let found = Limit { to: target.clone(), at: side.approach(), ..claimed.clone() };
             let goal = bare(Conclusion::Link(Link::Limit(found.clone())), Vec::new());
             let scope = kane_kernel::scope(&goal, effort.fuel()).ok()?;
             let state = constants(&scope, &goal, found.var).ok()?;
             let argument = limits::one_side(&state, &found, &side, effort.steps)?;
             let proof = side_proof(&state, &found, &argument).ok()?;
-            return Some(Failure::Limit { link: index, target, proof });
+            return Some(Failure::Limit { link: index, target, proof, apart });
         }
         return None;
     }

@@ -26,6 +26,8 @@ pub(super) struct Symbols<'a, 's, 'g> {
     roots: Vec<(usize, Poly)>,
     /// what signs were asked of, and what was divided by: near its zeros the radius is small
     asked: RefCell<Vec<Poly>>,
+    /// numbers of which roots were asked that the scope does not have
+    missing: RefCell<Vec<BigRational>>,
 }
 
 impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
@@ -39,7 +41,8 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
             }
         }
         let known = plain.atoms.to_vec();
-        let mut out = Self { state, x, known, roots: Vec::new(), asked: RefCell::new(Vec::new()) };
+        let (asked, missing) = (RefCell::default(), RefCell::default());
+        let mut out = Self { state, x, known, roots: Vec::new(), asked, missing };
         for v in state.scope.context.vars.len()..state.scope.germ() {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
@@ -63,6 +66,11 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         let asked = self.asked.borrow();
         let fuel = &self.state.scope.fuel;
         asked.iter().try_fold(Poly::one(), |product, p| product.mul(p, fuel).ok())
+    }
+
+    /// The numbers without whose roots there is no answer.
+    pub(super) fn missing(&self) -> Vec<BigRational> {
+        self.missing.take()
     }
 
     fn ask(&self, p: &Poly) {
@@ -171,11 +179,16 @@ impl Numbers for Symbols<'_, '_, '_> {
             };
             single[..i].iter().filter_map(pair)
         });
-        one.into_iter().chain(single.iter().cloned()).chain(both).find_map(|(roots, radicands)| {
+        let mut among = one.into_iter().chain(single.iter().cloned()).chain(both);
+        let found = among.find_map(|(roots, radicands)| {
             let root = square_root(&square.mul(&radicands, fuel).ok()?, fuel)?;
             let num = absolute(root)?.mul(&roots, fuel).ok()?;
             self.reduced(&num, &radicands.mul(&den, fuel).ok()?)
-        })
+        });
+        if let (None, Some(num), Some(den)) = (&found, a.0.as_constant(), a.1.as_constant()) {
+            self.missing.borrow_mut().push(BigRational::new(num, den));
+        }
+        found
     }
 
     fn is_zero(&self, a: &Quotient) -> bool {

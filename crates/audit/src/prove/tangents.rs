@@ -11,6 +11,7 @@ use super::germs::Germs;
 use super::series::{Along, Numbers as _, Series, Value};
 use super::squeeze::{Beside, bounded};
 use super::symbols::{Quotient, Symbols, line};
+use super::variation::ratio_in;
 use crate::argument::SideArgument;
 
 /// Powers of t along which roots are tried.
@@ -60,6 +61,40 @@ pub(super) fn one_side(
             }
         })
     })
+}
+
+/// What an expression of x tends to from one side, as a number in roots that the scope has.
+///
+/// # Errors
+/// The numbers whose roots it takes beside these; none if it does not depend on that.
+pub(super) fn value(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    side: &Side,
+) -> Result<Target, Vec<BigRational>> {
+    let mut missing = Vec::new();
+    for power in POWERS {
+        let numbers = Symbols::new(state, side.var);
+        let along = Along { scope: state.scope, side, power, terms: TERMS, numbers };
+        let found = along.value(&limit.expr);
+        missing.extend(along.numbers.missing());
+        let root = |v: usize| state.scope.root(v).cloned().unwrap_or(Expr::Var(v));
+        let written = |(num, den): &Quotient| Target::Finite(ratio_in((num, den), &root));
+        let zero = along.numbers.number(&BigRational::default());
+        return Ok(match found {
+            None => continue,
+            Some(Value::Series(s)) if s.low == 0 => written(&s.coefficients[0]),
+            Some(Value::Series(s)) if s.low < 0 => {
+                match along.numbers.is_positive(&s.coefficients[0]) {
+                    Some(true) => Target::PlusInf,
+                    Some(false) => Target::MinusInf,
+                    None => continue,
+                }
+            }
+            Some(Value::Series(_) | Value::Zero) => written(&zero),
+        });
+    }
+    Err(missing)
 }
 
 /// Whether an expression is no quotient of polynomials, definitions followed.

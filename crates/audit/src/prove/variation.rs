@@ -66,13 +66,16 @@ fn expression_in(p: &Poly, symbol: &dyn Fn(usize) -> Expr) -> Expr {
 
 /// num/den as an expression.
 pub(crate) fn ratio(num: &Poly, den: &Poly) -> Expr {
-    match den.as_constant() {
-        Some(c) if c.is_one() => expression(num),
-        Some(c) => match num.as_constant() {
-            Some(n) => Expr::Num(Q::new(n, c)),
-            None => Expr::Div(expression(num).into(), expression(den).into()),
-        },
-        None => Expr::Div(expression(num).into(), expression(den).into()),
+    ratio_in((num, den), &Expr::Var)
+}
+
+/// num/den as an expression in what stands for its variables.
+pub(super) fn ratio_in((num, den): (&Poly, &Poly), symbol: &dyn Fn(usize) -> Expr) -> Expr {
+    let written = |p: &Poly| expression_in(p, symbol);
+    match (den.as_constant(), num.as_constant()) {
+        (Some(c), _) if c.is_one() => written(num),
+        (Some(c), Some(n)) => Expr::Num(Q::new(n, c)),
+        _ => Expr::Div(written(num).into(), written(den).into()),
     }
 }
 

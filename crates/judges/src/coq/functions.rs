@@ -63,6 +63,9 @@ pub(super) fn lemma(
             let (claim, says) = family.pointwise(&prose, finding, &Setting::Narrowed)?;
             (claim, says, model.at(name, finding, point)?)
         }
+        Failure::Limit { apart: Some(_), .. } => {
+            return Err(NotEmitted::Step("limits that a proof tells apart"));
+        }
         Failure::Limit { target, proof, .. } => {
             let limit = claimed(&family.goal.conclusion)
                 .filter(|_| family.always_when)

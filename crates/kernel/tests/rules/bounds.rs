@@ -323,7 +323,7 @@ fn a_limit_is_refuted_by_another_one_and_not_by_a_bound() {
             values: Vec::new(),
             ranges: Vec::new(),
             premises: Vec::new(),
-            failure: Failure::Limit { link: 0, target: finite(target), proof },
+            failure: Failure::Limit { link: 0, target: finite(target), proof, apart: None },
         };
         judged(&goal, Finding::Refuted, Evidence::Model(Model::Functions(functions.into())))
     };

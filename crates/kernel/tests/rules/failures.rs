@@ -1,14 +1,15 @@
 //! Functions as witnesses about limits: another limit, or one that is reached.
 
 use kane_kernel::{
-    Approach, Certificate, Conclusion, Evidence, Failure, Finding, Goal, Limit, Link, Model, Poly,
-    Rejection, Rel, Sentence, Side, Target, check, digest,
+    Approach, Certificate, Checked, Conclusion, Evidence, Expr, Failure, Finding, Goal, Limit,
+    Link, Model, Poly, Proof, Rejection, Rel, Sentence, Side, Sign, State, Target, check,
+    claim_state, digest, scope, unequal,
 };
 
 use crate::functions::{C, Ends, K, at, far, functions, hyperbola, inverse, judge, tends};
 use crate::support::{
-    X, abs, add, bound, given, limit, link, mul, n, number, plenty, pow, q, relation, side, sqrt,
-    var,
+    X, abs, add, bound, given, limit, link, mul, n, nothing, number, plenty, pow, q, relation,
+    side, sqrt, term, var,
 };
 
 /// k → 1 as x → ∞ from k·x = 1 and x > 0, under a condition on c.
@@ -24,7 +25,8 @@ fn tending(value: Target, at: Approach, when: i64) -> Goal {
 fn other(target: Target, link: usize, at: Approach, ends: Ends) -> impl Fn(&Goal) -> Failure {
     move |domain| {
         let l = limit(var(K), target.clone(), at.clone());
-        Failure::Limit { link, target: target.clone(), proof: tends(domain, &l, ends.clone()) }
+        let proof = tends(domain, &l, ends.clone());
+        Failure::Limit { link, target: target.clone(), proof, apart: None }
     }
 }
 
@@ -115,11 +117,9 @@ fn hypotheses_of_a_limit_are_consistent_if_the_domain_reaches_it() {
     assert_eq!(never, Err(Rejection::NotAModel(None)), "its own condition is not met");
 }
 
-#[test]
-fn targets_that_are_not_visibly_different_refute_nothing() {
-    // √2·√2 is 2, which no normal form shows.
-    let root = || sqrt(number(2, 1));
-    let goal = tending(Target::Finite(mul(root(), root())), Approach::PlusInf, 1);
+/// c·2 → L as x → ∞, where c = 1, refuted by the limit 2: the targets are told apart as `apart` says.
+fn refuted_by_two(to: &Expr, apart: &dyn Fn(&Goal) -> Option<Proof>) -> Checked {
+    let goal = tending(Target::Finite(to.clone()), Approach::PlusInf, 1);
     let target = Target::Finite(number(2, 1));
     let ends = (side(None, true), n(2), n(1), 0);
     let mut goal =
@@ -131,10 +131,52 @@ fn targets_that_are_not_visibly_different_refute_nothing() {
     let expr = l.expr.clone();
     let failure = |domain: &Goal| {
         let l = limit(expr.clone(), target.clone(), Approach::PlusInf);
-        Failure::Limit { link: 0, target: target.clone(), proof: tends(domain, &l, ends.clone()) }
+        let proof = tends(domain, &l, ends.clone());
+        Failure::Limit { link: 0, target: target.clone(), proof, apart: apart(domain) }
     };
     let f = functions(&goal, vec![(K, abs(pow(var(X), 2))), (C, number(1, 1))], &[], &failure);
-    assert_eq!(judge(&goal, Finding::Refuted, &f), Err(Rejection::NotAModel(None)));
+    judge(&goal, Finding::Refuted, &f)
+}
+
+#[test]
+fn targets_that_are_not_visibly_different_refute_nothing() {
+    // √2·√2 is 2, which no normal form shows.
+    let root = || sqrt(number(2, 1));
+    let verdict = refuted_by_two(&mul(root(), root()), &|_| None);
+    assert_eq!(verdict, Err(Rejection::NotAModel(None)));
+}
+
+#[test]
+fn targets_that_a_proof_tells_apart_refute() {
+    let root = sqrt(number(2, 1));
+    assert_eq!(refuted_by_two(&root, &|_| None), Err(Rejection::NotAModel(None)), "not visible");
+    // √2 = 2 and √2² = 2 give 2 = 4
+    let claimed = Target::Finite(root.clone());
+    let apart = |domain: &Goal| {
+        let conclusion = unequal(&claimed, &Target::Finite(number(2, 1))).expect("numbers");
+        let goal = Goal { conclusion, ..domain.clone() };
+        let scope = scope(&goal, plenty()).expect("it is small");
+        let state = claim_state(&scope, &goal, Finding::Proved).expect("it is small");
+        let by = state.formulas.len() - 1;
+        let cases = state.assume(by).expect("the claim fails");
+        let told = |case: &State<'_, '_>| {
+            let r = Poly::var(domain.context.vars.len());
+            let equations: Vec<usize> =
+                (0..case.atoms.len()).filter(|&i| case.atoms[i].sign == Sign::Zero).collect();
+            let square = |i: &&usize| case.atoms[**i].poly.degree(domain.context.vars.len()) == 2;
+            let cofactor = |i: &usize| match square(&i) {
+                true => (*i, n(-1)),
+                false => (*i, r.add(&n(2))),
+            };
+            let cofactors = equations.iter().map(cofactor).collect();
+            Proof::Positive { terms: vec![term(2, n(1), vec![])], cofactors }
+        };
+        Proof::Assume { formula: by, cases: cases.iter().map(told).collect() }
+    };
+    assert_eq!(refuted_by_two(&root, &|domain| Some(apart(domain))), Ok(()));
+    let other = sqrt(number(4, 1));
+    assert!(refuted_by_two(&other, &|domain| Some(apart(domain))).is_err(), "√4 is 2");
+    assert!(refuted_by_two(&root, &|_| Some(nothing())).is_err(), "that is no proof");
 }
 
 #[test]

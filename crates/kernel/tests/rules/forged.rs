@@ -201,11 +201,16 @@ fn numbers_of_a_certificate_are_canonical() {
             .map(|point| Functions { failure: Failure::At(point), ..good() })
             .collect();
         let proof = || side_proofs(&bad).remove(0);
-        let another = |target, proof| Failure::Limit { link: 0, target, proof };
+        let another = |target, proof| Failure::Limit { link: 0, target, proof, apart: None };
+        let apart = |proof| {
+            let (target, side) = (Target::Finite(Expr::int(1)), side_proofs(&q(0, 1)).remove(0));
+            Failure::Limit { link: 0, target, proof: side, apart: Some(proof) }
+        };
         let num = Target::Finite(Expr::Num(bad.clone()));
         forged.extend([
             Functions { values: vec![(Y, Expr::Abs(Expr::Num(bad.clone()).into()))], ..good() },
             Functions { ranges: vec![passing(germ.clone())], ..good() },
+            Functions { failure: apart(passing(germ.clone())), ..good() },
             Functions { premises: vec![(passing(germ), Vec::new())], ..good() },
             Functions { premises: vec![(nothing(), vec![vec![proof()]])], ..good() },
             Functions { failure: Failure::Reaches(vec![proof()]), ..good() },
