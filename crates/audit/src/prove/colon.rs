@@ -1,19 +1,14 @@
 //! Ideals of equations divided by what does not vanish: if f·g is in the ideal of e₁ and e₂ and f is not 0, then g = 0.
-//! From s² = c and y² = c, with s + y not 0, follows s = y. And from s² = y² where neither is negative, without more.
+//! From s² = c and y² = c, with s + y not 0, follows s = y.
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term};
-use num_bigint::BigInt;
-use num_traits::{One as _, Signed as _};
+use kane_kernel::{Atom, Poly, Sign, State, Term};
 
-use super::conics;
-use super::conjugates::known;
-use super::elimination::Factors;
 use super::settled::Settled;
 use crate::argument::{Argument, Rules as _};
 
 /// Terms of an equation that is combined.
-const TERMS: usize = 24;
+pub(super) const TERMS: usize = 24;
 /// Equations above which none are combined.
 const EQUATIONS: usize = 16;
 
@@ -42,64 +37,6 @@ pub(super) fn divided(state: &State<'_, '_>) -> Option<Settled> {
         }
     }
     None
-}
-
-/// An equation that is new, from one that says that two monomials have equal squares, neither of which is negative.
-pub(super) fn rooted(state: &State<'_, '_>) -> Option<Settled> {
-    (0..state.atoms.len()).find_map(|i| {
-        let atom = &state.atoms[i];
-        if atom.sign != Sign::Zero || atom.poly.len() != 2 {
-            return None;
-        }
-        let mut terms = atom.poly.terms();
-        let (one, other) = (terms.next()?, terms.next()?);
-        let negated = |(m, c): (&[Power], &BigInt)| (m.to_vec(), -c);
-        let (m, c) = root((one.0.to_vec(), one.1.clone())).or_else(|| root(negated(one)))?;
-        let turn = if one.1.is_negative() { 1 } else { -1 };
-        let (n, d) = root((other.0.to_vec(), other.1 * turn))?;
-        let (first, second) = (known(state, &m)?, known(state, &n)?);
-        let poly = Poly::term(m, c.clone()).sub(&Poly::term(n, d.clone()));
-        if poly.is_constant() || is_told(state, &poly) || is_told(state, &poly.neg()) {
-            return None;
-        }
-        // (M − N)² + 2·(M − N)·N = M² − N² = 0, and the same with M and N in each other's place
-        let fresh = state.atoms.len();
-        let argument = |weight: &BigInt, (square, factors): (Monomial, Factors), turn: i32| {
-            let term = |weight, square, factors| Term { weight, square, factors };
-            let square = Poly::term(square, BigInt::one());
-            let mixed = [&factors[..], &[(fresh, 1)]].concat();
-            let terms = vec![
-                term(BigInt::one(), Poly::one(), vec![(fresh, 2)]),
-                term(weight * 2, square, mixed),
-            ];
-            Argument::Positive { terms, cofactors: vec![(i, Poly::constant(turn.into()))] }
-        };
-        let positive = argument(&d, second, turn);
-        let negative = argument(&c, first, -turn);
-        let closes = |poly: Poly, proof: &Argument| {
-            state.with(Atom::new(poly, Sign::Positive)).closes(proof).is_ok()
-        };
-        let sure = closes(poly.clone(), &positive) && closes(poly.neg(), &negative);
-        sure.then_some(Settled { poly, sign: Sign::Zero, other: positive, negative })
-    })
-}
-
-/// Whether a variable is a root, and an equation says that its square is a product of variables.
-pub(super) fn is_root_of_product(state: &State<'_, '_>, v: usize) -> bool {
-    let root = state.scope.root(v).is_some();
-    root && state.atoms.iter().any(|a| {
-        a.sign == Sign::Zero
-            && a.poly.len() == 2
-            && a.poly.vars().len() > 2
-            && a.poly.coefficients(v).iter().map(Poly::len).eq([1, 0, 1])
-    })
-}
-
-/// The root of a term, if it is a square.
-fn root((m, c): (Monomial, BigInt)) -> Option<(Monomial, BigInt)> {
-    let root = if c.is_negative() { None } else { conics::root(&c) }?;
-    let even = m.iter().all(|(_, n)| n % 2 == 0);
-    even.then(|| (m.into_iter().map(|(v, n)| (v, n / 2)).collect(), root))
 }
 
 /// What two equations leave without the highest power of a variable, and their cofactors in it.
@@ -148,6 +85,6 @@ fn by(
 }
 
 /// Whether an equation is known.
-fn is_told(state: &State<'_, '_>, p: &Poly) -> bool {
+pub(super) fn is_told(state: &State<'_, '_>, p: &Poly) -> bool {
     state.atoms.iter().any(|a| a.sign == Sign::Zero && a.poly == *p)
 }

@@ -34,6 +34,7 @@ mod parameter;
 mod primitive;
 mod products;
 mod radicals;
+mod radicand;
 mod ranges;
 mod retelling;
 mod sample;

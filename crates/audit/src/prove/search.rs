@@ -5,10 +5,10 @@ use std::cell::{Cell, RefCell};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 
 use super::attempt::Attempt;
-use super::colon;
 use super::elimination::{Elimination, Factors};
 use super::factors::{cancellation, cannot_vanish, content_to_split, leading, pinched};
 use super::hints::Hint;
+use super::radicand;
 use super::tactics;
 use crate::argument::{Argument, Rules};
 use crate::open::Method;
@@ -241,7 +241,7 @@ impl<'a> Search<'a> {
         }
         // before a root that is a product of others is solved for
         if self.proofs
-            && let Some(equation) = colon::rooted(state)
+            && let Some(equation) = radicand::equal_roots(state)
         {
             return self.by_settled(state, equation, trail, splits);
         }
@@ -340,7 +340,7 @@ impl<'a> Search<'a> {
             let class = usize::from(!d.is_constant());
             let place = self.defined.iter().position(|d| *d == v);
             // a root of a product may yet be a product of roots
-            let last = self.defined.len() + usize::from(colon::is_root_of_product(state, v));
+            let last = self.defined.len() + usize::from(radicand::is_root_of_product(state, v));
             let (place, kept) = place.map_or((last, kept), |place| (place, 0));
             // where a proof is to be read, what varies goes first, and what has a range last
             let (first, second) = match self.defined.is_empty() {
