@@ -130,6 +130,8 @@ def radicand(rng, t, constants, point, depth):
     if r < 0.75 and point in ("oo", "-oo"):
         return ("+", ("^", t, 2), polynomial(rng, t, constants, 1))
     if r < 0.75:
+        if constants and rng.random() < 0.3:
+            return ("+", ("v", rng.choice(constants)), polynomial(rng, t, constants, 2))
         return ("+", number(rational(rng) ** 2 if rng.random() < 0.6 else rational(rng)), polynomial(rng, t, constants, 2))
     if r < 0.85:
         return ("/", polynomial(rng, t, constants, 2), ("+", ("^", t, 2), number(1)))
@@ -241,10 +243,13 @@ def target_of(rng, e, point, side, constants):
     names = [("v", n) for n in constants]
     written = [right]
     for name in names:
-        v = constants[name[1]]
+        v = Fraction(constants[name[1]])
         if right[0] == "n":
-            q = right[1] / Fraction(v)
+            q = right[1] / v
             written += [name if q == 1 else ("*", number(q), name)] if q else []
+        elif right[0] == "sqrt":
+            q = right[1][1] / v
+            written += [("sqrt", name if q == 1 else ("*", number(q), name))]
     right = rng.choice(written[-1:] + written)
     r = rng.random()
     if r < 0.55:

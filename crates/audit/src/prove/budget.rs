@@ -91,8 +91,19 @@ impl Budget {
 /// Which ways a search goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ways {
+    /// the cheap ones, with little work: so that what is easy to refute does not wait for a proof to fail
+    Brief,
+    /// the same of the claim alone, where what it cites only leads astray
+    Alone,
     /// those that most claims need
     Near,
     /// those that take long, too: cells and elimination by cases
     Far,
+}
+
+impl Ways {
+    /// Whether there is little work for them.
+    pub(super) fn are_brief(self) -> bool {
+        matches!(self, Self::Brief | Self::Alone)
+    }
 }

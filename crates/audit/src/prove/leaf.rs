@@ -182,11 +182,14 @@ impl Search<'_> {
         self.note(Method::Points);
         // Where all is linear a simple point is nicer, and the simplex method is sure.
         let linear = is_linear_in_all(state);
-        let tries = if linear { (2, 12) } else { (5, 200) };
+        let tries = if linear || self.brief { (2, 12) } else { (5, 200) };
         let near = self
             .sample(state, trail, vars, tries)
-            .or_else(|| self.linear_point(state, trail, vars))
-            .or_else(|| self.by_components(state, trail, vars, splits));
+            .or_else(|| self.linear_point(state, trail, vars));
+        if self.brief {
+            return near;
+        }
+        let near = near.or_else(|| self.by_components(state, trail, vars, splits));
         if near.is_some() || linear {
             return near;
         }

@@ -67,6 +67,8 @@ use crate::{Open, explain};
 const PASS_SPLITS: u32 = 2;
 /// Models of earlier claims that are tried again.
 pub(crate) const REMEMBERED: usize = 4;
+/// A search that is to be brief has one part in so many of the work.
+const BRIEF: u64 = 64;
 /// Bits of a coefficient beyond which the ways that take long are not gone.
 const WIDE: u64 = 256;
 
@@ -242,10 +244,11 @@ impl Prover<'_> {
         let open = (None, Outcome::Open);
         // Premises beyond the cited ones only guide to better points: a little search is enough.
         let guide = models && goal.hypotheses.len() > self.cited;
-        let (steps, fuel) = if guide {
-            (self.budget.steps / 8, self.budget.fuel / 16)
+        let budget = if ways.are_brief() { self.budget.share(BRIEF) } else { self.budget };
+        let (steps, fuel) = if guide && !ways.are_brief() {
+            (budget.steps / 8, budget.fuel / 16)
         } else {
-            (self.budget.steps, self.budget.fuel)
+            (budget.steps, budget.fuel)
         };
         // What the near ways have tried in full is tried again on cases alone.
         let steps = if ways == Ways::Far { steps / 4 } else { steps };
@@ -256,7 +259,7 @@ impl Prover<'_> {
         let state = match claim_state(&scope, goal, finding) {
             Ok(state) => state,
             Err(why) => {
-                if why == Rejection::Budget && !guide {
+                if why == Rejection::Budget && !guide && !ways.are_brief() {
                     out.open = Some(Open::Unfit(why));
                 }
                 return open;
@@ -275,29 +278,31 @@ impl Prover<'_> {
         germs.retain(|side| state.passages.allow(side.var));
         let any = |_: usize, _: &Poly| true;
         let mut search = Search::new(steps, &any, models && germs.is_empty());
-        search.ideals = self.budget.ideals;
-        search.products = self.budget.products;
-        search.squares = work.within(self.budget.squares);
-        let cells = if guide { self.budget.cells / 16 } else { self.budget.cells };
+        search.ideals = budget.ideals;
+        search.products = budget.products && ways != Ways::Brief;
+        search.squares = work.within(budget.squares);
+        let cells = if guide { budget.cells / 16 } else { budget.cells };
         search.cells = work.within(cells);
         if ways == Ways::Far {
             search.far = true;
-            search.squares = work.within(self.budget.squares / 16);
+            search.squares = work.within(budget.squares / 16);
         }
+        search.brief = ways.are_brief();
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
         if !models {
             search.written = Hint::all(&scope, &written::summands(goal));
         }
-        if guide {
+        if guide && !ways.are_brief() {
             search.widest = 60;
         }
         // Who looks for a point does not also look for long proofs that there is none.
         search.proofs = !models;
         // Without the limits first: most claims do not need them.
-        let mut outcome = search.solve(&state);
+        let assumed = if ways == Ways::Alone { goal.hypotheses.len() } else { 0 };
+        let mut outcome = search.solve_from(&state, assumed);
         let mut course = None;
-        if !germs.is_empty() && !matches!(outcome, Outcome::Closed(_)) {
+        if !germs.is_empty() && !ways.are_brief() && !matches!(outcome, Outcome::Closed(_)) {
             course = self.passed(&state, &germs, PASS_SPLITS);
         }
         out.cost += steps - search.left();
@@ -305,7 +310,7 @@ impl Prover<'_> {
         let mut attempt = search.attempt.take();
         attempt.left.take_if(|_| models || !matches!(finding, Finding::Proved));
         out.attempt.join(attempt);
-        if !guide && scope.fuel.spend(1).is_err() {
+        if !guide && !ways.are_brief() && scope.fuel.spend(1).is_err() {
             out.open = Some(Open::Operations(fuel));
         }
         if let Outcome::Closed(argument) = outcome {
@@ -403,12 +408,26 @@ impl Prover<'_> {
             return;
         }
         let counter = self.counterexample(goal, out);
-        if counter.is_none()
-            && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, out)
-            && self.decide(goal, Finding::Proved, grounds, out)
-        {
-            self.retell(goal, out);
-            return;
+        for ways in [Ways::Brief, Ways::Alone, Ways::Near] {
+            if counter.is_some() {
+                break;
+            }
+            if ways == Ways::Near
+                && [Finding::IllDefined, Finding::Refuted]
+                    .into_iter()
+                    .any(|finding| self.brief_witness(goal, finding, out))
+            {
+                return;
+            }
+            if ways == Ways::Alone && goal.hypotheses.is_empty() {
+                continue;
+            }
+            if let Some(grounds) = self.closed(goal, Finding::Proved, ways, out)
+                && self.decide(goal, Finding::Proved, grounds, out)
+            {
+                self.retell(goal, out);
+                return;
+            }
         }
         let near = self.witness(goal, Finding::IllDefined, Ways::Near, out)
             || self.witness(goal, Finding::Refuted, Ways::Near, out);

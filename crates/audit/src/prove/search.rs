@@ -78,6 +78,8 @@ pub(crate) struct Search<'a> {
     pub(crate) cells: Fuel,
     /// whether cells and elimination by cases are tried, which take long
     pub(crate) far: bool,
+    /// whether points are looked for among simple ones only
+    pub(crate) brief: bool,
     /// what the author says to use
     pub(crate) hints: Vec<Hint>,
     /// the summands of the goal as they are written
@@ -116,6 +118,7 @@ impl<'a> Search<'a> {
             squares: Fuel::new(0),
             cells: Fuel::new(0),
             far: false,
+            brief: false,
             hints: Vec::new(),
             written: Vec::new(),
             attempt: RefCell::default(),
@@ -149,7 +152,12 @@ impl<'a> Search<'a> {
 
     /// Searches from a state with all its formulas still to be assumed.
     pub(crate) fn solve(&self, state: &State<'_, '_>) -> Outcome {
-        let pending = (0..state.formulas.len()).collect();
+        self.solve_from(state, 0)
+    }
+
+    /// The same without its first formulas, which are never assumed.
+    pub(super) fn solve_from(&self, state: &State<'_, '_>, first: usize) -> Outcome {
+        let pending = (first..state.formulas.len()).collect();
         self.run(state, &since(state, 0), pending, &[], 0)
     }
 

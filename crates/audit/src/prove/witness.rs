@@ -24,7 +24,7 @@ impl Prover<'_> {
                 (_, Outcome::Model(point)) => Some(Model::Point(point)),
                 _ => None,
             },
-            Some(_) if ways == Ways::Far => None,
+            Some(_) if ways != Ways::Near => None,
             Some(x) => functions::model(
                 goal,
                 finding,
@@ -87,6 +87,16 @@ impl Prover<'_> {
         let grounds = Grounds::Model(restricted(model.clone(), goal, source));
         self.decide(goal, finding, grounds, &mut out);
         Some((out.decided?, model))
+    }
+
+    /// A point against a pointwise goal that is soon found, and at which all givens hold.
+    pub(super) fn brief_witness(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> bool {
+        let Some(model) = self.model(self.resting, finding, 0, Ways::Brief, out) else {
+            return false;
+        };
+        let grounds = Grounds::Model(restricted(model, goal, self.resting));
+        out.behind_met = self.decide(goal, finding, grounds, out);
+        out.behind_met
     }
 
     /// How many functions to try: few where more premises than the cited ones only guide.

@@ -1,7 +1,7 @@
 //! Inequalities in positive numbers, with equality where all of them are equal: what textbooks have, and
 //! nothing but an order of the variables proves.
 
-use kane_audit::{Options, Verdict, audit, read};
+use kane_audit::{Budget, Options, Verdict, audit, read};
 
 fn verdict(claim: &str) -> Verdict {
     let text = format!("```kane\nvar a > 0, b > 0, c > 0, e > 0, x, y\nclaim a: {claim}\n```\n");
@@ -126,4 +126,49 @@ fn roots_that_stand_alone_on_their_side_are_squared_away() {
     for claim in ["norm(a - b) <= norm(a) - norm(b)", "abs(dot(a, b)) < norm(a)*norm(b)"] {
         assert_eq!(verdict(claim), Some(Verdict::Refuted), "{claim}");
     }
+}
+
+#[test]
+fn a_root_of_a_product_or_a_quotient_is_that_of_the_roots() {
+    let found = |claim: &str| {
+        let symbols = "var x > 0, y > 0, a > 0, b > 0, t";
+        let text = format!("```kane\n{symbols}\nclaim c: {claim}\n```\n");
+        let document = read("roots.md", text.as_bytes()).expect("it can be read");
+        // what is seen at once needs no more
+        let budget = Budget { steps: 400, ..Budget::default() };
+        let options = Options { budget, ..Options::default() };
+        audit(document, &options, &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+    };
+    for claim in [
+        "sqrt(x/(x + 4)) = sqrt(x)/sqrt(x + 4)",
+        "sqrt((x + y)/(a + b)) = sqrt(x + y)/sqrt(a + b)",
+        "sqrt((x + y)*(a + b)) = sqrt(x + y)*sqrt(a + b)",
+        "sqrt(1 - t^2) = sqrt(1 - t)*sqrt(1 + t) when abs(t) <= 1",
+        "sqrt(t^3 - t) = sqrt(t)*sqrt(t - 1)*sqrt(t + 1) when t >= 1",
+        "sqrt(6*t^2 + 12*t) = sqrt(2*t)*sqrt(3*t + 6) when t > 0",
+        "sqrt(4*t^2 - 1)/sqrt(2*t - 1) = sqrt(2*t + 1) when t > 1",
+    ] {
+        assert_eq!(found(claim), Some(Verdict::Proved), "{claim}");
+    }
+    for claim in [
+        "sqrt((x + y)*(a + b)) = sqrt(x + y)*sqrt(a + 2*b)",
+        "sqrt(4 - t^2) = sqrt(2 - t)*sqrt(1 + t) when abs(t) < 1",
+        "sqrt(t^2 - 1) = sqrt(1 - t)*sqrt(-1 - t) when t <= -1, t*sqrt(t^2 - 1) > 0",
+    ] {
+        assert_ne!(found(claim), Some(Verdict::Proved), "{claim}");
+    }
+}
+
+#[test]
+fn what_is_cited_beside_the_point_does_not_hide_a_proof_or_a_witness() {
+    let found = |claim: &str| {
+        let given = "var w, mu\ngiven g1: sqrt(w + 1) = w - 2*mu\ngiven g2: sqrt(w) = w - mu";
+        let text = format!("```kane\n{given}\nclaim c: {claim}\n```\n");
+        let document = read("beside.md", text.as_bytes()).expect("it can be read");
+        audit(document, &Options::default(), &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+    };
+    let proved = "sqrt(sqrt((w - 1)^4)) = abs(w - 1) from g1";
+    assert_eq!(found(proved), Some(Verdict::Proved));
+    let quotient = "sqrt(w + mu)/sqrt(w + mu - 1) = sqrt((w + mu)/(w + mu - 1)) from g2";
+    assert_eq!(found(quotient), Some(Verdict::IllDefined));
 }
