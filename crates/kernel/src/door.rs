@@ -48,7 +48,7 @@ pub(crate) fn enter(goal: &Goal, certificate: &Certificate) -> Checked {
                     if let Target::Finite(e) = target {
                         expression(e)?;
                     }
-                    apart.iter().try_for_each(proof)?;
+                    apart.as_deref().map_or(Ok(()), proof)?;
                     side_proof(side)
                 }
             }

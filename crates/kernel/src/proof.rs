@@ -222,6 +222,6 @@ pub enum Failure {
         /// the proof
         proof: SideProof,
         /// proof that they differ, if it is not visible
-        apart: Option<Proof>,
+        apart: Option<Box<Proof>>,
     },
 }

@@ -372,7 +372,7 @@ fn failure(
             let state = constants(&scope, &goal, found.var).ok()?;
             let argument = limits::one_side(&state, &found, &side, effort.steps)?;
             let proof = side_proof(&state, &found, &argument).ok()?;
-            return Some(Failure::Limit { link: index, target, proof, apart });
+            return Some(Failure::Limit { link: index, target, proof, apart: apart.map(Box::new) });
         }
         return None;
     }

@@ -132,7 +132,12 @@ fn refuted_by_two(to: &Expr, apart: &dyn Fn(&Goal) -> Option<Proof>) -> Checked 
     let failure = |domain: &Goal| {
         let l = limit(expr.clone(), target.clone(), Approach::PlusInf);
         let proof = tends(domain, &l, ends.clone());
-        Failure::Limit { link: 0, target: target.clone(), proof, apart: apart(domain) }
+        Failure::Limit {
+            link: 0,
+            target: target.clone(),
+            proof,
+            apart: apart(domain).map(Box::new),
+        }
     };
     let f = functions(&goal, vec![(K, abs(pow(var(X), 2))), (C, number(1, 1))], &[], &failure);
     judge(&goal, Finding::Refuted, &f)

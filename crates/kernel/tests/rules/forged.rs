@@ -204,7 +204,7 @@ fn numbers_of_a_certificate_are_canonical() {
         let another = |target, proof| Failure::Limit { link: 0, target, proof, apart: None };
         let apart = |proof| {
             let (target, side) = (Target::Finite(Expr::int(1)), side_proofs(&q(0, 1)).remove(0));
-            Failure::Limit { link: 0, target, proof: side, apart: Some(proof) }
+            Failure::Limit { link: 0, target, proof: side, apart: Some(Box::new(proof)) }
         };
         let num = Target::Finite(Expr::Num(bad.clone()));
         forged.extend([
