@@ -4,12 +4,15 @@ use std::cell::RefCell;
 
 use kane_algebra::ring::{cancelled, common_sign};
 use kane_kernel::{Atom, Expr, Fraction, Piece, Poly, Sign, State};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed as _;
 
 use super::factors::square_root;
 use super::series::Numbers;
 
+/// Estimates of roots are multiples of one part in so many.
+const ESTIMATE: u32 = 1000;
 /// Terms of a numerator or a denominator.
 const TERMS: usize = 60;
 
@@ -28,6 +31,8 @@ pub(super) struct Symbols<'a, 's, 'g> {
     asked: RefCell<Vec<Poly>>,
     /// numbers of which roots were asked that the scope does not have
     missing: RefCell<Vec<BigRational>>,
+    /// whether something near stands for a root that the scope does not have
+    estimates: bool,
 }
 
 impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
@@ -42,7 +47,8 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         }
         let known = plain.atoms.to_vec();
         let (asked, missing) = (RefCell::default(), RefCell::default());
-        let mut out = Self { state, x, known, roots: Vec::new(), asked, missing };
+        let roots = Vec::new();
+        let mut out = Self { state, x, known, roots, asked, missing, estimates: false };
         for v in state.scope.context.vars.len()..state.scope.germ() {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
@@ -66,6 +72,24 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         let asked = self.asked.borrow();
         let fuel = &self.state.scope.fuel;
         asked.iter().try_fold(Poly::one(), |product, p| product.mul(p, fuel).ok())
+    }
+
+    /// With estimates of roots that the scope does not have. They serve for slopes, near which lines are tried; a limit
+    /// that is one is not found.
+    pub(super) fn estimating(self) -> Self {
+        Self { estimates: true, ..self }
+    }
+
+    /// √q to three digits, and of what is no number its mean with 1.
+    fn estimate(&self, (num, den): &Quotient) -> Option<Quotient> {
+        if let (Some(num), Some(den)) = (num.as_constant(), den.as_constant()) {
+            let digits = BigInt::from(ESTIMATE);
+            let root = (num * &den * &digits * &digits).sqrt();
+            return Some(self.number(&BigRational::new(root, den * digits)));
+        }
+        let half = self.number(&BigRational::new(1.into(), 2.into()));
+        let one = (Poly::one(), Poly::one());
+        self.product(&half, &self.sum(&(num.clone(), den.clone()), &one)?)
     }
 
     /// The numbers without whose roots there is no answer.
@@ -188,7 +212,10 @@ impl Numbers for Symbols<'_, '_, '_> {
         if let (None, Some(num), Some(den)) = (&found, a.0.as_constant(), a.1.as_constant()) {
             self.missing.borrow_mut().push(BigRational::new(num, den));
         }
-        found
+        found.or_else(|| {
+            let positive = self.estimates && self.is_positive(a) == Some(true);
+            positive.then(|| self.estimate(a)).flatten()
+        })
     }
 
     fn is_zero(&self, a: &Quotient) -> bool {

@@ -35,8 +35,10 @@ pub(super) fn one_side(
         return None;
     }
     let any = |_: usize, _: &Poly| true;
-    POWERS.iter().find_map(|&power| {
+    let ways = [false, true].into_iter().flat_map(|near| POWERS.map(|power| (near, power)));
+    ways.into_iter().find_map(|(near, power)| {
         let numbers = Symbols::new(state, side.var);
+        let numbers = if near { numbers.estimating() } else { numbers };
         let along = Along { scope: state.scope, side, power, terms: TERMS, numbers };
         let value = along.value(&limit.expr)?;
         let lead = along.numbers.lead()?;
