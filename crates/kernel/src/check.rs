@@ -306,7 +306,10 @@ pub fn unequal(claimed: &Target, found: &Target) -> Option<Conclusion> {
 }
 
 /// Whether two closed targets are visibly different.
-fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Checked<bool> {
+///
+/// # Errors
+/// [`Rejection::Budget`].
+pub fn differ(scope: &Scope<'_>, claimed: &Target, found: &Target) -> Checked<bool> {
     let (Target::Finite(a), Target::Finite(b)) = (claimed, found) else {
         return Ok(std::mem::discriminant(claimed) != std::mem::discriminant(found));
     };

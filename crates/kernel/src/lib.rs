@@ -20,7 +20,7 @@ mod univariate;
 
 pub use ast::*;
 pub use check::{
-    check, claim_state, digest, on_functions, point_state, range_premise, scope, unequal,
+    check, claim_state, differ, digest, on_functions, point_state, range_premise, scope, unequal,
 };
 pub use limit::{
     Place, constants, differs, inside_goal, inside_state, misses, narrowing, owed, premised,

@@ -395,8 +395,9 @@ impl Writer<'_> {
                     Target::MinusInf => "-oo".to_owned(),
                 };
                 let mut told = json!({ "limit": link, "to": to, "side": side[0] });
-                if let Some((proof, unequal)) = apart.as_ref().zip(unequal(&claimed.to, target)) {
-                    let goal = on(unequal, &[]);
+                if let Some(proof) = apart {
+                    let goal =
+                        on(unequal(&claimed.to, target).ok_or(Rejection::WrongEvidence)?, &[]);
                     let scope = scope(&goal, Fuel::new(u64::MAX))?;
                     let state = claim_state(&scope, &goal, Finding::Proved)?;
                     told["apart"] = self.proof(&state, &labels, proof)?;

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
-    Passages, Place, Poly, Proof, Rel, Relation, Side, State, Target, claim_state, constants,
+    Passages, Place, Poly, Proof, Relation, Side, State, Target, claim_state, constants, differ,
     on_functions, point_state, premises, range_premise, scope, sides, unequal,
 };
 use num_rational::BigRational;
@@ -297,14 +297,7 @@ fn apart(
     };
     let goal = bare(unequal, Vec::new());
     let scope = scope(&goal, effort.fuel()).ok()?;
-    let equal = match (claimed, found) {
-        (Target::Finite(a), Target::Finite(b)) => {
-            Relation { lhs: a.clone(), rel: Rel::Eq, rhs: b.clone() }
-        }
-        _ => return None,
-    };
-    let visible = scope.relation(&equal).ok()?.iter().all(|piece| piece.value != Some(true));
-    if visible {
+    if differ(&scope, claimed, found).ok()? {
         return Some(None);
     }
     closed(&claim_state(&scope, &goal, Finding::Proved).ok()?, effort).map(Some)

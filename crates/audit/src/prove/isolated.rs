@@ -20,30 +20,21 @@ const SQUARE: usize = 150;
 /// Rules that are used one after the other.
 const PASSES: usize = 12;
 
-/// ±pᵏ for the polynomial p of an atom that says that it is positive.
-#[derive(Clone, Copy)]
-struct Lead {
-    atom: usize,
-    power: u32,
-    is_minus: bool,
-}
-
-impl Lead {
-    /// A primitive polynomial as such a power.
-    fn of(state: &State<'_, '_>, a: &Poly) -> Option<Self> {
-        let one = |(atom, p): (usize, &Atom)| {
-            if p.sign != Sign::Positive || p.poly.is_constant() {
-                return None;
-            }
-            let (mut rest, mut power) = (a.clone(), 0);
-            while let Some(q) = exact_quotient(&rest, &p.poly, &state.scope.fuel) {
-                (rest, power) = (q, power + 1);
-            }
-            let is_minus = rest == Poly::one().neg();
-            (is_minus || rest == Poly::one()).then_some(Self { atom, power, is_minus })
-        };
-        state.atoms.iter().enumerate().find_map(one)
-    }
+/// A primitive polynomial as ±pᵏ for the polynomial p of an atom that says that it is positive: the atom, k, and whether
+/// the sign is +.
+fn lead(state: &State<'_, '_>, a: &Poly) -> Option<(usize, u32, bool)> {
+    let one = |(atom, p): (usize, &Atom)| {
+        if p.sign != Sign::Positive || p.poly.is_constant() {
+            return None;
+        }
+        let (mut rest, mut power) = (a.clone(), 0);
+        while let Some(q) = exact_quotient(&rest, &p.poly, &state.scope.fuel) {
+            (rest, power) = (q, power + 1);
+        }
+        let is_up = rest == Poly::one();
+        (is_up || rest == Poly::one().neg()).then_some((atom, power, is_up))
+    };
+    state.atoms.iter().enumerate().find_map(one)
 }
 
 /// An equation that reduces powers of a variable: a·vⁿ = …, n ≥ 2, where a is a number or an atom says that it has a
@@ -52,8 +43,8 @@ struct Rule {
     v: usize,
     equation: usize,
     degree: u32,
-    /// the atom p of which a is ± a power, if a is no number
-    lead: Option<Lead>,
+    /// the atom of which a is ± a power, and that power, if a is no number
+    lead: Option<(usize, u32)>,
     /// whether it says no more than the square of v, which is not negative
     is_root: bool,
     /// whether a is positive
@@ -84,14 +75,17 @@ impl Rule {
         if degree < 2 {
             return None;
         }
-        let (content, a) = p.coefficient(v, degree).primitive();
-        let lead = if a.is_constant() { None } else { Some(Lead::of(state, &a)?) };
+        let (_, a) = p.coefficient(v, degree).primitive();
+        let (lead, is_up) = if a.is_constant() {
+            (None, a == Poly::one())
+        } else {
+            let (atom, power, is_up) = lead(state, &a)?;
+            (Some((atom, power)), is_up)
+        };
         let pure = degree == 2 && p.coefficient(v, 1).is_empty();
         // a cosine beside a sine is none
         let is_named = lead.is_some() || state.scope.root(v).is_some();
         let is_root = pure && is_named && known(state, &[(v, 1)]).is_some();
-        let is_up = content.is_positive()
-            != lead.map_or(a == Poly::one().neg(), |lead: Lead| lead.is_minus);
         Some(Self { v, equation, degree, lead, is_root, is_up })
     }
 }
@@ -220,13 +214,11 @@ impl Divided {
     fn by(mut self, state: &State<'_, '_>, rule: &Rule) -> Option<Self> {
         let fuel = &state.scope.fuel;
         let equation = &state.atoms[rule.equation].poly;
-        let (content, a) = equation.coefficient(rule.v, rule.degree).primitive();
-        let minus = rule.lead.is_some_and(|lead| lead.is_minus);
-        // the equation with a positive number times the atom's polynomial before the power
-        let turn = BigInt::from(if content.is_positive() == minus { -1 } else { 1 });
-        let positive = if minus { a.neg() } else { a };
-        let (equation, size) = (equation.scale(&turn), content.abs());
-        let lead = positive.scale(&size);
+        // the equation with what is positive before the power
+        let turn = BigInt::from(if rule.is_up { 1 } else { -1 });
+        let equation = equation.scale(&turn);
+        let lead = equation.coefficient(rule.v, rule.degree);
+        let (size, _) = lead.primitive();
         let (mut n, mut cofactor) = (0, Poly::default());
         while self.left.degree(rule.v) >= rule.degree {
             let top = self.left.coefficients(rule.v).pop()?;
@@ -249,7 +241,7 @@ impl Divided {
             None => self.cofactors.push((rule.equation, cofactor)),
         }
         self.scale *= size.pow(n);
-        if let Some(Lead { atom, power, .. }) = rule.lead {
+        if let Some((atom, power)) = rule.lead {
             match self.lead.iter_mut().find(|known| known.0 == atom) {
                 Some((_, known)) => *known += power * n,
                 None => self.lead.push((atom, power * n)),

@@ -243,13 +243,11 @@ impl Prover<'_> {
     ) -> (Option<Course>, Outcome) {
         let open = (None, Outcome::Open);
         // Premises beyond the cited ones only guide to better points: a little search is enough.
-        let guide = models && goal.hypotheses.len() > self.cited;
-        let budget = if ways.are_brief() { self.budget.share(BRIEF) } else { self.budget };
-        let (steps, fuel) = if guide && !ways.are_brief() {
-            (budget.steps / 8, budget.fuel / 16)
-        } else {
-            (budget.steps, budget.fuel)
-        };
+        let brief = ways.are_brief();
+        let guide = models && !brief && goal.hypotheses.len() > self.cited;
+        let budget = if brief { self.budget.share(BRIEF) } else { self.budget };
+        let (steps, fuel) =
+            if guide { (budget.steps / 8, budget.fuel / 16) } else { (budget.steps, budget.fuel) };
         // What the near ways have tried in full is tried again on cases alone.
         let steps = if ways == Ways::Far { steps / 4 } else { steps };
         let work = if guide { self.quarter() } else { self.work.clone() };
@@ -259,7 +257,7 @@ impl Prover<'_> {
         let state = match claim_state(&scope, goal, finding) {
             Ok(state) => state,
             Err(why) => {
-                if why == Rejection::Budget && !guide && !ways.are_brief() {
+                if why == Rejection::Budget && !guide && !brief {
                     out.open = Some(Open::Unfit(why));
                 }
                 return open;
@@ -287,13 +285,13 @@ impl Prover<'_> {
             search.far = true;
             search.squares = work.within(budget.squares / 16);
         }
-        search.brief = ways.are_brief();
+        search.brief = brief;
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
         if !models {
             search.written = Hint::all(&scope, &written::summands(goal));
         }
-        if guide && !ways.are_brief() {
+        if guide {
             search.widest = 60;
         }
         // Who looks for a point does not also look for long proofs that there is none.
@@ -302,7 +300,7 @@ impl Prover<'_> {
         let assumed = if ways == Ways::Alone { goal.hypotheses.len() } else { 0 };
         let mut outcome = search.solve_from(&state, assumed);
         let mut course = None;
-        if !germs.is_empty() && !ways.are_brief() && !matches!(outcome, Outcome::Closed(_)) {
+        if !germs.is_empty() && !brief && !matches!(outcome, Outcome::Closed(_)) {
             course = self.passed(&state, &germs, PASS_SPLITS);
         }
         out.cost += steps - search.left();
@@ -310,7 +308,7 @@ impl Prover<'_> {
         let mut attempt = search.attempt.take();
         attempt.left.take_if(|_| models || !matches!(finding, Finding::Proved));
         out.attempt.join(attempt);
-        if !guide && !ways.are_brief() && scope.fuel.spend(1).is_err() {
+        if !guide && !brief && scope.fuel.spend(1).is_err() {
             out.open = Some(Open::Operations(fuel));
         }
         if let Outcome::Closed(argument) = outcome {
@@ -349,14 +347,21 @@ impl Prover<'_> {
         })
     }
 
+    /// Proves a pointwise goal, as is best to read.
+    fn proves(&self, goal: &Goal, ways: Ways, out: &mut Verdicts) -> bool {
+        let proved = self
+            .closed(goal, Finding::Proved, ways, out)
+            .is_some_and(|grounds| self.decide(goal, Finding::Proved, grounds, out));
+        if proved {
+            self.retell(goal, out);
+        }
+        proved
+    }
+
     /// Looks for a proof of a pointwise goal, and for nothing else.
     pub(crate) fn prove(&self, goal: &Goal) -> Verdicts {
         let mut out = Verdicts::default();
-        if let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Near, &mut out) {
-            self.decide(goal, Finding::Proved, grounds, &mut out);
-            self.retell(goal, &mut out);
-        }
-        if out.decided.is_none() && out.open.is_none() {
+        if !self.proves(goal, Ways::Near, &mut out) && out.open.is_none() {
             out.open = Some(Open::NoProof(self.budget.steps));
         }
         out
@@ -408,26 +413,8 @@ impl Prover<'_> {
             return;
         }
         let counter = self.counterexample(goal, out);
-        for ways in [Ways::Brief, Ways::Alone, Ways::Near] {
-            if counter.is_some() {
-                break;
-            }
-            if ways == Ways::Near
-                && [Finding::IllDefined, Finding::Refuted]
-                    .into_iter()
-                    .any(|finding| self.brief_witness(goal, finding, out))
-            {
-                return;
-            }
-            if ways == Ways::Alone && goal.hypotheses.is_empty() {
-                continue;
-            }
-            if let Some(grounds) = self.closed(goal, Finding::Proved, ways, out)
-                && self.decide(goal, Finding::Proved, grounds, out)
-            {
-                self.retell(goal, out);
-                return;
-            }
+        if counter.is_none() && (self.briefly(goal, out) || self.proves(goal, Ways::Near, out)) {
+            return;
         }
         let near = self.witness(goal, Finding::IllDefined, Ways::Near, out)
             || self.witness(goal, Finding::Refuted, Ways::Near, out);
@@ -443,6 +430,18 @@ impl Prover<'_> {
         if !far && let Some(grounds) = self.closed(goal, Finding::Proved, Ways::Far, out) {
             self.decide(goal, Finding::Proved, grounds, out);
         }
+    }
+
+    /// Decides a pointwise goal by what takes little work: a proof, one without the hypotheses, a point at which all givens
+    /// hold.
+    fn briefly(&self, goal: &Goal, out: &mut Verdicts) -> bool {
+        let refuted = |finding, out: &mut Verdicts| {
+            self.witness_from(self.resting, goal, finding, Ways::Brief, out)
+        };
+        self.proves(goal, Ways::Brief, out)
+            || !goal.hypotheses.is_empty() && self.proves(goal, Ways::Alone, out)
+            || refuted(Finding::IllDefined, out)
+            || refuted(Finding::Refuted, out)
     }
 
     fn judge_limit(&self, goal: &Goal, limit: &Limit, doubt: bool, out: &mut Verdicts) {

@@ -94,12 +94,13 @@ fn radicand(state: &State<'_, '_>, i: usize) -> Option<(usize, Poly, i32)> {
 
 /// An equation that is new, from one that says that two monomials have equal squares, neither of which is negative.
 pub(super) fn equal_roots(state: &State<'_, '_>) -> Option<Settled> {
-    let mut equations = (0..state.atoms.len()).filter(|&i| state.atoms[i].sign == Sign::Zero);
+    let is_short =
+        |i: &usize| state.atoms[*i].sign == Sign::Zero && state.atoms[*i].poly.len() <= TERMS;
+    let mut equations = (0..state.atoms.len()).filter(is_short);
     equations.find_map(|i| {
         let p = &state.atoms[i].poly;
         let found = two_terms(p).and_then(|(m, n, turn)| settled(state, i, (&m, &n), turn));
-        let short = || p.vars().into_iter().filter(|_| p.len() <= TERMS);
-        found.or_else(|| short().find_map(|v| of_quotient(state, i, v)))
+        found.or_else(|| p.vars().into_iter().find_map(|v| of_quotient(state, i, v)))
     })
 }
 

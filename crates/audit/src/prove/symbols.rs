@@ -74,10 +74,10 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         asked.iter().try_fold(Poly::one(), |product, p| product.mul(p, fuel).ok())
     }
 
-    /// With estimates of roots that the scope does not have. They serve for slopes, near which lines are tried; a limit
-    /// that is one is not found.
-    pub(super) fn estimating(self) -> Self {
-        Self { estimates: true, ..self }
+    /// From now on estimates stand for roots that the scope does not have. They serve for slopes, near which lines are
+    /// tried; a limit that is one is not found.
+    pub(super) fn estimate_roots(&mut self) {
+        self.estimates = true;
     }
 
     /// √q to three digits, and of what is no number its mean with 1.

@@ -35,12 +35,13 @@ pub(super) fn one_side(
         return None;
     }
     let any = |_: usize, _: &Poly| true;
-    let ways = [false, true].into_iter().flat_map(|near| POWERS.map(|power| (near, power)));
-    ways.into_iter().find_map(|(near, power)| {
-        let numbers = Symbols::new(state, side.var);
-        let numbers = if near { numbers.estimating() } else { numbers };
-        let along = Along { scope: state.scope, side, power, terms: TERMS, numbers };
-        let value = along.value(&limit.expr)?;
+    POWERS.iter().find_map(|&power| {
+        let mut along = along(state, side, power);
+        let exact = along.value(&limit.expr);
+        let value = exact.or_else(|| {
+            along.numbers.estimate_roots();
+            along.value(&limit.expr)
+        })?;
         let lead = along.numbers.lead()?;
         let lines = Lines { state, limit, side, steps, along: &along };
         let tried = |sense: Ordering| -> Option<Vec<Beside>> {
@@ -65,6 +66,16 @@ pub(super) fn one_side(
     })
 }
 
+/// Series with fractions in constants and their roots.
+fn along<'a, 's, 'g>(
+    state: &'a State<'s, 'g>,
+    side: &'a Side,
+    power: u32,
+) -> Along<'a, 'g, Symbols<'a, 's, 'g>> {
+    let numbers = Symbols::new(state, side.var);
+    Along { scope: state.scope, side, power, terms: TERMS, numbers }
+}
+
 /// What an expression of x tends to from one side, as a number in roots that the scope has.
 ///
 /// # Errors
@@ -75,26 +86,25 @@ pub(super) fn value(
     side: &Side,
 ) -> Result<Target, Vec<BigRational>> {
     let mut missing = Vec::new();
+    let root = |v: usize| state.scope.root(v).cloned().unwrap_or(Expr::Var(v));
     for power in POWERS {
-        let numbers = Symbols::new(state, side.var);
-        let along = Along { scope: state.scope, side, power, terms: TERMS, numbers };
+        let along = along(state, side, power);
         let found = along.value(&limit.expr);
         missing.extend(along.numbers.missing());
-        let root = |v: usize| state.scope.root(v).cloned().unwrap_or(Expr::Var(v));
-        let written = |(num, den): &Quotient| Target::Finite(ratio_in((num, den), &root));
-        let zero = along.numbers.number(&BigRational::default());
-        return Ok(match found {
-            None => continue,
-            Some(Value::Series(s)) if s.low == 0 => written(&s.coefficients[0]),
-            Some(Value::Series(s)) if s.low < 0 => {
-                match along.numbers.is_positive(&s.coefficients[0]) {
-                    Some(true) => Target::PlusInf,
-                    Some(false) => Target::MinusInf,
-                    None => continue,
-                }
+        let target = found.and_then(|found| match found {
+            Value::Series(s) if s.low < 0 => {
+                let is_positive = along.numbers.is_positive(&s.coefficients[0])?;
+                Some(if is_positive { Target::PlusInf } else { Target::MinusInf })
             }
-            Some(Value::Series(_) | Value::Zero) => written(&zero),
+            Value::Series(s) if s.low == 0 => {
+                let (num, den) = &s.coefficients[0];
+                Some(Target::Finite(ratio_in((num, den), &root)))
+            }
+            Value::Series(_) | Value::Zero => Some(Target::Finite(Expr::int(0))),
         });
+        if let Some(target) = target {
+            return Ok(target);
+        }
     }
     Err(missing)
 }

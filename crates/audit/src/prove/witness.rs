@@ -44,21 +44,27 @@ impl Prover<'_> {
         ways: Ways,
         out: &mut Verdicts,
     ) -> bool {
-        for source in [self.resting, goal] {
-            if let Some(model) =
-                self.model(source, finding, self.candidates(source, goal), ways, out)
-            {
-                let model = restricted(model, goal, source);
-                if self.decide(goal, finding, Grounds::Model(model), out) {
-                    out.behind_met = source == self.resting;
-                    return true;
-                }
-            }
-            if self.resting == goal {
-                break;
-            }
+        self.witness_from(self.resting, goal, finding, ways, out)
+            || self.resting != goal && self.witness_from(goal, goal, finding, ways, out)
+    }
+
+    /// A model for the goal that satisfies a source, which has further hypotheses or is the goal.
+    pub(super) fn witness_from(
+        &self,
+        source: &Goal,
+        goal: &Goal,
+        finding: Finding,
+        ways: Ways,
+        out: &mut Verdicts,
+    ) -> bool {
+        let candidates = self.candidates(source, goal);
+        let Some(model) = self.model(source, finding, candidates, ways, out) else { return false };
+        let grounds = Grounds::Model(restricted(model, goal, source));
+        let decides = self.decide(goal, finding, grounds, out);
+        if decides {
+            out.behind_met = source == self.resting;
         }
-        false
+        decides
     }
 
     /// Has a witness count for all premises that the goal rests on, if the kernel accepts it for them.
@@ -87,16 +93,6 @@ impl Prover<'_> {
         let grounds = Grounds::Model(restricted(model.clone(), goal, source));
         self.decide(goal, finding, grounds, &mut out);
         Some((out.decided?, model))
-    }
-
-    /// A point against a pointwise goal that is soon found, and at which all givens hold.
-    pub(super) fn brief_witness(&self, goal: &Goal, finding: Finding, out: &mut Verdicts) -> bool {
-        let Some(model) = self.model(self.resting, finding, 0, Ways::Brief, out) else {
-            return false;
-        };
-        let grounds = Grounds::Model(restricted(model, goal, self.resting));
-        out.behind_met = self.decide(goal, finding, grounds, out);
-        out.behind_met
     }
 
     /// How many functions to try: few where more premises than the cited ones only guide.

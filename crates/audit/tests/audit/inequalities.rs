@@ -4,9 +4,16 @@
 use kane_audit::{Budget, Options, Verdict, audit, read};
 
 fn verdict(claim: &str) -> Verdict {
-    let text = format!("```kane\nvar a > 0, b > 0, c > 0, e > 0, x, y\nclaim a: {claim}\n```\n");
+    verdict_after("var a > 0, b > 0, c > 0, e > 0, x, y", claim, Budget::default())
+}
+
+/// The verdict on a claim behind other statements.
+fn verdict_after(statements: &str, claim: &str, budget: Budget) -> Verdict {
+    let text = format!("```kane\n{statements}\nclaim a: {claim}\n```\n");
     let document = read("inequality.md", text.as_bytes()).expect("it can be read");
-    audit(document, &Options::default(), &mut |_, _| {}).judgements.remove(0).verdict
+    let options = Options { budget, ..Options::default() };
+    let judged = audit(document, &options, &mut |_, _| {}).judgements.pop();
+    judged.expect("there is a claim").verdict
 }
 
 #[test]
@@ -109,9 +116,8 @@ fn sides_are_compared_by_squares_that_a_premise_with_a_leading_coefficient_reduc
 fn roots_that_stand_alone_on_their_side_are_squared_away() {
     let verdict = |claim: &str| {
         let vectors = "var a in R^3, b in R^3, f in R^2, s in R^2, r >= 0, x >= 0, y >= 0";
-        let text = format!("```kane\n{vectors}\ngiven cone: norm(f) <= r\nclaim c: {claim}\n```\n");
-        let document = read("lengths.md", text.as_bytes()).expect("it can be read");
-        audit(document, &Options::default(), &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+        let statements = format!("{vectors}\ngiven cone: norm(f) <= r");
+        verdict_after(&statements, claim, Budget::default())
     };
     for claim in [
         "norm(a + b) <= norm(a) + norm(b)",
@@ -121,23 +127,19 @@ fn roots_that_stand_alone_on_their_side_are_squared_away() {
         "sqrt(x + y + 2*sqrt(x*y)) = sqrt(x) + sqrt(y)",
         "(r + x)/sqrt(1 + r^2) <= sqrt(1 + x^2)",
     ] {
-        assert_eq!(verdict(claim), Some(Verdict::Proved), "{claim}");
+        assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     }
     for claim in ["norm(a - b) <= norm(a) - norm(b)", "abs(dot(a, b)) < norm(a)*norm(b)"] {
-        assert_eq!(verdict(claim), Some(Verdict::Refuted), "{claim}");
+        assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
     }
 }
 
 #[test]
 fn a_root_of_a_product_or_a_quotient_is_that_of_the_roots() {
     let found = |claim: &str| {
-        let symbols = "var x > 0, y > 0, a > 0, b > 0, t";
-        let text = format!("```kane\n{symbols}\nclaim c: {claim}\n```\n");
-        let document = read("roots.md", text.as_bytes()).expect("it can be read");
         // what is seen at once needs no more
         let budget = Budget { steps: 400, ..Budget::default() };
-        let options = Options { budget, ..Options::default() };
-        audit(document, &options, &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+        verdict_after("var x > 0, y > 0, a > 0, b > 0, t", claim, budget)
     };
     for claim in [
         "sqrt(x/(x + 4)) = sqrt(x)/sqrt(x + 4)",
@@ -148,14 +150,14 @@ fn a_root_of_a_product_or_a_quotient_is_that_of_the_roots() {
         "sqrt(6*t^2 + 12*t) = sqrt(2*t)*sqrt(3*t + 6) when t > 0",
         "sqrt(4*t^2 - 1)/sqrt(2*t - 1) = sqrt(2*t + 1) when t > 1",
     ] {
-        assert_eq!(found(claim), Some(Verdict::Proved), "{claim}");
+        assert_eq!(found(claim), Verdict::Proved, "{claim}");
     }
     for claim in [
         "sqrt((x + y)*(a + b)) = sqrt(x + y)*sqrt(a + 2*b)",
         "sqrt(4 - t^2) = sqrt(2 - t)*sqrt(1 + t) when abs(t) < 1",
         "sqrt(t^2 - 1) = sqrt(1 - t)*sqrt(-1 - t) when t <= -1, t*sqrt(t^2 - 1) > 0",
     ] {
-        assert_ne!(found(claim), Some(Verdict::Proved), "{claim}");
+        assert_ne!(found(claim), Verdict::Proved, "{claim}");
     }
 }
 
@@ -163,12 +165,10 @@ fn a_root_of_a_product_or_a_quotient_is_that_of_the_roots() {
 fn what_is_cited_beside_the_point_does_not_hide_a_proof_or_a_witness() {
     let found = |claim: &str| {
         let given = "var w, mu\ngiven g1: sqrt(w + 1) = w - 2*mu\ngiven g2: sqrt(w) = w - mu";
-        let text = format!("```kane\n{given}\nclaim c: {claim}\n```\n");
-        let document = read("beside.md", text.as_bytes()).expect("it can be read");
-        audit(document, &Options::default(), &mut |_, _| {}).judgements.pop().map(|j| j.verdict)
+        verdict_after(given, claim, Budget::default())
     };
     let proved = "sqrt(sqrt((w - 1)^4)) = abs(w - 1) from g1";
-    assert_eq!(found(proved), Some(Verdict::Proved));
+    assert_eq!(found(proved), Verdict::Proved);
     let quotient = "sqrt(w + mu)/sqrt(w + mu - 1) = sqrt((w + mu)/(w + mu - 1)) from g2";
-    assert_eq!(found(quotient), Some(Verdict::IllDefined));
+    assert_eq!(found(quotient), Verdict::IllDefined);
 }

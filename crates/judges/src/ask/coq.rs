@@ -85,7 +85,7 @@ fn ask(file: &File, theory: Option<&Path>, limits: &Limits) -> Result<Judge, Not
     if !is_installed("coqc") {
         return Err(NotAsked::NotInstalled("coqc"));
     }
-    let text = if theory.is_some() { File::beside_theory_without } else { File::without };
+    let written = if theory.is_some() { File::beside_theory_without } else { File::without };
     let theory = theory.map(|folder| folder.to_string_lossy().into_owned());
     let mut arguments = vec!["-q"];
     arguments.extend(theory.iter().flat_map(|folder| ["-Q", folder, ""]));
@@ -95,7 +95,7 @@ fn ask(file: &File, theory: Option<&Path>, limits: &Limits) -> Result<Judge, Not
     let ended = loop {
         let without: Vec<&str> = rejected.iter().map(|r| r.0.as_str()).collect();
         let folder = Scratch::new().map_err(failed)?;
-        let text = text(file, &without);
+        let text = written(file, &without);
         fs::write(folder.0.join("claims.v"), &text).map_err(failed)?;
         let said = run("coqc", &arguments, &folder.0, limits.file).map_err(failed)?;
         let Some(said) = said else {
