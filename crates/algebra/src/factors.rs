@@ -69,11 +69,15 @@ fn split(p: Poly, n: u32, factors: &mut Vec<(Poly, u32)>) -> Option<()> {
         split(common, n, factors)?;
         return split(rest, n, factors);
     }
-    let p = p.primitive().1;
-    let p = if is_mostly_negative(&p) { p.neg() } else { p };
-    match factors.iter_mut().find(|(f, _)| *f == p) {
-        Some((_, power)) => *power += n,
-        None => factors.push((p, n)),
+    let mut p = p.primitive().1;
+    // of a square with something beside it one factor was in the greatest common divisor, and one is here
+    for (f, power) in factors.iter_mut() {
+        while let Some(rest) = exact_quotient(&p, f, &budget()) {
+            (p, *power) = (rest, *power + n);
+        }
+    }
+    if !p.is_constant() {
+        factors.push((if is_mostly_negative(&p) { p.neg() } else { p }, n));
     }
     Some(())
 }
@@ -118,6 +122,17 @@ mod tests {
             times(&product, &f.pow(*n, &Fuel::new(FUEL)).expect("small"))
         });
         assert_eq!(again, product.scale(&(-6).into()), "the product is what was taken apart");
+    }
+
+    #[test]
+    fn a_square_is_told_from_what_stands_beside_it() {
+        // (x·y − 1)²·(y − x·y − 1)
+        let product = times(&var(0), &var(1));
+        let (gap, rest) = (product.sub(&Poly::one()), var(1).sub(&product).sub(&Poly::one()));
+        let whole = times(&times(&gap, &gap), &rest);
+        let (_, found) = factors(&whole);
+        let powers: Vec<(usize, u32)> = found.iter().map(|(f, n)| (f.len(), *n)).collect();
+        assert_eq!(powers, [(2, 2), (3, 1)], "{found:?}");
     }
 
     #[test]

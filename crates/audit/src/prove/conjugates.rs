@@ -1,52 +1,37 @@
 //! A difference of two sides that are not negative, times their sum: (P − Q)·(P + Q) = P² − Q². Where P and Q
 //! are made of roots the squares say more than the sides.
 
-use kane_kernel::{Atom, Monomial, Poly, Sign, State};
+use kane_kernel::{Monomial, Poly, Sign, State};
 use num_bigint::BigInt;
-use num_traits::{One as _, Signed as _};
+use num_traits::One as _;
 
 use super::combination::{Multiple, Size, Summand, combined, summand};
-use super::elimination::Factors;
 use super::hints::is_told;
+use super::monomial::{Known, is_lesser};
 use crate::argument::Argument;
 
 /// Terms of a difference.
-const TERMS: usize = 8;
+pub(super) const TERMS: usize = 8;
 /// Variables in it and in what is said of its roots.
 const VARIABLES: usize = 8;
 /// The linear program of the products.
 const SIZE: Size = Size { rows: 300, columns: 900, pivots: 400 };
 
-/// A monomial as a square times conditions, if it is not negative.
-pub(super) fn known(state: &State<'_, '_>, m: &[(usize, u32)]) -> Option<(Monomial, Factors)> {
-    let (mut square, mut factors) = (Monomial::new(), Factors::new());
-    for &(v, n) in m {
-        if n > 1 {
-            square.push((v, n / 2));
-        }
-        if n % 2 == 1 {
-            let is_it = |a: &Atom| a.sign.is_order() && a.poly == Poly::var(v);
-            factors.push((state.atoms.iter().position(is_it)?, 1));
-        }
-    }
-    Some((square, factors))
-}
-
 /// The sides P and Q of P − Q, neither of them 0, all of whose terms are not negative.
-fn sides(state: &State<'_, '_>, p: &Poly) -> Option<(Poly, Poly)> {
-    if p.len() > TERMS || !p.terms().all(|(m, _)| known(state, m).is_some()) {
+pub(super) fn sides(state: &State<'_, '_>, p: &Poly) -> Option<(Poly, Poly)> {
+    if p.len() > TERMS || !p.terms().all(|(m, _)| Known::of(state, m).is_some()) {
         return None;
     }
-    let part = |positive: bool| {
-        let terms = p.terms().filter(|(_, c)| c.is_positive() == positive);
-        Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.abs())))
+    let part = |lesser: bool| {
+        let terms = p.terms().filter(|&term| is_lesser(state, term) == Some(lesser));
+        Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.clone())))
     };
-    let (p, q) = (part(true), part(false));
+    let (p, q) = (part(false), part(true).neg());
     (!p.is_empty() && !q.is_empty()).then_some((p, q))
 }
 
 /// Equations of degree two or more in a variable, with a number before its highest power: roots.
-fn roots(state: &State<'_, '_>) -> Vec<(usize, usize)> {
+pub(super) fn roots(state: &State<'_, '_>) -> Vec<(usize, usize)> {
     let live =
         |i: &usize| state.atoms[*i].sign == Sign::Zero && state.atoms[*i].decided().is_none();
     let root = |i: usize| {
@@ -90,7 +75,7 @@ fn multiplied(state: &State<'_, '_>, i: usize, roots: &[(usize, usize)]) -> Opti
     let mut summands: Vec<Summand> =
         vec![summand(state, Poly::one(), Vec::new())?, summand(state, Poly::one(), vec![(i, 2)])?];
     for (m, _) in poly.terms() {
-        let (square, mut factors) = known(state, m)?;
+        let Known { square, mut factors, .. } = Known::of(state, m)?;
         factors.push((i, 1));
         factors.sort_unstable();
         summands.push(summand(state, Poly::term(square, BigInt::one()), factors)?);

@@ -2,11 +2,12 @@
 
 use kane_algebra::factors::factors;
 use kane_algebra::quotient::exact_quotient;
-use kane_algebra::ring::{common_sign, content_in};
+use kane_algebra::ring::{common_sign, content_in, gcd};
 use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 use num_traits::{Signed as _, Zero};
 
 use super::elimination::Factors;
+use super::hints::is_told;
 use super::{conics, tactics};
 
 /// Terms of an equation that is factored.
@@ -176,4 +177,32 @@ pub(super) fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
         }
     }
     None
+}
+
+/// A factor that stands squared in a condition, worth a case distinction: where it is not zero only the rest counts.
+pub(super) fn squared_factor(state: &State<'_, '_>) -> Option<Poly> {
+    let long = |a: &&Atom| {
+        let (p, several) = (&a.poly, a.poly.vars().len() > 1);
+        a.sign != Sign::NonZero && several && (3..=EQUATION).contains(&p.len())
+    };
+    state.atoms.iter().rev().filter(long).find_map(|a| {
+        let (_, factors) = factors(&a.poly);
+        let squared = factors.into_iter().find(|(f, n)| *n > 1 && f.len() > 1)?.0;
+        (!is_told(state, &squared)).then_some(squared)
+    })
+}
+
+/// A factor that two conditions have in common, worth a case distinction.
+pub(super) fn common_factor(state: &State<'_, '_>) -> Option<Poly> {
+    let long = |a: &&Atom| {
+        let (p, several) = (&a.poly, a.poly.vars().len() > 1);
+        a.sign != Sign::NonZero && several && (2..=EQUATION).contains(&p.len())
+    };
+    let long: Vec<&Poly> = state.atoms.iter().filter(long).map(|a| &a.poly).collect();
+    let pairs = long.iter().enumerate().flat_map(|(n, p)| long[..n].iter().map(move |q| (*p, *q)));
+    pairs.filter(|(p, q)| p.len().max(q.len()) > 2).find_map(|(p, q)| {
+        let common = gcd(p, q).primitive().1;
+        let is_part = common.len() > 1 && common.len() < p.len().max(q.len());
+        (is_part && !is_told(state, &common)).then_some(common)
+    })
 }

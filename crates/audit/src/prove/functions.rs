@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
+use kane_algebra::syntax::rebuild;
 use kane_kernel::{
     Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
     Passages, Place, Poly, Proof, Relation, Side, State, Target, claim_state, constants, differ,
@@ -318,7 +319,10 @@ fn irrational(
         let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, probe.var).ok()?;
         match tangents::value(&state, &probe, side) {
-            Ok(target) => return Some(target),
+            Ok(Target::Finite(number)) => {
+                return with_values(&number, &goal.context.values).map(Target::Finite);
+            }
+            Ok(infinite) => return Some(infinite),
             Err(missing) if missing.is_empty() => return None,
             Err(missing) => {
                 for q in missing {
@@ -328,6 +332,19 @@ fn irrational(
         }
     }
     None
+}
+
+/// A number with values in the place of symbols, if nothing else is left in it.
+fn with_values(number: &Expr, values: &[(usize, Expr)]) -> Option<Expr> {
+    let mut put = |e: &Expr| match e {
+        Expr::Var(v) => {
+            let value = values.iter().find(|(w, _)| w == v).map(|(_, value)| value.clone());
+            value.filter(|value| matches!(value, Expr::Num(_))).map(Some).ok_or(())
+        }
+        Expr::Let(_) => Err(()),
+        _ => Ok(None),
+    };
+    rebuild(number, &mut put).ok()
 }
 
 /// How the conclusion fails for explicit functions.

@@ -193,10 +193,10 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     pub(super) fn near(&self, lead: Poly) -> impl Iterator<Item = Germ> {
         let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
         let shrinking = if lead.is_constant() {
-            vec![Radius::Fixed(0), Radius::Constants(1), Radius::Fixed(7), Radius::Constants(7)]
+            vec![Radius::Fixed(3), Radius::Constants(1), Radius::Fixed(7), Radius::Constants(7)]
         } else {
             let known = is_known.then(|| Radius::Known(lead.clone(), 2));
-            known.into_iter().chain([Radius::Lead(lead)]).collect()
+            known.into_iter().chain([Radius::Lead(lead), Radius::Constants(1)]).collect()
         };
         shrinking.into_iter().filter_map(|radius| self.germ(&radius))
     }

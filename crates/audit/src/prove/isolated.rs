@@ -4,15 +4,15 @@
 use std::collections::BTreeSet;
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term, exponent};
+use kane_kernel::{Atom, Poly, Power, Sign, State, Term, exponent};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
-use super::conjugates::known;
 use super::elimination::Factors;
 use super::hints::is_told;
+use super::monomial::{Known, is_lesser, known};
 use super::settled::Settled;
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 
 /// Terms of a condition that is squared, and of its square.
 const TERMS: usize = 16;
@@ -39,14 +39,14 @@ fn lead(state: &State<'_, '_>, a: &Poly) -> Option<(usize, u32, bool)> {
 
 /// An equation that reduces powers of a variable: a·vⁿ = …, n ≥ 2, where a is a number or an atom says that it has a
 /// sign.
-struct Rule {
-    v: usize,
+pub(super) struct Rule {
+    pub(super) v: usize,
     equation: usize,
     degree: u32,
     /// the atom of which a is ± a power, and that power, if a is no number
     lead: Option<(usize, u32)>,
     /// whether it says no more than the square of v, which is not negative
-    is_root: bool,
+    pub(super) is_root: bool,
     /// whether a is positive
     is_up: bool,
 }
@@ -54,7 +54,7 @@ struct Rule {
 impl Rule {
     /// One an equation: for its last root, or for its last variable, as the search reduces by them. In s² + t² = 1
     /// neither is the root of what the other says.
-    fn all(state: &State<'_, '_>) -> Vec<Self> {
+    pub(super) fn all(state: &State<'_, '_>) -> Vec<Self> {
         let of = |(equation, atom): (usize, &Atom)| {
             let is_one = atom.sign == Sign::Zero && !atom.poly.is_constant();
             let vars = atom.poly.vars().into_iter().rev().filter(|_| is_one);
@@ -92,19 +92,24 @@ impl Rule {
 
 /// A > N with squares that have fewer roots than the condition has: A² − N² is positive.
 pub(super) fn isolated(state: &State<'_, '_>) -> Option<Settled> {
+    let rules = Rule::all(state);
+    strict(state).find_map(|i| {
+        let p = &state.atoms[i].poly;
+        sides(state, p, &rules).into_iter().find_map(|side| squared(state, i, &side, &rules))
+    })
+}
+
+/// Short conditions that something is positive, the last ones first.
+pub(super) fn strict(state: &State<'_, '_>) -> impl Iterator<Item = usize> {
     let strict = |i: &usize| {
         let atom = &state.atoms[*i];
         atom.sign == Sign::Positive && atom.decided().is_none() && atom.poly.len() <= TERMS
     };
-    let rules = Rule::all(state);
-    (0..state.atoms.len()).rev().filter(strict).find_map(|i| {
-        let p = &state.atoms[i].poly;
-        sides(p, &rules).into_iter().find_map(|side| squared(state, i, &side, &rules))
-    })
+    (0..state.atoms.len()).rev().filter(strict)
 }
 
 /// Which roots a monomial has in odd powers.
-fn odd(m: &[Power], rules: &[Rule]) -> Vec<usize> {
+pub(super) fn odd(m: &[Power], rules: &[Rule]) -> Vec<usize> {
     rules.iter().filter(|r| r.is_root).map(|r| r.v).filter(|&v| exponent(m, v) % 2 == 1).collect()
 }
 
@@ -114,13 +119,16 @@ fn products(p: &Poly, rules: &[Rule]) -> usize {
     all.iter().filter(|product| !product.is_empty()).count()
 }
 
-/// What may stand on the lesser side: the terms with roots that are taken away, or all that is.
-fn sides(p: &Poly, rules: &[Rule]) -> Vec<Poly> {
+/// What may stand on the lesser side: of what is taken away the terms with roots, all, or those without.
+fn sides(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Vec<Poly> {
     let taken = |of: &dyn Fn(&[Power]) -> bool| {
-        let terms = p.terms().filter(|(m, c)| c.is_negative() && of(m));
+        let lesser =
+            |&(m, c): &(&[Power], &BigInt)| is_lesser(state, (m, c)).unwrap_or(c.is_negative());
+        let terms = p.terms().filter(|term| lesser(term) && of(term.0));
         Poly::sum(terms.map(|(m, c)| (m.to_vec(), -c)))
     };
-    let mut out = vec![taken(&|m| !odd(m, rules).is_empty()), taken(&|_| true)];
+    let has_root = |m: &[Power]| !odd(m, rules).is_empty();
+    let mut out = vec![taken(&has_root), taken(&|_| true), taken(&|m| !has_root(m))];
     out.dedup();
     out.retain(|n| !n.is_empty());
     out
@@ -130,8 +138,8 @@ fn sides(p: &Poly, rules: &[Rule]) -> Vec<Poly> {
 fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Option<Settled> {
     let fuel = &state.scope.fuel;
     let p = &state.atoms[i].poly;
-    let terms: Vec<(BigInt, (Monomial, Factors))> =
-        lesser.terms().map(|(m, c)| Some((c * 2, known(state, m)?))).collect::<Option<_>>()?;
+    let twice = |(m, c): (&[Power], &BigInt)| Some(Known::of(state, m)?.term(&(c * 2)));
+    let of_lesser: Vec<Term> = lesser.terms().map(twice).collect::<Option<_>>()?;
     let square = p.pow(2, fuel).ok()?.add(&p.mul(&lesser.scale(&2.into()), fuel).ok()?);
     if square.len() > SQUARE {
         return None;
@@ -142,34 +150,28 @@ fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Op
         return None;
     }
     // scale·Π lead·(p² + 2·p·N) − Σ cofactor·premise − (what is left) = 0, whose first summand is positive
-    let with = |(square, factors): (Monomial, Factors), of_p: u32| {
-        let mut factors = [&factors[..], &[(i, of_p)], &rest.lead[..]].concat();
+    let whole = Term { weight: BigInt::one(), square: Poly::one(), factors: vec![(i, 1)] };
+    let times_p = |term: Term| {
+        let mut factors = [&term.factors[..], &rest.lead[..]].concat();
+        match factors.iter_mut().find(|factor| factor.0 == i) {
+            Some(factor) => factor.1 += 1,
+            None => factors.push((i, 1)),
+        }
         factors.sort_unstable();
-        (Poly::term(square, BigInt::one()), factors)
+        Term { weight: term.weight * &rest.scale, factors, ..term }
     };
-    let whole = std::iter::once((BigInt::one(), with((Monomial::new(), Factors::new()), 2)));
-    let mixed = terms.into_iter().map(|(weight, known)| (weight, with(known, 1)));
-    let term = |(weight, (square, factors)): (BigInt, (Poly, Factors))| {
-        let weight = weight * &rest.scale;
-        Term { weight, square, factors }
-    };
-    let mut terms: Vec<Term> = whole.chain(mixed).map(term).collect();
+    let mut terms: Vec<Term> = std::iter::once(whole).chain(of_lesser).map(times_p).collect();
     let fresh = state.atoms.len();
     let premises: Vec<(usize, Poly)> = rest.cofactors.iter().map(|(j, c)| (*j, c.neg())).collect();
     let by_zero = [&premises[..], &[(fresh, Poly::constant(-&content))]].concat();
     let zero = Argument::Positive { terms: terms.clone(), cofactors: by_zero };
     terms.push(Term { weight: content, square: Poly::one(), factors: vec![(fresh, 1)] });
     let negative = Argument::Positive { terms, cofactors: premises };
-    let closes = |sign, poly: Poly, proof: &Argument| {
-        state.with(Atom::new(poly, sign)).closes(proof).is_ok()
-    };
-    let sure =
-        closes(Sign::Zero, poly.clone(), &zero) && closes(Sign::Positive, poly.neg(), &negative);
-    sure.then_some(Settled { poly, sign: Sign::Positive, other: zero, negative })
+    Settled::positive(state, poly, zero, negative)
 }
 
 /// A polynomial without the factors that conditions say not to vanish, as the search cancels them.
-fn reduced(state: &State<'_, '_>, p: &Poly) -> Poly {
+pub(super) fn reduced(state: &State<'_, '_>, p: &Poly) -> Poly {
     let mut rest = p.clone();
     for atom in state.atoms.iter().filter(|a| a.sign == Sign::Positive && !a.poly.is_constant()) {
         if atom.poly == *p || atom.poly.len() > TERMS {

@@ -1,19 +1,23 @@
 //! The leaf of a search: no equation can be solved any more, and each method has its turn, the cheap
 //! ones first.
 
-use kane_kernel::{Atom, Point, Poly, Sign, State};
+use kane_kernel::{Atom, Point, Poly, Sign, State, exponent};
 
+use super::cofactor::cofactor;
 use super::differences::differences;
+use super::discriminant::{Discriminant, discriminant};
 use super::elimination::{Elimination, open_vars};
-use super::factors::positive_factor;
+use super::factors::{common_factor, positive_factor};
 use super::hints::{Hint, Wealth, hinted, untold};
+use super::idle::without_idle;
 use super::isolated::isolated;
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, since};
 use super::settled::Settled;
 use super::squares::{Reach, squares};
 use super::{
-    cases, colon, conjugates, expansion, ideal, line, means, pairs, products, tactics, written,
+    cases, colon, comparison, conjugates, expansion, ideal, line, means, pairs, products, tactics,
+    written,
 };
 use crate::argument::Argument;
 use crate::open::Method;
@@ -36,6 +40,12 @@ impl Search<'_> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
+        if self.proofs
+            && !self.models
+            && let Some(state) = without_idle(state)
+        {
+            return self.leaf(&state, trail, splits);
+        }
         let vars = open_vars(state);
         self.note(Method::SignTables);
         for &v in &vars {
@@ -73,6 +83,13 @@ impl Search<'_> {
             && let Some(factor) = positive_factor(state)
         {
             return self.split(state, factor, trail, splits);
+        }
+        if self.proofs
+            && !self.models
+            && splits < MAX_SPLITS
+            && let Some(factor) = common_factor(state)
+        {
+            return self.split(state, factor, trail, splits + 1);
         }
         if self.models
             && let Some(point) = self.point(state, trail, &vars, splits)
@@ -130,14 +147,21 @@ impl Search<'_> {
             }
             if combined.is_none()
                 && splits < MAX_SPLITS
-                && let Some(squared) = isolated(state)
+                && let Some(settled) = cofactor(state).or_else(|| isolated(state))
             {
-                return self.by_settled(state, squared, trail, splits + 1);
+                return self.by_settled(state, settled, trail, splits + 1);
+            }
+            if combined.is_none()
+                && splits < MAX_SPLITS
+                && let Some(found) = discriminant(state)
+            {
+                return self.by_discriminant(state, found, trail, splits + 1);
             }
             if combined.is_none()
                 && splits < MAX_SPLITS
                 && self.squares.spend(ORDER).is_ok()
-                && let Some(poly) = conjugates::telling(state)
+                && let Some(poly) =
+                    comparison::telling(state).or_else(|| conjugates::telling(state))
             {
                 return self.split(state, poly, trail, splits + 1);
             }
@@ -217,6 +241,31 @@ impl Search<'_> {
         }
     }
 
+    /// What is left once a polynomial is known not to be negative.
+    fn by_discriminant(
+        &self,
+        state: &State<'_, '_>,
+        found: Discriminant,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let Discriminant { poly, zero, negative } = found;
+        let case = |sign| {
+            let next = state.with(Atom::new(poly.clone(), sign));
+            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
+        };
+        let positive = match case(Sign::Positive) {
+            Outcome::Closed(proof) => proof,
+            other => return other,
+        };
+        let zero = match zero.map_or_else(|| case(Sign::Zero), Outcome::Closed) {
+            Outcome::Closed(proof) => proof,
+            other => return other,
+        };
+        let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
+        Outcome::Closed(Argument::Split { poly, zero, positive, negative })
+    }
+
     /// A proof by the hints as they stand, before cases are told.
     pub(super) fn by_hints(
         &self,
@@ -264,17 +313,34 @@ impl Search<'_> {
         };
         let fresh = state.atoms.len();
         (0..fresh).filter(weak).find_map(|i| {
-            let equation = Atom::new(state.atoms[i].poly.clone(), Sign::Zero);
-            if state.atoms.contains(&equation) {
-                return None;
-            }
-            let next = state.with(equation);
-            match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
-                Outcome::Model(point) => Some(point),
-                _ => None,
-            }
+            let poly = &state.atoms[i].poly;
+            let zero = |p: Poly| Atom::new(p, Sign::Zero);
+            let origin = vanishing(poly).into_iter().map(|v| zero(Poly::var(v))).collect();
+            let on = |equations: Vec<Atom>| {
+                if equations.is_empty() || equations.iter().all(|e| state.atoms.contains(e)) {
+                    return None;
+                }
+                let next = equations.into_iter().fold(state.clone(), |state, e| state.with(e));
+                match self.run(&next, &since(&next, fresh), Vec::new(), trail, splits + BOUNDARY) {
+                    Outcome::Model(point) => Some(point),
+                    _ => None,
+                }
+            };
+            on(origin).or_else(|| on(vec![zero(poly.clone())]))
         })
     }
+}
+
+/// Few variables without which nothing is left of a polynomial: where they vanish, so does it. None if it has a constant.
+fn vanishing(p: &Poly) -> Vec<usize> {
+    let (mut left, mut out) = (p.clone(), Vec::new());
+    while !left.is_constant() {
+        let terms = |v: &usize| left.terms().filter(|(m, _)| exponent(m, *v) > 0).count();
+        let Some(v) = left.vars().into_iter().max_by_key(terms) else { break };
+        left = left.coefficient(v, 0);
+        out.push(v);
+    }
+    if left.is_empty() { out } else { Vec::new() }
 }
 
 /// The difference of two variables that a state treats alike, if their order is not known.

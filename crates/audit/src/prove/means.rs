@@ -10,7 +10,7 @@ use num_integer::Integer as _;
 use num_traits::{One, Signed};
 
 use super::combination::{Size, Summand, combined, summand};
-use super::conjugates::known;
+use super::monomial::known;
 use crate::argument::Argument;
 
 /// Terms of a condition.

@@ -9,8 +9,8 @@ use num_traits::{One as _, Signed as _, Zero as _};
 
 use super::colon::{TERMS, is_told};
 use super::conics;
-use super::conjugates::known;
 use super::elimination::Factors;
+use super::monomial::known;
 use super::settled::Settled;
 use crate::argument::{Argument, Rules as _};
 

@@ -6,7 +6,10 @@ use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 
 use super::attempt::Attempt;
 use super::elimination::{Elimination, Factors};
-use super::factors::{cancellation, cannot_vanish, content_to_split, leading, pinched};
+use super::factors::{
+    cancellation, cannot_vanish, content_to_split, leading, pinched, positive_factor,
+    squared_factor,
+};
 use super::hints::Hint;
 use super::radicand;
 use super::tactics;
@@ -210,7 +213,9 @@ impl<'a> Search<'a> {
         splits: u32,
     ) -> Outcome {
         let wide = state.atoms.iter().any(|a| a.poly.len() > self.widest);
-        if !self.step(state) || wide || self.depth.get() > MAX_DEPTH {
+        // without work nothing can be shown to close
+        let is_spent = self.proofs && state.scope.fuel.left() == 0;
+        if !self.step(state) || is_spent || wide || self.depth.get() > MAX_DEPTH {
             return Outcome::Open;
         }
         self.depth.set(self.depth.get() + 1);
@@ -253,6 +258,13 @@ impl<'a> Search<'a> {
         {
             return self.by_settled(state, equation, trail, splits);
         }
+        // before the square of a root is replaced, and nothing is left of the factor
+        if self.proofs
+            && splits < MAX_SPLITS
+            && let Some(factor) = positive_factor(state).filter(|p| has_root(state, p))
+        {
+            return self.split(state, factor, trail, splits);
+        }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
             trail.extend(elimination);
@@ -273,7 +285,8 @@ impl<'a> Search<'a> {
             let poly = self
                 .lead_to_split(state)
                 .or_else(|| pinched(state))
-                .or_else(|| content_to_split(state));
+                .or_else(|| content_to_split(state))
+                .or_else(|| squared_factor(state));
             if let Some(poly) = poly {
                 return self.split(state, poly, trail, splits + 1);
             }
@@ -488,6 +501,11 @@ impl<'a> Search<'a> {
             open.unwrap_or_else(|| d.primitive().1)
         })
     }
+}
+
+/// Whether a root stands in a polynomial.
+fn has_root(state: &State<'_, '_>, p: &Poly) -> bool {
+    p.vars().into_iter().any(|v| state.scope.root(v).is_some())
 }
 
 /// Whether an argument of one branch ends with a false constant.

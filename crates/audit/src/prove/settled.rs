@@ -1,8 +1,8 @@
 //! Polynomials of whose three signs one is left.
 
-use kane_kernel::{Atom, Poly, Sign};
+use kane_kernel::{Atom, Poly, Sign, State};
 
-use crate::argument::Argument;
+use crate::argument::{Argument, Rules as _};
 
 /// A polynomial that is zero, or positive, and why it has neither other sign.
 pub(super) struct Settled {
@@ -16,6 +16,21 @@ pub(super) struct Settled {
 }
 
 impl Settled {
+    /// A polynomial that is positive, if the arguments show that it is not zero and not negative.
+    pub(super) fn positive(
+        state: &State<'_, '_>,
+        poly: Poly,
+        zero: Argument,
+        negative: Argument,
+    ) -> Option<Self> {
+        let closes = |sign, poly: Poly, argument: &Argument| {
+            state.with(Atom::new(poly, sign)).closes(argument).is_ok()
+        };
+        let sure = closes(Sign::Zero, poly.clone(), &zero)
+            && closes(Sign::Positive, poly.neg(), &negative);
+        sure.then_some(Self { poly, sign: Sign::Positive, other: zero, negative })
+    }
+
     /// What is known by it.
     pub(super) fn atom(&self) -> Atom {
         Atom::new(self.poly.clone(), self.sign)

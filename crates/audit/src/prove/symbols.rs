@@ -130,6 +130,20 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         }
     }
 
+    /// Whether a number is positive, or else not negative, and so for the opposite, if that is plain.
+    pub(super) fn leans(&self, a: &Quotient) -> Option<bool> {
+        let weak = |v: usize| {
+            let known = |sign| self.known.contains(&Atom::new(Poly::var(v), sign));
+            self.roots.iter().any(|root| root.0 == v) || known(Sign::NonNegative)
+        };
+        let leans = |p: &Poly| {
+            let has_sign = |&(v, n): &(usize, u32)| n % 2 == 0 || self.is_strict(v) || weak(v);
+            let all = p.terms().all(|(m, _)| m.iter().all(has_sign));
+            if all { common_sign(p) } else { self.sign(p) }
+        };
+        Some(leans(&a.0)? == self.sign(&a.1)?)
+    }
+
     /// Whether a polynomial is positive or negative, if that is plain.
     fn sign(&self, p: &Poly) -> Option<bool> {
         if let Some(positive) = common_sign(p) {
@@ -223,8 +237,9 @@ impl Numbers for Symbols<'_, '_, '_> {
     }
 
     fn is_positive(&self, a: &Quotient) -> Option<bool> {
+        let is_positive = self.sign(&a.0)? == self.sign(&a.1)?;
         self.ask(&a.0);
-        Some(self.sign(&a.0)? == self.sign(&a.1)?)
+        Some(is_positive)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use kane_kernel::{Expr, Limit, Poly, Side, State, Target};
+use kane_kernel::{Expr, Limit, Poly, Side, State, Target, constants, scope};
 use num_rational::BigRational;
 
 use super::bounds::at_zero;
@@ -20,6 +20,8 @@ const POWERS: [u32; 2] = [1, 2];
 const TERMS: usize = 6;
 /// Germs that are tried.
 const GERMS: usize = 3;
+/// One part in so many of what work is left goes to one line along one germ.
+const SHARE: u64 = 2;
 
 /// A quotient beside the expression: its parts, and the order of its denominator.
 type Candidate = (Quotient, u32);
@@ -51,7 +53,13 @@ pub(super) fn one_side(
         let germs = Germs::new(state, side, steps).along(power);
         germs.near(lead).take(GERMS).find_map(|germ| {
             let shown = |beside: &[Beside], sense: Ordering| {
-                beside.iter().find_map(|b| bounded(state, limit, &germ, b, sense, steps, &any))
+                beside.iter().find_map(|b| {
+                    // one that fails leaves something for the others
+                    let share = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
+                    let scope = scope(state.goal, share).ok()?;
+                    let state = constants(&scope, state.goal, side.var).ok()?;
+                    bounded(&state, limit, &germ, b, sense, steps, &any)
+                })
             };
             match limit.to {
                 Target::PlusInf => shown(&above, Ordering::Greater),
@@ -153,11 +161,13 @@ impl Lines<'_, '_, '_> {
         }
     }
 
-    /// The limit and the tangent, where the next coefficient tells the side, and what has twice its slope, or one more.
+    /// The limit and the tangent, where the next coefficient tells the side, and what has twice its slope, the next
+    /// coefficient more, or one more.
     fn lines(&self, s: &Series<Quotient>, sense: Ordering) -> Option<Vec<Candidate>> {
         let numbers = &self.along.numbers;
         let side = |c: &Quotient| {
-            let sign = if numbers.is_zero(c) { None } else { numbers.is_positive(c) };
+            let sign = || numbers.is_positive(c).or_else(|| numbers.leans(c));
+            let sign = if numbers.is_zero(c) { None } else { sign() };
             sign.map(|positive| positive == (sense == Ordering::Greater))
         };
         let [start, slope, bend] = [0, 1, 2].map(|n| self.along.coefficient(s, n));
@@ -168,11 +178,15 @@ impl Lines<'_, '_, '_> {
         if side(&slope) == Some(true) || flat {
             out.push((start.clone(), 0));
         }
-        if bend.is_some_and(|bend| side(&bend) == Some(true)) {
+        let bend = bend.and_then(|bend| Some((side(&bend)?, bend)));
+        if let Some((true, _)) = &bend {
             out.push(bent(&slope)?);
         }
         if side(&slope) == Some(false) {
             out.push(bent(&numbers.sum(&slope, &slope)?)?);
+        }
+        if let Some((false, bend)) = &bend {
+            out.push(bent(&numbers.sum(&slope, bend)?)?);
         }
         let away = self.number(if sense == Ordering::Greater { -1 } else { 1 });
         out.push(bent(&numbers.sum(&slope, &away)?)?);

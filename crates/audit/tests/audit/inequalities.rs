@@ -135,6 +135,44 @@ fn roots_that_stand_alone_on_their_side_are_squared_away() {
 }
 
 #[test]
+fn what_rises_with_its_variable_keeps_the_order_of_all_numbers() {
+    let rising = |of_x: &str| {
+        let of_y = of_x.replace('x', "y");
+        (format!("{of_x} < {of_y} when x < y"), format!("{of_y} < {of_x} when x < y"))
+    };
+    // rises from -1 to 1, as friction that is made smooth
+    for of_x in
+        ["x/sqrt(1 + x^2)", "x*sqrt(1 + x^2)", "x/(2 + sqrt(1 + x^2))", "x*sqrt(1 + abs(x))"]
+    {
+        let (claim, opposite) = rising(of_x);
+        assert_eq!(verdict(&claim), Verdict::Proved, "{claim}");
+        assert_eq!(verdict(&opposite), Verdict::Refuted, "{opposite}");
+    }
+    assert_eq!(verdict("x/sqrt(1 + x^2) < y/sqrt(2 + y^2) when x < y"), Verdict::Refuted);
+    assert_eq!(verdict("x*sqrt(1 + y^2) < y*sqrt(2 + x^2) when x < y"), Verdict::Refuted);
+}
+
+#[test]
+fn forms_with_symbols_are_positive_where_their_minors_are() {
+    let form = "a*x^2 + e*y^2 + g*z^2 + 2*b*x*y + 2*c*x*z + 2*f*y*z";
+    let minors = "a > 0, a*e - b^2 > 0";
+    let whole = "a*e*g + 2*b*c*f - c^2*e - b^2*g - f^2*a";
+    let found =
+        |claim: &str| verdict_after("var a, b, c, e, f, g, x, y, z", claim, Budget::default());
+    for (claim, expected) in [
+        (format!("{form} >= 0 when {minors}, {whole} >= 0"), Verdict::Proved),
+        (format!("{form} > 0 when {minors}, {whole} > 0, x^2 + y^2 + z^2 > 0"), Verdict::Proved),
+        (format!("{form} > 0 when {minors}, {whole} >= 0, x^2 + y^2 + z^2 > 0"), Verdict::Refuted),
+        (format!("{form} >= 0 when {minors}"), Verdict::Refuted),
+        (format!("{form} >= 0 when a > 0, {whole} >= 0"), Verdict::Refuted),
+        // only where all three vanish
+        (format!("{form} > 0 when {minors}, {whole} > 0"), Verdict::Refuted),
+    ] {
+        assert_eq!(found(&claim), expected, "{claim}");
+    }
+}
+
+#[test]
 fn a_root_of_a_product_or_a_quotient_is_that_of_the_roots() {
     let found = |claim: &str| {
         // what is seen at once needs no more

@@ -1,0 +1,54 @@
+//! What stands before a root: from s·G > N, where neither s nor N is negative, it follows that G is positive.
+
+use kane_algebra::quotient::exact_quotient;
+use kane_kernel::{Monomial, Poly, State, Term};
+use num_bigint::BigInt;
+use num_traits::One as _;
+
+use super::elimination::Factors;
+use super::hints::is_told;
+use super::isolated::{Rule, odd, reduced, strict};
+use super::monomial::{Known, is_lesser, known};
+use super::settled::Settled;
+use crate::argument::Argument;
+
+/// The sum before the one product of roots of a condition.
+pub(super) fn cofactor(state: &State<'_, '_>) -> Option<Settled> {
+    let rules = Rule::all(state);
+    strict(state).find_map(|i| of(state, i, &rules))
+}
+
+fn of(state: &State<'_, '_>, i: usize, rules: &[Rule]) -> Option<Settled> {
+    let fuel = &state.scope.fuel;
+    let p = &state.atoms[i].poly;
+    let mut with_root = p.terms().filter(|(m, _)| !odd(m, rules).is_empty());
+    let root: Monomial = odd(with_root.next()?.0, rules).into_iter().map(|v| (v, 1)).collect();
+    let product = Poly::term(root.clone(), BigInt::one());
+    let (mut sum, mut lesser) = (Poly::default(), Poly::default());
+    for (m, c) in p.terms() {
+        let term = Poly::term(m.to_vec(), c.clone());
+        match odd(m, rules) {
+            none if none.is_empty() => lesser = lesser.sub(&term),
+            _ => sum = sum.add(&term),
+        }
+    }
+    let sum = exact_quotient(&sum, &product, fuel)?;
+    let (content, poly) = sum.primitive();
+    let all_lesser = lesser.terms().all(|term| is_lesser(state, term) == Some(false));
+    let whole = product.mul(&poly, fuel).ok()?.scale(&content).sub(&lesser) == *p;
+    if poly.len() < 2 || !all_lesser || !whole || is_told(state, &reduced(state, &poly)) {
+        return None;
+    }
+    // p + N + s·(−G) = 0, and p + N = 0 where G is zero
+    let mut terms: Vec<Term> =
+        lesser.terms().map(|(m, c)| Some(Known::of(state, m)?.term(c))).collect::<Option<_>>()?;
+    terms.push(Term { weight: BigInt::one(), square: Poly::one(), factors: vec![(i, 1)] });
+    let fresh = state.atoms.len();
+    let cofactors = vec![(fresh, product.scale(&-&content))];
+    let zero = Argument::Positive { terms: terms.clone(), cofactors };
+    let (square, factors) = known(state, &root)?;
+    let factors: Factors = [&factors[..], &[(fresh, 1)]].concat();
+    terms.push(Term { weight: content, square: Poly::term(square, BigInt::one()), factors });
+    let negative = Argument::Positive { terms, cofactors: Vec::new() };
+    Settled::positive(state, poly, zero, negative)
+}
