@@ -120,10 +120,11 @@ fn follow(
             continue;
         }
         let step = chain.time_of_bounce(&state) / f64::from(steps);
+        let mut work = Work::of(&state);
         see(now, &state);
         while (0..n - 1).any(|i| touching(state.gaps[i], state.closing(i))) {
             left = left.checked_sub(1).ok_or(ChainError::Endless)?;
-            state = chain.stepped(&state, step);
+            chain.advance(&mut state, step, &mut work);
             now += step;
             see(now, &state);
         }
@@ -141,12 +142,27 @@ impl State {
         self.velocities[i] - self.velocities[i + 1]
     }
 
-    fn moved(&self, rate: &Self, time: f64) -> Self {
-        let add = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b * time).collect();
-        Self {
-            gaps: add(&self.gaps, &rate.gaps),
-            velocities: add(&self.velocities, &rate.velocities),
-        }
+    /// The state after a time at a constant rate.
+    fn move_from(&mut self, start: &Self, rate: &Self, time: f64) {
+        let add = |to: &mut [f64], a: &[f64], b: &[f64]| {
+            to.iter_mut().zip(a.iter().zip(b)).for_each(|(to, (a, b))| *to = a + b * time);
+        };
+        add(&mut self.gaps, &start.gaps, &rate.gaps);
+        add(&mut self.velocities, &start.velocities, &rate.velocities);
+    }
+}
+
+/// What one step is computed in, so that it asks for no memory: four rates, their mean, and a state between.
+struct Work {
+    rates: [State; 4],
+    mean: State,
+    between: State,
+}
+
+impl Work {
+    fn of(state: &State) -> Self {
+        let one = || state.clone();
+        Self { rates: [one(), one(), one(), one()], mean: one(), between: one() }
     }
 }
 
@@ -165,30 +181,35 @@ impl Chain {
         self.stiffness * depth * depth.sqrt()
     }
 
-    fn rate(&self, state: &State) -> State {
-        let n = self.masses.len();
-        let mut velocities = vec![0.0; n];
-        for i in 0..n - 1 {
+    fn rate(&self, state: &State, rate: &mut State) {
+        rate.velocities.fill(0.0);
+        for i in 0..self.gaps.len() {
             let force = self.force(state, i);
-            velocities[i] -= force / self.masses[i];
-            velocities[i + 1] += force / self.masses[i + 1];
+            rate.velocities[i] -= force / self.masses[i];
+            rate.velocities[i + 1] += force / self.masses[i + 1];
+            rate.gaps[i] = -state.closing(i);
         }
-        State { gaps: (0..n - 1).map(|i| -state.closing(i)).collect(), velocities }
     }
 
-    fn stepped(&self, state: &State, step: f64) -> State {
-        let k1 = self.rate(state);
-        let k2 = self.rate(&state.moved(&k1, step / 2.0));
-        let k3 = self.rate(&state.moved(&k2, step / 2.0));
-        let k4 = self.rate(&state.moved(&k3, step));
-        let mean = |a: &[f64], b: &[f64], c: &[f64], d: &[f64]| -> Vec<f64> {
+    /// One step of the classical method of Runge and Kutta.
+    fn advance(&self, state: &mut State, step: f64, work: &mut Work) {
+        let Work { rates: [k1, k2, k3, k4], mean, between } = work;
+        self.rate(state, k1);
+        between.move_from(state, k1, step / 2.0);
+        self.rate(between, k2);
+        between.move_from(state, k2, step / 2.0);
+        self.rate(between, k3);
+        between.move_from(state, k3, step);
+        self.rate(between, k4);
+        let weigh = |to: &mut [f64], a: &[f64], b: &[f64], c: &[f64], d: &[f64]| {
             let four = a.iter().zip(b).zip(c.iter().zip(d));
-            four.map(|((a, b), (c, d))| (a + 2.0 * (b + c) + d) / 6.0).collect()
+            to.iter_mut().zip(four).for_each(|(to, ((a, b), (c, d)))| {
+                *to = (a + 2.0 * (b + c) + d) / 6.0;
+            });
         };
-        let rate = State {
-            gaps: mean(&k1.gaps, &k2.gaps, &k3.gaps, &k4.gaps),
-            velocities: mean(&k1.velocities, &k2.velocities, &k3.velocities, &k4.velocities),
-        };
-        state.moved(&rate, step)
+        weigh(&mut mean.gaps, &k1.gaps, &k2.gaps, &k3.gaps, &k4.gaps);
+        weigh(&mut mean.velocities, &k1.velocities, &k2.velocities, &k3.velocities, &k4.velocities);
+        between.move_from(state, mean, step);
+        std::mem::swap(state, between);
     }
 }
