@@ -13,30 +13,24 @@ use super::settled::Settled;
 use crate::argument::Argument;
 
 /// The sum before the one product of roots of a condition.
-pub(super) fn cofactor(state: &State<'_, '_>) -> Option<Settled> {
-    let rules = Rule::all(state);
-    strict(state).find_map(|i| of(state, i, &rules))
+pub(super) fn cofactor(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled> {
+    strict(state).find_map(|i| of(state, i, rules))
 }
 
 fn of(state: &State<'_, '_>, i: usize, rules: &[Rule]) -> Option<Settled> {
-    let fuel = &state.scope.fuel;
     let p = &state.atoms[i].poly;
-    let mut with_root = p.terms().filter(|(m, _)| !odd(m, rules).is_empty());
-    let root: Monomial = odd(with_root.next()?.0, rules).into_iter().map(|v| (v, 1)).collect();
+    let part = |with_root: bool| {
+        let terms = p.terms().filter(|(m, _)| odd(m, rules).is_empty() != with_root);
+        Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.clone())))
+    };
+    let (sum, lesser) = (part(true), part(false).neg());
+    let (first, _) = sum.terms().next()?;
+    let root: Monomial = odd(first, rules).into_iter().map(|v| (v, 1)).collect();
     let product = Poly::term(root.clone(), BigInt::one());
-    let (mut sum, mut lesser) = (Poly::default(), Poly::default());
-    for (m, c) in p.terms() {
-        let term = Poly::term(m.to_vec(), c.clone());
-        match odd(m, rules) {
-            none if none.is_empty() => lesser = lesser.sub(&term),
-            _ => sum = sum.add(&term),
-        }
-    }
-    let sum = exact_quotient(&sum, &product, fuel)?;
-    let (content, poly) = sum.primitive();
+    let (content, sum) = sum.primitive();
+    let poly = exact_quotient(&sum, &product, &state.scope.fuel)?;
     let all_lesser = lesser.terms().all(|term| is_lesser(state, term) == Some(false));
-    let whole = product.mul(&poly, fuel).ok()?.scale(&content).sub(&lesser) == *p;
-    if poly.len() < 2 || !all_lesser || !whole || is_told(state, &reduced(state, &poly)) {
+    if poly.len() < 2 || !all_lesser || is_told(state, &reduced(state, &poly)) {
         return None;
     }
     // p + N + s·(−G) = 0, and p + N = 0 where G is zero

@@ -10,9 +10,9 @@ use super::isolated::Rule;
 use super::monomial::{is_lesser, sign};
 
 /// A polynomial whose sign has to be told first, if no condition tells it.
-pub(super) fn telling(state: &State<'_, '_>) -> Option<Poly> {
+pub(super) fn telling(state: &State<'_, '_>, rules: &[Rule]) -> Option<Poly> {
     let mut roots: Vec<usize> = roots(state).into_iter().map(|root| root.1).collect();
-    roots.extend(Rule::all(state).into_iter().filter(|rule| rule.is_root).map(|rule| rule.v));
+    roots.extend(rules.iter().filter(|rule| rule.is_root).map(|rule| rule.v));
     unsigned(state, &roots)
         .or_else(|| vanishing(state, &roots))
         .or_else(|| unordered(state, &roots))

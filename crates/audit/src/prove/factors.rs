@@ -81,8 +81,11 @@ pub(super) fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
     common_sign(&rest).is_some() && tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
 }
 
-/// A polynomial that is said not to vanish, is seen to be positive, and divides a condition.
-pub(super) fn positive_factor(state: &State<'_, '_>) -> Option<Poly> {
+/// A polynomial of some kind that is said not to vanish, is seen to be positive, and divides a condition.
+pub(super) fn positive_factor(
+    state: &State<'_, '_>,
+    is_meant: &dyn Fn(&Poly) -> bool,
+) -> Option<Poly> {
     let divides = |p: &Poly| {
         let mut order = state.atoms.iter().filter(|a| a.sign.is_order());
         order.any(|a| {
@@ -95,7 +98,7 @@ pub(super) fn positive_factor(state: &State<'_, '_>) -> Option<Poly> {
     };
     let told = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Positive && a.poly == *p);
     let said = state.atoms.iter().filter(|a| a.sign == Sign::NonZero && a.decided().is_none());
-    let parts = said.map(|a| a.poly.primitive().1).filter(divides);
+    let parts = said.map(|a| a.poly.primitive().1).filter(|p| is_meant(p) && divides(p));
     parts.flat_map(|p| [p.neg(), p]).find(|p| !told(p) && positive(p))
 }
 
@@ -179,14 +182,19 @@ pub(super) fn content_to_split(state: &State<'_, '_>) -> Option<Poly> {
     None
 }
 
+/// Conditions in several variables with as many terms, or with more, but not too many to be factored.
+fn long<'a>(state: &'a State<'_, '_>, least: usize) -> impl DoubleEndedIterator<Item = &'a Poly> {
+    let long = move |a: &&Atom| {
+        let (p, several) = (&a.poly, a.poly.vars().len() > 1);
+        a.sign != Sign::NonZero && several && (least..=EQUATION).contains(&p.len())
+    };
+    state.atoms.iter().filter(long).map(|a| &a.poly)
+}
+
 /// A factor that stands squared in a condition, worth a case distinction: where it is not zero only the rest counts.
 pub(super) fn squared_factor(state: &State<'_, '_>) -> Option<Poly> {
-    let long = |a: &&Atom| {
-        let (p, several) = (&a.poly, a.poly.vars().len() > 1);
-        a.sign != Sign::NonZero && several && (3..=EQUATION).contains(&p.len())
-    };
-    state.atoms.iter().rev().filter(long).find_map(|a| {
-        let (_, factors) = factors(&a.poly);
+    long(state, 3).rev().find_map(|p| {
+        let (_, factors) = factors(p);
         let squared = factors.into_iter().find(|(f, n)| *n > 1 && f.len() > 1)?.0;
         (!is_told(state, &squared)).then_some(squared)
     })
@@ -194,11 +202,7 @@ pub(super) fn squared_factor(state: &State<'_, '_>) -> Option<Poly> {
 
 /// A factor that two conditions have in common, worth a case distinction.
 pub(super) fn common_factor(state: &State<'_, '_>) -> Option<Poly> {
-    let long = |a: &&Atom| {
-        let (p, several) = (&a.poly, a.poly.vars().len() > 1);
-        a.sign != Sign::NonZero && several && (2..=EQUATION).contains(&p.len())
-    };
-    let long: Vec<&Poly> = state.atoms.iter().filter(long).map(|a| &a.poly).collect();
+    let long: Vec<&Poly> = long(state, 2).collect();
     let pairs = long.iter().enumerate().flat_map(|(n, p)| long[..n].iter().map(move |q| (*p, *q)));
     pairs.filter(|(p, q)| p.len().max(q.len()) > 2).find_map(|(p, q)| {
         let common = gcd(p, q).primitive().1;

@@ -3,7 +3,8 @@
 use kane_kernel::{Atom, Poly, Sign, State};
 use num_traits::Signed as _;
 
-/// A state in which conditions that are idle say nothing; `None` if none is. What closes it closes the state itself.
+/// A state in which conditions that are idle say nothing; `None` if none is. All keep their places, so that an argument by
+/// the other conditions closes the state itself.
 ///
 /// Idle is what stands there twice, and the conditions of a variable that all hold where it is large, or where it is far
 /// below zero: each of them orders it, with an odd highest power and a number before it.

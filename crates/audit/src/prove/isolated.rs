@@ -91,11 +91,10 @@ impl Rule {
 }
 
 /// A > N with squares that have fewer roots than the condition has: A² − N² is positive.
-pub(super) fn isolated(state: &State<'_, '_>) -> Option<Settled> {
-    let rules = Rule::all(state);
+pub(super) fn isolated(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled> {
     strict(state).find_map(|i| {
         let p = &state.atoms[i].poly;
-        sides(state, p, &rules).into_iter().find_map(|side| squared(state, i, &side, &rules))
+        sides(state, p, rules).into_iter().find_map(|side| squared(state, i, &side, rules))
     })
 }
 

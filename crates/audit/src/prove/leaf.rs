@@ -10,7 +10,7 @@ use super::elimination::{Elimination, open_vars};
 use super::factors::{common_factor, positive_factor};
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::idle::without_idle;
-use super::isolated::isolated;
+use super::isolated::{Rule, isolated};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{MAX_SPLITS, Outcome, Search, since};
 use super::settled::Settled;
@@ -80,7 +80,7 @@ impl Search<'_> {
         }
         if self.proofs
             && vars.len() > 1
-            && let Some(factor) = positive_factor(state)
+            && let Some(factor) = positive_factor(state, &|_| true)
         {
             return self.split(state, factor, trail, splits);
         }
@@ -145,25 +145,22 @@ impl Search<'_> {
                     return self.split(state, poly, trail, splits + CASE);
                 }
             }
-            if combined.is_none()
-                && splits < MAX_SPLITS
-                && let Some(settled) = cofactor(state).or_else(|| isolated(state))
-            {
-                return self.by_settled(state, settled, trail, splits + 1);
-            }
-            if combined.is_none()
-                && splits < MAX_SPLITS
-                && let Some(found) = discriminant(state)
-            {
-                return self.by_discriminant(state, found, trail, splits + 1);
-            }
-            if combined.is_none()
-                && splits < MAX_SPLITS
-                && self.squares.spend(ORDER).is_ok()
-                && let Some(poly) =
-                    comparison::telling(state).or_else(|| conjugates::telling(state))
-            {
-                return self.split(state, poly, trail, splits + 1);
+            if combined.is_none() && splits < MAX_SPLITS {
+                let rules = Rule::all(state);
+                let settled = cofactor(state, &rules).or_else(|| isolated(state, &rules));
+                if let Some(settled) = settled {
+                    return self.by_settled(state, settled, trail, splits + 1);
+                }
+                if let Some(found) = discriminant(state) {
+                    return self.by_discriminant(state, found, trail, splits + 1);
+                }
+                let telling = || {
+                    self.squares.spend(ORDER).ok()?;
+                    comparison::telling(state, &rules).or_else(|| conjugates::telling(state))
+                };
+                if let Some(poly) = telling() {
+                    return self.split(state, poly, trail, splits + 1);
+                }
             }
             let proof = combined
                 .or_else(|| conjugates::closed(state))

@@ -261,7 +261,7 @@ impl<'a> Search<'a> {
         // before the square of a root is replaced, and nothing is left of the factor
         if self.proofs
             && splits < MAX_SPLITS
-            && let Some(factor) = positive_factor(state).filter(|p| has_root(state, p))
+            && let Some(factor) = positive_factor(state, &|p| has_root(state, p))
         {
             return self.split(state, factor, trail, splits);
         }
