@@ -1,6 +1,6 @@
 //! Programs over enclosures, and how far a float is from the truth.
 
-use kane_number::{Integer, Rounding, decode, encode};
+use kane_number::{Binary, Integer, Rounding, decode, encode};
 
 use super::Enclosure;
 use crate::machine::{Machine, compares};
@@ -97,7 +97,7 @@ pub fn compared<M: Machine>(
                 });
             };
             let error = float.sub(&exact, bits).abs();
-            if last || (exact.sharpness() >= ENOUGH && error.sharpness() >= 20) {
+            if last || suffices(&exact, ENOUGH) && suffices(&error, 20) {
                 return Some(told::<M>(exact, &error));
             }
         } else if last {
@@ -105,6 +105,12 @@ pub fn compared<M: Machine>(
         }
         bits *= 2;
     }
+}
+
+/// Whether so many bits of an enclosure are known, or it is so far below every double, in which errors are told, that more
+/// of them change nothing: of sqrt(x + 0) − sqrt(x) no number of bits is enough.
+fn suffices(enclosure: &Enclosure, bits: i64) -> bool {
+    enclosure.sharpness() >= bits || enclosure.binades().1 < f64::LEAST_EXPONENT - ENOUGH
 }
 
 fn told<M: Machine>(exact: Enclosure, error: &Enclosure) -> Compared {
@@ -122,4 +128,42 @@ fn in_units(x: f64, unit: i64, rounding: Rounding) -> f64 {
     let Ok(value) = decode(x) else { return f64::INFINITY };
     let power = Integer::from(1) << unit.unsigned_abs();
     encode(&if unit >= 0 { value / power } else { value * power }, rounding)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fpcore;
+
+    /// The enclosure of a formula of x at 2e-300.
+    fn at(formula: &str, bits: u32) -> Enclosure {
+        let text = format!("(FPCore (x) :pre (<= 0 x 1) {formula})");
+        let core = fpcore::read("t.fpcore", &text).unwrap().remove(0);
+        value(&core.program, core.root, &[Enclosure::of(2e-300).unwrap()], bits).unwrap()
+    }
+
+    #[test]
+    fn a_value_that_is_zero_needs_no_more_bits_than_tell_that_it_is_below_every_float() {
+        let nothing = "(- (sqrt (+ x 0)) (sqrt x))";
+        // a root is 2^-498, and an ulp of it 2^-690 or 2^-1266
+        assert!(!suffices(&at(nothing, 192), ENOUGH));
+        assert!(suffices(&at(nothing, 768), ENOUGH));
+        // and what is told is what all the bits tell
+        let told_at = |bits: u32| {
+            let exact = at(nothing, bits);
+            let error = Enclosure::of(0.0).unwrap().sub(&exact, bits).abs();
+            let told = told::<f64>(exact, &error);
+            [told.error, told.error_at_most, told.ulps, told.ulps_at_most].map(f64::to_bits)
+        };
+        assert_eq!(told_at(768), told_at(MOST));
+    }
+
+    #[test]
+    fn a_value_next_to_the_least_float_is_told_to_its_bits() {
+        // 4e-600 is far below every float, and 4e-324 rounds to the least one
+        assert!(suffices(&at("(* x x)", 4), ENOUGH));
+        let small = "(* (sqrt x) (* (sqrt x) 2e-24))";
+        assert!(!suffices(&at(small, 40), ENOUGH));
+        assert!(suffices(&at(small, 192), ENOUGH));
+    }
 }
