@@ -26,6 +26,8 @@ mod sampling; // points at which hypotheses hold, without the kernel
 mod second_checker; // the checker of certificates in Python
 mod semantics; // one small document a rule of the language
 mod several_variables; // sixty claims, and how many are decided
+#[path = "../shared/smt.rs"]
+mod smt; // a reader of SMT-LIB
 mod soundness; // nothing false is accepted
 mod spatial; // the planar code against three dimensions
 mod support; // chance, documents, goals

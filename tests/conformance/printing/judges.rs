@@ -14,9 +14,9 @@ use kane::kernel::{
 };
 
 use super::generator::{self, PLAIN, Wanted};
-use super::smt::Question;
 use super::{context, terms};
 use crate::many::many;
+use crate::smt::Question;
 use crate::support::{Chance, Q, installed, judged, q};
 
 /// What a term of Coq can say by itself: definitions and derivatives are written out before.

@@ -103,7 +103,7 @@ fn questions_and_their_files_hold_nothing_of_a_label() {
     for (name, question) in smt::questions(&Claims::of(&audit)) {
         let safe = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
         assert!(name.chars().all(safe), "{name}");
-        let read = super::smt::Question::read(&question.text);
+        let read = crate::smt::Question::read(&question.text);
         assert_eq!(read.expect("well formed").declared, ["|x|"]);
     }
 }

@@ -6,7 +6,6 @@ mod judges; // what is put to Coq and z3
 mod labels; // labels and prose that would speak for the auditor
 mod latex; // a reader of LaTeX
 mod mathml; // a reader of MathML
-mod smt; // a reader of SMT-LIB
 mod terms; // a reader of Coq's terms
 
 use std::collections::HashMap;

@@ -75,3 +75,31 @@ impl Drop for Scratch {
         let _ = fs::remove_dir_all(&self.0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shell(command: &str, limit: Duration) -> Option<Said> {
+        let folder = Scratch::new().expect("there is room");
+        run("sh", &["-c", command], &folder.0, limit).expect("there is a shell")
+    }
+
+    #[test]
+    fn what_a_program_says_is_read_and_one_that_goes_on_is_ended() {
+        let minute = Duration::from_secs(60);
+        let said = shell("echo out; echo err >&2", minute).expect("it ends");
+        assert_eq!((said.success, &*said.out, &*said.err), (true, "out\n", "err\n"));
+        assert!(!shell("exit 3", minute).expect("it ends").success);
+        assert!(shell("exec sleep 20", Duration::from_millis(20)).is_none());
+    }
+
+    #[test]
+    fn a_folder_of_our_own_goes() {
+        let folder = Scratch::new().expect("there is room");
+        let (path, other) = (folder.0.clone(), Scratch::new().expect("there is room"));
+        assert!(path.is_dir() && path != other.0);
+        drop(folder);
+        assert!(!path.exists() && other.0.is_dir());
+    }
+}

@@ -92,7 +92,7 @@ fn failure(terms: &Terms<'_>, goal: &Goal, finding: Finding) -> Result<Option<St
     }
 }
 
-/// The symbols of a goal, definitions followed.
+/// The symbols of a goal of which all terms are written, definitions followed.
 fn mentioned(goal: &Goal) -> BTreeSet<usize> {
     let context = &goal.context;
     let (mut out, mut seen) = (BTreeSet::new(), BTreeSet::new());
@@ -104,7 +104,7 @@ fn mentioned(goal: &Goal) -> BTreeSet<usize> {
         .collect();
     while let Some(e) = todo.pop() {
         match e {
-            Expr::Var(v) | Expr::Deriv(_, v) if *v < context.vars.len() => _ = out.insert(*v),
+            Expr::Var(v) | Expr::Deriv(_, v) => _ = out.insert(*v),
             Expr::Let(i) if seen.insert(*i) => todo.extend(context.lets.get(*i).map(|l| &l.body)),
             _ => {}
         }

@@ -10,6 +10,7 @@ const MAX_DEPTH: usize = 64;
 impl Terms<'_> {
     /// The derivative of an expression by a symbol.
     pub(super) fn slopes(&self, f: &Expr, x: usize) -> Result<Slopes, NotPut> {
+        self.context.vars.get(x).ok_or(NotPut::Symbol)?;
         let f = self.written_out(f, 0)?;
         Ok(Slopes { value: slope(&f, x)?, exists: self.near(&f, &[x], true)? })
     }
@@ -127,27 +128,17 @@ fn mentions(e: &Expr, x: usize) -> bool {
     matches!(e, Expr::Var(v) if *v == x) || e.children().into_iter().any(|part| mentions(part, x))
 }
 
+/// Whether a part of a slope is 0, and is no more to be divided by anything: a constant root may be 0 itself.
 fn is_zero(e: &Expr) -> bool {
     *e == Expr::int(0)
 }
 
 fn add(a: Expr, b: Expr) -> Expr {
-    match (is_zero(&a), is_zero(&b)) {
-        (true, _) => b,
-        (_, true) => a,
-        _ => Expr::Add(a.into(), b.into()),
-    }
+    if is_zero(&a) { b } else { Expr::Add(a.into(), b.into()) }
 }
 
 fn mul(a: Expr, b: Expr) -> Expr {
-    if is_zero(&a) || is_zero(&b) {
-        return Expr::int(0);
-    }
-    match (a == Expr::int(1), b == Expr::int(1)) {
-        (true, _) => b,
-        (_, true) => a,
-        _ => Expr::Mul(a.into(), b.into()),
-    }
+    if is_zero(&a) || is_zero(&b) { Expr::int(0) } else { Expr::Mul(a.into(), b.into()) }
 }
 
 fn neg(a: Expr) -> Expr {

@@ -110,9 +110,9 @@ fn minus(a: &str) -> String {
 }
 
 fn power(a: &str, n: u32) -> String {
-    match n {
-        0 => "1".to_owned(),
-        1 => a.to_owned(),
+    match (a, n) {
+        ("1", _) | (_, 0) => "1".to_owned(),
+        (_, 1) => a.to_owned(),
         _ => format!("(* {})", vec![a; n as usize].join(" ")),
     }
 }
@@ -196,10 +196,10 @@ impl<'c> Terms<'c> {
         let total = |value: Quotient| Ok(everywhere(Some(value)));
         match e {
             Expr::Num(q) => total((rational(q), "1".to_owned())),
-            Expr::Var(v) if *v < self.context.vars.len() => {
+            Expr::Var(v) => {
+                self.context.vars.get(*v).ok_or(NotPut::Symbol)?;
                 total((self.symbol(*v), "1".to_owned()))
             }
-            Expr::Var(_) => Err(NotPut::Symbol),
             Expr::Let(i) => {
                 if let Some(known) = self.lets.borrow().get(i) {
                     return Ok(known.clone());

@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
+use num_rational::BigRational as Q;
 use num_traits::{One, Zero};
-
-use crate::support::Q;
 
 #[derive(Clone, Debug)]
 enum Term {
@@ -19,8 +18,10 @@ enum Value {
 
 /// The symbols that a question declares, and whether its assertions hold at a point.
 #[derive(Debug)]
-pub(super) struct Question {
-    pub(super) declared: Vec<String>,
+pub(crate) struct Question {
+    pub(crate) declared: Vec<String>,
+    /// names for longer terms, each with what it stands for
+    defined: Vec<(String, Term)>,
     asserted: Vec<Term>,
 }
 
@@ -59,8 +60,9 @@ fn words(text: &str) -> Vec<String> {
 }
 
 impl Question {
-    pub(super) fn read(text: &str) -> Result<Self, String> {
-        let (mut declared, mut asserted, mut asked) = (Vec::new(), Vec::new(), 0);
+    pub(crate) fn read(text: &str) -> Result<Self, String> {
+        let (mut declared, mut defined, mut asserted) = (Vec::new(), Vec::new(), Vec::new());
+        let mut asked = 0;
         for command in terms(&mut words(text).into_iter()) {
             let Term::List(parts) = command else { return Err(format!("{command:?}")) };
             match parts.as_slice() {
@@ -74,21 +76,32 @@ impl Question {
                 {
                     declared.push(name.clone());
                 }
+                [Term::Word(word), Term::Word(name), Term::List(none), Term::Word(sort), term]
+                    if word == "define-fun" && none.is_empty() && sort == "Real" =>
+                {
+                    defined.push((name.clone(), term.clone()));
+                }
                 [Term::Word(word), term] if word == "assert" => asserted.push(term.clone()),
                 [Term::Word(word)] if word == "check-sat" => asked += 1,
                 other => return Err(format!("an unknown command: {other:?}")),
             }
         }
         if asked == 1 {
-            Ok(Self { declared, asserted })
+            Ok(Self { declared, defined, asserted })
         } else {
             Err(format!("asked {asked} times"))
         }
     }
 
-    pub(super) fn holds(&self, values: &HashMap<String, Q>) -> Result<bool, String> {
+    pub(crate) fn holds(&self, values: &HashMap<String, Q>) -> Result<bool, String> {
+        let mut values = values.clone();
+        for (name, term) in &self.defined {
+            if let Value::Number(number) = value(term, &values)? {
+                values.insert(name.clone(), number);
+            }
+        }
         for term in &self.asserted {
-            match value(term, values)? {
+            match value(term, &values)? {
                 Value::Truth(true) => {}
                 Value::Truth(false) => return Ok(false),
                 Value::Number(_) => return Err(format!("no truth: {term:?}")),
@@ -135,11 +148,15 @@ fn value(term: &Term, values: &HashMap<String, Q>) -> Result<Value, String> {
         ("-", [one]) => Value::Number(-number(one)?),
         ("-", [a, b]) => Value::Number(number(a)? - number(b)?),
         ("/", [a, b]) => Value::Number(number(a)? / number(b)?),
+        ("<", [a, b, c]) => Value::Truth(number(a)? < number(b)? && number(b)? < number(c)?),
         ("=", [a, b]) => Value::Truth(number(a)? == number(b)?),
         (">=", [a, b]) => Value::Truth(number(a)? >= number(b)?),
         (">", [a, b]) => Value::Truth(number(a)? > number(b)?),
         ("<=", [a, b]) => Value::Truth(number(a)? <= number(b)?),
         ("<", [a, b]) => Value::Truth(number(a)? < number(b)?),
+        ("ite", [asked, yes, no]) => {
+            return value(if truth(asked)? { yes } else { no }, values);
+        }
         ("not", [a]) => Value::Truth(!truth(a)?),
         ("and", all) => {
             Value::Truth(all.iter().map(truth).collect::<Result<Vec<_>, _>>()?.iter().all(|t| *t))
