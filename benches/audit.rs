@@ -30,7 +30,7 @@ fn reading(bencher: Bencher<'_, '_>) {
 #[divan::bench(sample_count = 20)]
 fn paper(bencher: Bencher<'_, '_>) {
     let document = document();
-    bencher.with_inputs(|| document.clone()).bench_values(|document| judge(document, None));
+    bencher.with_inputs(|| document.clone()).bench_local_values(|document| judge(document, None));
 }
 
 #[divan::bench(sample_count = 20, args = [Verdict::Proved, Verdict::Refuted, Verdict::IllDefined, Verdict::Vacuous, Verdict::Unsupported])]
@@ -41,5 +41,5 @@ fn by_verdict(bencher: Bencher<'_, '_>, verdict: &Verdict) {
         .collect();
     bencher
         .with_inputs(|| (whole.document.clone(), chosen.clone()))
-        .bench_values(|(document, chosen)| judge(document, Some(chosen)));
+        .bench_local_values(|(document, chosen)| judge(document, Some(chosen)));
 }

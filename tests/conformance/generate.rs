@@ -1,5 +1,7 @@
 //! Random statements: true ones by construction, arbitrary ones, and small changes to either.
 
+use std::rc::Rc;
+
 use kane::kernel::{
     Bound, Conclusion, Context, Expr, Goal, Hypothesis, Link, Rel, Relation, Sentence, Var,
 };
@@ -88,7 +90,7 @@ pub(crate) fn expression(vars: usize, depth: usize, chance: &mut Chance) -> Expr
         14 => {
             let x = Expr::Var(chance.below(vars));
             let guard = rel(x, *chance.pick(&RELS), Expr::int(chance.within(-1, 1)));
-            let last = (!chance.once_in(4)).then(|| Box::new(b));
+            let last = (!chance.once_in(4)).then(|| Rc::new(b));
             Expr::Cases(vec![(vec![guard], a)], last)
         }
         _ => Expr::Sqrt(pow(a, 2).into()),
@@ -176,7 +178,7 @@ pub(crate) fn true_statement(chance: &mut Chance) -> Goal {
         10 => rel(abs(&add(a.clone(), b.clone())), Le, add(abs(&a), abs(&b))),
         11 => rel(Expr::Max(a.clone().into(), b.into()), Ge, a),
         12 => {
-            let both = (Box::new(a.clone()), Box::new(b.clone()));
+            let both = (Rc::new(a.clone()), Rc::new(b.clone()));
             let (min, max) = (Expr::Min(both.0.clone(), both.1.clone()), Expr::Max(both.0, both.1));
             rel(add(min, max), Eq, add(a, b))
         }
@@ -188,7 +190,7 @@ pub(crate) fn true_statement(chance: &mut Chance) -> Goal {
         15 => {
             let guard = rel(a.clone(), Lt, zero());
             let cases =
-                Expr::Cases(vec![(vec![guard], Expr::Neg(a.clone().into()))], Some(Box::new(a)));
+                Expr::Cases(vec![(vec![guard], Expr::Neg(a.clone().into()))], Some(Rc::new(a)));
             rel(cases, Ge, zero())
         }
         16 => {
@@ -247,7 +249,7 @@ fn change(e: &mut Expr, site: &mut usize, vars: usize, chance: &mut Chance) -> b
             Expr::Pow(a, n) => Expr::Pow(a, n + if chance.once_in(2) { 1 } else { -1 }),
             Expr::Min(a, b) => Expr::Max(a, b),
             Expr::Max(a, b) => Expr::Min(a, b),
-            Expr::Abs(a) => *a,
+            Expr::Abs(a) => Rc::unwrap_or_clone(a),
             other if chance.once_in(2) => mul(Expr::int(2), other),
             other => Expr::Neg(other.into()),
         };
@@ -257,13 +259,15 @@ fn change(e: &mut Expr, site: &mut usize, vars: usize, chance: &mut Chance) -> b
     let mut go = |a: &mut Expr| change(a, site, vars, chance);
     match e {
         Expr::Num(_) | Expr::Var(_) | Expr::Let(_) => false,
-        Expr::Neg(a) | Expr::Pow(a, _) | Expr::Abs(a) | Expr::Sqrt(a) | Expr::Deriv(a, _) => go(a),
+        Expr::Neg(a) | Expr::Pow(a, _) | Expr::Abs(a) | Expr::Sqrt(a) | Expr::Deriv(a, _) => {
+            go(Rc::make_mut(a))
+        }
         Expr::Add(a, b)
         | Expr::Sub(a, b)
         | Expr::Mul(a, b)
         | Expr::Div(a, b)
         | Expr::Min(a, b)
-        | Expr::Max(a, b) => go(a) || go(b),
+        | Expr::Max(a, b) => go(Rc::make_mut(a)) || go(Rc::make_mut(b)),
         Expr::Cases(branches, otherwise) => {
             for (guards, body) in branches {
                 for g in guards {
@@ -275,7 +279,7 @@ fn change(e: &mut Expr, site: &mut usize, vars: usize, chance: &mut Chance) -> b
                     return true;
                 }
             }
-            otherwise.as_deref_mut().is_some_and(go)
+            otherwise.as_mut().map(Rc::make_mut).is_some_and(go)
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Certificates changed in one place: a walk over all fields of a certificate, and small changes.
 
 use std::cmp::Ordering;
+use std::rc::Rc;
 
 use kane::kernel::{
     Atom, Certificate, Evidence, Expr, Failure, Finding, Germ, Model, Point, Poly, Proof, Root,
@@ -410,13 +411,13 @@ fn change(field: Field<'_>, chance: &mut Chance) {
             }
         }
         Field::Expr(e) => {
-            let old = Box::new(e.clone());
+            let old = Rc::new(e.clone());
             *e = match chance.below(5) {
                 0 => Expr::Neg(old),
-                1 => Expr::Add(old, Box::new(Expr::int(1))),
+                1 => Expr::Add(old, Rc::new(Expr::int(1))),
                 2 => Expr::int(0),
                 3 => Expr::Var(chance.below(4)),
-                _ => Expr::Div(old, Box::new(Expr::int(0))),
+                _ => Expr::Div(old, Rc::new(Expr::int(0))),
             }
         }
         Field::Target(t) => {

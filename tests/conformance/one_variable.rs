@@ -1,6 +1,7 @@
 //! One variable is complete: every verdict is that of an independent decision, none is open.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::time::Instant;
 
 use kane::audit::{Budget, judge_goal};
@@ -53,7 +54,7 @@ fn term(chance: &mut Chance) -> Expr {
         }
         _ => {
             let guard = rel(factor(chance), *chance.pick(&RELS), Expr::int(0));
-            let last = (!chance.once_in(3)).then(|| Box::new(factor(chance)));
+            let last = (!chance.once_in(3)).then(|| Rc::new(factor(chance)));
             Expr::Cases(vec![(vec![guard], a)], last)
         }
     }

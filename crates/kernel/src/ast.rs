@@ -1,5 +1,7 @@
 //! Abstract syntax of derivations: what a statement *is*, before anyone judges it.
 
+use std::rc::Rc;
+
 use num_rational::BigRational;
 
 /// An expression over the symbols of a [`Context`]. Numbers are exact.
@@ -12,29 +14,29 @@ pub enum Expr {
     /// The definition at this index of [`Context::lets`].
     Let(usize),
     /// −a
-    Neg(Box<Expr>),
+    Neg(Rc<Expr>),
     /// a + b
-    Add(Box<Expr>, Box<Expr>),
+    Add(Rc<Expr>, Rc<Expr>),
     /// a − b
-    Sub(Box<Expr>, Box<Expr>),
+    Sub(Rc<Expr>, Rc<Expr>),
     /// a · b
-    Mul(Box<Expr>, Box<Expr>),
+    Mul(Rc<Expr>, Rc<Expr>),
     /// a / b, undefined where b = 0
-    Div(Box<Expr>, Box<Expr>),
+    Div(Rc<Expr>, Rc<Expr>),
     /// aⁿ; 0⁰ = 1, and a negative n is a division
-    Pow(Box<Expr>, i32),
+    Pow(Rc<Expr>, i32),
     /// |a|
-    Abs(Box<Expr>),
+    Abs(Rc<Expr>),
     /// the smaller of two
-    Min(Box<Expr>, Box<Expr>),
+    Min(Rc<Expr>, Rc<Expr>),
     /// the larger of two
-    Max(Box<Expr>, Box<Expr>),
+    Max(Rc<Expr>, Rc<Expr>),
     /// the non-negative root, undefined where a < 0
-    Sqrt(Box<Expr>),
+    Sqrt(Rc<Expr>),
     /// the derivative of an explicit expression with respect to a symbol
-    Deriv(Box<Expr>, usize),
+    Deriv(Rc<Expr>, usize),
     /// first branch whose guards all hold; undefined where none does and there is no `else`
-    Cases(Vec<(Vec<Relation>, Expr)>, Option<Box<Expr>>),
+    Cases(Vec<(Vec<Relation>, Expr)>, Option<Rc<Expr>>),
 }
 
 /// How the two sides of a [`Relation`] compare.

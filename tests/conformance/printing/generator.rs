@@ -1,5 +1,7 @@
 //! Random statements with every kind of node in them, over names of every kind.
 
+use std::rc::Rc;
+
 use kane::algebra::syntax::{Scope, parse_expr};
 use kane::kernel::{Approach, Expr, Limit, Link, Rel, Relation, Sentence, Target, Var};
 
@@ -81,7 +83,7 @@ fn grown(depth: usize, wanted: Wanted, fixed: Option<usize>, chance: &mut Chance
     if depth == 0 || chance.once_in(6) {
         return leaf(wanted, fixed, chance);
     }
-    let part = |chance: &mut Chance| Box::new(grown(depth - 1, wanted, fixed, chance));
+    let part = |chance: &mut Chance| Rc::new(grown(depth - 1, wanted, fixed, chance));
     match chance.below(17) {
         0 | 1 => Expr::Add(part(chance), part(chance)),
         2 | 3 => Expr::Sub(part(chance), part(chance)),
@@ -102,7 +104,7 @@ fn grown(depth: usize, wanted: Wanted, fixed: Option<usize>, chance: &mut Chance
             let branches = (0..chance.below(2) + 1).map(|_| {
                 let guards =
                     (0..chance.below(2) + 1).map(|_| relation(depth - 1, wanted, fixed, chance));
-                (guards.collect(), *part(chance))
+                (guards.collect(), Rc::unwrap_or_clone(part(chance)))
             });
             let branches: Vec<_> = branches.collect();
             Expr::Cases(branches, (!chance.once_in(3)).then(|| part(chance)))
@@ -181,7 +183,7 @@ pub(super) fn sentence(depth: usize, wanted: Wanted, chance: &mut Chance) -> Sen
 
 /// The same with numbers as people write them: a sign, and a quotient where there is no decimal.
 pub(super) fn spelled(e: &Expr) -> Expr {
-    let go = |e: &Expr| Box::new(spelled(e));
+    let go = |e: &Expr| Rc::new(spelled(e));
     let all = |rs: &[Relation]| rs.iter().map(spelled_relation).collect::<Vec<_>>();
     match e {
         Expr::Num(value) => {

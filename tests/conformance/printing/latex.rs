@@ -9,6 +9,7 @@
 //! - `cases` reaches to the end of its formula, so that nothing may follow its rows but a comparison.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use kane::kernel::{Approach, Expr, Limit, Link, Rel, Relation, Sentence, Target};
 use num_rational::BigRational;
@@ -191,7 +192,7 @@ impl<'a> Reader<'a> {
         let negative = self.accept('-');
         let size = match self.primary()? {
             Expr::Num(value) => value,
-            Expr::Div(a, b) => match (*a, *b) {
+            Expr::Div(a, b) => match (&*a, &*b) {
                 (Expr::Num(a), Expr::Num(b)) => a / b,
                 _ => return self.fault("no number"),
             },
@@ -515,7 +516,7 @@ impl<'a> Reader<'a> {
             let value = self.sum()?;
             self.expect('&')?;
             if self.accept_words("otherwise") {
-                last = Some(Box::new(value));
+                last = Some(Rc::new(value));
             } else if self.accept_words("if") {
                 branches.push((self.relations()?, value));
             } else {

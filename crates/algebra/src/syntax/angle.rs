@@ -5,6 +5,7 @@
 //! sines and cosines is algebra: addition theorems, cos² + sin² = 1, and surds at multiples of π/12.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use kane_kernel::Expr;
 use num_bigint::BigInt;
@@ -202,14 +203,14 @@ pub(crate) fn product(a: Expr, b: Expr) -> Expr {
         (a, b) if is_whole(&a, 0) || is_whole(&b, 0) => Expr::int(0),
         (a, b) if is_whole(&a, 1) => b,
         (a, b) if is_whole(&b, 1) => a,
-        (Expr::Neg(a), b) | (b, Expr::Neg(a)) => negative(product(*a, b)),
+        (Expr::Neg(a), b) | (b, Expr::Neg(a)) => negative(product(Rc::unwrap_or_clone(a), b)),
         (a, b) => Expr::Mul(a.into(), b.into()),
     }
 }
 
 pub(crate) fn negative(a: Expr) -> Expr {
     match a {
-        Expr::Neg(a) => *a,
+        Expr::Neg(a) => Rc::unwrap_or_clone(a),
         a if is_whole(&a, 0) => a,
         a => Expr::Neg(a.into()),
     }

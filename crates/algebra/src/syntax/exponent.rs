@@ -40,7 +40,7 @@ impl Parser<'_> {
         }
         let height = base.height + 1;
         let base = self.number_of(base);
-        self.build(Expr::Pow(Box::new(base), value), span, height)
+        self.build(Expr::Pow(base.into(), value), span, height)
     }
 
     fn is_index(&self, v: usize) -> bool {
@@ -138,7 +138,7 @@ impl Parser<'_> {
             return Err(SyntaxError { kind: SyntaxErrorKind::LiteralTooLong, span });
         }
         let value = Expr::Num(parse_literal(&plain));
-        let value = if minus { Expr::Neg(Box::new(value)) } else { value };
+        let value = if minus { Expr::Neg(value.into()) } else { value };
         self.build(value, span, 1)
     }
 }

@@ -122,9 +122,9 @@ pub fn literal(value: &BigRational) -> Expr {
     let magnitude = if value.is_integer() {
         integer(value.numer())
     } else {
-        Expr::Div(Box::new(integer(value.numer())), Box::new(integer(value.denom())))
+        Expr::Div(integer(value.numer()).into(), integer(value.denom()).into())
     };
-    if value.is_negative() { Expr::Neg(Box::new(magnitude)) } else { magnitude }
+    if value.is_negative() { Expr::Neg(magnitude.into()) } else { magnitude }
 }
 
 #[cfg(test)]

@@ -71,7 +71,7 @@ pub(crate) enum Operator {
 impl Operator {
     /// Two numbers joined.
     pub(crate) fn join(self, a: Expr, b: Expr) -> Expr {
-        let (a, b) = (Box::new(a), Box::new(b));
+        let (a, b) = (a.into(), b.into());
         match self {
             Self::Plus => Expr::Add(a, b),
             Self::Minus => Expr::Sub(a, b),

@@ -1,6 +1,7 @@
 //! What begins with a word: names, functions, derivatives and cases.
 
 use std::ops::Range;
+use std::rc::Rc;
 
 use kane_kernel::Expr;
 use num_bigint::BigInt;
@@ -20,7 +21,7 @@ use super::template::{parameter, placeholder, substituted, written};
 use super::value::{Value, size};
 
 /// Makes an expression of two.
-type Binary = fn(Box<Expr>, Box<Expr>) -> Expr;
+type Binary = fn(Rc<Expr>, Rc<Expr>) -> Expr;
 
 /// d f / dθ = ∂f/∂θ + (∂f/∂s·c − ∂f/∂c·s)/n for the cosine c and the sine s of θ/n. Where both parts have a
 /// value f is one differentiable expression in c and s near the point, and the chain rule holds.
@@ -200,10 +201,10 @@ impl Parser<'_> {
         self.build(expr, start..end, height)
     }
 
-    fn unary_call(&mut self, make: fn(Box<Expr>) -> Expr) -> Result<(Expr, usize), SyntaxError> {
+    fn unary_call(&mut self, make: fn(Rc<Expr>) -> Expr) -> Result<(Expr, usize), SyntaxError> {
         let a = self.node()?;
         let height = a.height + 1;
-        Ok((make(Box::new(self.number_of(a))), height))
+        Ok((make(self.number_of(a).into()), height))
     }
 
     fn binary_call(&mut self, make: Binary) -> Result<(Expr, usize), SyntaxError> {
@@ -217,7 +218,7 @@ impl Parser<'_> {
         }
         let height = a.height.max(b.height) + 1;
         let (a, b) = (self.number_of(a), self.number_of(b));
-        Ok((make(Box::new(a), Box::new(b)), height))
+        Ok((make(a.into(), b.into()), height))
     }
 
     /// The angle in `sin(…)`: a sum of angles with rational factors, and a multiple of `pi`.
@@ -372,7 +373,7 @@ impl Parser<'_> {
     fn by_symbol(&mut self, f: (Expr, Range<usize>, usize), x: usize) -> (Expr, usize) {
         let (f, span, height) = f;
         self.has_angle_alone(&f, &span);
-        (Expr::Deriv(Box::new(f), x), height + 1)
+        (Expr::Deriv(f.into(), x), height + 1)
     }
 
     /// The derivative of a number by a symbol.
@@ -399,7 +400,7 @@ impl Parser<'_> {
         } else if scope.exponentials().any(|e| e.of.contains(x)) {
             by_factor(&f, x, scope)
         } else {
-            Expr::Deriv(Box::new(f.clone()), x)
+            Expr::Deriv(f.clone().into(), x)
         };
         scope.note_derivative(&slope, &f, x);
         let height = scope.height(&slope);
@@ -472,7 +473,7 @@ impl Parser<'_> {
             let value = self.number_of(value);
             match guards {
                 Some(guards) => branches.push((guards, value)),
-                None => otherwise = Some(Box::new(value)),
+                None => otherwise = Some(value.into()),
             }
             if !self.accept(Token::Semicolon) {
                 break;

@@ -115,7 +115,7 @@ fn mentioned(state: &State<'_, '_>, given: &Sentence, x: usize) -> Vec<usize> {
 
 /// Simple functions of x, simplest first.
 fn simple(x: usize) -> Vec<Expr> {
-    let var = || Box::new(Expr::Var(x));
+    let var = || Rc::new(Expr::Var(x));
     let number = |n: i64, d: i64| Expr::Num(Q::new(n.into(), d.into()));
     vec![
         number(1, 1),

@@ -7,6 +7,7 @@
 
 use std::cell::OnceCell;
 use std::convert::Infallible;
+use std::rc::Rc;
 
 use kane_algebra::syntax::rebuild;
 use kane_kernel::{
@@ -206,7 +207,7 @@ fn with_strict_guards(e: &Expr) -> Expr {
                 let branch = |(guards, body): &(Vec<Relation>, Expr)| {
                     (guards.iter().map(guard).collect(), with_strict_guards(body))
                 };
-                let otherwise = otherwise.as_deref().map(with_strict_guards).map(Box::new);
+                let otherwise = otherwise.as_deref().map(with_strict_guards).map(Rc::new);
                 Some(Expr::Cases(kept.map(branch).collect(), otherwise))
             }
             _ => None,

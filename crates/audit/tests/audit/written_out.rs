@@ -78,7 +78,7 @@ impl Condition {
 
     fn relation(&self) -> Relation {
         let power = |(v, e): (usize, &u32)| {
-            Expr::Pow(Box::new(Expr::Var(v)), i32::try_from(*e).unwrap_or_default())
+            Expr::Pow(Expr::Var(v).into(), i32::try_from(*e).unwrap_or_default())
         };
         let term = |(c, exponents): &(i64, [u32; 3])| {
             let powers = exponents.iter().enumerate().filter(|(_, e)| **e > 0).map(power);

@@ -1,6 +1,7 @@
 //! Formulas as trees, for rewriting.
 
 use std::ops::Range;
+use std::rc::Rc;
 
 use kane_algebra::rational_function::RationalFunction;
 use kane_kernel::{Context, Expr, Var};
@@ -156,7 +157,7 @@ impl Tree {
     }
 
     fn expr(&self, symbols: &mut Vec<Self>) -> Expr {
-        let mut of = |tree: &Self| Box::new(tree.expr(symbols));
+        let mut of = |tree: &Self| Rc::new(tree.expr(symbols));
         match self {
             Self::Number(number) => Expr::Num(number.clone()),
             Self::Neg(a) => Expr::Neg(of(a)),
@@ -164,7 +165,7 @@ impl Tree {
             Self::Sub(a, b) => Expr::Sub(of(a), of(b)),
             Self::Mul(a, b) => Expr::Mul(of(a), of(b)),
             Self::Div(a, b) => Expr::Div(of(a), of(b)),
-            Self::Fma(a, b, c) => Expr::Add(Box::new(Expr::Mul(of(a), of(b))), of(c)),
+            Self::Fma(a, b, c) => Expr::Add(Expr::Mul(of(a), of(b)).into(), of(c)),
             Self::Input(_) | Self::Sqrt(_) | Self::Abs(_) => {
                 let known = symbols.iter().position(|symbol| symbol == self);
                 Expr::Var(known.unwrap_or_else(|| {

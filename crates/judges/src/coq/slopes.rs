@@ -1,6 +1,8 @@
 //! Derivatives in lemmas: numbers, with what is known of each. Where an expression is
 //! differentiable, the number is its derivative.
 
+use std::rc::Rc;
+
 use kane_kernel::{Expr, Relation, Scope};
 use num_traits::Zero;
 
@@ -39,7 +41,7 @@ impl Slope {
 
 /// An expression to be differentiated: its choices as cases, their guards as they are.
 fn smooth(e: &Expr) -> Result<Expr, NotEmitted> {
-    let go = |e: &Expr| smooth(e).map(Box::new);
+    let go = |e: &Expr| smooth(e).map(Rc::new);
     Ok(match e {
         Expr::Num(_) | Expr::Var(_) => e.clone(),
         Expr::Neg(a) => Expr::Neg(go(a)?),
@@ -53,7 +55,7 @@ fn smooth(e: &Expr) -> Result<Expr, NotEmitted> {
             let mut out = Vec::new();
             for (guards, body) in branches {
                 guards.iter().try_for_each(|g| plain(&g.lhs).and_then(|()| plain(&g.rhs)))?;
-                out.push((guards.clone(), *go(body)?));
+                out.push((guards.clone(), smooth(body)?));
             }
             Expr::Cases(out, otherwise.as_deref().map(go).transpose()?)
         }

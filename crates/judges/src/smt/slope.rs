@@ -1,5 +1,8 @@
 //! Derivatives by the rules of school, and where the language says that there is one.
 
+use std::rc::Rc;
+
+use kane_algebra::syntax::rebuild;
 use kane_kernel::{Expr, Rel, Relation};
 
 use super::term::{NotPut, Slopes, Terms, all, any};
@@ -17,36 +20,13 @@ impl Terms<'_> {
 
     /// An expression with its definitions written out.
     pub(super) fn written_out(&self, e: &Expr, depth: usize) -> Result<Expr, NotPut> {
-        let go = |e: &Expr| self.written_out(e, depth).map(Box::new);
-        Ok(match e {
-            Expr::Num(_) | Expr::Var(_) => e.clone(),
+        rebuild(e, &mut |part| match part {
             Expr::Let(i) if depth < MAX_DEPTH => {
                 let body = &self.context.lets.get(*i).ok_or(NotPut::Symbol)?.body;
-                self.written_out(body, depth + 1)?
+                self.written_out(body, depth + 1).map(Some)
             }
-            Expr::Let(_) => return Err(NotPut::TooLarge),
-            Expr::Neg(a) => Expr::Neg(go(a)?),
-            Expr::Abs(a) => Expr::Abs(go(a)?),
-            Expr::Sqrt(a) => Expr::Sqrt(go(a)?),
-            Expr::Pow(a, n) => Expr::Pow(go(a)?, *n),
-            Expr::Deriv(a, x) => Expr::Deriv(go(a)?, *x),
-            Expr::Add(a, b) => Expr::Add(go(a)?, go(b)?),
-            Expr::Sub(a, b) => Expr::Sub(go(a)?, go(b)?),
-            Expr::Mul(a, b) => Expr::Mul(go(a)?, go(b)?),
-            Expr::Div(a, b) => Expr::Div(go(a)?, go(b)?),
-            Expr::Min(a, b) => Expr::Min(go(a)?, go(b)?),
-            Expr::Max(a, b) => Expr::Max(go(a)?, go(b)?),
-            Expr::Cases(branches, otherwise) => {
-                let mut out = Vec::new();
-                for (guards, body) in branches {
-                    let guards: Result<Vec<Relation>, NotPut> = guards
-                        .iter()
-                        .map(|g| Ok(Relation { lhs: *go(&g.lhs)?, rel: g.rel, rhs: *go(&g.rhs)? }))
-                        .collect();
-                    out.push((guards?, *go(body)?));
-                }
-                Expr::Cases(out, otherwise.as_deref().map(go).transpose()?)
-            }
+            Expr::Let(_) => Err(NotPut::TooLarge),
+            _ => Ok(None),
         })
     }
 
@@ -175,7 +155,7 @@ fn slope(e: &Expr, x: usize) -> Result<Expr, NotPut> {
         Expr::Cases(branches, otherwise) => {
             let bodies = branches.iter().map(|(guards, body)| Ok((guards.clone(), go(body)?)));
             let bodies: Result<Vec<_>, NotPut> = bodies.collect();
-            Expr::Cases(bodies?, otherwise.as_deref().map(go).transpose()?.map(Box::new))
+            Expr::Cases(bodies?, otherwise.as_deref().map(go).transpose()?.map(Rc::new))
         }
     })
 }

@@ -400,16 +400,16 @@ impl Formulas {
         let germ = Expr::Var(self.germ);
         let n = i32::try_from(power).unwrap_or(i32::MAX);
         let t = || match n {
-            1 => Box::new(germ.clone()),
-            n => Box::new(Expr::Pow(germ.clone().into(), n)),
+            1 => germ.clone(),
+            n => Expr::Pow(germ.clone().into(), n),
         };
         let value = match (&side.at, side.above) {
-            (None, true) => Expr::Div(Expr::int(1).into(), t()),
-            (None, false) => Expr::Neg(Expr::Div(Expr::int(1).into(), t()).into()),
-            (Some(a), true) if a.is_zero() => *t(),
-            (Some(a), false) if a.is_zero() => Expr::Neg(t()),
-            (Some(a), true) => Expr::Add(literal(a).into(), t()),
-            (Some(a), false) => Expr::Sub(literal(a).into(), t()),
+            (None, true) => Expr::Div(Expr::int(1).into(), t().into()),
+            (None, false) => Expr::Neg(Expr::Div(Expr::int(1).into(), t().into()).into()),
+            (Some(a), true) if a.is_zero() => t(),
+            (Some(a), false) if a.is_zero() => Expr::Neg(t().into()),
+            (Some(a), true) => Expr::Add(literal(a).into(), t().into()),
+            (Some(a), false) => Expr::Sub(literal(a).into(), t().into()),
         };
         let moving = Relation { lhs: Expr::Var(side.var), rel: Rel::Eq, rhs: value };
         self.relation(&moving)

@@ -110,7 +110,7 @@ fn definitions_that_double_are_followed_once_near_a_point() {
     let mut body = parse_expr("x + 1", &scope()).expect("it is well formed");
     for i in 0..=60 {
         context.lets.push(Definition { name: format!("a{i}"), body });
-        let half = || Box::new(Expr::Let(first + i));
+        let half = || Expr::Let(first + i).into();
         body = Expr::Add(half(), half());
     }
     let slope = Expr::Deriv(Expr::Abs(Expr::Let(first + 60).into()).into(), 0);

@@ -1,3 +1,5 @@
+use std::rc::Rc;
+
 use kane_algebra::syntax::{Notation, literal, parse_expr, parse_relations, parse_sentence};
 use kane_kernel::{Expr, Rel, Relation};
 use proptest::prelude::*;
@@ -13,7 +15,7 @@ fn expressions() -> impl Strategy<Value = Expr> {
         Just(Expr::Let(0)),
     ];
     leaf.prop_recursive(6, 40, 4, |inner| {
-        let two = (inner.clone(), inner.clone()).prop_map(|(a, b)| (Box::new(a), Box::new(b)));
+        let two = (inner.clone(), inner.clone()).prop_map(|(a, b)| (Rc::new(a), Rc::new(b)));
         let guards = prop::collection::vec(relations_of(inner.clone()), 1..3);
         let branches = prop::collection::vec((guards, inner.clone()), 1..3);
         prop_oneof![
@@ -29,7 +31,7 @@ fn expressions() -> impl Strategy<Value = Expr> {
             inner.clone().prop_map(|a| Expr::Sqrt(a.into())),
             (inner.clone(), 0_usize..4).prop_map(|(f, x)| Expr::Deriv(f.into(), x)),
             (branches, prop::option::of(inner))
-                .prop_map(|(branches, last)| Expr::Cases(branches, last.map(Box::new))),
+                .prop_map(|(branches, last)| Expr::Cases(branches, last.map(Rc::new))),
         ]
     })
 }
