@@ -86,42 +86,92 @@ fn widened(p: Poly, n: usize) -> Poly {
     Poly::new(terms.collect(), n, p.order)
 }
 
+/// Terms of both of two polynomials from which on a division is tried before a greatest common divisor is looked for.
+const LONG: usize = 6;
+/// Steps of such a division for each of their terms.
+const STEPS: usize = 4;
+
 fn aligned(a: Poly, b: Poly) -> (Poly, Poly) {
     let n = a.nvars.max(b.nvars);
     (widened(a, n), widened(b, n))
 }
 
-/// g, a/g and b/g for a greatest common divisor g of polynomials that are not zero.
-fn cofactors(a: &Poly, b: &Poly) -> (Poly, Poly, Poly) {
-    let one = || Poly::constant(Rational::one(), a.nvars, a.order.clone());
-    if a.is_constant() || b.is_constant() {
-        return (one(), a.clone(), b.clone());
-    }
-    if a == b {
-        return (a.clone(), one(), one());
-    }
-    if a.terms.len() == 1 || b.terms.len() == 1 {
-        return by_monomial(a, b);
-    }
-    zippel_gcd::cofactors(a, b)
+/// 1 in the variables of p.
+fn one(p: &Poly) -> Poly {
+    Poly::constant(Rational::one(), p.nvars, p.order.clone())
 }
 
-/// The same where one of the two is a single term.
-fn by_monomial(a: &Poly, b: &Poly) -> (Poly, Poly, Poly) {
-    let all = || a.terms.iter().chain(&b.terms).map(|(m, _)| m.exps());
-    let least: Vec<_> =
-        (0..a.nvars).map(|v| all().map(|exponents| exponents[v]).min().unwrap_or(0)).collect();
-    let lowered = |p: &Poly| {
-        let terms = p.terms.iter().map(|(m, c)| {
-            let rest: Vec<u32> = m.exps().iter().zip(&least).map(|(e, l)| e - l).collect();
-            (Monomial::new(rest), c.clone())
-        });
-        Poly::new(terms.collect(), p.nvars, p.order.clone())
+/// g, a/g and b/g for a greatest common divisor g of polynomials that are not zero.
+fn cofactors(a: &Poly, b: &Poly) -> (Poly, Poly, Poly) {
+    let shares = |v: usize| [a, b].iter().all(|p| p.terms.iter().any(|(m, _)| m.exps()[v] > 0));
+    if !(0..a.nvars).any(shares) {
+        return (one(a), a.clone(), b.clone());
+    }
+    if a == b {
+        return (a.clone(), one(a), one(a));
+    }
+    if a.terms.len() == 1 || b.terms.len() == 1 {
+        let (least, common) = monomial(&[a, b]);
+        return (common, lowered(a, &least), lowered(b, &least));
+    }
+    by_division(a, b).unwrap_or_else(|| zippel_gcd::cofactors(a, b))
+}
+
+/// The same where, but for monomials, one of the two divides the other or has no factors of its own. Where they are
+/// long the former is often so: denominators are products of the same few factors. `None` where neither is, or the
+/// division takes long.
+fn by_division(a: &Poly, b: &Poly) -> Option<(Poly, Poly, Poly)> {
+    let (least, common) = monomial(&[a, b]);
+    let (p, q) = (lowered(a, &monomial(&[a]).0), lowered(b, &monomial(&[b]).0));
+    let (short, long) = if p.terms.len() < q.terms.len() { (p, q) } else { (q, p) };
+    let steps = STEPS * (short.terms.len() + long.terms.len());
+    let (x, y) = (lowered(a, &least), lowered(b, &least));
+    let g = if short.terms.len() == 1 {
+        None
+    } else if is_prime(&short) {
+        long.exact(&short).map(|_| short)
+    } else if short.terms.len() < LONG {
+        return None;
+    } else if long.exact_with_budget(&short, steps).is_some() {
+        Some(short)
+    } else {
+        Some(short.exact_with_budget(&long, steps).map(|_| long)?)
     };
-    let (num, den) = (lowered(a), lowered(b));
-    let g =
-        Poly::new(vec![(Monomial::new(least.clone()), Rational::one())], a.nvars, a.order.clone());
-    (g, num, den)
+    match g {
+        Some(g) => Some((&g * &common, x.exact(&g)?, y.exact(&g)?)),
+        None => Some((common, x, y)),
+    }
+}
+
+/// Whether a polynomial that no monomial divides visibly has no factors: it is linear in a variable whose coefficient
+/// is a monomial.
+fn is_prime(p: &Poly) -> bool {
+    let is_linear = |v: usize| {
+        let mut with_it = p.terms.iter().map(|(m, _)| m.exps()[v]).filter(|e| *e > 0);
+        with_it.next() == Some(1) && with_it.next().is_none()
+    };
+    (0..p.nvars).any(is_linear)
+}
+
+/// The exponents of the greatest monomial that divides all of these polynomials, and the monomial.
+fn monomial(all: &[&Poly]) -> (Vec<u32>, Poly) {
+    let terms = || all.iter().flat_map(|p| &p.terms).map(|(m, _)| m.exps());
+    let of = |v: usize| terms().map(|exponents| exponents[v]).min().unwrap_or(0);
+    let least: Vec<u32> = (0..all[0].nvars).map(of).collect();
+    let one = vec![(Monomial::new(least.clone()), Rational::one())];
+    (least, Poly::new(one, all[0].nvars, all[0].order.clone()))
+}
+
+/// A polynomial over a monomial that divides it.
+fn lowered(p: &Poly, by: &[u32]) -> Poly {
+    if by.iter().all(|e| *e == 0) {
+        return p.clone();
+    }
+    let terms = p.terms.iter().map(|(m, c)| {
+        let rest: Vec<u32> = m.exps().iter().zip(by).map(|(e, l)| e - l).collect();
+        (Monomial::new(rest), c.clone())
+    });
+    Poly::new(terms.collect(), p.nvars, p.order.clone())
 }
 
 fn both(a: Fraction, b: Fraction) -> (Fraction, Fraction) {
@@ -220,7 +270,13 @@ mod tests {
         let f = |num: Poly, den: Poly| Fraction::new(num, den).expect("not zero");
         let (x, y, z) = (widened(var(0), 3), widened(var(1), 3), var(2));
         let sum = &x + &y;
+        let all = &sum + &z;
+        let cube = &(&all * &all) * &all;
         let some = [
+            // long polynomials that divide each other but for a monomial, and that do not
+            f(&cube * &x, &(&cube * &y) * &(&x + &(&y * &y))),
+            f(y.clone(), &cube * &x),
+            f(&all * &sum, &(&all * &all) * &(&sum * &z)),
             f(var(0), var(1)),
             f(sum.clone(), &sum * &z),
             f(&x * &x, &(&x + &z) * &y),
