@@ -1,13 +1,15 @@
 //! Number fields with a real place: ℚ(θ) for one real root θ of a polynomial.
 
 use std::cmp::Ordering;
-use std::sync::Arc;
+use std::ops::Mul;
+use std::sync::{Arc, OnceLock};
 
+use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use polycore::Uni;
 
 use super::linear::solve;
-use crate::root::rational::{integer_coefficients, sign_at};
+use crate::root::rational::{integer_coefficients, sign_at, sign_at_quotient};
 use crate::{Integer, Rational};
 
 /// ℚ(θ), where θ is the only root of a square-free monic polynomial in an open interval.
@@ -23,18 +25,21 @@ pub(super) struct NumberField {
     /// The polynomial has opposite signs at the two ends.
     low: Rational,
     high: Rational,
+    /// The interval in which most questions are asked, once one was.
+    usual: OnceLock<(Rational, Rational)>,
 }
 
+/// Bits of that interval.
+const USUAL_BITS: u32 = 64;
 /// Bits to which the interval of a new field is refined, so that most signs are at once certain.
 const FIRST_BITS: u32 = 32;
 
 impl NumberField {
     /// The field of the one root in (low, high), which is irrational and a simple one.
     pub(super) fn new(modulus: &Uni<Rational>, low: Rational, high: Rational) -> Self {
-        let field =
-            Self { modulus: modulus.monic(), integers: integer_coefficients(modulus), low, high };
-        let (low, high) = field.generator(FIRST_BITS);
-        Self { low, high, ..field }
+        let integers = integer_coefficients(modulus);
+        let (low, high) = halved(&integers, (&low, &high), FIRST_BITS);
+        Self { modulus: modulus.monic(), integers, low, high, usual: OnceLock::new() }
     }
 
     pub(super) fn modulus(&self) -> &Uni<Rational> {
@@ -43,18 +48,12 @@ impl NumberField {
 
     /// An enclosure of θ of width 2^−bits at most, by halving.
     pub(super) fn generator(&self, bits: u32) -> (Rational, Rational) {
-        let width = Rational::new(Integer::one(), Integer::one() << bits);
-        let (mut low, mut high) = (self.low.clone(), self.high.clone());
-        let above = sign_at(&self.integers, &high);
-        while &high - &low > width {
-            let middle = (&low + &high) / Integer::from(2);
-            match sign_at(&self.integers, &middle) {
-                Ordering::Equal => return (middle.clone(), middle),
-                sign if sign == above => high = middle,
-                _ => low = middle,
-            }
+        let from = |low, high, bits| halved(&self.integers, (low, high), bits);
+        if bits < USUAL_BITS {
+            return from(&self.low, &self.high, bits);
         }
-        (low, high)
+        let (low, high) = self.usual.get_or_init(|| from(&self.low, &self.high, USUAL_BITS));
+        from(low, high, bits)
     }
 
     /// Whether θ is a root of a divisor of the modulus: then, and only then, it changes sign.
@@ -136,23 +135,64 @@ impl NumberField {
     }
 }
 
-/// The values of a polynomial on an interval lie within these ends (Horner's scheme).
+/// Two numbers over a common denominator.
+fn over_one(low: &Rational, high: &Rational) -> (Integer, Integer, Integer) {
+    let denominator = low.denom().lcm(high.denom());
+    let over = |x: &Rational| x.numer() * (&denominator / x.denom());
+    (over(low), over(high), denominator)
+}
+
+/// The interval of the one root of a polynomial, which has opposite signs at its ends, halved until it is 2^−bits wide at
+/// most. Over one denominator no fraction is to be reduced on the way.
+fn halved(
+    polynomial: &[Integer],
+    (low, high): (&Rational, &Rational),
+    bits: u32,
+) -> (Rational, Rational) {
+    let above = sign_at(polynomial, high);
+    let (mut low, mut high, mut denominator) = over_one(low, high);
+    while (&high - &low) << bits > denominator {
+        let middle = &low + &high;
+        denominator <<= 1;
+        match sign_at_quotient(polynomial, (&middle, &denominator)) {
+            Ordering::Equal => {
+                let root = Rational::new(middle, denominator);
+                return (root.clone(), root);
+            }
+            sign if sign == above => (low, high) = (low << 1, middle),
+            _ => (low, high) = (middle, high << 1),
+        }
+    }
+    (Rational::new(low, denominator.clone()), Rational::new(high, denominator))
+}
+
+/// The values of a polynomial on an interval lie within these ends (Horner's scheme, over one denominator).
 pub(super) fn range(
     polynomial: &Uni<Rational>,
     (low, high): &(Rational, Rational),
 ) -> (Rational, Rational) {
-    let zero = (Rational::zero(), Rational::zero());
-    polynomial.0.iter().rev().fold(zero, |sum, c| {
-        let (least, most) = times(&sum, &(low.clone(), high.clone()));
-        (least + c, most + c)
-    })
+    let lcm = |lcm: Integer, c: &Rational| lcm.lcm(c.denom());
+    let common = polynomial.0.iter().fold(Integer::one(), lcm);
+    let (low, high, by) = over_one(low, high);
+    let (interval, mut power) = ((low, high), Integer::one());
+    let mut sum = (Integer::zero(), Integer::zero());
+    for (place, c) in polynomial.0.iter().rev().enumerate() {
+        if place > 0 {
+            sum = times(&sum, &interval);
+            power *= &by;
+        }
+        let c = c.numer() * (&common / c.denom()) * &power;
+        sum = (sum.0 + &c, sum.1 + c);
+    }
+    let denominator = common * power;
+    (Rational::new(sum.0, denominator.clone()), Rational::new(sum.1, denominator))
 }
 
 /// The products of numbers in two intervals.
-pub(super) fn times(
-    (a, b): &(Rational, Rational),
-    (c, d): &(Rational, Rational),
-) -> (Rational, Rational) {
+pub(super) fn times<T: Ord + Clone + Default>((a, b): &(T, T), (c, d): &(T, T)) -> (T, T)
+where
+    for<'a> &'a T: Mul<Output = T>,
+{
     let corners = [a * c, a * d, b * c, b * d];
     let least = corners.iter().min().cloned().unwrap_or_default();
     let most = corners.into_iter().max().unwrap_or_default();

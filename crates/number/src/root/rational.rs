@@ -120,12 +120,17 @@ pub(crate) fn integer_coefficients(f: &Uni<Rational>) -> Vec<Integer> {
     f.primitive().0.iter().map(Rational::to_integer).collect()
 }
 
-/// The sign of an integer polynomial at n/d, as that of Σ cᵢ·nⁱ·dᵏ⁻ⁱ: without a fraction to reduce.
+/// The sign of an integer polynomial at x.
 pub(crate) fn sign_at(coefficients: &[Integer], x: &Rational) -> Ordering {
+    sign_at_quotient(coefficients, (x.numer(), x.denom()))
+}
+
+/// The same at n/d with d > 0, as that of Σ cᵢ·nⁱ·dᵏ⁻ⁱ: without a fraction to reduce.
+pub(crate) fn sign_at_quotient(coefficients: &[Integer], (n, d): (&Integer, &Integer)) -> Ordering {
     let (mut sum, mut power) = (Integer::ZERO, Integer::from(1));
     for c in coefficients.iter().rev() {
-        sum = sum * x.numer() + c * &power;
-        power *= x.denom();
+        sum = sum * n + c * &power;
+        power *= d;
     }
     sum.cmp(&Integer::ZERO)
 }
