@@ -29,7 +29,7 @@ mod work;
 
 use std::rc::Rc;
 
-use kane_impact::{Contact, Law};
+use kane_impact::{Contact, Law, NoImpulse};
 use kane_number::Rational;
 
 pub use applied::{Applied, Premise, RootOf, absurd, apply, compare, rel};
@@ -100,13 +100,16 @@ fn row_with(
     progress: &mut dyn FnMut(),
 ) -> Row {
     let families: Vec<Family> = FAMILIES.into_iter().map(|s| Family::new(memo, law, s)).collect();
-    let answer = |c: Contact<Rational>| {
-        let outcome = resolve(law, &c).ok()?;
-        Some((c, outcome))
-    };
-    let answers: Vec<_> = contacts(&FAMILIES).into_iter().filter_map(answer).collect();
+    let mut sample = Sample::default();
+    for contact in contacts(&FAMILIES) {
+        match resolve(law, &contact) {
+            Ok(outcome) => sample.answers.push((contact, outcome)),
+            Err(NoImpulse::Outside { reason, .. }) => sample.silent.push((contact, reason)),
+            Err(_) => {}
+        }
+    }
     let cells = properties.iter().map(|property| {
-        let cell = cell(law, property, &families, &answers);
+        let cell = cell(law, property, &families, &sample);
         progress();
         cell
     });
@@ -114,42 +117,50 @@ fn row_with(
     Row { law: law.clone(), cells }
 }
 
-fn cell(
-    law: &Law,
-    property: &Property,
-    families: &[Family],
-    answers: &[(Contact<Rational>, Exact)],
-) -> Cell {
+/// What a law says of simple contacts.
+#[derive(Default)]
+struct Sample {
+    answers: Vec<(Contact<Rational>, Exact)>,
+    /// contacts that it leaves out, and how that is told
+    silent: Vec<(Contact<Rational>, &'static str)>,
+}
+
+/// Of contacts with what is known of them those of some families.
+fn of_families<T: Clone>(
+    all: &[(Contact<Rational>, T)],
+    settings: &[Setting],
+) -> Vec<(Contact<Rational>, T)> {
+    let inside = |(c, _): &&(Contact<Rational>, T)| settings.iter().any(|s| s.values(c).is_some());
+    all.iter().filter(inside).cloned().collect()
+}
+
+fn cell(law: &Law, property: &Property, families: &[Family], sample: &Sample) -> Cell {
     if let Some(reason) = silent_on(law, property, families) {
         return Cell::not_applicable(reason);
     }
-    let found = decided(law, property, families, answers);
+    let found = decided(law, property, families, sample);
     match law.has_frame() && property.depends_on_frame() {
         true => found.remarked(IN_THE_FRAME_OF_THE_CONTACT),
         false => found,
     }
 }
 
-fn decided(
-    law: &Law,
-    property: &Property,
-    families: &[Family],
-    answers: &[(Contact<Rational>, Exact)],
-) -> Cell {
+fn decided(law: &Law, property: &Property, families: &[Family], sample: &Sample) -> Cell {
+    let answers = &sample.answers;
     match property.kind {
         Kind::Pointwise(settings) => {
             let template = Template::new(property.template);
-            let inside = |(c, _): &&(Contact<Rational>, Exact)| {
-                settings.iter().any(|s| s.values(c).is_some())
-            };
-            let answers: Vec<_> = answers.iter().filter(inside).cloned().collect();
+            let answers = of_families(answers, settings);
             pointwise::decide(law, families, settings, &template, &answers)
         }
         Kind::Limit(infinite) => limits::decide(law, families, property.template, infinite),
         Kind::Continuous => limits::continuous(law, families, answers),
         Kind::Scale => scale::decide(law, &families[..3], answers),
         Kind::Subdivision => subdivision::decide(law, &families[0]),
-        Kind::Exists(settings) => outcome::exists(law, families, settings, &contacts(settings)),
+        Kind::Exists(settings) => {
+            let silent = of_families(&sample.silent, settings);
+            outcome::exists(law, families, settings, &silent)
+        }
         Kind::Unique => outcome::unique(law, &families[0]),
     }
 }

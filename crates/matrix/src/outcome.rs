@@ -1,13 +1,12 @@
 //! Whether there is an outcome, and only one.
 
-use kane_impact::{Contact, Law, NoImpulse};
+use kane_impact::{Contact, Law};
 use kane_kernel::{Link, Point, Poly, Rel, Relation};
 use kane_number::Rational;
 
 use crate::applied::{ACCEPTED, Applied, Premise, ROOT, absurd};
 use crate::cell::{Cell, Witness};
 use crate::conjugate::approach;
-use crate::sample::resolve;
 use crate::setting::{ROOTS, Setting, Symbolic};
 use crate::stopped;
 use crate::study::{Family, Part, Question, impossible, locate};
@@ -18,14 +17,12 @@ pub(crate) fn exists(
     law: &Law,
     families: &[Family],
     settings: &[Setting],
-    contacts: &[Contact<Rational>],
+    silent: &[(Contact<Rational>, &'static str)],
 ) -> Cell {
     let families: Vec<&Family> =
         families.iter().filter(|f| settings.contains(&f.setting)).collect();
-    for contact in contacts {
-        if let Err(NoImpulse::Outside { reason, .. }) = resolve(law, contact)
-            && let Some(part) = families.iter().find_map(|family| silent(law, family, contact))
-        {
+    for (contact, reason) in silent {
+        if let Some(part) = families.iter().find_map(|family| unspoken(law, family, contact)) {
             let cell = Cell::refuted(Witness::silent(contact), part);
             return Cell { reason: format!("{}: {reason}", cell.reason), ..cell };
         }
@@ -128,7 +125,7 @@ fn obligations(family: &Family, regime: &Applied) -> Vec<(String, Vec<Premise>, 
 }
 
 /// A contact without an outcome as a point that the kernel accepts.
-fn silent(law: &Law, family: &Family, contact: &Contact<Rational>) -> Option<Part> {
+fn unspoken(law: &Law, family: &Family, contact: &Contact<Rational>) -> Option<Part> {
     let values = family.setting.values(contact)?;
     let none = law.over().place(contact).is_none();
     if none {
