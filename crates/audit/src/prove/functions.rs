@@ -82,12 +82,12 @@ pub(crate) fn model(
         let mut values: Vec<(usize, Expr)> = by.to_vec();
         values.extend(free.iter().copied().zip(choice.iter().map(|e| Expr::clone(e))));
         // A quotient may have poles where the premises are silent: there any value will do.
-        for total in [false, true] {
-            let values = determined(&state, (x, &[]), values.clone(), &trail, total);
-            let found = values.and_then(|mut v| {
-                v.retain(|(symbol, _)| scope.mentioned.contains(symbol));
-                certified(goal, finding, x, v, effort)
-            });
+        let put = |total| determined(&state, (x, &[]), values.clone(), &trail, total);
+        let quotients = put(false);
+        let anywhere = put(true).filter(|v| quotients.as_ref() != Some(v));
+        for mut values in quotients.into_iter().chain(anywhere) {
+            values.retain(|(symbol, _)| scope.mentioned.contains(symbol));
+            let found = certified(goal, finding, x, values, effort);
             if found.is_some() {
                 return found;
             }
@@ -250,17 +250,19 @@ fn certified(
     };
     let limit = |l: &Limit| {
         let goal = bare(Conclusion::Link(Link::Limit(l.clone())), Vec::new());
-        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel())?;
         let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, l.var).ok()?;
+        if sides(&scope, l).iter().any(|side| limits::misses(&state, l, side, effort.steps)) {
+            return None;
+        }
+        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel())?;
         arguments.iter().map(|a| side_proof(&state, l, a).ok()).collect::<Option<Vec<_>>>()
     };
-    let mut premises = Vec::new();
-    for h in &goal.hypotheses {
-        let proof = premise(h)?;
-        let proofs: Option<Vec<_>> = h.sentence.limits().map(limit).collect();
-        premises.push((proof, proofs?));
-    }
+    // What holds at points is less work than limits.
+    let proofs = goal.hypotheses.iter().map(premise).collect::<Option<Vec<Proof>>>()?;
+    let limits = |h: &Hypothesis| h.sentence.limits().map(limit).collect::<Option<Vec<_>>>();
+    let limits = goal.hypotheses.iter().map(limits).collect::<Option<Vec<_>>>()?;
+    let premises = proofs.into_iter().zip(limits).collect();
     let ranges: Option<Vec<Proof>> =
         values.iter().map(|(v, _)| premise(&range_premise(&goal.context, *v))).collect();
     let failure = failure(goal, finding, x, &bare, effort)?;

@@ -3,10 +3,12 @@
 use kane_algebra::factors::factors;
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fuel, Germ, Goal, Limit, Poly, Side, Sign, State, Target, constants, differs, exponent,
-    premised, sides,
+    Atom, Expr, Fuel, Germ, Goal, Limit, Poly, Side, Sign, State, Target, constants, differ,
+    differs, exponent, premised, sides, unequal,
 };
 use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 use super::bounds;
@@ -252,10 +254,28 @@ pub(crate) fn value(
     side: &Side,
     steps: u64,
 ) -> Option<Target> {
-    use num_rational::BigRational as Q;
-    use num_traits::{Signed, Zero};
-    for (_, found) in found(state, limit, &Germs::new(state, side, steps), steps) {
-        let t = state.scope.germ();
+    let germs = Germs::new(state, side, steps);
+    let t = state.scope.germ();
+    let read = found(state, limit, &germs, steps).find_map(|(_, found)| found.target(t));
+    read.or_else(|| bounds::target(state, limit, side))
+}
+
+/// Whether a closed expression of x visibly tends to something else than is claimed, as it is read off a germ, without
+/// proof: of each of its pieces.
+pub(crate) fn misses(state: &State<'_, '_>, limit: &Limit, side: &Side, steps: u64) -> bool {
+    let Some(germ) = Germs::new(state, side, steps).all().next() else { return false };
+    let another = |target: Target| match unequal(&limit.to, &target) {
+        Some(_) => differ(state.scope, &limit.to, &target).unwrap_or(false),
+        None => limit.to != target,
+    };
+    let found = read_off(state, limit, &germ, steps);
+    let t = state.scope.germ();
+    !found.is_empty() && found.iter().all(|found| found.target(t).is_some_and(another))
+}
+
+impl Found {
+    /// The number or the infinity that it tends to, if it mentions nothing but t.
+    fn target(&self, t: usize) -> Option<Target> {
         let at_zero = |p: &Poly, order: u32| -> Option<BigInt> {
             let mut sum = BigInt::zero();
             for (m, c) in p.terms() {
@@ -272,21 +292,15 @@ pub(crate) fn value(
             }
             Some(sum)
         };
-        let (Some(n), Some(d)) = (at_zero(&found.num, 0), at_zero(&found.den, found.order)) else {
-            continue;
-        };
-        if d.is_zero() {
-            continue;
-        }
-        return Some(if found.order == 0 {
-            Target::Finite(kane_kernel::Expr::Num(Q::new(n, d)))
-        } else if n.is_zero() {
-            continue;
+        let (n, d) = (at_zero(&self.num, 0)?, at_zero(&self.den, self.order)?);
+        if d.is_zero() || self.order > 0 && n.is_zero() {
+            None
+        } else if self.order == 0 {
+            Some(Target::Finite(Expr::Num(BigRational::new(n, d))))
         } else if n.is_negative() == d.is_negative() {
-            Target::PlusInf
+            Some(Target::PlusInf)
         } else {
-            Target::MinusInf
-        });
+            Some(Target::MinusInf)
+        }
     }
-    bounds::target(state, limit, side)
 }
