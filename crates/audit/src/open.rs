@@ -26,6 +26,8 @@ pub enum Open {
     Unwritten(Flaw),
     /// a certificate was found and not accepted
     Rejected(Rejection),
+    /// an argument was found whose check meets a bound of the kernel that is no budget
+    Bound,
     /// a point was found, but not shown to be one of functions for which the premises hold for all t
     Motion,
     /// it fails for some values of exponentials, which may be none of theirs
@@ -64,6 +66,10 @@ impl fmt::Display for Open {
                      a greater effort there are more",
                 )
             }
+            Self::Bound => f.write_str(
+                "an argument was found, and its check meets a bound of the kernel (terms of a product, cases, \
+                 halvings, powers) that no effort raises",
+            ),
             Self::Unwritten(Flaw::Kernel(why)) => {
                 write!(f, "an argument was found but does not hold: {why}")
             }

@@ -128,6 +128,27 @@ fn a_claim_whose_document_has_spent_its_budget_says_so_and_alone_has_all_of_it()
     assert_eq!(more, judged(&text, Some(vec![last]), WHOLE).judgements[last].links[0].work);
 }
 
+/// Its argument is found, and the kernel multiplies no polynomials as long as its check has.
+#[test]
+fn what_no_effort_decides_is_not_said_to_need_more_of_it() {
+    let text = "```kane\nvar x\nclaim a: (x + 1)^110/((x + 1)^110 + 1) -> 1 as x -> oo\n```\n";
+    for effort in [1, 100] {
+        let read = read("long.md", text.as_bytes()).expect("it is well formed");
+        let budget = Budget::default().times(effort);
+        let audit = audit(read, &Options { only: None, budget }, &mut |_, _| {});
+        let open = audit.judgements.iter().flat_map(|j| &j.links).map(|link| link.open.as_ref());
+        for open in open {
+            assert!(matches!(open, Some(Open::Bound)), "{open:?}");
+            let said = open.map(ToString::to_string).unwrap_or_default();
+            assert!(
+                said.contains("no effort raises") && !said.contains("greater effort"),
+                "{said}"
+            );
+        }
+        assert_eq!(audit.judgements.iter().flat_map(|j| &j.links).count(), 1);
+    }
+}
+
 #[test]
 fn what_a_budget_decides_is_the_same_in_every_run() {
     let text = crowd(3);

@@ -282,11 +282,13 @@ impl Search<'_> {
         state: &State<'_, '_>,
         trail: &[Elimination],
     ) -> Option<Argument> {
-        if self.written.is_empty() || !self.proofs {
+        if !self.as_written || !self.proofs {
             return None;
         }
+        let all = || Hint::all(state.scope, &written::summands(state.goal));
         let after = |hint: &Hint| hint.after(trail, &state.scope.fuel);
-        written::closed(state, &self.written.iter().filter_map(after).collect::<Vec<_>>())
+        let written: Vec<Hint> = self.written.get_or_init(all).iter().filter_map(after).collect();
+        if written.is_empty() { None } else { written::closed(state, &written) }
     }
 
     fn hints_after(&self, state: &State<'_, '_>, trail: &[Elimination]) -> Vec<Hint> {

@@ -161,32 +161,26 @@ impl Prover<'_> {
         finding: Finding,
         grounds: &Grounds,
     ) -> Result<Certificate, Open> {
-        let evidence = self.evidence(goal, finding, grounds).map_err(Open::Unwritten)?;
+        let fuel = || self.work.within(self.budget.check);
+        // a budget that is spent has nothing left; what ends before that, no budget ends
+        let open = |fuel: Fuel, why: Open| match why {
+            Open::Unwritten(Flaw::Kernel(Rejection::Budget))
+            | Open::Rejected(Rejection::Budget)
+                if fuel.left() > 0 =>
+            {
+                Open::Bound
+            }
+            why => why,
+        };
+        let writing = fuel();
+        let evidence = evidence(goal, finding, grounds, &writing)
+            .map_err(|why| open(writing, Open::Unwritten(why)))?;
         let certificate = Certificate { goal: digest(goal), finding, evidence };
-        match check(goal, &certificate, self.work.within(self.budget.check)) {
+        let checking = fuel();
+        match check(goal, &certificate, checking.clone()) {
             Ok(()) => Ok(certificate),
-            Err(why) => Err(Open::Rejected(why)),
+            Err(why) => Err(open(checking, Open::Rejected(why))),
         }
-    }
-
-    /// Grounds written out in the rules of the kernel.
-    fn evidence(&self, goal: &Goal, finding: Finding, grounds: &Grounds) -> Result<Evidence, Flaw> {
-        let fuel = self.work.within(self.budget.check);
-        Ok(match (grounds, &goal.conclusion) {
-            (Grounds::Model(model), _) => Evidence::Model(model.clone()),
-            (Grounds::Contradiction(course), _) => {
-                let scope = scope(goal, fuel)?;
-                let state = claim_state(&scope, goal, finding)?;
-                Evidence::Contradiction(contradiction(&state, course)?)
-            }
-            (Grounds::Limit(arguments), Conclusion::Link(Link::Limit(l))) => {
-                let scope = scope(goal, fuel)?;
-                let state = constants(&scope, goal, l.var)?;
-                let proofs = arguments.iter().map(|a| side_proof(&state, l, a));
-                Evidence::Limit(proofs.collect::<Result<_, _>>()?)
-            }
-            (Grounds::Limit(_), _) => return Err(Rejection::WrongEvidence.into()),
-        })
     }
 
     /// Judges a goal; with `doubt`, also whether its hypotheses can hold at all.
@@ -293,9 +287,7 @@ impl Prover<'_> {
         search.brief = brief;
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
-        if !models {
-            search.written = Hint::all(&scope, &written::summands(goal));
-        }
+        search.as_written = !models;
         if guide {
             search.widest = 60;
         }
@@ -472,6 +464,30 @@ impl Prover<'_> {
             Some((side, given))
         })
     }
+}
+
+/// Grounds written out in the rules of the kernel.
+fn evidence(
+    goal: &Goal,
+    finding: Finding,
+    grounds: &Grounds,
+    fuel: &Fuel,
+) -> Result<Evidence, Flaw> {
+    Ok(match (grounds, &goal.conclusion) {
+        (Grounds::Model(model), _) => Evidence::Model(model.clone()),
+        (Grounds::Contradiction(course), _) => {
+            let scope = scope(goal, fuel.clone())?;
+            let state = claim_state(&scope, goal, finding)?;
+            Evidence::Contradiction(contradiction(&state, course)?)
+        }
+        (Grounds::Limit(arguments), Conclusion::Link(Link::Limit(l))) => {
+            let scope = scope(goal, fuel.clone())?;
+            let state = constants(&scope, goal, l.var)?;
+            let proofs = arguments.iter().map(|a| side_proof(&state, l, a));
+            Evidence::Limit(proofs.collect::<Result<_, _>>()?)
+        }
+        (Grounds::Limit(_), _) => return Err(Rejection::WrongEvidence.into()),
+    })
 }
 
 /// Symbols that the claim itself writes, those of its conditions above those of its conclusion.

@@ -1,6 +1,6 @@
 //! The search: assume what is given, solve equations, look at what is left.
 
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 
@@ -85,8 +85,10 @@ pub(crate) struct Search<'a> {
     pub(crate) brief: bool,
     /// what the author says to use
     pub(crate) hints: Vec<Hint>,
-    /// the summands of the goal as they are written
-    pub(crate) written: Vec<Hint>,
+    /// whether summands are looked at as they are written
+    pub(crate) as_written: bool,
+    /// the summands of the goal, once they are looked at
+    pub(super) written: OnceCell<Vec<Hint>>,
     /// what was tried, and the smallest conditions on which all of it failed
     pub(crate) attempt: RefCell<Attempt>,
 }
@@ -123,7 +125,8 @@ impl<'a> Search<'a> {
             far: false,
             brief: false,
             hints: Vec::new(),
-            written: Vec::new(),
+            as_written: false,
+            written: OnceCell::new(),
             attempt: RefCell::default(),
         }
     }

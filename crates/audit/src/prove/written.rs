@@ -53,7 +53,7 @@ fn parts(e: &Expr, out: &mut Vec<Expr>) {
         Expr::Neg(a) => parts(a, out),
         Expr::Mul(a, b) if matches!(**a, Expr::Num(_)) => parts(b, out),
         Expr::Num(_) => {}
-        _ if out.contains(e) => {}
+        _ if out.len() > SUMMANDS || out.contains(e) => {}
         _ => out.push(e.clone()),
     }
 }
