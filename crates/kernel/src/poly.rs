@@ -242,11 +242,6 @@ impl Poly {
         summed(self.terms().chain(other.terms()).collect())
     }
 
-    /// Adds another polynomial in place.
-    pub fn add_all(&mut self, other: &Self) {
-        *self = self.add(other);
-    }
-
     /// Difference.
     #[must_use]
     pub fn sub(&self, other: &Self) -> Self {

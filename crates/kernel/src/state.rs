@@ -143,13 +143,13 @@ impl<'s, 'g> State<'s, 'g> {
             if equation.sign != Sign::Zero {
                 return Err(Rejection::NotAnEquation(*i));
             }
-            sum.add_all(&equation.poly.mul(cofactor, fuel)?);
+            sum = sum.add(&equation.poly.mul(cofactor, fuel)?);
         }
         for t in terms {
             let allowed = |sign: Sign, even| sign.is_order() || (sign == Sign::NonZero && even);
             let known = self.product(&t.factors, allowed)?;
             let square = t.square.mul(&t.square, fuel)?;
-            sum.add_all(&square.mul(&known, fuel)?.scale(&t.weight));
+            sum = sum.add(&square.mul(&known, fuel)?.scale(&t.weight));
             if !t.weight.is_positive() {
                 return Err(Rejection::NotPositive);
             }

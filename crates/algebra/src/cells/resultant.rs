@@ -87,7 +87,7 @@ fn interpolated(p: &Poly, q: &Poly, v: usize, others: &[usize]) -> Option<Poly> 
                 term.push((w, n.to_u32()?));
                 term.sort_unstable();
             }
-            sum.add_all(&Poly::term(term, c.to_integer()));
+            sum = sum.add(&Poly::term(term, c.to_integer()));
         }
     }
     Some(sum)

@@ -109,7 +109,7 @@ fn whole(gram: &Gram, solution: &Solution, exact: &Exact) -> Identity {
             let common = factor.row.iter().fold(BigInt::one(), |l, q| l.lcm(q.denom()));
             let mut base = Poly::default();
             for (q, p) in factor.row.iter().zip(&block.basis) {
-                base.add_all(&p.scale(&(q * Q::from(common.clone())).to_integer()));
+                base = base.add(&p.scale(&(q * Q::from(common.clone())).to_integer()));
             }
             let (content, base) = base.primitive();
             let unit = Q::new(content, common);

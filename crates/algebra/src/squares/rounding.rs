@@ -174,7 +174,7 @@ fn combination(block: &Block, i: usize, pivots: &[usize], rows: &[Vec<Q>]) -> Po
     let mut out = block.basis[i].scale(&common);
     for (pivot, row) in pivots.iter().zip(rows) {
         let by = (&row[i] * Q::from(common.clone())).to_integer();
-        out.add_all(&block.basis[*pivot].scale(&-by));
+        out = out.add(&block.basis[*pivot].scale(&-by));
     }
     out.primitive().1
 }

@@ -21,10 +21,10 @@ fn total(question: &Question<'_>, found: &Identity) -> Poly {
         assert!(s.weight.is_positive());
         let square = s.base.mul(&s.base, &fuel).expect("there is fuel");
         let product = square.mul(&question.products[s.product], &fuel).expect("there is fuel");
-        sum.add_all(&product.scale(&s.weight));
+        sum = sum.add(&product.scale(&s.weight));
     }
     for (cofactor, equation) in found.cofactors.iter().zip(question.equations) {
-        sum.add_all(&cofactor.mul(equation, &fuel).expect("there is fuel"));
+        sum = sum.add(&cofactor.mul(equation, &fuel).expect("there is fuel"));
     }
     sum
 }

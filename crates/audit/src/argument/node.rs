@@ -209,7 +209,7 @@ fn merged(cofactors: impl Iterator<Item = (Fact, Poly)>) -> Vec<(Fact, Poly)> {
     let mut sums: Vec<(Fact, Poly)> = Vec::new();
     for (fact, p) in cofactors {
         match sums.iter_mut().find(|(known, _)| *known == fact) {
-            Some((_, sum)) => sum.add_all(&p),
+            Some((_, sum)) => *sum = sum.add(&p),
             None => sums.push((fact, p)),
         }
     }

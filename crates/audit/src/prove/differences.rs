@@ -385,7 +385,7 @@ fn by_forms(p: &Poly, vars: &[usize], values: &[Poly], one: &Poly, fuel: &Fuel) 
             missing -= power;
         }
         term = term.mul(&one.pow(missing, fuel).ok()?, fuel).ok()?;
-        q.add_all(&term);
+        q = q.add(&term);
     }
     Some(q)
 }

@@ -273,11 +273,11 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
         let (mut rest, mut cofactor) = (Poly::default(), Poly::default());
         for i in 0..=top {
             let c = self.mul(&p.coefficient(x, i), &self.pow(&beta, top - i)?)?;
-            rest.add_all(&self.mul(&c, &self.pow(&gamma, i)?)?);
+            rest = rest.add(&self.mul(&c, &self.pow(&gamma, i)?)?);
             for j in 0..i {
                 let power = self.mul(&self.pow(&beta, j)?, &Poly::power(x, j))?;
                 let part = self.mul(&power, &self.pow(&gamma, i - 1 - j)?)?;
-                cofactor.add_all(&self.mul(&c, &part)?);
+                cofactor = cofactor.add(&self.mul(&c, &part)?);
             }
         }
         let factor = self.pow(&beta, top)?;
@@ -299,7 +299,7 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
             let mut next = Poly::default();
             for n in 0..=top {
                 let c = self.mul(&rest.coefficient(e.root, n), &self.pow(&lead, top - n)?)?;
-                next.add_all(&self.mul(&c, &self.pow(&value, n)?)?);
+                next = next.add(&self.mul(&c, &self.pow(&value, n)?)?);
             }
             cofactor = self.mul(&cofactor, &self.pow(&lead, top)?)?;
             scale *= num_traits::pow(e.scale.clone(), usize::try_from(top).ok()?);

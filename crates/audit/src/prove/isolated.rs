@@ -238,7 +238,7 @@ impl Divided {
         }
         let cofactor = cofactor.scale(&turn);
         match self.cofactors.iter_mut().find(|known| known.0 == rule.equation) {
-            Some((_, known)) => known.add_all(&cofactor),
+            Some((_, known)) => *known = known.add(&cofactor),
             None => self.cofactors.push((rule.equation, cofactor)),
         }
         self.scale *= size.pow(n);

@@ -84,7 +84,7 @@ fn written(atom: &Atom, nums: &[(usize, Poly)], d: &Poly, fuel: &Fuel) -> Option
         for (v, num) in nums {
             term = term.mul(&num.pow(exponent(m, *v), fuel).ok()?, fuel).ok()?;
         }
-        sum.add_all(&term.mul(&d.pow(degree - powers(m), fuel).ok()?, fuel).ok()?);
+        sum = sum.add(&term.mul(&d.pow(degree - powers(m), fuel).ok()?, fuel).ok()?);
     }
     Some(Atom::new(sum, atom.sign))
 }

@@ -178,7 +178,7 @@ impl Reduced {
                 for cofactor in &mut out.cofactors {
                     *cofactor = cofactor.scale(a);
                 }
-                out.cofactors[j].add_all(&by);
+                out.cofactors[j] = out.cofactors[j].add(&by);
             }
         }
         Some(out)
