@@ -4,9 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use kane_kernel::{
-    Conclusion, Context, Fuel, Goal, Hypothesis, Link, Relation, Sentence, Side, scope,
-};
+use kane_kernel::{Conclusion, Fuel, Goal, Hypothesis, Link, Relation, Sentence, Side, scope};
 
 use super::NotEmitted;
 use super::chain::{Along, Form, Place, Theorem, Theorems, Unchained, said};
@@ -133,7 +131,7 @@ impl Place<'_> {
         let hypothesis = |sentence| Hypothesis { sentence, given: true };
         let goal = &self.accepted.goal;
         Goal {
-            context: Context { values: Vec::new(), ..self.document.context.clone() },
+            context: self.document.context.clone(),
             hypotheses: sentences.into_iter().map(hypothesis).collect(),
             ..goal.clone()
         }

@@ -23,7 +23,10 @@ pub(crate) const AT_POINTS: Said = (
      claim steep: d(x^2, x) + u > 0 from slope\n\
      claim wrong: y > 5 from g, p expect refuted\n\
      claim after: y > 4 from wrong\n\
-     claim two: y^2 > 1, y^2 + u > 1 from b",
+     claim two: y^2 > 1, y^2 + u > 1 from b\n\
+     claim product: sqrt(y)*d(x^2, x) > 0 from a, p\n\
+     claim power: d(x^3, x) > 0 from p\n\
+     claim both: sqrt(y)*d(x^2, x) + d(x^3, x) + u > 0 from product, power, a",
     &[
         ("b", "forall x y : R, y = x + 1 -> x > 0 -> y ^ 2 > 1"),
         ("c", "forall x y z : R, y = x + 1 -> x > 0 -> z > 0 -> y ^ 2 + x > 1"),
@@ -41,6 +44,13 @@ pub(crate) const AT_POINTS: Said = (
                  < 1 -> x > 0 -> slope + u > 0",
         ),
         ("two_2", "forall x y u : R, u > 0 -> u < 1 -> y = x + 1 -> x > 0 -> y ^ 2 + u > 1"),
+        (
+            "both",
+            "forall x y u root slope slope_2 : R, (0 <= y -> 0 <= root /\\ root * root = y) -> \
+                 (derivable_pt_lim (fun x : R => x ^ 2) x slope) -> (derivable_pt_lim (fun x : R => x \
+                 ^ 3) x slope_2) -> u > 0 -> u < 1 -> y = x + 1 -> x > 0 -> 0 <= y /\\ root * slope + \
+                 slope_2 + u > 0",
+        ),
     ],
 );
 
@@ -66,7 +76,8 @@ pub(crate) const ALONG: Said = (
      claim tied: (2 - c)*a = b from tie\n\
      claim since: (2 - c)*f -> b as x -> oo from far, tied\n\
      claim at-x: (2 - c)*a*x = b*x when x > 1 from tied, ahead\n\
-     claim in-all: (2 - c)*a*f = b*f from tied, law",
+     claim in-all: (2 - c)*a*f = b*f from tied, law\n\
+     claim square: (2 - c)*a*x^2 = b*x^2 when x > 1 from at-x",
     &[
         (
             "twice",
@@ -122,6 +133,14 @@ pub(crate) const ALONG: Said = (
                  x) -> (forall x : R, domain x -> g x = b + c * f x) -> forall x : R, domain x -> (2 \
                  - c) * a * f x = b * f x",
         ),
+        (
+            "square",
+            "forall (a b c : R) (f g : R -> R) (domain : R -> Prop), (exists bound : R, forall x \
+                 : R, x > bound -> domain x) -> (forall x : R, domain x -> x > 0) -> (forall x : R, \
+                 domain x -> (x <> 0 /\\ f x = a + b / x)) -> (forall x : R, domain x -> g x = 2 * f \
+                 x) -> (forall x : R, domain x -> g x = b + c * f x) -> forall x : R, domain x -> x > \
+                 1 -> (2 - c) * a * x ^ 2 = b * x ^ 2",
+        ),
     ],
 );
 
@@ -129,7 +148,8 @@ pub(crate) const ALONG: Said = (
 pub(crate) const RANGED: Said = (
     "var 0 < t < 5, 0 < m < 1, n\n\
      var p(t), 0 < q(t) < 2, r(t) > 0, s(t)\n\
-     given law: p = m + t*q\n\
+     let grown := m + t*q\n\
+     given law: p = grown\n\
      given end: q -> 1 as t -> 0+\n\
      given order: n > m\n\
      given shift: s = p + r when t < 1\n\
@@ -143,7 +163,9 @@ pub(crate) const RANGED: Said = (
      claim over: n > 0 from order\n\
      claim end-over: p/n -> m/n as t -> 0+ from start, over\n\
      claim meets: m + 1 < n + 1 from rise, order\n\
-     claim squeeze: s - r -> m as t -> 0+ from start, shift",
+     claim squeeze: s - r -> m as t -> 0+ from start, shift\n\
+     claim then: p*2 > 2*m when t < 1 from higher, shift\n\
+     claim held: r*t > 0 when t < 2 from law",
     &[
         (
             "rise",
@@ -199,6 +221,11 @@ pub(crate) const RANGED: Said = (
                  t) -> (forall t : R, t > 0 -> t < 5 -> domain t -> (t < 1 -> s t = p t + r t)) -> \
                  forall epsilon : R, epsilon > 0 -> exists delta : R, delta > 0 /\\ (forall t : R, 0 \
                  < t < 0 + delta -> Rabs (s t - r t - m) < epsilon)",
+        ),
+        (
+            "then",
+            "forall t m p q r s : R, t > 0 -> t < 5 -> m > 0 -> m < 1 -> q > 0 -> q < 2 -> r > 0 \
+                 -> p = m + t * q -> (t < 1 -> s = p + r) -> t < 1 -> p * 2 > 2 * m",
         ),
     ],
 );

@@ -1,11 +1,15 @@
 //! Lemmas of Coq say what the claims say. What is wanted is written here by hand, from the pages on the language and on
 //! the judges; that data and proof fit to it, Coq itself checks (see `asked`).
 
+use std::rc::Rc;
+
 use kane_audit::Audit;
 use kane_judges::Claims;
-use kane_judges::coq::{File, file};
+use kane_judges::coq::{File, NotEmitted, file};
 
-use crate::document::judged;
+use kane_kernel::{Evidence, Model, Point, Root};
+
+use crate::document::{Q, judged, q, whole};
 
 /// The file of an audit.
 pub(crate) fn coq(audit: &Audit) -> File {
@@ -51,7 +55,9 @@ pub(crate) const BOUNDS: Said = (
          given g: x = u + w\n\
          given p: y > 0 when x > 1\n\
          claim a: x + y > -3 when y >= 0, u > 0 from g\n\
-         claim b: y > 0 when x > 2 from p",
+         claim b: y > 0 when x > 2 from p\n\
+     claim alone: 1 + 1 = 2\n\
+     claim nowhere: 1 = 2 expect refuted",
     &[
         (
             "a",
@@ -59,6 +65,8 @@ pub(crate) const BOUNDS: Said = (
                  (y >= 0 /\\ u > 0) -> x + y > - 3",
         ),
         ("b", "forall x y : R, (x > 1 -> y > 0) -> x > 2 -> y > 0"),
+        ("alone", "1 + 1 = 2"),
+        ("nowhere", "~ ( 1 = 2)"),
     ],
 );
 
@@ -195,6 +203,7 @@ pub(crate) const DERIVATIVES: Said = (
          claim steady: d(cases { y > 0: 1/x; else: x }, x) < 0 when x > 0, y > 0\n\
          claim taken: d(slope_2*x, x) + d(y^2, y) = slope_2 + 2*y\n\
          claim number: d(x/2, x) = 1/2\n\
+     claim zeroth: d(x^0*y, x) = 0\n\
          claim not: d(x^2, x) = 1 expect refuted\n\
      claim beside: sqrt(y)*d(x^2, x) = 2*x*sqrt(y) when y > 0\n\
      claim neither: d(x^3, x) + d(x^2, x) + d(y^2, y) = 1 expect refuted",
@@ -254,6 +263,10 @@ pub(crate) const DERIVATIVES: Said = (
             "forall x slope : R, (derivable_pt_lim (fun x : R => x / 2) x slope) -> slope = 1 / 2",
         ),
         (
+            "zeroth",
+            "forall x y slope : R, (derivable_pt_lim (fun x : R => x ^ 0 * y) x slope) -> slope = 0",
+        ),
+        (
             "not",
             "~ ( forall x slope : R, (derivable_pt_lim (fun x : R => x ^ 2) x slope) -> slope = 1)",
         ),
@@ -288,4 +301,53 @@ pub(crate) const NUMBERS: Said = (
 #[test]
 fn an_algebraic_witness_denies_the_claim_over_all_numbers() {
     assert_lemmas(&NUMBERS);
+}
+
+#[test]
+fn definitions_are_written_out_as_deep_as_a_document_may_have_them() {
+    let claim = |depth: usize| {
+        let lets: String = (1..=depth).map(|n| format!("let f{n} := f{} + 0\n", n - 1)).collect();
+        let text = coq(&judged(&format!("var x\nlet f0 := x\n{lets}claim c: f{depth} = x")));
+        text.lemmas[0].name.clone().map(|_| text.lemmas[0].text.matches("+ 0").count())
+    };
+    // f0 is the 64th
+    assert_eq!(claim(63), Ok(63));
+    assert_eq!(claim(64), Err(NotEmitted::Symbol));
+}
+
+/// A number between two others, of a polynomial, as a lemma has it.
+fn generator(text: &str) -> (String, Vec<Q>) {
+    let (_, rest) = text.split_once("(Generator [").expect("a number");
+    let (poly, ends) = rest.split_once("]%Z ").expect("coefficients");
+    let words = |part: &str| {
+        part.replace(['(', ')'], " ").split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let ends = words(ends.lines().next().unwrap_or_default());
+    let number = |at: usize| {
+        ends[at].parse::<Q>().expect("an integer") / ends[at + 1].parse::<Q>().expect("an integer")
+    };
+    (poly.to_owned(), vec![number(1), number(4)])
+}
+
+#[test]
+fn a_number_is_enclosed_until_each_sign_is_seen_and_its_polynomial_rises() {
+    let statements = "var x\ngiven two: x^2 = 2\ngiven up: x > 0\n\
+        claim c: 4142*x < 5857 from two, up expect refuted";
+    for (poly, hi) in [([-2, 0, 1], 2), ([2, 0, -1], 3)] {
+        let mut audit = judged(statements);
+        let link = &mut audit.judgements[2].links[0];
+        let mut accepted = (**link.accepted.as_ref().expect("it is refuted")).clone();
+        // wider than what the kernel has: x > 5857/4142 is not seen
+        let generator_of =
+            Some(Root { poly: poly.map(Into::into).to_vec(), lo: whole(1), hi: whole(hi) });
+        let values = vec![(0, vec![whole(0), whole(1)])];
+        let point = Point { generator: generator_of, values };
+        accepted.certificate.evidence = Evidence::Model(Model::Point(point));
+        link.accepted = Some(Rc::new(accepted));
+        let text = coq(&audit).lemmas[0].text.clone();
+        let (poly, ends) = generator(&text);
+        assert_eq!(poly, "(-2); 0; 1", "{text}");
+        let (two, [lo, hi]) = (whole(2), &ends[..]) else { unreachable!("{ends:?}") };
+        assert!(lo * lo < two && two < hi * hi && *lo >= q(5857, 4142), "{ends:?}");
+    }
 }

@@ -6,6 +6,7 @@ mod asked; // the judges themselves
 mod chains; // what follows from the givens
 mod document; // documents, goals, points
 mod families; // what lemmas about functions say
+mod files; // files as a whole
 mod lemmas; // what lemmas of Coq say
 #[path = "../../../../tests/shared/many.rs"]
 #[expect(dead_code, reason = "here is nothing random")]

@@ -375,6 +375,26 @@ fn what_cannot_be_put_says_why() {
 }
 
 #[test]
+fn a_definition_that_uses_another_twice_is_followed_once() {
+    let lets: String = (1..=60).map(|n| format!("let f{n} := f{0} - f{0}/2\n", n - 1)).collect();
+    let claim = format!("var x, y\nlet f0 := x\n{lets}claim c: 2^60*f60 = y");
+    let asked = text(&claim, Finding::Proved).expect("it can be put");
+    assert_asks(&asked, &["x", "y"], |_| Vec::new(), |p| p[0] != p[1]);
+}
+
+#[test]
+fn definitions_in_a_derivative_are_written_out_as_deep_as_64() {
+    let claim = |depth: usize| {
+        let lets: String = (1..=depth).map(|n| format!("let f{n} := f{} + 1\n", n - 1)).collect();
+        text(&format!("var x, y\nlet f0 := x\n{lets}claim c: d(f{depth}, x) = y"), Finding::Proved)
+    };
+    // f0 is the 64th
+    let asked = claim(63).expect("it can be put");
+    assert_asks(&asked, &["x", "y"], |_| Vec::new(), |p| p[1] != whole(1));
+    assert_eq!(claim(64), Err(NotPut::TooLarge));
+}
+
+#[test]
 fn every_question_of_a_document_has_a_name_of_its_own() {
     let audit = judged(
         "var x\n\
