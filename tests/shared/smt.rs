@@ -94,7 +94,10 @@ impl Question {
     }
 
     pub(crate) fn holds(&self, values: &HashMap<String, Q>) -> Result<bool, String> {
-        let mut values = values.clone();
+        // a symbol that is not declared has no value
+        let declared = |(name, _): &(&String, &Q)| self.declared.contains(name);
+        let known = values.iter().filter(declared).map(|(name, q)| (name.clone(), q.clone()));
+        let mut values: HashMap<String, Q> = known.collect();
         for (name, term) in &self.defined {
             if let Value::Number(number) = value(term, &values)? {
                 values.insert(name.clone(), number);

@@ -236,10 +236,10 @@ impl<'a, 'g> Family<'a, 'g> {
             out.push(prose.relation(&r)?);
         }
         match setting {
-            Setting::Set { .. } if self.has_set(setting) => {
+            // who asks has something to say of its points, so that there is one
+            Setting::Set { .. } => {
                 out.push(format!("{} {}", self.set(), self.symbols.name(self.x)));
             }
-            Setting::Set { .. } => {}
             Setting::Narrowed => {
                 for h in self.narrowing() {
                     out.extend(prose.hypothesis(&h)?);

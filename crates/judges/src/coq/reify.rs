@@ -449,6 +449,8 @@ mod tests {
             ("Rlt_dec", "Rlt_dec_"),
             ("goal_x", "v_goal_x"),
             ("Root0", "v_Root0"),
+            ("naïve", "na_ve"),
+            ("", "_"),
         ] {
             assert_eq!(identifier(name), other);
         }

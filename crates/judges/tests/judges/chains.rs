@@ -77,7 +77,9 @@ pub(crate) const ALONG: Said = (
      claim since: (2 - c)*f -> b as x -> oo from far, tied\n\
      claim at-x: (2 - c)*a*x = b*x when x > 1 from tied, ahead\n\
      claim in-all: (2 - c)*a*f = b*f from tied, law\n\
-     claim square: (2 - c)*a*x^2 = b*x^2 when x > 1 from at-x",
+     claim square: (2 - c)*a*x^2 = b*x^2 when x > 1 from at-x\n\
+     claim steady: (2 - c)*a*a = b*a when a > 1 from tied\n\
+     claim steadier: (2 - c)*a*a + 1 = b*a + 1 when a > 1 from steady",
     &[
         (
             "twice",
@@ -134,6 +136,14 @@ pub(crate) const ALONG: Said = (
                  - c) * a * f x = b * f x",
         ),
         (
+            "steadier",
+            "forall (a b c : R) (f g : R -> R) (domain : R -> Prop), a > 1 -> (exists bound : R, \
+                 forall x : R, x > bound -> domain x) -> (forall x : R, domain x -> x > 0) -> (forall \
+                 x : R, domain x -> (x <> 0 /\\ f x = a + b / x)) -> (forall x : R, domain x -> g x = \
+                 2 * f x) -> (forall x : R, domain x -> g x = b + c * f x) -> forall x : R, domain x \
+                 -> (2 - c) * a * a + 1 = b * a + 1",
+        ),
+        (
             "square",
             "forall (a b c : R) (f g : R -> R) (domain : R -> Prop), (exists bound : R, forall x \
                  : R, x > bound -> domain x) -> (forall x : R, domain x -> x > 0) -> (forall x : R, \
@@ -165,7 +175,13 @@ pub(crate) const RANGED: Said = (
      claim meets: m + 1 < n + 1 from rise, order\n\
      claim squeeze: s - r -> m as t -> 0+ from start, shift\n\
      claim then: p*2 > 2*m when t < 1 from higher, shift\n\
-     claim held: r*t > 0 when t < 2 from law",
+     claim held: r*t > 0 when t < 2 from law\n\
+     given low: r -> n as t -> 0+\n\
+     claim bottom: n >= 0 when n > -1 from low\n\
+     claim lifted: n + 1 > 0 when n > -1 from bottom\n\
+     claim apart: p - m = t*q from law\n\
+     claim twice: 2*(p - m) = 2*t*q from apart\n\
+     claim vanishes: 2*(p - m) -> 0 as t -> 0+ from twice, end",
     &[
         (
             "rise",
@@ -221,6 +237,24 @@ pub(crate) const RANGED: Said = (
                  t) -> (forall t : R, t > 0 -> t < 5 -> domain t -> (t < 1 -> s t = p t + r t)) -> \
                  forall epsilon : R, epsilon > 0 -> exists delta : R, delta > 0 /\\ (forall t : R, 0 \
                  < t < 0 + delta -> Rabs (s t - r t - m) < epsilon)",
+        ),
+        (
+            "lifted",
+            "forall (n : R) (r : R -> R) (domain : R -> Prop), n > - 1 -> (forall epsilon : R, \
+                 epsilon > 0 -> exists delta : R, delta > 0 /\\ (forall t : R, 0 < t < 0 + delta -> \
+                 Rabs (r t - n) < epsilon)) -> (exists delta : R, delta > 0 /\\ (forall t : R, 0 < t \
+                 < 0 + delta -> domain t)) -> (forall t : R, t > 0 -> t < 5 -> r t > 0) -> forall t : \
+                 R, t > 0 -> t < 5 -> domain t -> n + 1 > 0",
+        ),
+        (
+            "vanishes",
+            "forall (m : R) (p q : R -> R) (domain : R -> Prop), m > 0 -> m < 1 -> (forall \
+                 epsilon : R, epsilon > 0 -> exists delta : R, delta > 0 /\\ (forall t : R, 0 < t < 0 \
+                 + delta -> Rabs (q t - 1) < epsilon)) -> (exists delta : R, delta > 0 /\\ (forall t \
+                 : R, 0 < t < 0 + delta -> domain t)) -> (forall t : R, t > 0 -> t < 5 -> q t > 0 /\\ \
+                 q t < 2) -> (forall t : R, t > 0 -> t < 5 -> domain t -> p t = m + t * q t) -> \
+                 forall epsilon : R, epsilon > 0 -> exists delta : R, delta > 0 /\\ (forall t : R, 0 \
+                 < t < 0 + delta -> Rabs (2 * (p t - m) - 0) < epsilon)",
         ),
         (
             "then",

@@ -141,7 +141,8 @@ pub(crate) const CONDITIONS: Said = (
          claim both: cases { x < 1: 1/x; x < 2, y > 0: y; else: 1/y } > 0 from s\n\
          claim open: cases { 1/x < 2: x } > 1 from s\n\
          claim root: sqrt(x) > 0 from s\n\
-         claim roots: sqrt(x + sqrt(y)) > sqrt(x) from s",
+         claim roots: sqrt(x + sqrt(y)) > sqrt(x) from s\n\
+     claim deep: sqrt(x*y + 1) > 1 from s",
     &[
         (
             "powers",
@@ -174,6 +175,11 @@ pub(crate) const CONDITIONS: Said = (
             "root",
             "forall x y root : R, (0 <= x -> 0 <= root /\\ root * root = x) -> \
                  (x > 1 /\\ y > 1) -> 0 <= x /\\ root > 0",
+        ),
+        (
+            "deep",
+            "forall x y root : R, (0 <= x * y + 1 -> 0 <= root /\\ root * root = x * y + 1) -> \
+             (x > 1 /\\ y > 1) -> 0 <= x * y + 1 /\\ root > 1",
         ),
         (
             "roots",
@@ -289,7 +295,9 @@ pub(crate) const NUMBERS: Said = (
      claim (below): x > 1.41422 from two, ahead expect refuted\n\
      claim (same): x^4 - x^3 = 1 from two, ahead expect refuted\n\
      claim (tower): y^2 < 1.2 from two, cube, ahead expect refuted\n\
-     claim (free): not implied ahead from two",
+     claim (free): not implied ahead from two\n\
+     given behind: x < 0\n\
+     claim (odd): x^2 + x > 1 from two, behind expect refuted",
     &[
         ("sign", "~ ( forall x : R, x ^ 2 = 2 -> x > 0)"),
         ("above", "~ ( forall x : R, x ^ 2 = 2 -> x > 0 -> x < 141421 / 100000)"),
