@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use kane_audit::{Accepted, Body, Content, Document};
-use kane_kernel::{Certificate, Evidence, Expr, Link, Relation, Sentence};
+use kane_kernel::{Certificate, Evidence, Expr, Hypothesis, Link, Relation, Sentence};
 
 use super::NotEmitted;
 use super::conclusion::{behind, conclusion};
@@ -115,11 +115,10 @@ impl Place<'_> {
             }
         }
         all.truncate(hypotheses.len());
-        let same = |(i, h): (&usize, &kane_kernel::Hypothesis)| {
-            let given = matches!(self.document.statements[*i].body, Body::Given(_));
-            said(self.document, *i).as_ref() == Some(&h.sentence) && h.given == given
+        let supposes = |&i: &usize| {
+            Some(Hypothesis { sentence: said(self.document, i)?, given: self.is_given(i) })
         };
-        match all.len() == hypotheses.len() && all.iter().zip(hypotheses).all(same) {
+        match all.iter().filter_map(supposes).eq(hypotheses.iter().cloned()) {
             true => Ok(all),
             false => Err(NotEmitted::Step("a premise that the document does not have").into()),
         }

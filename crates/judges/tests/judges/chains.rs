@@ -24,6 +24,9 @@ pub(crate) const AT_POINTS: Said = (
      claim wrong: y > 5 from g, p expect refuted\n\
      claim after: y > 4 from wrong\n\
      claim two: y^2 > 1, y^2 + u > 1 from b\n\
+     let inc := x + 1\n\
+     claim named: y + inc > 2 from inc, g, p\n\
+     claim again: y + inc > 1 from named, inc\n\
      claim product: sqrt(y)*d(x^2, x) > 0 from a, p\n\
      claim power: d(x^3, x) > 0 from p\n\
      claim both: sqrt(y)*d(x^2, x) + d(x^3, x) + u > 0 from product, power, a",
@@ -44,6 +47,8 @@ pub(crate) const AT_POINTS: Said = (
                  < 1 -> x > 0 -> slope + u > 0",
         ),
         ("two_2", "forall x y u : R, u > 0 -> u < 1 -> y = x + 1 -> x > 0 -> y ^ 2 + u > 1"),
+        // a definition that is cited is no premise
+        ("again", "forall x y : R, y = x + 1 -> x > 0 -> y + (x + 1) > 1"),
         (
             "both",
             "forall x y u root slope slope_2 : R, (0 <= y -> 0 <= root /\\ root * root = y) -> \
