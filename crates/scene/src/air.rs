@@ -67,23 +67,6 @@ impl Air<f64> {
         (after, step * (first + 2.0 * (second + third) + last) / 6.0)
     }
 
-    /// The same after any time, in steps no longer than the given one.
-    pub(crate) fn flown(
-        &self,
-        body: &Round<f64>,
-        gravity: f64,
-        time: f64,
-        step: f64,
-    ) -> Round<f64> {
-        let (mut body, mut left) = (body.clone(), time);
-        while left > 0.0 {
-            let step = left.min(step);
-            (body, _) = self.stepped(&body, gravity, step);
-            left -= step;
-        }
-        body
-    }
-
     /// A step in which neither a velocity changes by more than a part of it, nor a body flies farther than
     /// half of its radius; s.
     pub(crate) fn step(&self, bodies: &[Round<f64>], gravity: f64) -> f64 {

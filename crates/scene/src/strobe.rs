@@ -6,6 +6,7 @@ use crate::round::Round;
 use crate::scene::{Scene, Setup};
 use crate::side::Side;
 use crate::simulate::Ending;
+use crate::world::World;
 
 /// The bodies at one moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +46,9 @@ pub struct Strobe {
 const FRAMES: u32 = 24;
 const FEWEST: u32 = 4;
 const POINTS: u32 = 288;
+/// Steps in air of one body, and how much longer they are than those of a motion that is computed.
+const STEPS: u32 = 1 << 20;
+const COARSER: f64 = 4.0;
 /// The most impacts that each have a picture.
 const FEW_IMPACTS: usize = 6;
 
@@ -67,8 +71,57 @@ fn at_end(plane: &Plane<f64>, time: f64) -> ([f64; 2], [f64; 2]) {
     ([x + nx * advancing * time, y + ny * advancing * time], [ny, -nx])
 }
 
+/// When a body was last struck, as it was then, and how far it had turned.
+type Struck = (f64, Round<f64>, f64);
+
+/// The motion of one body, asked at times that ascend.
+struct Motion<'a> {
+    world: &'a World<f64>,
+    struck: &'a [Struck],
+    last: usize,
+    /// where the air has taken it until then
+    body: Round<f64>,
+    time: f64,
+    steps: u32,
+}
+
+impl<'a> Motion<'a> {
+    fn of(world: &'a World<f64>, struck: &'a [Struck]) -> Option<Self> {
+        let (time, body, _) = struck.first()?;
+        Some(Self { world, struck, last: 0, body: body.clone(), time: *time, steps: STEPS })
+    }
+
+    /// Where the centre is and how far it has turned; `None` where the air takes too many steps until then.
+    fn at(&mut self, time: f64) -> Option<([f64; 2], f64)> {
+        while let Some((since, body, _)) = self.struck.get(self.last + 1).filter(|s| s.0 <= time) {
+            (self.last, self.time, self.body) = (self.last + 1, *since, body.clone());
+        }
+        let (since, body, angle) = &self.struck[self.last];
+        let gravity = self.world.gravity;
+        let mut position = match &self.world.air {
+            Some(air) => {
+                while self.time < time {
+                    self.steps = self.steps.checked_sub(1)?;
+                    let step = COARSER * air.step(std::slice::from_ref(&self.body), gravity);
+                    let ends = self.time + step >= time;
+                    let step = if ends { time - self.time } else { step };
+                    self.body = air.stepped(&self.body, gravity, step).0;
+                    self.time = if ends { time } else { self.time + step };
+                }
+                self.body.position
+            }
+            None => body.flown(&(time - since), &gravity).position,
+        };
+        // what has come to rest does not fall through the floor
+        for wall in self.world.walls.iter().filter(|wall| wall.side == Side::Floor) {
+            position[1] = position[1].max(wall.at + body.radius);
+        }
+        Some((position, angle + body.motion.omega * (time - since)))
+    }
+}
+
 impl Strobe {
-    /// The motion under a model, in floats; `None` where nothing flies.
+    /// The motion under a model, in floats; `None` where nothing flies, or the air takes too many steps.
     pub(crate) fn of(scene: &Scene, model: Model) -> Option<Self> {
         let Setup::Bodies(stated) = &scene.setup else { return None };
         if model.mechanics == Mechanics::Chain {
@@ -77,7 +130,7 @@ impl Strobe {
         let world = stated.map(|stated| kane_number::Lane::to_f64(&stated.value));
         let (end, bounces) = run_for_picture(scene, &world, model.mechanics)?;
         let time = end.time;
-        let mut states: Vec<Vec<(f64, Round<f64>, f64)>> =
+        let mut states: Vec<Vec<Struck>> =
             world.bodies.iter().map(|body| vec![(0.0, body.clone(), 0.0)]).collect();
         for bounce in &bounces {
             let involved: Vec<(usize, &Round<f64>)> = match bounce.encounter {
@@ -94,39 +147,22 @@ impl Strobe {
                 states[index].push((bounce.time, body.clone(), turned));
             }
         }
-        let at = |index: usize, time: f64| {
-            let states = &states[index];
-            let last = states.partition_point(|(since, ..)| *since <= time).max(1) - 1;
-            let (since, body, angle) = &states[last];
-            let flown = match &world.air {
-                Some(air) => {
-                    let step = air.step(std::slice::from_ref(body), world.gravity);
-                    air.flown(body, world.gravity, time - since, 4.0 * step)
-                }
-                None => body.flown(&(time - since), &world.gravity),
-            };
-            let mut position = flown.position;
-            // what has come to rest does not fall through the floor
-            for wall in &world.walls {
-                if wall.side == Side::Floor {
-                    position[1] = position[1].max(wall.at + body.radius);
-                }
-            }
-            (position, angle + body.motion.omega * (time - since))
-        };
         let bodies = world.bodies.len();
         let moment = |n: u32, of: u32| time * f64::from(n) / f64::from(of);
-        let paths: Vec<Vec<[f64; 2]>> = (0..bodies)
-            .map(|index| {
-                // with its corners
-                let mut times: Vec<f64> = (0..=POINTS)
-                    .map(|n| moment(n, POINTS))
-                    .chain(states[index].iter().map(|(since, ..)| *since))
-                    .collect();
-                times.sort_by(f64::total_cmp);
-                times.into_iter().map(|time| at(index, time).0).collect()
-            })
-            .collect();
+        let along = |index: usize, times: &[f64]| -> Option<Vec<([f64; 2], f64)>> {
+            let mut motion = Motion::of(&world, &states[index])?;
+            times.iter().map(|time| motion.at(*time)).collect()
+        };
+        let path = |index: usize| {
+            // with its corners
+            let mut times: Vec<f64> = (0..=POINTS)
+                .map(|n| moment(n, POINTS))
+                .chain(states[index].iter().map(|(since, ..)| *since))
+                .collect();
+            times.sort_by(f64::total_cmp);
+            Some(along(index, &times)?.into_iter().map(|(position, _)| position).collect())
+        };
+        let paths = (0..bodies).map(path).collect::<Option<Vec<Vec<[f64; 2]>>>>()?;
         let leaving = match end.ending {
             Ending::Impacts => end.bodies.iter().map(|b| [b.motion.vx, b.motion.vy]).collect(),
             _ => Vec::new(),
@@ -142,9 +178,10 @@ impl Strobe {
         }
         moments.sort_by(f64::total_cmp);
         moments.dedup();
-        let frame =
-            |time: f64| Frame { time, bodies: (0..bodies).map(|index| at(index, time)).collect() };
-        let frames = moments.into_iter().map(frame).collect();
+        let places = (0..bodies).map(|index| along(index, &moments));
+        let places: Vec<Vec<([f64; 2], f64)>> = places.collect::<Option<_>>()?;
+        let frame = |(n, time)| Frame { time, bodies: places.iter().map(|of| of[n]).collect() };
+        let frames = moments.into_iter().enumerate().map(frame).collect();
         Some(Self {
             frames,
             apart: moment(1, count),

@@ -1,6 +1,6 @@
 //! Flights in air, against closed forms and another integrator.
 
-use kane_scene::{Answer, Known, read};
+use kane_scene::{Answer, Known, Picture, read};
 
 use crate::{answered, tried};
 
@@ -180,6 +180,41 @@ fn the_ledger_in_air_adds_up() {
     let after = (mass * (vx * vx + vy * vy) + inertia * omega * omega) / 2.0;
     let parts: f64 = sums.parts.iter().sum();
     assert!((answer.start_energy + parts - after).abs() < 1e-9, "{parts} {after}");
+}
+
+/// A ball that is thrown faster than anything is: the air takes nearly all of its speed while it flies a part of its radius. Its
+/// picture once took steps as short as the first one all the way.
+#[test]
+fn a_picture_in_air_takes_the_steps_of_the_motion() {
+    let answer = answered(
+        "friction = 0.25
+restitution = 0.9
+gravity_m_s2 = 9.81
+floor_m = 0
+[air]
+density_kg_m3 = 1.2
+drag_coefficient = 0.5
+lift_coefficient = 0.6
+[[body]]
+mass_kg = 0.0027
+radius_m = 0.02
+shape = \"hollow-sphere\"
+position_m = [0, 0.3]
+velocity_m_s = [3e20, 3]
+spin_rad_s = -600
+[until]
+impacts = 2
+[ask]
+time_s = 1e-6
+",
+    );
+    let Some(Picture::Motion(strobe)) = &answer.picture else { panic!("a motion") };
+    let end = answer.end.expect("it ends");
+    let [x, y] = *strobe.paths[0].last().expect("a path");
+    let [to_x, to_y] = end.bodies[0].position.clone().map(|at| at.value);
+    // its steps are four times as long as those of the motion
+    let far = to_x.abs().max(1.0);
+    assert!((x - to_x).abs() < 1e-3 * far && (y - to_y).abs() < 1e-3, "{x} {y}, {to_x} {to_y}");
 }
 
 /// Air like a solid, in which a ball takes millions of steps to fall; and a fall of a million radii.
