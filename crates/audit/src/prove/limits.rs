@@ -13,6 +13,7 @@ use std::cmp::Ordering;
 
 use super::bounds;
 use super::germs::{Germs, Memory};
+use super::magnitude;
 use super::search::{Outcome, Search};
 use super::squeeze;
 use super::symbols::without_squares;
@@ -161,6 +162,7 @@ pub(crate) fn one_side(
         })
         .or_else(|| tangents::one_side(state, limit, side, steps))
         .or_else(|| squeeze::one_side(state, limit, side, steps))
+        .or_else(|| magnitude::one_side(state, limit, side, steps))
 }
 
 /// A proof of a limit from one side by a quotient that the expression equals.

@@ -32,6 +32,7 @@ mod leaf;
 mod limits;
 mod line;
 mod linear;
+mod magnitude;
 mod means;
 mod monomial;
 mod pairs;
