@@ -9,7 +9,7 @@ use num_traits::One;
 
 use super::bounds::at_zero;
 use super::germs::Germs;
-use super::squeeze::{Beside, bounded};
+use super::squeeze::{Beside, between, bounded};
 use super::variation::varies;
 use crate::argument::SideArgument;
 
@@ -37,14 +37,7 @@ pub(super) fn one_side(
                 let mut all = all.iter().filter(|(of, _)| *of == sense);
                 all.find_map(|(_, b)| bounded(state, limit, &germ, b, sense, steps, &may))
             };
-            match limit.to {
-                Target::PlusInf => shown(Ordering::Greater),
-                Target::MinusInf => shown(Ordering::Less),
-                Target::Finite(_) => {
-                    let lower = shown(Ordering::Greater)?;
-                    Some(SideArgument { upper: Some(Box::new(shown(Ordering::Less)?)), ..lower })
-                }
-            }
+            between(&limit.to, &shown)
         })
     })
 }

@@ -67,7 +67,16 @@ fn along(
     let shown = |sense: Ordering| {
         found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, steps, &may))
     };
-    match limit.to {
+    between(&limit.to, &shown)
+}
+
+/// The argument that an expression tends to a target by quotients beside it: on both sides of it, or below or above where
+/// the target is infinite.
+pub(super) fn between(
+    to: &Target,
+    shown: &dyn Fn(Ordering) -> Option<SideArgument>,
+) -> Option<SideArgument> {
+    match to {
         Target::PlusInf => shown(Ordering::Greater),
         Target::MinusInf => shown(Ordering::Less),
         Target::Finite(_) => {

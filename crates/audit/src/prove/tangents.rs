@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use super::bounds::at_zero;
 use super::germs::Germs;
 use super::series::{Along, Numbers as _, Series, Value};
-use super::squeeze::{Beside, bounded};
+use super::squeeze::{Beside, between, bounded};
 use super::symbols::{Quotient, Symbols, line};
 use super::variation::ratio_in;
 use crate::argument::SideArgument;
@@ -52,8 +52,9 @@ pub(super) fn one_side(
         let (above, below) = (tried(Ordering::Greater)?, tried(Ordering::Less)?);
         let germs = Germs::new(state, side, steps).along(power);
         germs.near(lead).take(GERMS).find_map(|germ| {
-            let shown = |beside: &[Beside], sense: Ordering| {
-                beside.iter().find_map(|b| {
+            let shown = |sense: Ordering| {
+                let mut beside = if sense == Ordering::Greater { &above } else { &below }.iter();
+                beside.find_map(|b| {
                     // one that fails leaves something for the others
                     let share = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
                     let scope = scope(state.goal, share).ok()?;
@@ -61,15 +62,7 @@ pub(super) fn one_side(
                     bounded(&state, limit, &germ, b, sense, steps, &any)
                 })
             };
-            match limit.to {
-                Target::PlusInf => shown(&above, Ordering::Greater),
-                Target::MinusInf => shown(&below, Ordering::Less),
-                Target::Finite(_) => {
-                    let lower = shown(&above, Ordering::Greater)?;
-                    let upper = Box::new(shown(&below, Ordering::Less)?);
-                    Some(SideArgument { upper: Some(upper), ..lower })
-                }
-            }
+            between(&limit.to, &shown)
         })
     })
 }
