@@ -176,38 +176,43 @@ def main():
     most = int(options.get("--seconds", 10))
     keep = Path(options["--keep"]) if "--keep" in options else None
     tally, worst, broken = {}, {}, []
-    with tempfile.TemporaryDirectory() as folder:
-        for number in range(int(count)):
-            kind = kinds[number % len(kinds)]
-            before, ending, globs, grammar = KINDS[kind]
-            chance = random.Random(f"{seed}/{number}")
-            seeds = [p.read_bytes() for glob in globs.split() for p in sorted(ROOT.glob(glob))]
-            words = grammar.split(" ")
-            if kind == "stability":
-                # the bound of seconds is one for a formula
-                seeds = [b"(FPCore" + core for text in seeds for core in text.split(b"(FPCore")[1:]]
-            if kind == "audit":
-                text = document(chance, seeds, words)
-            elif chance.random() < 0.6:
-                text = valued(chance, seeds)
-            else:
-                text = mutated(chance, seeds, words)
-            path = Path(folder) / f"input{ending}"
-            path.write_bytes(text)
-            found, code, seconds, memory = faults([kane, *before, str(path)], number, most)
-            tally[kind, code] = tally.get((kind, code), 0) + 1
-            worst[kind] = max(worst.get(kind, (0, 0)), (seconds, memory))
-            if found:
-                broken.append((kind, number, found))
-                print(f"{kind} {number}: {', '.join(found)}", flush=True)
-                if keep:
-                    keep.mkdir(parents=True, exist_ok=True)
-                    (keep / f"{kind}-{seed}-{number}{ending}").write_bytes(text)
+    done = 0
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            for number in range(int(count)):
+                kind = kinds[number % len(kinds)]
+                before, ending, globs, grammar = KINDS[kind]
+                chance = random.Random(f"{seed}/{number}")
+                seeds = [p.read_bytes() for glob in globs.split() for p in sorted(ROOT.glob(glob))]
+                words = grammar.split(" ")
+                if kind == "stability":
+                    # the bound of seconds is one for a formula
+                    seeds = [b"(FPCore" + core for text in seeds for core in text.split(b"(FPCore")[1:]]
+                if kind == "audit":
+                    text = document(chance, seeds, words)
+                elif chance.random() < 0.6:
+                    text = valued(chance, seeds)
+                else:
+                    text = mutated(chance, seeds, words)
+                path = Path(folder) / f"input{ending}"
+                path.write_bytes(text)
+                found, code, seconds, memory = faults([kane, *before, str(path)], number, most)
+                tally[kind, code] = tally.get((kind, code), 0) + 1
+                worst[kind] = max(worst.get(kind, (0, 0)), (seconds, memory))
+                if found:
+                    broken.append((kind, number, found))
+                    print(f"{kind} {number}: {', '.join(found)}", flush=True)
+                    if keep:
+                        keep.mkdir(parents=True, exist_ok=True)
+                        (keep / f"{kind}-{seed}-{number}{ending}").write_bytes(text)
+                done += 1
+    except KeyboardInterrupt:
+        print(f"ended before {count} inputs were tried")
     for (kind, code), n in sorted(tally.items()):
         print(f"{kind}: {n} ended with {code}")
     for kind, (seconds, memory) in sorted(worst.items()):
         print(f"{kind}: the longest took {seconds:.2f} s of the processor, and {memory // 1024 // 1024} MB")
-    print(f"{count} inputs, {len(broken)} faults")
+    print(f"{done} inputs, {len(broken)} faults")
     return 1 if broken else 0
 
 
