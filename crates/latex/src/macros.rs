@@ -7,6 +7,8 @@ use crate::unreadable::Unreadable;
 
 /// Tokens that a formula may come to.
 const MOST: usize = 20_000;
+/// Tokens that macros and their arguments may move on the way: long arguments move again in each macro around them.
+const MOVED: usize = 20 * MOST;
 
 /// What commands stand for.
 #[derive(Clone, Debug, Default)]
@@ -61,7 +63,7 @@ impl Macros {
         let mut out = Vec::new();
         // what is still to be read, last first
         let mut todo: Vec<Token> = all.iter().rev().cloned().collect();
-        let mut steps = 0;
+        let (mut steps, mut moved) = (0, 0);
         while let Some(token) = todo.pop() {
             steps += 1;
             if steps > MOST || todo.len() > MOST {
@@ -91,6 +93,10 @@ impl Macros {
                     }
                     other => written.push(other.clone()),
                 }
+            }
+            moved += arguments.iter().map(Vec::len).sum::<usize>() + written.len();
+            if moved > MOVED {
+                return Err(Unreadable::Macros(MOST));
             }
             todo.extend(written.into_iter().rev());
         }
@@ -156,5 +162,12 @@ mod tests {
     fn a_macro_that_stands_for_itself_is_refused() {
         let definitions = [("def", "\\a{\\a\\a}")];
         assert_eq!(expanded(&definitions, "\\a"), Err(Unreadable::Macros(MOST)));
+    }
+
+    /// Its arguments grow, and each step copies them: that took longer than ten seconds.
+    #[test]
+    fn a_macro_that_takes_itself_for_an_argument_is_refused_before_it_has_copied_much() {
+        let definitions = [("newcommand", "{\\f}[2]{\\f{\\partial #1}{\\partial #2}}")];
+        assert_eq!(expanded(&definitions, "\\f{a}{b}"), Err(Unreadable::Macros(MOST)));
     }
 }
