@@ -1,7 +1,8 @@
-"""The command: a document, a certificate, and the answer for each link."""
+"""The command: documents, their certificates, and the answer for each link."""
 
 import hashlib
 import json
+import os
 import sys
 import threading
 from pathlib import Path
@@ -11,7 +12,7 @@ from .errors import Rejected, Unreadable
 from .evidence import keys, listed, text, unique_keys
 from .verdict import check_claim
 
-USAGE = "usage: check_cert.py [--quiet] DOCUMENT CERTIFICATE"
+USAGE = "usage: check_cert.py [--quiet] DOCUMENT CERTIFICATE [DOCUMENT CERTIFICATE]…"
 
 
 def check_text(source, certificate, report):
@@ -44,27 +45,40 @@ def check_text(source, certificate, report):
     return faults
 
 
-def run(arguments):
-    """Runs the command; the exit code."""
-    quiet = "--quiet" in arguments
-    paths = [Path(argument) for argument in arguments if argument != "--quiet"]
-    if len(paths) != 2:
-        print(USAGE, file=sys.stderr)
-        return 2
-
-    def report(line):
-        if not quiet or line.startswith("NO"):
-            print("".join(c if c.isprintable() else "\ufffd" for c in line))
-
+def check_pair(document, certificate, report):
+    """Checks one pair of files; the exit code."""
     try:
-        source = paths[0].read_bytes()
-        certificate = json.loads(paths[1].read_bytes(), object_pairs_hook=unique_keys)
-        faults = check_text(source, certificate, report)
+        source = document.read_bytes()
+        parsed = json.loads(certificate.read_bytes(), object_pairs_hook=unique_keys)
+        faults = check_text(source, parsed, report)
     except (Unreadable, Rejected, OSError, ValueError, RecursionError) as reason:
         report(f"NO   unreadable: {reason}")
         return 2
     report(f"NO   {faults} claims rejected" if faults else "yes  all accepted")
     return 1 if faults else 0
+
+
+def run(arguments):
+    """Runs the command; the exit code, the greatest of those of its pairs."""
+    quiet = "--quiet" in arguments
+    paths = [Path(argument) for argument in arguments if argument != "--quiet"]
+    if not paths or len(paths) % 2:
+        print(USAGE, file=sys.stderr)
+        return 2
+
+    def show(line):
+        print("".join(c if c.isprintable() else "\ufffd" for c in line))
+
+    def report(line):
+        if not quiet or line.startswith("NO"):
+            show(line)
+
+    code = 0
+    for document, certificate in zip(paths[::2], paths[1::2]):
+        if len(paths) > 2:
+            show(f"{document}:")
+        code = max(code, check_pair(document, certificate, report))
+    return code
 
 
 def main():
@@ -73,7 +87,14 @@ def main():
     sys.setrecursionlimit(100_000)
     threading.stack_size(512 << 20)
     code = []
-    worker = threading.Thread(target=lambda: code.append(run(sys.argv[1:])))
+
+    def work():
+        try:
+            code.append(run(sys.argv[1:]))
+        except BrokenPipeError:  # nobody reads on
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+    worker = threading.Thread(target=work)
     worker.start()
     worker.join()
     sys.exit(code[0] if code else 2)

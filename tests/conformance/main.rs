@@ -31,3 +31,7 @@ mod smt; // a reader of SMT-LIB
 mod soundness; // nothing false is accepted
 mod spatial; // the planar code against three dimensions
 mod support; // chance, documents, goals
+
+/// As the program has it: what these tests wait for is mostly the search for proofs.
+#[global_allocator]
+static MEMORY: mimalloc::MiMalloc = mimalloc::MiMalloc;
