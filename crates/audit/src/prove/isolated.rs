@@ -9,8 +9,10 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
 use super::elimination::Factors;
+use super::factors::squared_factor;
 use super::hints::is_told;
 use super::monomial::{Known, is_lesser, known};
+use super::search::{MAX_SPLITS, Outcome, Search};
 use super::settled::Settled;
 use crate::argument::Argument;
 
@@ -90,6 +92,35 @@ impl Rule {
     }
 }
 
+impl Search<'_> {
+    /// What is left once sides are squared, or the sign is known of what a condition has as a square: where a condition has
+    /// several roots, or one of something in several variables.
+    pub(super) fn by_squaring(&self, state: &State<'_, '_>, splits: u32) -> Option<Outcome> {
+        let is_root = |v: &usize| state.scope.root(*v).is_some();
+        let has_root = |i: usize| state.atoms[i].poly.vars().iter().any(is_root);
+        if !self.proofs || !self.products || splits == MAX_SPLITS || !strict(state).any(has_root) {
+            return None;
+        }
+        let rules = Rule::all(state);
+        let wide = |r: &&Rule| r.is_root && state.atoms[r.equation].poly.vars().len() > 2;
+        let wide: Vec<usize> = rules.iter().filter(wide).map(|r| r.v).collect();
+        let is_worth = |i: usize| {
+            let all = products(&state.atoms[i].poly, &rules);
+            all.len() > 1
+                || all.iter().flatten().count() > 1
+                || all.iter().flatten().any(|v| wide.contains(v))
+        };
+        if !strict(state).any(is_worth) {
+            return None;
+        }
+        if let Some(settled) = isolated(state, &rules) {
+            return Some(self.by_settled(state, settled, &[], splits + 1));
+        }
+        let factor = squared_factor(state)?;
+        Some(self.split(state, factor, &[], splits + 1))
+    }
+}
+
 /// A > N with squares that have fewer roots than the condition has: A² − N² is positive.
 pub(super) fn isolated(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled> {
     strict(state).find_map(|i| {
@@ -112,10 +143,9 @@ pub(super) fn odd(m: &[Power], rules: &[Rule]) -> Vec<usize> {
     rules.iter().filter(|r| r.is_root).map(|r| r.v).filter(|&v| exponent(m, v) % 2 == 1).collect()
 }
 
-/// How many products of roots a polynomial has.
-fn products(p: &Poly, rules: &[Rule]) -> usize {
-    let all: BTreeSet<Vec<usize>> = p.terms().map(|(m, _)| odd(m, rules)).collect();
-    all.iter().filter(|product| !product.is_empty()).count()
+/// The products of roots in a polynomial.
+fn products(p: &Poly, rules: &[Rule]) -> BTreeSet<Vec<usize>> {
+    p.terms().map(|(m, _)| odd(m, rules)).filter(|product| !product.is_empty()).collect()
 }
 
 /// What may stand on the lesser side: of what is taken away the terms with roots, all, or those without.
@@ -145,7 +175,9 @@ fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Op
     }
     let rest = Divided::of(state, &square, rules)?;
     let (content, poly) = rest.left.primitive();
-    if products(&poly, rules) >= products(p, rules) || is_told(state, &reduced(state, &poly)) {
+    if products(&poly, rules).len() >= products(p, rules).len()
+        || is_told(state, &reduced(state, &poly))
+    {
         return None;
     }
     // scale·Π lead·(p² + 2·p·N) − Σ cofactor·premise − (what is left) = 0, whose first summand is positive

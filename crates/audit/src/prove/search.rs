@@ -268,6 +268,12 @@ impl<'a> Search<'a> {
         {
             return self.split(state, factor, trail, splits);
         }
+        // before what stands under a root is no longer written in symbols
+        if trail.is_empty()
+            && let Some(outcome) = self.by_squaring(state, splits)
+        {
+            return outcome;
+        }
         if let Some((step, next, elimination)) = self.simplify(state) {
             let mut trail = trail.to_vec();
             trail.extend(elimination);

@@ -126,10 +126,19 @@ fn roots_that_stand_alone_on_their_side_are_squared_away() {
         "dot(f, s) >= -r*norm(s) from cone",
         "sqrt(x + y + 2*sqrt(x*y)) = sqrt(x) + sqrt(y)",
         "(r + x)/sqrt(1 + r^2) <= sqrt(1 + x^2)",
+        "sqrt(1 + x)*sqrt(1 + y) >= 1 + sqrt(x*y)",
+        "sqrt((r + x)*(2*r + y)) >= sqrt(2)*r + sqrt(x*y)",
+        "sqrt(x + y) >= x/(1 + x^2)",
     ] {
         assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     }
-    for claim in ["norm(a - b) <= norm(a) - norm(b)", "abs(dot(a, b)) < norm(a)*norm(b)"] {
+    for claim in [
+        "norm(a - b) <= norm(a) - norm(b)",
+        "abs(dot(a, b)) < norm(a)*norm(b)",
+        "sqrt(1 + x)*sqrt(1 + y) > 1 + sqrt(x*y)",
+        "sqrt((r + x)*(r + y)) <= r + sqrt(x*y)",
+        "sqrt(x + y) > x/(1 + x^2)",
+    ] {
         assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
     }
 }
