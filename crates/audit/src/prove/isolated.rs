@@ -98,17 +98,21 @@ impl Search<'_> {
     pub(super) fn by_squaring(&self, state: &State<'_, '_>, splits: u32) -> Option<Outcome> {
         let is_root = |v: &usize| state.scope.root(*v).is_some();
         let has_root = |i: usize| state.atoms[i].poly.vars().iter().any(is_root);
-        if !self.proofs || !self.products || splits == MAX_SPLITS || !strict(state).any(has_root) {
+        if !self.proofs || !self.products || splits >= MAX_SPLITS || !strict(state).any(has_root) {
+            return None;
+        }
+        // along a germ conditions have many roots, and the search is brief
+        let t = state.scope.germ();
+        if state.atoms.iter().any(|a| a.poly.degree(t) > 0) {
             return None;
         }
         let rules = Rule::all(state);
         let wide = |r: &&Rule| r.is_root && state.atoms[r.equation].poly.vars().len() > 2;
         let wide: Vec<usize> = rules.iter().filter(wide).map(|r| r.v).collect();
         let is_worth = |i: usize| {
-            let all = products(&state.atoms[i].poly, &rules);
-            all.len() > 1
-                || all.iter().flatten().count() > 1
-                || all.iter().flatten().any(|v| wide.contains(v))
+            let roots: Vec<usize> =
+                products(&state.atoms[i].poly, &rules).into_iter().flatten().collect();
+            roots.len() > 1 || roots.iter().any(|v| wide.contains(v))
         };
         if !strict(state).any(is_worth) {
             return None;
