@@ -12,7 +12,7 @@ use super::elimination::Factors;
 use super::factors::squared_factor;
 use super::hints::is_told;
 use super::monomial::{Known, is_lesser, known};
-use super::search::{MAX_SPLITS, Outcome, Search};
+use super::search::{MAX_SPLITS, Outcome, Search, has_root};
 use super::settled::Settled;
 use crate::argument::Argument;
 
@@ -96,9 +96,8 @@ impl Search<'_> {
     /// What is left once sides are squared, or the sign is known of what a condition has as a square: where a condition has
     /// several roots, or one of something in several variables.
     pub(super) fn by_squaring(&self, state: &State<'_, '_>, splits: u32) -> Option<Outcome> {
-        let is_root = |v: &usize| state.scope.root(*v).is_some();
-        let has_root = |i: usize| state.atoms[i].poly.vars().iter().any(is_root);
-        if !self.proofs || !self.products || splits >= MAX_SPLITS || !strict(state).any(has_root) {
+        let with_root = |i: usize| has_root(state, &state.atoms[i].poly);
+        if !self.proofs || !self.products || splits >= MAX_SPLITS || !strict(state).any(with_root) {
             return None;
         }
         // along a germ conditions have many roots, and the search is brief

@@ -513,7 +513,7 @@ impl<'a> Search<'a> {
 }
 
 /// Whether a root stands in a polynomial.
-fn has_root(state: &State<'_, '_>, p: &Poly) -> bool {
+pub(super) fn has_root(state: &State<'_, '_>, p: &Poly) -> bool {
     p.vars().into_iter().any(|v| state.scope.root(v).is_some())
 }
 
