@@ -16,21 +16,19 @@ import random
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1])]
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import chains  # noqa: E402
 import limits  # noqa: E402
 import scalar  # noqa: E402
 import slopes  # noqa: E402
 import solver  # noqa: E402
-from check_cert.evidence import unique_keys  # noqa: E402
 from opinion import second_opinion  # noqa: E402
 from oracle import Judge  # noqa: E402
 
@@ -81,7 +79,7 @@ def used():
 def run_kane(kane, files, out=None):
     """(exit code, parsed report or None, messages, seconds of processor time)"""
     before = used()
-    command = [*kane, *files, "--format", "json"] + (["--out", out] if out else [])
+    command = [*kane, *files, "--format", "json"] + (["--certificates", out] if out else [])
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=3600)
     except subprocess.TimeoutExpired:
@@ -151,7 +149,7 @@ def judge_batch(job):
                 tally.slow.append([round(seconds), "a batch", seed, indices[0]])
         if certificates:
             began = time.process_time()
-            on_a_large_stack(lambda: second_opinions(tally, seed, made, reports, out))
+            second_opinions(tally, seed, made, reports, out)
             tally.seconds["second checker"] += time.process_time() - began
     questions = []
     for (i, document, rng, text), report in zip(made, reports):
@@ -175,24 +173,12 @@ def second_opinions(tally, seed, made, reports, out):
     for (i, document, _, text), report in zip(made, reports):
         if report is None:
             continue
-        source = Path(out, f"{i}.cert.json").read_bytes()
-        certificate = json.loads(source, object_pairs_hook=unique_keys)
         shown = [s["verdict"] for s in report["statements"] if s["kind"] == "claim"]
-        refused, accepted = second_opinion(text, certificate, shown)
+        refused, accepted = second_opinion(text, Path(out, f"{i}.cert.json"), shown)
         tally.notes["links that the second checker accepts"] += accepted
         for line in refused:
             words = line.split()
             tally.wrong.append(["second checker", document.family, seed, i, words[1].rstrip(":"), line[5:]])
-
-
-def on_a_large_stack(work):
-    """Proofs are deep trees, and the checker walks them as such."""
-    sys.set_int_max_str_digits(0)
-    sys.setrecursionlimit(100_000)
-    threading.stack_size(512 << 20)
-    thread = threading.Thread(target=work)
-    thread.start()
-    thread.join()
 
 
 def one_by_one(kane, files, made, tally, seed, written):

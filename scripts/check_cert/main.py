@@ -81,20 +81,26 @@ def run(arguments):
     return code
 
 
-def main():
-    """Proofs are deep trees, so they are walked with a large stack."""
+def on_a_large_stack(work):
+    """What `work` returns, or None if it fails: proofs are deep trees, and are walked as such."""
     sys.set_int_max_str_digits(0)
     sys.setrecursionlimit(100_000)
     threading.stack_size(512 << 20)
-    code = []
+    returned = []
+    worker = threading.Thread(target=lambda: returned.append(work()))
+    worker.start()
+    worker.join()
+    return returned[0] if returned else None
+
+
+def main():
+    """The command with the arguments of the command line."""
 
     def work():
         try:
-            code.append(run(sys.argv[1:]))
+            return run(sys.argv[1:])
         except BrokenPipeError:  # nobody reads on
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
-    worker = threading.Thread(target=work)
-    worker.start()
-    worker.join()
-    sys.exit(code[0] if code else 2)
+    code = on_a_large_stack(work)
+    sys.exit(2 if code is None else code)

@@ -50,9 +50,10 @@ type Memos = BTreeMap<String, Memo>;
 /// Judges and shows the documents once.
 fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     let (inputs, unreadable) = input::read(&args.files);
-    if let Some(twin) = args.out.as_ref().and_then(|_| twin(&inputs)) {
+    let dir = args.out.as_deref().or(args.certificates.as_deref());
+    if let Some(twin) = dir.and_then(|_| twin(&inputs)) {
         return bad_input(&format!(
-            "two documents are called `{twin}`; --out would write one over the other"
+            "two documents are called `{twin}`; the files of one would be written over the other's"
         ));
     }
     let (documents, faults) = documents(&inputs);
@@ -110,8 +111,13 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     };
     let named = args.files.iter().filter(|file| file.as_os_str() != "-");
     let paths: Vec<&Path> = named.map(PathBuf::as_path).collect();
-    let files = || Ok(files(&inputs, &reports));
-    if let Err(outcome) = deliver(args.out.as_deref(), &paths, files, shown) {
+    let files = || {
+        Ok(match args.out {
+            Some(_) => files(&inputs, &reports),
+            None => certificates(&inputs, &reports),
+        })
+    };
+    if let Err(outcome) = deliver(dir, &paths, files, shown) {
         return outcome;
     }
     match outcome(&reports) {
@@ -292,11 +298,11 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
             ("md", report::markdown(report)),
             ("tex", report::latex(report)),
             ("json", report::json(std::slice::from_ref(report))),
-            ("cert.json", report::certificates(report)),
         ];
         for (ending, text) in forms {
             files.push(Written::new(format!("{}.{ending}", input.stem), text));
         }
+        files.push(certificate(input, report));
         let claims = claims(report);
         let lemmas = judges::coq::file(&claims).text();
         files.push(Written::question(format!("{}.v", judges::coq::library(&input.stem)), &lemmas));
@@ -306,6 +312,16 @@ fn files(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
         }
     }
     files
+}
+
+/// The certificates of the documents alone.
+fn certificates(inputs: &[&Input], reports: &[Report<'_>]) -> Vec<Written> {
+    inputs.iter().zip(reports).map(|(input, report)| certificate(input, report)).collect()
+}
+
+/// What was found of each claim of a document, for a checker.
+fn certificate(input: &Input, report: &Report<'_>) -> Written {
+    Written::new(format!("{}.cert.json", input.stem), report::certificates(report))
 }
 
 /// A name that two documents share, at least as libraries.

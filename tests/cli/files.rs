@@ -54,6 +54,28 @@ fn every_document_becomes_a_file_in_every_form() {
 }
 
 #[test]
+fn the_certificates_can_be_had_alone() {
+    let dir = scratch("certificates");
+    let one = document(&dir, "one.md", "var x > 0\nclaim a: x > 0");
+    let two = document(&dir, "two.md", "var x > 0\nclaim b: x + x = 2*x");
+    let (all, alone) = (dir.join("all"), dir.join("alone"));
+    let audited = |option, target: &Path| {
+        let run = kane(&["audit", &one, &two, option, target.to_str().expect("UTF-8")]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        run.stdout
+    };
+    assert_eq!(audited("--certificates", &alone), audited("--out", &all));
+    let files = fs::read_dir(&alone).expect("the directory was made");
+    assert_eq!(files.count(), 2, "nothing else is there");
+    for name in ["one.cert.json", "two.cert.json"] {
+        let held = |of: &Path| fs::read_to_string(of.join(name)).expect("it was written");
+        assert_eq!(held(&alone), held(&all), "{name}");
+    }
+    let both = kane(&["audit", &one, "--certificates", "x", "--out", "y"]);
+    assert_eq!(both.code, 2, "--out writes them, too");
+}
+
+#[test]
 fn the_paper_s_report_has_the_paper_s_name() {
     let dir = scratch("out-paper");
     kane(&["audit", "--out", dir.to_str().expect("UTF-8")]);

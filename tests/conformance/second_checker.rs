@@ -12,14 +12,14 @@ use serde_json::Value;
 
 use crate::support::{installed, pages, root};
 
-/// What `kane audit` wrote for a document.
-struct Written {
+/// What `kane audit` found of a document.
+struct Audited {
     certificate: PathBuf,
-    report: PathBuf,
+    report: Value,
 }
 
-/// Audits a document of a folder; nothing is written for one that cannot be read.
-fn audited(folder: &str, name: &str) -> Option<Written> {
+/// Audits a document of a folder; nothing is found of one that cannot be read.
+fn audited(folder: &str, name: &str) -> Option<Audited> {
     let stem = name.strip_suffix(".md").expect("a page");
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("second_checker").join(stem);
     if out.exists() {
@@ -27,7 +27,7 @@ fn audited(folder: &str, name: &str) -> Option<Written> {
     }
     let output = Command::new(env!("CARGO_BIN_EXE_kane"))
         .current_dir(root())
-        .args(["audit", &format!("{folder}/{name}"), "--out"])
+        .args(["audit", &format!("{folder}/{name}"), "--format", "json", "--certificates"])
         .arg(&out)
         .stdin(Stdio::null())
         .output()
@@ -37,7 +37,7 @@ fn audited(folder: &str, name: &str) -> Option<Written> {
     }
     let certificate = out.join(format!("{stem}.cert.json"));
     assert!(certificate.exists(), "{name}: {}", said(&output));
-    Some(Written { certificate, report: out.join(format!("{stem}.json")) })
+    Some(Audited { certificate, report: json(&output.stdout) })
 }
 
 /// Python with these arguments, in a folder of the checkout.
@@ -56,11 +56,13 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// Labels and verdicts of the claims in a list of a JSON file.
-fn verdicts(path: &Path, list: &str) -> Vec<(String, String)> {
-    let text = fs::read_to_string(path).expect("kane wrote it");
-    let file: Value = serde_json::from_str(&text).expect("it is JSON");
-    let entries = file.pointer(list).and_then(Value::as_array).expect("the list is there");
+fn json(text: &[u8]) -> Value {
+    serde_json::from_slice(text).expect("kane wrote JSON")
+}
+
+/// Labels and verdicts of the claims in a list of a report or certificate.
+fn verdicts(report: &Value, list: &str) -> Vec<(String, String)> {
+    let entries = report.pointer(list).and_then(Value::as_array).expect("the list is there");
     let word = |entry: &Value, key: &str| entry[key].as_str().unwrap_or_default().to_owned();
     let is_claim = |entry: &&Value| entry.get("kind").is_none_or(|kind| kind == "claim");
     let label = |entry: &Value| word(entry, "label").trim_matches(['(', ')']).trim().to_owned();
@@ -69,28 +71,29 @@ fn verdicts(path: &Path, list: &str) -> Vec<(String, String)> {
 
 /// Checks the documents of a folder; how many of them were read, and how many links they have.
 fn checked(folder: &str) -> (usize, usize) {
-    let mut written = Vec::new();
+    let mut audits = Vec::new();
     for (name, text) in pages(folder) {
         match audited(folder, &name) {
-            Some(files) => written.push((name, files)),
+            Some(found) => audits.push((name, found)),
             None => assert!(text.starts_with(b"<!-- error: "), "{name} cannot be read"),
         }
     }
     let mut arguments = vec!["scripts/check_cert.py".to_owned()];
-    for (name, files) in &written {
-        let certificate = files.certificate.to_str().expect("a UTF-8 name");
-        arguments.extend([format!("{folder}/{name}"), certificate.to_owned()]);
-        let shown = verdicts(&files.report, "/documents/0/statements");
-        assert_eq!(verdicts(&files.certificate, "/claims"), shown, "{name}");
+    for (name, found) in &audits {
+        let path = found.certificate.to_str().expect("a UTF-8 name");
+        arguments.extend([format!("{folder}/{name}"), path.to_owned()]);
+        let certificate = json(&fs::read(path).expect("kane wrote it"));
+        let shown = verdicts(&found.report, "/documents/0/statements");
+        assert_eq!(verdicts(&certificate, "/claims"), shown, "{name}");
     }
     let output = python("", &arguments.iter().map(String::as_str).collect::<Vec<_>>());
     let answer = said(&output);
     let other: Vec<&str> = answer.lines().filter(|line| !line.starts_with("yes")).collect();
     assert!(output.status.success(), "the second checker does not accept:\n{}", other.join("\n"));
     let all = answer.lines().filter(|line| *line == "yes  all accepted").count();
-    assert_eq!(all, written.len(), "each document has its answer");
+    assert_eq!(all, audits.len(), "each document has its answer");
     let is_link = |line: &&str| line.starts_with("yes") && line.contains(" link ");
-    (written.len(), answer.lines().filter(is_link).count())
+    (audits.len(), answer.lines().filter(is_link).count())
 }
 
 #[test]

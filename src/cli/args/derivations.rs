@@ -60,6 +60,10 @@ pub(crate) struct AuditArgs {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 
+    /// Also write the certificate of each document, and nothing else, into this directory
+    #[arg(long, value_name = "DIR", conflicts_with = "out")]
+    pub(crate) certificates: Option<PathBuf>,
+
     /// How to print the report
     #[arg(long, value_enum, default_value_t = AuditFormat::Text)]
     pub(crate) format: AuditFormat,
@@ -93,7 +97,7 @@ pub(crate) struct AuditArgs {
     pub(crate) effort: Option<u64>,
 
     /// Print the proof or the witness of the statement with this label, step by step; may be repeated
-    #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out"])]
+    #[arg(long, value_name = "LABEL", conflicts_with_all = ["format", "only", "out", "certificates"])]
     pub(crate) explain: Vec<String>,
 
     /// Judge again whenever a file changes, until Ctrl-C or the end of piped input
