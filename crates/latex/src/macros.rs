@@ -9,6 +9,8 @@ use crate::unreadable::Unreadable;
 const MOST: usize = 20_000;
 /// Tokens that macros and their arguments may move on the way: long arguments move again in each macro around them.
 const MOVED: usize = 20 * MOST;
+/// Arguments that a macro may have in TeX.
+const ARGUMENTS: usize = 9;
 
 /// What commands stand for.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +47,9 @@ impl Macros {
         while let Some(parameter) = rest.strip_prefix('#') {
             arguments += 1;
             rest = parameter.get(1..)?;
+        }
+        if arguments > ARGUMENTS {
+            return None;
         }
         let (body, rest) = braced(rest)?;
         let body = match name {
@@ -162,6 +167,15 @@ mod tests {
     fn a_macro_that_stands_for_itself_is_refused() {
         let definitions = [("def", "\\a{\\a\\a}")];
         assert_eq!(expanded(&definitions, "\\a"), Err(Unreadable::Macros(MOST)));
+    }
+
+    /// Room for all of them was asked for before they were looked for.
+    #[test]
+    fn a_macro_of_more_arguments_than_tex_allows_is_none() {
+        let mut macros = Macros::default();
+        assert_eq!(macros.define("newcommand", "{\\post}[11111111111]{#1^{+}}"), None);
+        assert_eq!(macros.define("def", "\\a#1#2#3#4#5#6#7#8#9#1{#1}"), None);
+        assert_eq!(macros.define("newcommand", "{\\post}[9]{#9^{+}}"), Some(""));
     }
 
     /// Its arguments grow, and each step copies them: that took longer than ten seconds.
