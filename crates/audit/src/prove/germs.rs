@@ -19,6 +19,10 @@ enum Radius {
     Constants(u32),
     /// D/2ᵏ, where D is known to be positive
     Known(Poly, u32),
+    /// D/(2ᵏ·(1 + D)), likewise: less than D and less than 1
+    Below(Poly, u32),
+    /// D/(2ᵏ·(1 + Σc²)), likewise
+    Smaller(Poly, u32),
     /// D²/((1 + D²)·2·(1 + Σc²))
     Lead(Poly),
 }
@@ -51,6 +55,8 @@ impl Radius {
                 (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k))))
             }
             Self::Known(d, k) => Some((d.clone(), Poly::constant(power(*k)))),
+            Self::Smaller(d, k) => Some((d.clone(), size.scale(&power(*k)))),
+            Self::Below(d, k) => Some((d.clone(), d.add(&Poly::one()).scale(&power(*k)))),
             Self::Lead(d) => {
                 let fuel = &state.scope.fuel;
                 let square = d.mul(d, fuel).ok()?;
@@ -189,11 +195,14 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
         radii.filter_map(|radius| self.germ(&radius))
     }
 
-    /// Germs of radii that shrink with a polynomial in constants or, if it is none in them, with these constants.
-    pub(super) fn near(&self, lead: Poly) -> impl Iterator<Item = Germ> {
+    /// Germs of radii that shrink with a polynomial in constants or, if it is none in them, with these constants. Of one that
+    /// is `positive` they are simpler.
+    pub(super) fn near(&self, lead: Poly, positive: bool) -> impl Iterator<Item = Germ> {
         let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
         let shrinking = if lead.is_constant() {
-            vec![Radius::Fixed(3), Radius::Constants(1), Radius::Fixed(7), Radius::Constants(7)]
+            vec![Radius::Constants(1), Radius::Fixed(3), Radius::Constants(7), Radius::Fixed(7)]
+        } else if positive {
+            [Radius::Known, Radius::Below, Radius::Smaller].map(|of| of(lead.clone(), 2)).to_vec()
         } else {
             let known = is_known.then(|| Radius::Known(lead.clone(), 2));
             known.into_iter().chain([Radius::Lead(lead), Radius::Constants(1)]).collect()

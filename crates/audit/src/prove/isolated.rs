@@ -96,13 +96,13 @@ impl Search<'_> {
     /// What is left once sides are squared, or the sign is known of what a condition has as a square: where a condition has
     /// several roots, or one of something in several variables.
     pub(super) fn by_squaring(&self, state: &State<'_, '_>, splits: u32) -> Option<Outcome> {
-        let with_root = |i: usize| has_root(state, &state.atoms[i].poly);
-        if !self.proofs || !self.products || splits >= MAX_SPLITS || !strict(state).any(with_root) {
+        // along a germ conditions have many roots
+        let t = state.scope.germ();
+        if !self.squares_first && state.atoms.iter().any(|a| a.poly.degree(t) > 0) {
             return None;
         }
-        // along a germ conditions have many roots, and the search is brief
-        let t = state.scope.germ();
-        if state.atoms.iter().any(|a| a.poly.degree(t) > 0) {
+        let with_root = |i: usize| has_root(state, &state.atoms[i].poly);
+        if !self.proofs || !self.products || splits >= MAX_SPLITS || !strict(state).any(with_root) {
             return None;
         }
         let rules = Rule::all(state);

@@ -13,7 +13,7 @@ use std::cmp::Ordering;
 
 use super::bounds;
 use super::germs::{Germs, Memory};
-use super::magnitude;
+use super::round::Round;
 use super::search::{Outcome, Search};
 use super::squeeze;
 use super::symbols::without_squares;
@@ -160,9 +160,12 @@ pub(crate) fn one_side(
                 Germs::new(state, side, steps).along(power).all().find_map(argument)
             })
         })
-        .or_else(|| tangents::one_side(state, limit, side, steps))
-        .or_else(|| squeeze::one_side(state, limit, side, steps))
-        .or_else(|| magnitude::one_side(state, limit, side, steps))
+        .or_else(|| {
+            Round::all(steps).into_iter().find_map(|round| {
+                tangents::one_side(state, limit, side, round)
+                    .or_else(|| squeeze::one_side(state, limit, side, round))
+            })
+        })
 }
 
 /// A proof of a limit from one side by a quotient that the expression equals.

@@ -10,7 +10,7 @@ use num_integer::Integer as _;
 use num_traits::{One, Signed};
 
 use super::combination::{Size, Summand, combined, summand};
-use super::monomial::known;
+use super::monomial::{known, sign};
 use crate::argument::Argument;
 
 /// Terms of a condition.
@@ -24,26 +24,45 @@ const SIZE: Size = Size { rows: 80, columns: 1200, pivots: 400 };
 
 /// A contradiction between one condition and means of its terms.
 pub(super) fn means(state: &State<'_, '_>) -> Option<Argument> {
-    let fits = |a: &Atom| {
-        let up = a.poly.terms().any(|(_, c)| c.is_positive());
-        let down = a.poly.terms().filter(|(_, c)| c.is_negative()).count();
-        a.sign == Sign::Positive && up && down > 1 && a.poly.len() <= TERMS
-    };
-    let live = (0..state.atoms.len()).rev().filter(|&i| fits(&state.atoms[i]));
-    live.filter(|&i| state.atoms[i].decided().is_none()).find_map(|i| below(state, i))
+    apart(state).find_map(|i| below(state, i, &[]))
 }
 
-/// The contradiction with one condition.
-fn below(state: &State<'_, '_>, i: usize) -> Option<Argument> {
-    let poly = &state.atoms[i].poly;
-    let vars = poly.vars();
+/// The same between sums of products of one condition with each of its variables, which are not negative, and means of
+/// their terms: a²·c·d + b²·a·d + c²·a·b + d²·b·c is at least 4·a·b·c·d by means only where it is multiplied by
+/// a + b + c + d (Pólya, Über positive Darstellung von Polynomen, 1928).
+pub(super) fn multiplied(state: &State<'_, '_>) -> Option<Argument> {
+    apart(state).find_map(|i| {
+        let vars = state.atoms[i].poly.vars();
+        let above_zero = |&v: &usize| sign(state, v).filter(|known| !known.1).map(|known| known.0);
+        below(state, i, &vars.iter().map(above_zero).collect::<Option<Vec<_>>>()?)
+    })
+}
+
+/// Conditions with few terms of both signs, the last one first.
+fn apart<'a>(state: &'a State<'_, '_>) -> impl Iterator<Item = usize> + 'a {
+    (0..state.atoms.len()).rev().filter(|&i| fits(&state.atoms[i]))
+}
+
+fn fits(atom: &Atom) -> bool {
+    let up = atom.poly.terms().any(|(_, c)| c.is_positive());
+    let down = atom.poly.terms().filter(|(_, c)| c.is_negative()).count();
+    let few = atom.sign == Sign::Positive && up && down > 1 && atom.poly.len() <= TERMS;
+    few && atom.decided().is_none()
+}
+
+/// The contradiction with one condition, alone or with its products with some others.
+fn below(state: &State<'_, '_>, i: usize, by: &[usize]) -> Option<Argument> {
+    let product = |&j: &usize| summand(state, Poly::one(), vec![(i.min(j), 1), (i.max(j), 1)]);
+    let alone = summand(state, Poly::one(), vec![(i, 1)])?;
+    let products = by.iter().map(product).collect::<Option<Vec<Summand>>>()?;
+    let mut summands: Vec<Summand> = std::iter::once(alone).chain(products).collect();
+    let vars = state.atoms[i].poly.vars();
     let row = |m: &[(usize, u32)]| -> Vec<u32> { vars.iter().map(|&v| exponent(m, v)).collect() };
-    let ends: BTreeSet<Vec<u32>> = poly.terms().map(|(m, _)| row(m)).collect();
-    let points = between(ends)?;
+    let terms = summands.iter().flat_map(|(_, poly, _)| poly.terms());
+    let points = between(terms.map(|(m, _)| row(m)).collect())?;
     let monomial = |row: &[u32]| -> Monomial {
         vars.iter().copied().zip(row.iter().copied()).filter(|power| power.1 > 0).collect()
     };
-    let mut summands: Vec<Summand> = vec![summand(state, Poly::one(), vec![(i, 1)])?];
     for (n, p) in points.iter().enumerate() {
         if let Some((square, factors)) = known(state, &monomial(p)) {
             summands.push(summand(state, Poly::term(square, BigInt::one()), factors)?);

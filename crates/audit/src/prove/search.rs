@@ -87,6 +87,8 @@ pub(crate) struct Search<'a> {
     pub(crate) hints: Vec<Hint>,
     /// whether summands are looked at as they are written
     pub(crate) as_written: bool,
+    /// whether sides with several roots are squared before anything is solved for along a germ, too
+    pub(crate) squares_first: bool,
     /// the summands of the goal, once they are looked at
     pub(super) written: OnceCell<Vec<Hint>>,
     /// what was tried, and the smallest conditions on which all of it failed
@@ -126,6 +128,7 @@ impl<'a> Search<'a> {
             brief: false,
             hints: Vec::new(),
             as_written: false,
+            squares_first: false,
             written: OnceCell::new(),
             attempt: RefCell::default(),
         }

@@ -1,17 +1,19 @@
 //! Limits between bounds: an expression in functions that premises bound lies between what it is on the
-//! bounds, and tends to what both of these tend to.
+//! bounds, and tends to what both of these tend to. A root lies between the means of its radicand and 1.
 
 use std::cmp::Ordering;
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Limit, Poly, Rejection, Side, State, Target, differs, exponent,
+    Atom, Expr, Fraction, Fuel, Germ, Limit, Poly, Power, Rejection, Side, State, Target, differs,
+    exponent, scope,
 };
 use num_bigint::BigInt;
 
 use super::bounds::at_zero;
 use super::factors::linear_factors;
 use super::germs::Germs;
+use super::round::Round;
 use super::search::{Outcome, Search};
 use super::variation::{substituted, varies};
 use crate::argument::{Argument, SideArgument};
@@ -26,6 +28,8 @@ const QUOTIENTS: usize = 16;
 const SQUARES: u64 = 10_000_000;
 /// Germs that are tried.
 const GERMS: usize = 2;
+/// Powers of t along which roots are tried: they grow or fall like powers of t that are whole.
+const POWERS: [u32; 2] = [2, 1];
 
 /// A quotient beside an expression, and why it tends to the limit.
 pub(super) struct Beside {
@@ -40,12 +44,15 @@ pub(super) fn one_side(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
-    steps: u64,
+    round: Round,
 ) -> Option<SideArgument> {
-    Germs::new(state, side, steps)
-        .all()
-        .take(GERMS)
-        .find_map(|germ| along(state, limit, side, &germ, steps))
+    let first = state.scope.context.vars.len();
+    let has_roots = (first..state.scope.germ()).any(|v| !state.is_constant(v, side.var));
+    let powers: &[u32] = if has_roots { &POWERS } else { &[1] };
+    powers.iter().find_map(|&power| {
+        let germs = Germs::new(state, side, round.steps).along(power);
+        germs.all().take(GERMS).find_map(|germ| along(state, limit, side, &germ, round))
+    })
 }
 
 fn along(
@@ -53,8 +60,9 @@ fn along(
     limit: &Limit,
     side: &Side,
     germ: &Germ,
-    steps: u64,
+    round: Round,
 ) -> Option<SideArgument> {
+    let steps = round.steps;
     let mut found = Vec::new();
     for (num, den) in quotients(state, limit, germ, steps) {
         let t = state.scope.germ();
@@ -63,9 +71,8 @@ fn along(
             found.push(Beside { num, den, order, end });
         }
     }
-    let may = varies(state, germ.side.var);
     let shown = |sense: Ordering| {
-        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, steps, &may))
+        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, round))
     };
     between(&limit.to, &shown)
 }
@@ -86,22 +93,25 @@ pub(super) fn between(
     }
 }
 
-/// The argument that the expression is on one side of a quotient along a germ.
+/// The argument that the expression is on one side of a quotient along a germ, if it is found in such a round.
 pub(super) fn bounded(
     state: &State<'_, '_>,
     limit: &Limit,
     germ: &Germ,
     beside: &Beside,
     sense: Ordering,
-    steps: u64,
-    may_eliminate: &dyn Fn(usize, &Poly) -> bool,
+    round: Round,
 ) -> Option<SideArgument> {
     let Beside { num, den, order, end } = beside;
+    let any = |_: usize, _: &Poly| true;
+    let fuel = &state.scope.fuel;
+    let scope = scope(state.goal, fuel.within(round.share(fuel.left()))).ok()?;
+    let state = State { scope: &scope, ..state.clone() };
     let wrong = differs(state.scope, &limit.compared(state.scope), (num, den), sense).ok()?;
     let there = state.along_unproved(germ).ok()?.with_cases(wrong);
-    let mut search = Search::new(steps, may_eliminate, false);
-    search.products = true;
+    let mut search = Search::new(round.steps(), &any, false);
     search.squares = state.scope.fuel.within(SQUARES);
+    search.squares_first = round.squares_first;
     let Outcome::Closed(along) = search.solve(&there) else { return None };
     Some(SideArgument {
         germ: germ.clone(),
@@ -120,7 +130,10 @@ pub(super) fn bounded(
 fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> Vec<(Poly, Poly)> {
     let x = germ.side.var;
     let fuel = &state.scope.fuel;
-    let of_x = |v: &usize| state.scope.context.vars.get(*v).is_some_and(|var| var.of == Some(x));
+    let of_x = |v: &usize| match state.scope.context.vars.get(*v) {
+        Some(var) => var.of == Some(x),
+        None => state.scope.root(*v).is_some() && !state.is_constant(*v, x),
+    };
     let mut out = Vec::new();
     let (Ok(along), Ok(pieces)) = (state.along_unproved(germ), state.scope.pieces(&limit.expr))
     else {
@@ -143,6 +156,7 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
         }
         let mut on_bounds = vec![(num, den)];
         for f in functions {
+            let means = means(state, germ, f);
             let bounds: Vec<(Poly, Poly)> = rest
                 .atoms
                 .iter()
@@ -153,6 +167,7 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
                 // as for sines and cosines
                 .chain([1, -1].map(|n| (Poly::one(), Poly::constant(BigInt::from(n)))))
                 .collect();
+            let bounds = means.unwrap_or(bounds);
             let put = |(num, den): &(Poly, Poly)| -> Vec<(Poly, Poly)> {
                 bounds.iter().filter_map(|at| put_in(num, den, f, at, fuel).ok()).collect()
             };
@@ -181,6 +196,34 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
     out.dedup();
     out.truncate(QUOTIENTS);
     out
+}
+
+/// The harmonic and the arithmetic mean of q and 1, times tⁿ, for a root of q·t²ⁿ, as a pair (a, b) with −b/a for each.
+fn means(state: &State<'_, '_>, germ: &Germ, root: usize) -> Option<Vec<(Poly, Poly)>> {
+    let Expr::Sqrt(radicand) = state.scope.root(root)? else { return None };
+    let (fuel, t, x) = (&state.scope.fuel, state.scope.germ(), germ.side.var);
+    let pieces = state.scope.pieces(radicand).ok()?;
+    let mut values = pieces.iter().filter_map(|piece| piece.value.as_ref());
+    let (Some(value), None) = (values.next(), values.next()) else { return None };
+    let binding = germ.side.binding((t, germ.power), fuel).ok()?.poly;
+    let at = [1, 0].map(|n| binding.coefficient(x, n)).into();
+    let (num, den) = put_in(&value.num, &value.den, x, &at, fuel).ok()?;
+    let low = |p: &Poly| p.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
+    let (up, down) = (low(&num), low(&den));
+    if !up.is_multiple_of(2) || !down.is_multiple_of(2) {
+        return None;
+    }
+    let [above, below] = [up / 2, down / 2].map(|n| Poly::power(t, n));
+    let without = |p: &Poly, low: u32| {
+        let lower = |&(v, n): &Power| (v, if v == t { n - low } else { n });
+        Poly::sum(p.terms().map(|(m, c)| (m.iter().map(lower).collect(), c.clone())))
+    };
+    let (num, den) = (without(&num, up), without(&den, down));
+    let (two, sum) = (BigInt::from(2), num.add(&den));
+    // tⁿ·2·q/(1 + q) and tⁿ·(1 + q)/2
+    let pair =
+        |a: Poly, b: Poly| Some((a.mul(&below, fuel).ok()?, b.mul(&above, fuel).ok()?.neg()));
+    Some(vec![pair(sum.clone(), num.scale(&two))?, pair(den.scale(&two), sum)?])
 }
 
 /// What is of degree one in a function: the polynomial of an inequality, or factors of an equation.

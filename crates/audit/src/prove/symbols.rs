@@ -25,8 +25,8 @@ pub(super) struct Symbols<'a, 's, 'g> {
     x: usize,
     /// what is known without cases
     known: Vec<Atom>,
-    /// roots and their radicands
-    roots: Vec<(usize, Poly)>,
+    /// roots and their radicands, which are quotients of constants and earlier roots
+    roots: Vec<(usize, Quotient)>,
     /// what signs were asked of, and what was divided by: near its zeros the radius is small
     asked: RefCell<Vec<Poly>>,
     /// numbers of which roots were asked that the scope does not have
@@ -56,15 +56,19 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         out
     }
 
-    /// What a root is the root of, if that is a polynomial in constants and earlier roots.
-    fn radicand(&self, root: usize) -> Option<Poly> {
+    /// What a root is the root of, if there are constants and earlier roots alone in it.
+    fn radicand(&self, root: usize) -> Option<Quotient> {
         let Some(Expr::Sqrt(radicand)) = self.state.scope.root(root) else { return None };
         let pieces = self.state.scope.pieces(radicand).ok()?;
-        let [Piece { value: Some(Fraction { num, den }), .. }] = &pieces[..] else { return None };
+        let mut values = pieces.iter().filter_map(|piece| piece.value.as_ref());
+        let (Some(Fraction { num, den }), None) = (values.next(), values.next()) else {
+            return None;
+        };
         let known = |v: &usize| {
             self.state.is_constant(*v, self.x) || self.roots.iter().any(|(root, _)| root == v)
         };
-        (*den == Poly::one() && num.vars().iter().all(known)).then(|| num.clone())
+        let all_known = num.vars().iter().chain(&den.vars()).all(known);
+        all_known.then(|| (num.clone(), den.clone()))
     }
 
     /// The product of what signs were asked of and of what was divided by.
@@ -113,19 +117,44 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
     }
 
     fn reduced(&self, num: &Poly, den: &Poly) -> Option<Quotient> {
-        let plain = |p: &Poly| without_squares(self.state, p.clone());
-        let num = plain(num);
+        let (num, den) = self.without_squares(num.clone(), den.clone())?;
         if num.is_empty() {
             return Some((num, Poly::one()));
         }
-        let (num, den) = lowest(&cancelled(&num, &plain(den)));
+        let (num, den) = lowest(&cancelled(&num, &den));
         (num.len() <= TERMS && den.len() <= TERMS && !den.is_empty()).then_some((num, den))
+    }
+
+    /// num/den with radicands in the place of squares of their roots.
+    fn without_squares(&self, mut num: Poly, mut den: Poly) -> Option<Quotient> {
+        let fuel = &self.state.scope.fuel;
+        for (root, (n, d)) in self.roots.iter().rev() {
+            let squares = num.degree(*root).max(den.degree(*root)) / 2;
+            if squares == 0 {
+                continue;
+            }
+            // r^(2i + j) times dˢ is nⁱ·d^(s − i)·rʲ
+            let put = |p: &Poly| -> Option<Poly> {
+                let mut sum = Poly::default();
+                for power in 0..=p.degree(*root) {
+                    let (i, j) = (power / 2, power % 2);
+                    let scale = n.pow(i, fuel).ok()?.mul(&d.pow(squares - i, fuel).ok()?, fuel);
+                    let part = p.coefficient(*root, power).mul(&scale.ok()?, fuel).ok()?;
+                    sum = sum.add(&part.mul(&Poly::power(*root, j), fuel).ok()?);
+                }
+                Some(sum)
+            };
+            (num, den) = (put(&num)?, put(&den)?);
+        }
+        Some((num, den))
     }
 
     fn is_strict(&self, v: usize) -> bool {
         let radicand = self.roots.iter().find(|(root, _)| *root == v);
         match radicand {
-            Some((_, radicand)) => self.sign(radicand) == Some(true),
+            Some((_, (num, den))) => {
+                self.sign(num).is_some_and(|sign| self.sign(den) == Some(sign))
+            }
             None => self.known.contains(&Atom::new(Poly::var(v), Sign::Positive)),
         }
     }
@@ -145,7 +174,7 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
     }
 
     /// Whether a polynomial is positive or negative, if that is plain.
-    fn sign(&self, p: &Poly) -> Option<bool> {
+    pub(super) fn sign(&self, p: &Poly) -> Option<bool> {
         if let Some(positive) = common_sign(p) {
             let strict = |m: &[(usize, u32)]| m.iter().all(|&(v, _)| self.is_strict(v));
             let square =
@@ -209,8 +238,12 @@ impl Numbers for Symbols<'_, '_, '_> {
             |p: Poly| self.sign(&p).map(|positive| if positive { p.clone() } else { p.neg() });
         let den = absolute(a.1.clone())?;
         let one = vec![(Poly::one(), Poly::one())];
-        let single = self.roots.iter().map(|(root, radicand)| (Poly::var(*root), radicand.clone()));
-        let single: Vec<(Poly, Poly)> = single.collect();
+        // √(n/d)·d is the root of n·d
+        let whole = |(root, (n, d)): &(usize, Quotient)| {
+            let d = absolute(d.clone())?;
+            Some((Poly::var(*root).mul(&d, fuel).ok()?, n.mul(&d, fuel).ok()?))
+        };
+        let single: Vec<(Poly, Poly)> = self.roots.iter().filter_map(whole).collect();
         let both = single.iter().enumerate().flat_map(|(i, a)| {
             let pair = move |b: &(Poly, Poly)| {
                 Some((a.0.mul(&b.0, fuel).ok()?, a.1.mul(&b.1, fuel).ok()?))
@@ -268,10 +301,16 @@ fn lowest((num, den): &Quotient) -> Quotient {
     (turn(num.scale(q.numer())), turn(den.scale(q.denom())))
 }
 
-/// a + b·t as one quotient.
-pub(super) fn line(state: &State<'_, '_>, a: &Quotient, b: &Quotient) -> Option<Quotient> {
+/// Σ cᵢ·tⁱ as one quotient.
+pub(super) fn polynomial(state: &State<'_, '_>, coefficients: &[&Quotient]) -> Option<Quotient> {
     let fuel = &state.scope.fuel;
-    let step = b.0.mul(&Poly::var(state.scope.germ()), fuel).ok()?.mul(&a.1, fuel).ok()?;
-    let num = a.0.mul(&b.1, fuel).ok()?.add(&step);
-    Some(lowest(&cancelled(&num, &a.1.mul(&b.1, fuel).ok()?)))
+    let t = Poly::var(state.scope.germ());
+    let (mut num, mut den) = (Poly::default(), Poly::one());
+    for c in coefficients.iter().rev() {
+        // c + t·num/den
+        num = c.0.mul(&den, fuel).ok()?.add(&num.mul(&t, fuel).ok()?.mul(&c.1, fuel).ok()?);
+        den = den.mul(&c.1, fuel).ok()?;
+        (num, den) = cancelled(&num, &den);
+    }
+    Some(lowest(&(num, den)))
 }

@@ -3,14 +3,15 @@
 
 use std::cmp::Ordering;
 
-use kane_kernel::{Expr, Limit, Poly, Side, State, Target, constants, scope};
+use kane_kernel::{Expr, Limit, Poly, Side, State, Target};
 use num_rational::BigRational;
 
 use super::bounds::at_zero;
 use super::germs::Germs;
+use super::round::Round;
 use super::series::{Along, Numbers as _, Series, Value};
 use super::squeeze::{Beside, between, bounded};
-use super::symbols::{Quotient, Symbols, line};
+use super::symbols::{Quotient, Symbols, polynomial};
 use super::variation::ratio_in;
 use crate::argument::SideArgument;
 
@@ -20,8 +21,8 @@ const POWERS: [u32; 2] = [1, 2];
 const TERMS: usize = 6;
 /// Germs that are tried.
 const GERMS: usize = 3;
-/// One part in so many of what work is left goes to one line along one germ.
-const SHARE: u64 = 2;
+/// Quotients that are tried on each side in a brief round.
+const FEW: usize = 3;
 
 /// A quotient beside the expression: its parts, and the order of its denominator.
 type Candidate = (Quotient, u32);
@@ -31,12 +32,12 @@ pub(super) fn one_side(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
-    steps: u64,
+    round: Round,
 ) -> Option<SideArgument> {
+    let steps = round.steps;
     if state.scope.context.vars.len() == state.scope.germ() && !has_cases(state, &limit.expr) {
         return None;
     }
-    let any = |_: usize, _: &Poly| true;
     POWERS.iter().find_map(|&power| {
         let mut along = along(state, side, power);
         let exact = along.value(&limit.expr);
@@ -45,22 +46,18 @@ pub(super) fn one_side(
             along.value(&limit.expr)
         })?;
         let lead = along.numbers.lead()?;
+        let is_positive = along.numbers.sign(&lead) == Some(true);
+        let most = if round.is_brief { FEW } else { usize::MAX };
         let lines = Lines { state, limit, side, steps, along: &along };
         let tried = |sense: Ordering| -> Option<Vec<Beside>> {
             Some(lines.beside(&value, sense)?.into_iter().filter_map(|c| lines.ending(c)).collect())
         };
         let (above, below) = (tried(Ordering::Greater)?, tried(Ordering::Less)?);
         let germs = Germs::new(state, side, steps).along(power);
-        germs.near(lead).take(GERMS).find_map(|germ| {
+        germs.near(lead, round.is_brief && is_positive).take(GERMS).find_map(|germ| {
             let shown = |sense: Ordering| {
-                let mut beside = if sense == Ordering::Greater { &above } else { &below }.iter();
-                beside.find_map(|b| {
-                    // one that fails leaves something for the others
-                    let share = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
-                    let scope = scope(state.goal, share).ok()?;
-                    let state = constants(&scope, state.goal, side.var).ok()?;
-                    bounded(&state, limit, &germ, b, sense, steps, &any)
-                })
+                let beside = if sense == Ordering::Greater { &above } else { &below };
+                beside.iter().take(most).find_map(|b| bounded(state, limit, &germ, b, sense, round))
             };
             between(&limit.to, &shown)
         })
@@ -154,8 +151,8 @@ impl Lines<'_, '_, '_> {
         }
     }
 
-    /// The limit and the tangent, where the next coefficient tells the side, and what has twice its slope, the next
-    /// coefficient more, or one more.
+    /// The limit and the tangent, where the next coefficient tells the side; what bends twice as much; and what has twice its
+    /// slope, the next coefficient more, or one more.
     fn lines(&self, s: &Series<Quotient>, sense: Ordering) -> Option<Vec<Candidate>> {
         let numbers = &self.along.numbers;
         let side = |c: &Quotient| {
@@ -165,7 +162,7 @@ impl Lines<'_, '_, '_> {
         };
         let [start, slope, bend] = [0, 1, 2].map(|n| self.along.coefficient(s, n));
         let (start, slope) = (start?, slope?);
-        let bent = |by: &Quotient| Some((line(self.state, &start, by)?, 0));
+        let bent = |by: &Quotient| Some((polynomial(self.state, &[&start, by])?, 0));
         let mut out = Vec::new();
         let flat = numbers.is_zero(&slope) && bend.as_ref().is_none_or(|b| numbers.is_zero(b));
         if side(&slope) == Some(true) || flat {
@@ -174,6 +171,10 @@ impl Lines<'_, '_, '_> {
         let bend = bend.and_then(|bend| Some((side(&bend)?, bend)));
         if let Some((true, _)) = &bend {
             out.push(bent(&slope)?);
+        }
+        if let Some((false, bend)) = &bend {
+            let twice = numbers.sum(bend, bend)?;
+            out.push((polynomial(self.state, &[&start, &slope, &twice])?, 0));
         }
         if side(&slope) == Some(false) {
             out.push(bent(&numbers.sum(&slope, &slope)?)?);
