@@ -28,8 +28,8 @@ pub(super) fn means(state: &State<'_, '_>) -> Option<Argument> {
 }
 
 /// The same between sums of products of one condition with each of its variables, which are not negative, and means of
-/// their terms: a²·c·d + b²·a·d + c²·a·b + d²·b·c is at least 4·a·b·c·d by means only where it is multiplied by
-/// a + b + c + d (Pólya, Über positive Darstellung von Polynomen, 1928).
+/// their terms: between the powers in a²·c·d + b²·a·d + c²·a·b + d²·b·c no mean has whole powers, and that it is at least
+/// 4·a·b·c·d is shown where both are multiplied by a + b + c + d (as Pólya, Über positive Darstellung von Polynomen, 1928).
 pub(super) fn multiplied(state: &State<'_, '_>) -> Option<Argument> {
     apart(state).find_map(|i| {
         let vars = state.atoms[i].poly.vars();

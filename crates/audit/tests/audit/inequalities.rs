@@ -92,6 +92,13 @@ fn few_terms_in_many_variables_are_told_by_means_of_two() {
     }
 }
 
+/// No mean of two terms has whole powers; of their products with the variables there are enough.
+#[test]
+fn cyclic_quotients_are_told_by_means_of_products_with_their_variables() {
+    assert_eq!(verdict("a/b + b/c + c/e + e/a >= 4"), Verdict::Proved);
+    assert_eq!(verdict("a/b + b/c + c/e + e/a >= 4001/1000"), Verdict::Refuted);
+}
+
 #[test]
 fn sums_of_squares_are_found_where_they_vanish_at_irrational_points_alone() {
     // (x³ + y²)² + (e² + x + y + 2)² + e² + b⁴; with one e² less it fails
