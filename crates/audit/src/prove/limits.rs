@@ -161,7 +161,8 @@ pub(crate) fn one_side(
             })
         })
         .or_else(|| {
-            Round::all(steps).into_iter().find_map(|round| {
+            let has_roots = state.scope.context.vars.len() < state.scope.germ();
+            Round::all(steps, has_roots).find_map(|round| {
                 tangents::one_side(state, limit, side, round)
                     .or_else(|| squeeze::one_side(state, limit, side, round))
             })

@@ -18,10 +18,12 @@ pub(super) struct Round {
 }
 
 impl Round {
-    /// The rounds, one after the other.
-    pub(super) fn all(steps: u64) -> [Self; 3] {
+    /// The rounds, one after the other; where no roots are, the last one alone.
+    pub(super) fn all(steps: u64, has_roots: bool) -> impl Iterator<Item = Self> {
         let ways = [(true, false), (true, true), (false, false)];
-        ways.map(|(is_brief, squares_first)| Self { steps, is_brief, squares_first })
+        let skipped = if has_roots { 0 } else { 2 };
+        let round = move |(is_brief, squares_first)| Self { steps, is_brief, squares_first };
+        ways.into_iter().skip(skipped).map(round)
     }
 
     /// Steps of one search.
