@@ -19,11 +19,15 @@ def second_opinion(source, certificate, shown):
     def check():
         try:
             parsed = json.loads(certificate.read_bytes(), object_pairs_hook=unique_keys)
-            check_text(source.encode("utf-8"), parsed, said.append)
+            faults = check_text(source.encode("utf-8"), parsed, said.append)
+            if faults:
+                said.append(f"NO   document: {faults} claims rejected")
             if [c["verdict"] for c in parsed["claims"]] != shown:
                 said.append("NO   the certificate has other verdicts than the report")
         except Exception as why:
             said.append(f"NO   document: {why!r}")
+        return True
 
-    on_a_large_stack(check)
+    if not on_a_large_stack(check):
+        said.append("NO   document: the checker ended without an answer")
     return [line for line in said if line.startswith("NO")], sum(" link " in line and line.startswith("yes") for line in said)

@@ -198,12 +198,12 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
     /// Germs of radii that shrink with a polynomial in constants or, if it is none in them, with these constants. Of one that
     /// is `positive` they are simpler.
     pub(super) fn near(&self, lead: Poly, positive: bool) -> impl Iterator<Item = Germ> {
-        let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
         let shrinking = if lead.is_constant() {
             vec![Radius::Constants(1), Radius::Fixed(3), Radius::Constants(7), Radius::Fixed(7)]
         } else if positive {
             [Radius::Known, Radius::Below, Radius::Smaller].map(|of| of(lead.clone(), 2)).to_vec()
         } else {
+            let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
             let known = is_known.then(|| Radius::Known(lead.clone(), 2));
             known.into_iter().chain([Radius::Lead(lead), Radius::Constants(1)]).collect()
         };

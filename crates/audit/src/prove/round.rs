@@ -21,9 +21,8 @@ impl Round {
     /// The rounds, one after the other; where no roots are, the last one alone.
     pub(super) fn all(steps: u64, has_roots: bool) -> impl Iterator<Item = Self> {
         let ways = [(true, false), (true, true), (false, false)];
-        let skipped = if has_roots { 0 } else { 2 };
         let round = move |(is_brief, squares_first)| Self { steps, is_brief, squares_first };
-        ways.into_iter().skip(skipped).map(round)
+        ways.into_iter().filter(move |(is_brief, _)| has_roots || !is_brief).map(round)
     }
 
     /// Steps of one search.

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Expr, Fraction, Fuel, Germ, Limit, Poly, Power, Rejection, Side, State, Target, differs,
+    Atom, Fraction, Fuel, Germ, Limit, Poly, Power, Rejection, Side, State, Target, differs,
     exponent, scope,
 };
 use num_bigint::BigInt;
@@ -15,6 +15,7 @@ use super::factors::linear_factors;
 use super::germs::Germs;
 use super::round::Round;
 use super::search::{Outcome, Search};
+use super::symbols::radicand;
 use super::variation::{substituted, varies};
 use crate::argument::{Argument, SideArgument};
 
@@ -200,14 +201,11 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
 
 /// The harmonic and the arithmetic mean of q and 1, times tⁿ, for a root of q·t²ⁿ, as a pair (a, b) with −b/a for each.
 fn means(state: &State<'_, '_>, germ: &Germ, root: usize) -> Option<Vec<(Poly, Poly)>> {
-    let Expr::Sqrt(radicand) = state.scope.root(root)? else { return None };
+    let Fraction { num, den } = radicand(state, root)?;
     let (fuel, t, x) = (&state.scope.fuel, state.scope.germ(), germ.side.var);
-    let pieces = state.scope.pieces(radicand).ok()?;
-    let mut values = pieces.iter().filter_map(|piece| piece.value.as_ref());
-    let (Some(value), None) = (values.next(), values.next()) else { return None };
     let binding = germ.side.binding((t, germ.power), fuel).ok()?.poly;
     let at = [1, 0].map(|n| binding.coefficient(x, n)).into();
-    let (num, den) = put_in(&value.num, &value.den, x, &at, fuel).ok()?;
+    let (num, den) = put_in(&num, &den, x, &at, fuel).ok()?;
     let low = |p: &Poly| p.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
     let (up, down) = (low(&num), low(&den));
     if !up.is_multiple_of(2) || !down.is_multiple_of(2) {

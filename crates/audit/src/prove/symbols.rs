@@ -58,17 +58,12 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
 
     /// What a root is the root of, if there are constants and earlier roots alone in it.
     fn radicand(&self, root: usize) -> Option<Quotient> {
-        let Some(Expr::Sqrt(radicand)) = self.state.scope.root(root) else { return None };
-        let pieces = self.state.scope.pieces(radicand).ok()?;
-        let mut values = pieces.iter().filter_map(|piece| piece.value.as_ref());
-        let (Some(Fraction { num, den }), None) = (values.next(), values.next()) else {
-            return None;
-        };
+        let Fraction { num, den } = radicand(self.state, root)?;
         let known = |v: &usize| {
             self.state.is_constant(*v, self.x) || self.roots.iter().any(|(root, _)| root == v)
         };
         let all_known = num.vars().iter().chain(&den.vars()).all(known);
-        all_known.then(|| (num.clone(), den.clone()))
+        all_known.then_some((num, den))
     }
 
     /// The product of what signs were asked of and of what was divided by.
@@ -274,6 +269,14 @@ impl Numbers for Symbols<'_, '_, '_> {
         self.ask(&a.0);
         Some(is_positive)
     }
+}
+
+/// What a root is the root of, if that is one fraction wherever it is defined.
+pub(super) fn radicand(state: &State<'_, '_>, root: usize) -> Option<Fraction> {
+    let Expr::Sqrt(radicand) = state.scope.root(root)? else { return None };
+    let pieces = state.scope.pieces(radicand).ok()?;
+    let mut values = pieces.into_iter().filter_map(|piece| piece.value);
+    values.next().filter(|_| values.next().is_none())
 }
 
 /// A polynomial with radicands in the place of squares of their roots, so that it shows what is left at t = 0.
