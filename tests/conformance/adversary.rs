@@ -192,6 +192,14 @@ fn no_verdict_on_a_limit_with_roots_is_wrong() {
 }
 
 #[test]
+fn no_verdict_on_a_limit_with_several_symbols_under_roots_is_wrong() {
+    if let Some(printed) = trial("parameters.py", 64) {
+        let kinds = ["right, proved: ", "wrong, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_roots_of_numbers_is_wrong() {
     if let Some(printed) = trial("surds.py", 160) {
         let kinds = [
