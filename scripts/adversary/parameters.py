@@ -14,115 +14,89 @@ import sys
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 
-from radicals import approaches, behaviour, judged, number, text, value
+import witness
+from expr import ONE, ZERO, add, div, mul, num, show, sub, substitute, var
+from radicals import approaches, behaviour, judged
+from reader import read
 from trial import Trial
 
 CLAIMS = 8  # a document
 #: what 400 digits of depth and their squares leave is enough for the 20 by which limits are told apart
 EXACT = Context(prec=1300, Emax=10**9, Emin=-(10**9))
 SYMBOLS = ["a", "b", "c", "m", "k"]
-
-
-class Writer:
-    """Arithmetic on expressions, so that a limit below reads as on paper."""
-
-    def __init__(self, e):
-        self.e = e
-
-    def __add__(self, other):
-        return Writer(("+", self.e, of(other)))
-
-    def __sub__(self, other):
-        return Writer(("-", self.e, of(other)))
-
-    def __mul__(self, other):
-        return Writer(("*", self.e, of(other)))
-
-    def __truediv__(self, other):
-        return Writer(("/", self.e, of(other)))
-
-    def __pow__(self, n):
-        return Writer(("^", self.e, n))
-
-    def __rmul__(self, other):
-        return Writer(("*", of(other), self.e))
-
-    def __rsub__(self, other):
-        return Writer(("-", of(other), self.e))
-
-    def __radd__(self, other):
-        return Writer(("+", of(other), self.e))
-
-    def __rtruediv__(self, other):
-        return Writer(("/", of(other), self.e))
-
-
-def of(e):
-    return e.e if isinstance(e, Writer) else e if isinstance(e, tuple) else number(e)
-
-
-def sqrt(e):
-    return Writer(("sqrt", of(e)))
-
+INFINITE = ("oo", "-oo")
 
 # Where x goes, what tends there, and where to; p, q and r are positive.
 KNOWN = [
-    ("0", lambda x, p, q, r: (sqrt(p**2 + q * x), p)),
-    ("0", lambda x, p, q, r: (sqrt(p + q * x), sqrt(p))),
-    ("0", lambda x, p, q, r: (sqrt(p - x**2 / q), sqrt(p))),
-    ("0", lambda x, p, q, r: ((sqrt(p**2 + q * x) - p) / x, q / (2 * p))),
-    ("0", lambda x, p, q, r: ((sqrt(p + q * x) - sqrt(p)) / x, q / (2 * sqrt(p)))),
-    ("0", lambda x, p, q, r: ((sqrt(p + x) - sqrt(p - x)) / x, 1 / sqrt(p))),
-    ("0", lambda x, p, q, r: ((p - sqrt(p**2 - x**2)) / x**2, 1 / (2 * p))),
-    ("0", lambda x, p, q, r: (r * x / (sqrt(p**2 + q * x) - p), 2 * p * r / q)),
-    ("0", lambda x, p, q, r: (sqrt((p + q * x) / (r + x)), sqrt(p / r))),
-    ("0", lambda x, p, q, r: (sqrt(p + x) * sqrt(q + x), sqrt(p * q))),
-    ("0", lambda x, p, q, r: (sqrt(p + x) / sqrt(q + x), sqrt(p / q))),
-    ("0", lambda x, p, q, r: (1 / sqrt(1 - x**2 / p**2), number(1))),
-    ("0", lambda x, p, q, r: (p * (1 / sqrt(1 - x**2 / p) - 1) / x**2, number(Fraction(1, 2)))),
-    ("0+", lambda x, p, q, r: (sqrt(x) * p / sqrt(q * x + x**2), p / sqrt(q))),
-    ("0+", lambda x, p, q, r: (p / sqrt(q * x), "oo")),
-    ("0+", lambda x, p, q, r: (sqrt(p * x) / (q + x), number(0))),
-    ("0+", lambda x, p, q, r: ((p + q * sqrt(x)) / (r + sqrt(x)), p / r)),
-    ("oo", lambda x, p, q, r: (sqrt(x**2 + p * x) - x, p / 2)),
-    ("oo", lambda x, p, q, r: (sqrt(x**2 + p * x) - sqrt(x**2 + q * x), (p - q) / 2)),
-    ("oo", lambda x, p, q, r: (sqrt(p**2 * x**2 + q * x) - p * x, q / (2 * p))),
-    ("oo", lambda x, p, q, r: (sqrt(p * x + q) / sqrt(r * x + 1), sqrt(p / r))),
-    ("oo", lambda x, p, q, r: (sqrt(p * x**2 + q) / (r * x + 1), sqrt(p) / r)),
-    ("oo", lambda x, p, q, r: (sqrt(x + p) - sqrt(x), number(0))),
-    ("oo", lambda x, p, q, r: (sqrt(x) * (sqrt(x + p) - sqrt(x)), p / 2)),
-    ("oo", lambda x, p, q, r: (x * (sqrt(x**2 + p) - x), p / 2)),
-    ("oo", lambda x, p, q, r: (x / sqrt(x**2 + p**2), number(1))),
-    ("oo", lambda x, p, q, r: (sqrt(p * x) + q, "oo")),
-    ("oo", lambda x, p, q, r: (p / sqrt(x + q), number(0))),
-    ("oo", lambda x, p, q, r: (sqrt(p + q / x), sqrt(p))),
-    ("oo", lambda x, p, q, r: (p - sqrt(q * x + r), "-oo")),
+    ("0", "sqrt(p^2 + q*x)", "p"),
+    ("0", "sqrt(p + q*x)", "sqrt(p)"),
+    ("0", "sqrt(p - x^2/q)", "sqrt(p)"),
+    ("0", "(sqrt(p^2 + q*x) - p)/x", "q/(2*p)"),
+    ("0", "(sqrt(p + q*x) - sqrt(p))/x", "q/(2*sqrt(p))"),
+    ("0", "(sqrt(p + x) - sqrt(p - x))/x", "1/sqrt(p)"),
+    ("0", "(p - sqrt(p^2 - x^2))/x^2", "1/(2*p)"),
+    ("0", "r*x/(sqrt(p^2 + q*x) - p)", "2*p*r/q"),
+    ("0", "sqrt((p + q*x)/(r + x))", "sqrt(p/r)"),
+    ("0", "sqrt(p + x)*sqrt(q + x)", "sqrt(p*q)"),
+    ("0", "sqrt(p + x)/sqrt(q + x)", "sqrt(p/q)"),
+    ("0", "1/sqrt(1 - x^2/p^2)", "1"),
+    ("0", "p*(1/sqrt(1 - x^2/p) - 1)/x^2", "1/2"),
+    ("0+", "sqrt(x)*p/sqrt(q*x + x^2)", "p/sqrt(q)"),
+    ("0+", "p/sqrt(q*x)", "oo"),
+    ("0+", "sqrt(p*x)/(q + x)", "0"),
+    ("0+", "(p + q*sqrt(x))/(r + sqrt(x))", "p/r"),
+    ("oo", "sqrt(x^2 + p*x) - x", "p/2"),
+    ("oo", "sqrt(x^2 + p*x) - sqrt(x^2 + q*x)", "(p - q)/2"),
+    ("oo", "sqrt(p^2*x^2 + q*x) - p*x", "q/(2*p)"),
+    ("oo", "sqrt(p*x + q)/sqrt(r*x + 1)", "sqrt(p/r)"),
+    ("oo", "sqrt(p*x^2 + q)/(r*x + 1)", "sqrt(p)/r"),
+    ("oo", "sqrt(x + p) - sqrt(x)", "0"),
+    ("oo", "sqrt(x)*(sqrt(x + p) - sqrt(x))", "p/2"),
+    ("oo", "x*(sqrt(x^2 + p) - x)", "p/2"),
+    ("oo", "x/sqrt(x^2 + p^2)", "1"),
+    ("oo", "sqrt(p*x) + q", "oo"),
+    ("oo", "p/sqrt(x + q)", "0"),
+    ("oo", "sqrt(p + q/x)", "sqrt(p)"),
+    ("oo", "p - sqrt(q*x + r)", "-oo"),
 ]
+
+
+def known(where, expression, target, letters):
+    """A known limit with expressions in the place of its letters: what tends, the point, the side, and where to."""
+    aim = target if target in INFINITE else substitute(read(target), letters)
+    return substitute(read(expression), letters), where.rstrip("+"), "+" if where.endswith("+") else "", aim
 
 
 def formula(rng, symbols):
     """A positive expression in the symbols, most of the time one of them."""
     r = rng.random()
-    s, t = (Writer(("v", rng.choice(symbols))) for _ in range(2))
+    two = {letter: var(rng.choice(symbols)) for letter in "st"}
     if r < 0.45:
-        return s
-    if r < 0.75:
-        return rng.choice([s * t, s / t, 2 * s, s / 2, s**2, s * t**2])
-    if r < 0.85:
-        return rng.choice([s + t, s**2 + t, 1 + s * t, s + 1])
-    if r < 0.92:
-        return rng.choice([sqrt(s), sqrt(s * t), sqrt(s / t)])
-    return Writer(number(rng.choice([1, 2, 3, Fraction(1, 2)])))
+        written = "s"
+    elif r < 0.75:
+        written = rng.choice(["s*t", "s/t", "2*s", "s/2", "s^2", "s*t^2"])
+    elif r < 0.85:
+        written = rng.choice(["s + t", "s^2 + t", "1 + s*t", "s + 1"])
+    elif r < 0.92:
+        written = rng.choice(["sqrt(s)", "sqrt(s*t)", "sqrt(s/t)"])
+    else:
+        written = rng.choice(["1", "2", "3", "1/2"])
+    return substitute(read(written), two)
 
 
 def otherwise(rng, target, symbols):
     """Something else on the right."""
-    if isinstance(target, str):
-        return rng.choice(["-oo" if target == "oo" else "oo", number(0), ("v", rng.choice(symbols))])
-    t = Writer(target)
-    s = Writer(("v", rng.choice(symbols)))
-    wrong = [2 * t, t / 2, t * s, t / s, t + Fraction(1, 100), t + s, t - s / 1000, -1 * t, Writer(number(0))]
-    return rng.choice([of(w) for w in wrong] + ["oo", "-oo"])
+    if target in INFINITE:
+        return rng.choice(["-oo" if target == "oo" else "oo", ZERO, var(rng.choice(symbols))])
+    t, s = target, var(rng.choice(symbols))
+    wrong = [mul(num(2), t), div(t, num(2)), mul(t, s), div(t, s), add(t, num(Fraction(1, 100))), add(t, s)]
+    wrong += [sub(t, div(s, num(1000))), mul(num(-1), t), ZERO]
+    return rng.choice([*wrong, *INFINITE])
+
+
+def written(expression, point, side, target):
+    """A limit as documents write it."""
+    return f"{show(expression)} -> {target if target in INFINITE else show(target)} as x -> {point}{side}"
 
 
 def document(rng):
@@ -131,19 +105,17 @@ def document(rng):
     lines = ["# Limits with symbols", "", "```kane", "var x" + "".join(f", {s} > 0" for s in symbols)]
     claims = []
     for i in range(CLAIMS):
-        where, make = rng.choice(KNOWN)
+        one = rng.choice(KNOWN)
         stretch = formula(rng, symbols)
-        x = Writer(("v", "x"))
-        x = rng.choice([x, x, x * stretch, x / stretch])
-        e, target = (of(part) if not isinstance(part, str) else part for part in make(x, *(formula(rng, symbols) for _ in range(3))))
+        x = rng.choice([var("x"), var("x"), mul(var("x"), stretch), div(var("x"), stretch)])
+        letters = {"x": x, **{letter: formula(rng, symbols) for letter in "pqr"}}
+        expression, point, side, target = known(*one, letters)
         if rng.random() < 0.4:
             target = otherwise(rng, target, symbols)
-        point, side = where.rstrip("+"), "+" if where.endswith("+") else ""
         if point == "0" and not side and rng.random() < 0.4:
             side = rng.choice("+-")
-        aim = target if isinstance(target, str) else text(target)
-        lines.append(f"claim c{i}: {text(e)} -> {aim} as x -> {point}{side}")
-        claims.append((f"c{i}", e, point, side, target, symbols))
+        lines.append(f"claim c{i}: {written(expression, point, side, target)}")
+        claims.append((f"c{i}", expression, point, side, target, symbols))
     return "\n".join([*lines, "```", ""]), claims
 
 
@@ -160,53 +132,65 @@ def draws(rng, symbols):
         yield {s: Decimal(rng.choice([1, 2, 3, 4, 7, 10, 100])) / rng.choice([1, 1, 2, 3, 50]) for s in symbols}
 
 
-def named(reason, symbols):
-    """The symbols' values that a refutation names, and 1 for what it leaves out."""
-    found = dict(re.findall(r"\b([a-z]) = (-?\d+(?:/\d+|\.\d+)?)(?=[,:;. ]|$)", reason))
-    chosen = {s: Fraction(found.get(s, 1)) for s in symbols}
-    return {s: Decimal(v.numerator) / Decimal(v.denominator) for s, v in chosen.items()}
+def truth(rng, claim):
+    """Whether a claim is "right" at all choices of its symbols, "wrong" at one of them, or "unclear"."""
+    truths = [holds(claim, constants) for constants in draws(rng, claim[-1])]
+    return "wrong" if False in truths else "unclear" if None in truths else "right"
 
 
-def judge(trial, rng, claim, statement):
-    """Counts a verdict; why it is wrong, or nothing."""
-    label, e, point, side, target, symbols = claim
+def chosen(link, symbols):
+    """The symbols at which a link is refuted, as decimals; 1 for what does not matter there. None if it names no such."""
+    taken = witness.functions(link)
+    if taken is None:
+        return None
+    values = {s: witness.number_of(taken.get(s, ONE)) for s in symbols}
+    return {s: Decimal(v.numerator) / Decimal(v.denominator) for s, v in values.items()}
+
+
+def complaint(claim, kind, statement):
+    """Why a verdict is wrong on a claim of this kind, or nothing."""
+    label, e, point, side, _, symbols = claim
     verdict = statement["verdict"]
-    truths = [holds(claim, constants) for constants in draws(rng, symbols)]
-    kind = "wrong" if False in truths else "unclear" if None in truths else "right"
-    trial.count_one(f"{kind}, {verdict}")
-    if verdict == "undecided" and kind != "unclear" and "--show-open" in sys.argv:
-        print(f"open ({kind}): {statement['source']}", file=sys.stderr, flush=True)
     if verdict == "vacuous" or (verdict == "proved" and kind == "wrong"):
         return f"{label} is {verdict}"
     if verdict not in ("refuted", "ill-defined"):
         return ""
-    reason = " ".join(link["reason"] for link in statement["links"] if link["verdict"] == verdict)
-    constants = named(reason, symbols)
+    (link,) = statement["links"]
+    reason, constants = link["reason"], chosen(link, symbols)
+    if constants is None:
+        return f"{label} is {verdict}, and names no symbols: {reason}"
     if holds(claim, constants):
         return f"{label} is {verdict}, and true where it says: {reason}"
     limit = re.search(r"the limit is (-?\d+(?:\.\d+)?(?:/\d+)?)(?=[;, ]|\.?$)", reason)
-    if limit and not any(holds((label, e, *way, number(Fraction(limit[1])), symbols), constants) for way in sides(point, side)):
+    if limit and not any(holds((label, e, *way, num(limit[1]), symbols), constants) for way in ways(point, side)):
         return f"{label} has another limit where it is refuted: {reason}"
     return ""
 
 
-def sides(point, side):
+def ways(point, side):
     """The sides from which a point is approached."""
     return [(point, side)] if side or point == "oo" else [(point, "+"), (point, "-")]
 
 
 def selftest():
-    """Each limit that is known is one, by its values."""
+    """Each limit that is known is one, by its values, and wrong verdicts on two of them are seen."""
     rng = random.Random(0)
-    for where, make in KNOWN:
-        e, target = (of(part) if not isinstance(part, str) else part for part in make(*(Writer(("v", s)) for s in "xabc")))
-        claim = ("", e, where.rstrip("+"), "+" if where.endswith("+") else "", target, ["a", "b", "c"])
-        for constants in draws(rng, "abc"):
-            assert holds(claim, constants), (text(e), target)
-    chosen = named("false, for a = 1/2, b = 2: the limit is -0.5", ["a", "b", "c"])
-    assert chosen == {"a": Decimal("0.5"), "b": Decimal(2), "c": Decimal(1)}, chosen
-    with_root = value(of(sqrt(Writer(number(4)) / 9) + 1), {})
-    assert abs(with_root - Decimal(5) / 3) < Decimal(10) ** -100
+    letters = dict(zip("pqr", map(var, "abc")))
+    for one in KNOWN:
+        claim = ("", *known(*one, letters), ["a", "b", "c"])
+        assert truth(rng, claim) == "right", one
+
+    def said(verdict, taken, limit):
+        steps = [{"depth": 0, "text": f"Take {taken}."}, {"depth": 0, "text": f"Then the limit is {limit}."}]
+        reason = f"false under all that was assumed, for {taken}: the limit is {limit}"
+        return {"verdict": verdict, "links": [{"verdict": verdict, "reason": reason, "steps": steps}]}
+
+    right = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p/2", letters), ["a"])
+    wrong = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p", letters), ["a"])
+    assert not complaint(right, "right", said("proved", "", "")) and not complaint(wrong, "wrong", said("refuted", "a = 1/2", "0.25"))
+    assert complaint(wrong, "wrong", said("proved", "", "")), "a wrong claim is proved"
+    assert complaint(right, "right", said("refuted", "a = 2", "1")), "a right claim is refuted"
+    assert complaint(wrong, "wrong", said("refuted", "a = 1/2", "0.26")), "the limit is another"
 
 
 def main():
@@ -215,10 +199,15 @@ def main():
     with localcontext(EXACT):
         selftest()
         for source, claims, statements in trial.documents(document, rng, 4_000_000):
-            verdicts = {s["label"]: s for s in statements}
+            of_label = {s["label"]: s for s in statements}
             for claim in claims:
+                statement = of_label[claim[0]]
                 trial.judged += 1
-                why = judge(trial, rng, claim, verdicts[claim[0]])
+                kind, verdict = truth(rng, claim), statement["verdict"]
+                trial.count_one(f"{kind}, {verdict}")
+                if verdict == "undecided" and kind != "unclear" and "--show-open" in sys.argv:
+                    print(f"open ({kind}): {statement['source']}", file=sys.stderr, flush=True)
+                why = complaint(claim, kind, statement)
                 if why:
                     trial.wrong.append((source, why))
     return trial.told()
