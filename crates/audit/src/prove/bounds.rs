@@ -10,6 +10,7 @@ use num_traits::{One, Signed, Zero};
 use super::enclosure::Ground;
 use super::search::{Outcome, Search};
 use super::series::{Along, Rationals, Series, Value};
+use super::variation::roots;
 use crate::argument::{Argument, SideArgument};
 
 /// Powers of t along which roots are tried.
@@ -49,7 +50,7 @@ pub(super) fn one_side(
     germs: Find<'_>,
 ) -> Option<SideArgument> {
     let t = state.scope.germ();
-    if state.scope.context.vars.len() == t {
+    if roots(state.scope).is_empty() {
         return None;
     }
     POWERS.iter().find_map(|&power| {

@@ -13,6 +13,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::series::{Along, Value};
+use super::variation::roots;
 use crate::argument::Argument;
 
 /// Steps that the polynomials of one case may take.
@@ -85,8 +86,7 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
     /// Closes a case: its roots are enclosed, then one of its atoms has the wrong sign.
     pub(super) fn contradiction(mut self, there: &State<'_, '_>, terms: u32) -> Option<Argument> {
         let mut splits = Vec::new();
-        let roots = there.scope.context.vars.len()..self.t;
-        let mut left: Vec<usize> = roots.collect();
+        let mut left: Vec<usize> = roots(there.scope).collect();
         let mut atoms = self.state.atoms.len();
         loop {
             // Only those whose radicand is enclosed already.

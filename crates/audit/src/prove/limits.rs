@@ -18,7 +18,7 @@ use super::search::{Outcome, Search};
 use super::squeeze;
 use super::symbols::without_squares;
 use super::tangents;
-use super::variation::{substituted, varies};
+use super::variation::{roots, substituted, varies};
 use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
@@ -161,7 +161,7 @@ pub(crate) fn one_side(
             })
         })
         .or_else(|| {
-            let has_roots = state.scope.context.vars.len() < state.scope.germ();
+            let has_roots = !roots(state.scope).is_empty();
             Round::all(steps, has_roots).find_map(|round| {
                 tangents::one_side(state, limit, side, round)
                     .or_else(|| squeeze::one_side(state, limit, side, round))

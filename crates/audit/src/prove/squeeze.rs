@@ -16,7 +16,7 @@ use super::germs::Germs;
 use super::round::Round;
 use super::search::{Outcome, Search};
 use super::symbols::radicand;
-use super::variation::{substituted, varies};
+use super::variation::{roots, substituted, varies};
 use crate::argument::{Argument, SideArgument};
 
 /// Bounds of one function that are tried.
@@ -47,8 +47,7 @@ pub(super) fn one_side(
     side: &Side,
     round: Round,
 ) -> Option<SideArgument> {
-    let first = state.scope.context.vars.len();
-    let has_roots = (first..state.scope.germ()).any(|v| !state.is_constant(v, side.var));
+    let has_roots = roots(state.scope).any(|v| !state.is_constant(v, side.var));
     let powers: &[u32] = if has_roots { &POWERS } else { &[1] };
     powers.iter().find_map(|&power| {
         let germs = Germs::new(state, side, round.steps).along(power);

@@ -10,6 +10,7 @@ use num_traits::Signed as _;
 
 use super::factors::square_root;
 use super::series::Numbers;
+use super::variation;
 
 /// Estimates of roots are multiples of one part in so many.
 const ESTIMATE: u32 = 1000;
@@ -49,7 +50,7 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         let (asked, missing) = (RefCell::default(), RefCell::default());
         let roots = Vec::new();
         let mut out = Self { state, x, known, roots, asked, missing, estimates: false };
-        for v in state.scope.context.vars.len()..state.scope.germ() {
+        for v in variation::roots(state.scope) {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
         }

@@ -12,7 +12,7 @@ use super::round::Round;
 use super::series::{Along, Numbers as _, Series, Value};
 use super::squeeze::{Beside, between, bounded};
 use super::symbols::{Quotient, Symbols, polynomial};
-use super::variation::ratio_in;
+use super::variation::{ratio_in, roots};
 use crate::argument::SideArgument;
 
 /// Powers of t along which roots are tried.
@@ -35,7 +35,7 @@ pub(super) fn one_side(
     round: Round,
 ) -> Option<SideArgument> {
     let steps = round.steps;
-    if state.scope.context.vars.len() == state.scope.germ() && !has_cases(state, &limit.expr) {
+    if roots(state.scope).is_empty() && !has_cases(state, &limit.expr) {
         return None;
     }
     POWERS.iter().find_map(|&power| {

@@ -1,14 +1,21 @@
 //! What varies along a germ, and what is left of it when equations determine it.
 
+use std::ops::Range;
+
 use kane_algebra::rational_function::{signed_sum, term};
 use kane_algebra::ring::cancelled;
-use kane_kernel::{Expr, Fraction, Fuel, Poly, Rejection, State};
+use kane_kernel::{Expr, Fraction, Fuel, Poly, Rejection, Scope, State};
 use num_rational::BigRational;
 use num_traits::{One, Signed as _, Zero};
 
 use super::elimination::Elimination;
 
 type Q = BigRational;
+
+/// The variables that stand for roots: those after the symbols and before that of a germ.
+pub(super) fn roots(scope: &Scope<'_>) -> Range<usize> {
+    scope.context.vars.len()..scope.germ()
+}
 
 /// Whether a variable may go along a germ in x: functions of x, x itself, and constants that an
 /// equation among constants determines.
