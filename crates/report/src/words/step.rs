@@ -17,7 +17,7 @@ use super::{Form, Line};
 
 /// Letters of sentences that share a line.
 const TOGETHER: usize = 100;
-/// Terms of a named polynomial that are written out.
+/// Terms of a named polynomial, and products of a sum, that are written out.
 const MOST_TERMS: usize = 60;
 
 /// All lines of a proof or a witness; at their end, folded, what the names of long polynomials stand for.
@@ -374,6 +374,14 @@ impl Teller<'_> {
             Step::Equal { sides: _, value } => {
                 let told = Sentence::of("Both sides of the claim are");
                 told.and(self.pen.write(|f| f.ratio(value))).end(".")
+            }
+            Step::Positive { terms, multiples } if terms.len() + multiples.len() > MOST_TERMS => {
+                let products = terms.len() + multiples.len();
+                let what = format!(
+                    "A sum of {products} products, which the certificate lists, is 0 identically, but no term is \
+                     negative, and one is positive."
+                );
+                Sentence::of(&what)
             }
             Step::Positive { terms, multiples } => {
                 let summand = |t| self.pen.write(|f| f.summand(t));
