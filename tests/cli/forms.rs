@@ -127,6 +127,19 @@ fn explanations_of_several_statements_follow_each_other() {
 }
 
 #[test]
+fn a_sum_of_hundreds_of_products_is_counted_and_not_written_out() {
+    let limits = "tests/conformance/semantics/limits-of-formulas-of-mechanics.md";
+    let run = kane(&["audit", limits, "--explain", "of-a-quotient"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let counted = |line: &str| {
+        let (_, after) = line.split_once("A sum of ")?;
+        after.split_once(" products, which the certificate lists, is 0")?.0.parse::<usize>().ok()
+    };
+    let most = run.stdout.lines().filter_map(counted).max();
+    assert!(most.is_some_and(|most| most > 100), "{most:?}");
+}
+
+#[test]
 fn a_document_comes_from_standard_input_too() {
     let dir = scratch("stdin");
     let path = document(&dir, "a.md", "var x\nclaim a: |x|² >= 0");

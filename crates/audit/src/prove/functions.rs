@@ -11,10 +11,10 @@ use kane_kernel::{
 };
 use num_rational::BigRational;
 
+use super::asymptote;
 use super::factors::linear_factors;
 use super::limits;
 use super::search::{Outcome, Search};
-use super::tangents;
 use super::variation::{determined, ratio};
 use crate::argument::{expand, side_proof};
 
@@ -320,7 +320,7 @@ fn irrational(
         let goal = bare(Conclusion::Link(Link::Limit(probe.clone())), Vec::new());
         let scope = scope(&goal, effort.fuel()).ok()?;
         let state = constants(&scope, &goal, probe.var).ok()?;
-        match tangents::value(&state, &probe, side) {
+        match asymptote::value(&state, &probe, side) {
             Ok(Target::Finite(number)) => {
                 return with_values(&number, &goal.context.values).map(Target::Finite);
             }

@@ -17,14 +17,12 @@ enum Radius {
     Fixed(u32),
     /// 1/(2ᵏ·(1 + Σc²))
     Constants(u32),
-    /// D/2ᵏ, where D is known to be positive
-    Known(Poly, u32),
-    /// D/(2ᵏ·(1 + D)), likewise: less than D and less than 1
-    Below(Poly, u32),
-    /// D/(2ᵏ·(1 + Σc²)), likewise
-    Smaller(Poly, u32),
+    /// D, where it is known to be positive
+    Known(Poly),
     /// D²/((1 + D²)·2·(1 + Σc²))
     Lead(Poly),
+    /// a quotient as it is
+    Given(Poly, Poly),
 }
 
 const RADII: [Radius; 6] = [
@@ -54,15 +52,14 @@ impl Radius {
             Self::Constants(k) => {
                 (size != Poly::one()).then(|| (Poly::one(), size.scale(&power(*k))))
             }
-            Self::Known(d, k) => Some((d.clone(), Poly::constant(power(*k)))),
-            Self::Smaller(d, k) => Some((d.clone(), size.scale(&power(*k)))),
-            Self::Below(d, k) => Some((d.clone(), d.add(&Poly::one()).scale(&power(*k)))),
+            Self::Known(d) => Some((d.clone(), Poly::one())),
             Self::Lead(d) => {
                 let fuel = &state.scope.fuel;
                 let square = d.mul(d, fuel).ok()?;
                 let den = square.add(&Poly::one()).mul(&size, fuel).ok()?.scale(&power(1));
                 Some((square, den))
             }
+            Self::Given(num, den) => Some((num.clone(), den.clone())),
         }
     }
 }
@@ -190,29 +187,19 @@ impl<'a, 's, 'g> Germs<'a, 's, 'g> {
             |lead: &Poly| self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
         let radii = self.leads().into_iter().flat_map(move |lead| {
             let signs = [lead.clone(), lead.neg()].into_iter().filter(known);
-            signs.map(|d| Radius::Known(d, 0)).chain([Radius::Lead(lead)]).collect::<Vec<_>>()
+            signs.map(Radius::Known).chain([Radius::Lead(lead)]).collect::<Vec<_>>()
         });
         radii.filter_map(|radius| self.germ(&radius))
-    }
-
-    /// Germs of radii that shrink with a polynomial in constants or, if it is none in them, with these constants. Of one that
-    /// is `positive` they are simpler.
-    pub(super) fn near(&self, lead: Poly, positive: bool) -> impl Iterator<Item = Germ> {
-        let shrinking = if lead.is_constant() {
-            vec![Radius::Constants(1), Radius::Fixed(3), Radius::Constants(7), Radius::Fixed(7)]
-        } else if positive {
-            [Radius::Known, Radius::Below, Radius::Smaller].map(|of| of(lead.clone(), 2)).to_vec()
-        } else {
-            let is_known = self.state.atoms.contains(&Atom::new(lead.clone(), Sign::Positive));
-            let known = is_known.then(|| Radius::Known(lead.clone(), 2));
-            known.into_iter().chain([Radius::Lead(lead), Radius::Constants(1)]).collect()
-        };
-        shrinking.into_iter().filter_map(|radius| self.germ(&radius))
     }
 
     /// A germ whose radius shrinks with a polynomial in constants.
     pub(super) fn with_lead(&self, lead: Poly) -> Option<Germ> {
         self.germ(&Radius::Lead(lead))
+    }
+
+    /// A germ of this radius.
+    pub(super) fn within(&self, (num, den): (Poly, Poly)) -> Option<Germ> {
+        self.germ(&Radius::Given(num, den))
     }
 
     fn germ(&self, radius: &Radius) -> Option<Germ> {

@@ -11,14 +11,13 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
+use super::asymptote;
 use super::bounds;
 use super::germs::{Germs, Memory};
-use super::round::Round;
 use super::search::{Outcome, Search};
 use super::squeeze;
 use super::symbols::without_squares;
-use super::tangents;
-use super::variation::{roots, substituted, varies};
+use super::variation::{substituted, varies};
 use crate::argument::{Passage, SideArgument};
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
@@ -160,13 +159,8 @@ pub(crate) fn one_side(
                 Germs::new(state, side, steps).along(power).all().find_map(argument)
             })
         })
-        .or_else(|| {
-            let has_roots = !roots(state.scope).is_empty();
-            Round::all(steps, has_roots).find_map(|round| {
-                tangents::one_side(state, limit, side, round)
-                    .or_else(|| squeeze::one_side(state, limit, side, round))
-            })
-        })
+        .or_else(|| asymptote::one_side(state, limit, side, steps))
+        .or_else(|| squeeze::one_side(state, limit, side, steps))
 }
 
 /// A proof of a limit from one side by a quotient that the expression equals.

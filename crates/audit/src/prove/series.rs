@@ -1,6 +1,6 @@
 //! Laurent series along a germ: what an expression with roots is for small t > 0.
 //!
-//! They only guide the search: [`super::bounds`] and [`super::tangents`] prove what is read off here.
+//! They only guide the search: [`super::bounds`] and [`super::envelope`] prove what is read off here.
 
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -335,7 +335,7 @@ impl<F: Numbers> Along<'_, '_, F> {
                 } else if v == self.side.var {
                     self.x()?
                 } else {
-                    self.value(self.scope.root(v)?)?
+                    self.value(self.scope.root(v).unwrap_or(&Expr::Var(v)))?
                 };
                 for _ in 0..n.min(MAX_POWER) {
                     product = self.mul(&product, &factor)?;

@@ -1,22 +1,20 @@
 //! Limits between bounds: an expression in functions that premises bound lies between what it is on the
-//! bounds, and tends to what both of these tend to. A root lies between the means of its radicand and 1.
+//! bounds, and tends to what both of these tend to.
 
 use std::cmp::Ordering;
 
 use kane_algebra::ring::cancelled;
 use kane_kernel::{
-    Atom, Fraction, Fuel, Germ, Limit, Poly, Power, Rejection, Side, State, Target, differs,
-    exponent, scope,
+    Atom, Fraction, Fuel, Germ, Limit, Poly, Rejection, Side, State, Target, differs, exponent,
+    scope,
 };
 use num_bigint::BigInt;
 
 use super::bounds::at_zero;
 use super::factors::linear_factors;
 use super::germs::Germs;
-use super::round::Round;
 use super::search::{Outcome, Search};
-use super::symbols::radicand;
-use super::variation::{roots, substituted, varies};
+use super::variation::{substituted, varies};
 use crate::argument::{Argument, SideArgument};
 
 /// Bounds of one function that are tried.
@@ -29,8 +27,8 @@ const QUOTIENTS: usize = 16;
 const SQUARES: u64 = 10_000_000;
 /// Germs that are tried.
 const GERMS: usize = 2;
-/// Powers of t along which roots are tried: they grow or fall like powers of t that are whole.
-const POWERS: [u32; 2] = [2, 1];
+/// One part in so many of the work that is left is for one quotient.
+const SHARE: u64 = 2;
 
 /// A quotient beside an expression, and why it tends to the limit.
 pub(super) struct Beside {
@@ -45,14 +43,10 @@ pub(super) fn one_side(
     state: &State<'_, '_>,
     limit: &Limit,
     side: &Side,
-    round: Round,
+    steps: u64,
 ) -> Option<SideArgument> {
-    let has_roots = roots(state.scope).any(|v| !state.is_constant(v, side.var));
-    let powers: &[u32] = if has_roots { &POWERS } else { &[1] };
-    powers.iter().find_map(|&power| {
-        let germs = Germs::new(state, side, round.steps).along(power);
-        germs.all().take(GERMS).find_map(|germ| along(state, limit, side, &germ, round))
-    })
+    let germs = Germs::new(state, side, steps);
+    germs.all().take(GERMS).find_map(|germ| along(state, limit, side, &germ, steps))
 }
 
 fn along(
@@ -60,9 +54,8 @@ fn along(
     limit: &Limit,
     side: &Side,
     germ: &Germ,
-    round: Round,
+    steps: u64,
 ) -> Option<SideArgument> {
-    let steps = round.steps;
     let mut found = Vec::new();
     for (num, den) in quotients(state, limit, germ, steps) {
         let t = state.scope.germ();
@@ -72,7 +65,7 @@ fn along(
         }
     }
     let shown = |sense: Ordering| {
-        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, round))
+        found.iter().find_map(|beside| bounded(state, limit, germ, beside, sense, steps))
     };
     between(&limit.to, &shown)
 }
@@ -93,25 +86,24 @@ pub(super) fn between(
     }
 }
 
-/// The argument that the expression is on one side of a quotient along a germ, if it is found in such a round.
-pub(super) fn bounded(
+/// The argument that the expression is on one side of a quotient along a germ.
+fn bounded(
     state: &State<'_, '_>,
     limit: &Limit,
     germ: &Germ,
     beside: &Beside,
     sense: Ordering,
-    round: Round,
+    steps: u64,
 ) -> Option<SideArgument> {
     let Beside { num, den, order, end } = beside;
     let any = |_: usize, _: &Poly| true;
     let fuel = &state.scope.fuel;
-    let scope = scope(state.goal, fuel.within(round.share(fuel.left()))).ok()?;
+    let scope = scope(state.goal, fuel.within(fuel.left() / SHARE)).ok()?;
     let state = State { scope: &scope, ..state.clone() };
     let wrong = differs(state.scope, &limit.compared(state.scope), (num, den), sense).ok()?;
     let there = state.along_unproved(germ).ok()?.with_cases(wrong);
-    let mut search = Search::new(round.steps(), &any, false);
+    let mut search = Search::new(steps, &any, false);
     search.squares = state.scope.fuel.within(SQUARES);
-    search.squares_first = round.squares_first;
     let Outcome::Closed(along) = search.solve(&there) else { return None };
     Some(SideArgument {
         germ: germ.clone(),
@@ -156,7 +148,6 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
         }
         let mut on_bounds = vec![(num, den)];
         for f in functions {
-            let means = means(state, germ, f);
             let bounds: Vec<(Poly, Poly)> = rest
                 .atoms
                 .iter()
@@ -167,7 +158,6 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
                 // as for sines and cosines
                 .chain([1, -1].map(|n| (Poly::one(), Poly::constant(BigInt::from(n)))))
                 .collect();
-            let bounds = means.unwrap_or(bounds);
             let put = |(num, den): &(Poly, Poly)| -> Vec<(Poly, Poly)> {
                 bounds.iter().filter_map(|at| put_in(num, den, f, at, fuel).ok()).collect()
             };
@@ -196,31 +186,6 @@ fn quotients(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> V
     out.dedup();
     out.truncate(QUOTIENTS);
     out
-}
-
-/// The harmonic and the arithmetic mean of q and 1, times tⁿ, for a root of q·t²ⁿ, as a pair (a, b) with −b/a for each.
-fn means(state: &State<'_, '_>, germ: &Germ, root: usize) -> Option<Vec<(Poly, Poly)>> {
-    let Fraction { num, den } = radicand(state, root)?;
-    let (fuel, t, x) = (&state.scope.fuel, state.scope.germ(), germ.side.var);
-    let binding = germ.side.binding((t, germ.power), fuel).ok()?.poly;
-    let at = [1, 0].map(|n| binding.coefficient(x, n)).into();
-    let (num, den) = put_in(&num, &den, x, &at, fuel).ok()?;
-    let low = |p: &Poly| p.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
-    let (up, down) = (low(&num), low(&den));
-    if !up.is_multiple_of(2) || !down.is_multiple_of(2) {
-        return None;
-    }
-    let [above, below] = [up / 2, down / 2].map(|n| Poly::power(t, n));
-    let without = |p: &Poly, low: u32| {
-        let lower = |&(v, n): &Power| (v, if v == t { n - low } else { n });
-        Poly::sum(p.terms().map(|(m, c)| (m.iter().map(lower).collect(), c.clone())))
-    };
-    let (num, den) = (without(&num, up), without(&den, down));
-    let (two, sum) = (BigInt::from(2), num.add(&den));
-    // tⁿ·2·q/(1 + q) and tⁿ·(1 + q)/2
-    let pair =
-        |a: Poly, b: Poly| Some((a.mul(&below, fuel).ok()?, b.mul(&above, fuel).ok()?.neg()));
-    Some(vec![pair(sum.clone(), num.scale(&two))?, pair(den.scale(&two), sum)?])
 }
 
 /// What is of degree one in a function: the polynomial of an inequality, or factors of an equation.

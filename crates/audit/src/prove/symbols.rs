@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use kane_algebra::ring::{cancelled, common_sign};
-use kane_kernel::{Atom, Expr, Fraction, Piece, Poly, Sign, State};
+use kane_kernel::{Atom, Expr, Fraction, Piece, Poly, Sign, State, exponent};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed as _;
@@ -17,6 +17,13 @@ const ESTIMATE: u32 = 1000;
 /// Terms of a numerator or a denominator.
 const TERMS: usize = 60;
 
+/// On which side of a root its estimate lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rough {
+    Above,
+    Below,
+}
+
 /// num/den
 pub(super) type Quotient = (Poly, Poly);
 
@@ -28,12 +35,10 @@ pub(super) struct Symbols<'a, 's, 'g> {
     known: Vec<Atom>,
     /// roots and their radicands, which are quotients of constants and earlier roots
     roots: Vec<(usize, Quotient)>,
-    /// what signs were asked of, and what was divided by: near its zeros the radius is small
-    asked: RefCell<Vec<Poly>>,
     /// numbers of which roots were asked that the scope does not have
     missing: RefCell<Vec<BigRational>>,
-    /// whether something near stands for a root that the scope does not have
-    estimates: bool,
+    /// what stands for a root that the scope does not have
+    estimates: Option<Rough>,
 }
 
 impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
@@ -47,14 +52,19 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
             }
         }
         let known = plain.atoms.to_vec();
-        let (asked, missing) = (RefCell::default(), RefCell::default());
+        let missing = RefCell::default();
         let roots = Vec::new();
-        let mut out = Self { state, x, known, roots, asked, missing, estimates: false };
+        let mut out = Self { state, x, known, roots, missing, estimates: None };
         for v in variation::roots(state.scope) {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
         }
         out
+    }
+
+    /// Where these numbers are.
+    pub(super) fn state(&self) -> &'a State<'s, 'g> {
+        self.state
     }
 
     /// What a root is the root of, if there are constants and earlier roots alone in it.
@@ -67,49 +77,55 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         all_known.then_some((num, den))
     }
 
-    /// The product of what signs were asked of and of what was divided by.
-    pub(super) fn lead(&self) -> Option<Poly> {
-        let asked = self.asked.borrow();
-        let fuel = &self.state.scope.fuel;
-        asked.iter().try_fold(Poly::one(), |product, p| product.mul(p, fuel).ok())
+    /// From now on estimates stand for roots that the scope does not have. They serve for slopes; a limit that is one is
+    /// not found.
+    pub(super) fn estimate_roots(&mut self, rough: Rough) {
+        self.estimates = Some(rough);
     }
 
-    /// From now on estimates stand for roots that the scope does not have. They serve for slopes, near which lines are
-    /// tried; a limit that is one is not found.
-    pub(super) fn estimate_roots(&mut self) {
-        self.estimates = true;
+    /// Whether estimates stand for roots.
+    pub(super) fn estimates(&self) -> bool {
+        self.estimates.is_some()
     }
 
-    /// √q to three digits, and of what is no number its mean with 1.
-    fn estimate(&self, (num, den): &Quotient) -> Option<Quotient> {
+    /// Numbers below and above the root of a positive one: q/(1 + q) and 1 + q, or three digits of a rational one.
+    pub(super) fn around_root(&self, (num, den): &Quotient) -> Option<(Quotient, Quotient)> {
         if let (Some(num), Some(den)) = (num.as_constant(), den.as_constant()) {
             let digits = BigInt::from(ESTIMATE);
             let root = (num * &den * &digits * &digits).sqrt();
-            return Some(self.number(&BigRational::new(root, den * digits)));
+            let of = |root: BigInt| self.number(&BigRational::new(root, &den * &digits));
+            return Some((of(root.clone()), of(root + 1)));
         }
-        let half = self.number(&BigRational::new(1.into(), 2.into()));
-        let one = (Poly::one(), Poly::one());
-        self.product(&half, &self.sum(&(num.clone(), den.clone()), &one)?)
+        let is_positive = self.sign(den)?;
+        let (num, den) =
+            if is_positive { (num.clone(), den.clone()) } else { (num.neg(), den.neg()) };
+        let sum = num.add(&den);
+        Some(((num, sum.clone()), (sum, den)))
+    }
+
+    /// A number with something below each root in its place, where all of its terms have one sign.
+    pub(super) fn below_roots(&self, a: &Quotient) -> Option<Quotient> {
+        let (mut num, mut den) = a.clone();
+        common_sign(&num)?;
+        for (root, q) in self.roots.iter().rev() {
+            let (below, _) = self.around_root(q)?;
+            let mut sum = (Poly::default(), Poly::one());
+            for n in 0..=num.degree(*root) {
+                let mut term = (num.coefficient(*root, n), Poly::one());
+                for _ in 0..n {
+                    term = self.product(&term, &below)?;
+                }
+                sum = self.sum(&sum, &term)?;
+            }
+            num = sum.0;
+            den = den.mul(&sum.1, &self.state.scope.fuel).ok()?;
+        }
+        Some((num, den))
     }
 
     /// The numbers without whose roots there is no answer.
     pub(super) fn missing(&self) -> Vec<BigRational> {
         self.missing.take()
-    }
-
-    fn ask(&self, p: &Poly) {
-        let (_, p) = p.primitive();
-        let constant = |v: &usize| self.state.is_constant(*v, self.x);
-        let mut asked = self.asked.borrow_mut();
-        // powers of one variable shrink like itself
-        let parts =
-            if p.len() == 1 { p.vars().into_iter().map(Poly::var).collect() } else { vec![p] };
-        for part in parts {
-            let new = !asked.contains(&part) && !asked.contains(&part.neg());
-            if !part.is_constant() && part.vars().iter().all(constant) && new {
-                asked.push(part);
-            }
-        }
     }
 
     fn reduced(&self, num: &Poly, den: &Poly) -> Option<Quotient> {
@@ -145,6 +161,39 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         Some((num, den))
     }
 
+    /// Something plainly positive that is at least as large as a number of either sign: its terms without their signs, and
+    /// 1 + u² for what may have either sign; 1 for zero.
+    pub(super) fn majorant(&self, (num, den): &Quotient) -> Option<Quotient> {
+        if num.is_empty() {
+            return Some((Poly::one(), Poly::one()));
+        }
+        let mut out = Poly::default();
+        for (m, c) in num.terms() {
+            let either = |&&(v, n): &&(usize, u32)| n % 2 == 1 && !self.is_signed(v);
+            let unsigned: Vec<_> = m.iter().filter(either).map(|&(v, _)| (v, 1)).collect();
+            let less = |&(v, n): &(usize, u32)| (v, n - exponent(&unsigned, v));
+            let size = Poly::term(m.iter().map(less).collect(), c.abs());
+            out = out.add(&size);
+            if !unsigned.is_empty() {
+                let squared = unsigned.iter().map(|&(v, _)| (v, 2)).collect();
+                let squared = Poly::term(squared, BigInt::from(1));
+                out = out.add(&size.mul(&squared, &self.state.scope.fuel).ok()?);
+            }
+        }
+        let den = if self.sign(den)? { den.clone() } else { den.neg() };
+        // b² alone may vanish
+        if self.sign(&out).is_none() {
+            out = out.add(&den);
+        }
+        Some((out, den))
+    }
+
+    fn is_signed(&self, v: usize) -> bool {
+        let known = |sign| self.known.contains(&Atom::new(Poly::var(v), sign));
+        let is_root = self.roots.iter().any(|root| root.0 == v);
+        is_root || known(Sign::Positive) || known(Sign::NonNegative)
+    }
+
     fn is_strict(&self, v: usize) -> bool {
         let radicand = self.roots.iter().find(|(root, _)| *root == v);
         match radicand {
@@ -153,20 +202,6 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
             }
             None => self.known.contains(&Atom::new(Poly::var(v), Sign::Positive)),
         }
-    }
-
-    /// Whether a number is positive, or else not negative, and so for the opposite, if that is plain.
-    pub(super) fn leans(&self, a: &Quotient) -> Option<bool> {
-        let weak = |v: usize| {
-            let known = |sign| self.known.contains(&Atom::new(Poly::var(v), sign));
-            self.roots.iter().any(|root| root.0 == v) || known(Sign::NonNegative)
-        };
-        let leans = |p: &Poly| {
-            let has_sign = |&(v, n): &(usize, u32)| n % 2 == 0 || self.is_strict(v) || weak(v);
-            let all = p.terms().all(|(m, _)| m.iter().all(has_sign));
-            if all { common_sign(p) } else { self.sign(p) }
-        };
-        Some(leans(&a.0)? == self.sign(&a.1)?)
     }
 
     /// Whether a polynomial is positive or negative, if that is plain.
@@ -213,7 +248,6 @@ impl Numbers for Symbols<'_, '_, '_> {
     /// Without roots in the denominator: nothing is known of them where it is asked whether that vanishes.
     fn inverse(&self, a: &Quotient) -> Option<Quotient> {
         let fuel = &self.state.scope.fuel;
-        self.ask(&a.0);
         let (mut num, mut den) = a.clone();
         for (root, _) in self.roots.iter().rev() {
             let [rest, part] = [0, 1].map(|n| num.coefficient(*root, n));
@@ -256,8 +290,9 @@ impl Numbers for Symbols<'_, '_, '_> {
             self.missing.borrow_mut().push(BigRational::new(num, den));
         }
         found.or_else(|| {
-            let positive = self.estimates && self.is_positive(a) == Some(true);
-            positive.then(|| self.estimate(a)).flatten()
+            let rough = self.estimates?;
+            let (below, above) = (self.is_positive(a)?).then(|| self.around_root(a))??;
+            Some(if rough == Rough::Above { above } else { below })
         })
     }
 
@@ -267,7 +302,6 @@ impl Numbers for Symbols<'_, '_, '_> {
 
     fn is_positive(&self, a: &Quotient) -> Option<bool> {
         let is_positive = self.sign(&a.0)? == self.sign(&a.1)?;
-        self.ask(&a.0);
         Some(is_positive)
     }
 }
