@@ -119,17 +119,20 @@ class View:
         }[law]()
 
     def smith(self, bound):
-        u, w, s = self.u, self.w[0], self.unforced
-
-        def pull(after):
-            squares = u * u + after * after
-            return -bound * (u * abs(u) + after * abs(after)) / squares if squares else ZERO
-
-        low, high = s - w * bound, s + w * bound
-        for _ in range(80):
-            middle = (low + high) / 2
-            low, high = (middle, high) if s + w * pull(middle) > middle else (low, middle)
-        return pull(low)
+        """By halving in whole numbers: the slip afterwards, u, s and w*bound are multiples of one unit."""
+        terms = self.u, self.unforced, self.w[0] * bound
+        unit = max(abs(x) for x in terms) / (1 << 120)
+        if not unit:
+            return ZERO
+        u, s, most = (round(x / unit) for x in terms)
+        low, high = s - most, s + most
+        while high - low > 1:
+            middle = (low + high) // 2
+            # s + w*pull(middle) > middle
+            over = (s - middle) * (u * u + middle * middle) > most * (u * abs(u) + middle * abs(middle))
+            low, high = (middle, high) if over else (low, middle)
+        squares = u * u + low * low
+        return -bound * (u * abs(u) + low * abs(low)) / squares if squares else ZERO
 
     def missed(self, law, parameter):
         """By how much of k a law of friction misses this row, and how much of that may be rounding."""

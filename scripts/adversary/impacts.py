@@ -5,7 +5,7 @@ answer gives None.
 """
 
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, lcm
 from typing import NamedTuple
 
 ZERO, ONE = Fraction(0), Fraction(1)
@@ -133,21 +133,27 @@ def smith_1991(c):
     if c.mu * abs(tn) >= nn:
         return None
 
-    def ratio(k):
-        return -c.sign * c.mu * (1 + k * abs(k)) / (1 + k * k)
+    # k of what k makes of the slip: whole numbers of the sign of k - v'(k)/v, for multiples of one unit
+    m, gain = c.sign * c.mu, (1 + c.e) * c.a / c.u
+    terms = nn, m * tn, gain * m * tt, gain * tn
+    scale = lcm(*(x.denominator for x in terms))
+    normal, across, along, lift = (int(x * scale) for x in terms)
+    one = 1 << TINY
 
     def misses(k):
-        return k - c.after(by_ratio(c, ratio(k)))[0] / c.u
+        ratio, squares = one * one + k * abs(k), one * one + k * k
+        return (k - one) * (normal * squares - across * ratio) - one * (lift * squares - along * ratio)
 
-    low, high = -ONE, ONE
+    low, high = -one, one
     while misses(low) > 0:
         low *= 2
     while misses(high) < 0:
         high *= 2
-    for _ in range(TINY):
-        middle = (low + high) / 2
+    while high - low > 1:
+        middle = (low + high) // 2
         low, high = (middle, high) if misses(middle) < 0 else (low, middle)
-    return by_ratio(c, ratio(low))
+    k = Fraction(low, one)
+    return by_ratio(c, -m * (1 + k * abs(k)) / (1 + k * k))
 
 
 def process(c, hypothesis):
