@@ -23,6 +23,8 @@ use crate::argument::{Argument, Rules as _, SideArgument};
 const POWERS: [u32; 2] = [1, 2];
 /// Terms of a root's series that its enclosure has, one try after the other.
 const TERMS: [u32; 4] = [1, 2, 3, 4];
+/// Roots that the scope does not have, but coefficients may.
+const ADJOINED: usize = 3;
 /// Coefficients of a series that are computed.
 const PRECISION: usize = 6;
 
@@ -42,10 +44,19 @@ pub(super) fn one_side(
         if exact.value(&limit.expr).is_some() {
             return within(limit, side, [&exact, &exact], &germs, steps);
         }
-        [Rough::Above, Rough::Below].into_iter().find_map(|rough| {
-            let mut estimated = series(state, side, power);
-            estimated.numbers.estimate_roots(rough);
-            within(limit, side, [&estimated, &exact], &germs, steps)
+        let mut adjoined = series(state, side, power);
+        for _ in 0..ADJOINED {
+            if adjoined.value(&limit.expr).is_some() || !adjoined.numbers.adjoin() {
+                break;
+            }
+        }
+        let formal = within(limit, side, [&adjoined, &exact], &germs, steps);
+        formal.or_else(|| {
+            [Rough::Above, Rough::Below].into_iter().find_map(|rough| {
+                let mut estimated = series(state, side, power);
+                estimated.numbers.estimate_roots(rough);
+                within(limit, side, [&estimated, &exact], &germs, steps)
+            })
         })
     })
 }
@@ -159,13 +170,15 @@ fn quotient(
     if let Target::Finite(_) = limit.to {
         let [start, slope] = [0, 1].map(|n| along.coefficient(series, n));
         let (start, slope) = (start?, slope?);
-        if series.low < 0 {
+        if series.low < 0 || !numbers.is_known(&start) {
             return None;
         }
-        let margin = numbers.majorant(&slope)?;
+        let margin = numbers.above_adjoined(&numbers.majorant(&slope)?)?;
+        let is_known = numbers.is_known(&slope);
+        let slope = if is_known { slope } else { numbers.number(&BigRational::zero()) };
         let down = if sense == Ordering::Greater { -1 } else { 1 };
         // twice as much, of estimates
-        let down = if numbers.estimates() { 2 * down } else { down };
+        let down = if numbers.estimates() || !is_known { 2 * down } else { down };
         let minus = numbers.number(&BigRational::from_integer(down.into()));
         let slope = numbers.sum(&slope, &numbers.product(&margin, &minus)?)?;
         return Some((polynomial(state, &[&start, &slope])?, 0));

@@ -19,6 +19,11 @@ impl Ground<'_> {
         let (poly, scale, of_scale) = (p.clone(), Poly::one(), one());
         let (products, cofactors) = (Sum::new(), Cofactors::new());
         let mut it = Shown { poly, scale, of_scale, products, cofactors };
+        for Enclosed { equation, .. } in self.enclosed.iter().rev() {
+            if !equation.of_beta.is_empty() {
+                self.substitute(&mut it, equation)?;
+            }
+        }
         self.substitute(&mut it, self.binding.as_ref()?)?;
         for (i, e) in self.enclosed.iter().enumerate() {
             let top = it.poly.degree(e.root);

@@ -18,6 +18,7 @@ use super::nearness::{Cut, Nearness, Places};
 use super::series::{Along, Numbers as _, Value};
 use super::summands::{Signs, Sum, Summand, closed, common_powers, over};
 use super::symbols::{Quotient, Symbols, polynomial};
+use super::variation::roots;
 use crate::argument::Argument;
 
 /// Steps that the polynomials of one case may take.
@@ -48,12 +49,12 @@ struct Around {
 
 /// A case along a germ, with the series of what varies there.
 pub(super) struct Envelope<'a, 's, 'g> {
-    state: &'a State<'s, 'g>,
+    pub(super) state: &'a State<'s, 'g>,
     /// series, of which roots that are no numbers here are estimates
-    along: &'a Along<'a, 'g, Symbols<'a, 's, 'g>>,
+    pub(super) along: &'a Along<'a, 'g, Symbols<'a, 's, 'g>>,
     /// the same without estimates
     exact: &'a Along<'a, 'g, Symbols<'a, 's, 'g>>,
-    ground: Ground<'a>,
+    pub(super) ground: Ground<'a>,
     /// terms of a root's series that its enclosure has
     terms: u32,
     /// that roots of constants are positive
@@ -75,7 +76,7 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
         let ground = Ground::new(Signs::new(state), (nearness, is_near), fuel, places);
         let mut out = Self { state, along, exact, ground, terms, cuts: Vec::new() };
         out.ground.binding = Some(out.equation(t_atom + 2, along.side.var, 1)?);
-        for root in state.scope.context.vars.len()..t {
+        for root in roots(state.scope) {
             let Some(equation) = out.of_root(root) else { continue };
             let mut vars = equation.beta.vars();
             vars.extend(equation.gamma.vars());
@@ -122,7 +123,7 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
     }
 
     /// What a root is the root of: the equation that a case has for its square.
-    fn of_root(&self, root: usize) -> Option<Equation> {
+    pub(super) fn of_root(&self, root: usize) -> Option<Equation> {
         let own = |a: &Atom| a.sign == Sign::Zero && a.poly.degree(root) == 2;
         let mut found = self.state.atoms.iter().enumerate().filter(|(_, a)| own(a));
         found.find_map(|(i, _)| self.equation(i, root, 2))
@@ -152,8 +153,7 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
             next += near.len();
             cuts.extend(near);
         }
-        let roots = self.state.scope.context.vars.len()..self.ground.places.t;
-        for root in roots.filter(|&root| !self.is_constant(root)).collect::<Vec<_>>() {
+        for root in self.varying_roots() {
             if let Some(both) = self.enclose(root, next) {
                 cuts.extend(both);
                 next += 2;
@@ -165,6 +165,11 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
             Argument::Split { poly, zero, positive, negative }
         };
         Some(cuts.into_iter().rev().fold(end, nest))
+    }
+
+    /// Roots that depend on t.
+    pub(super) fn varying_roots(&self) -> Vec<usize> {
+        roots(self.state.scope).filter(|&root| !self.is_constant(root)).collect()
     }
 
     /// Polynomials in t around a root: what is positive, and why.
@@ -198,9 +203,18 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
         let (above, below) = (next, next + 1);
         let lower = self.lower(&around, &low, above)?;
         let upper = self.upper(&around, &high, below)?;
-        let Around { scale, of_scale, .. } = around;
+        let Around { equation, scale, of_scale, .. } = around;
         let width = high.sub(&low);
-        self.ground.enclosed.push(Enclosed { root, scale, of_scale, low, width, above, below });
+        self.ground.enclosed.push(Enclosed {
+            root,
+            equation,
+            scale,
+            of_scale,
+            low,
+            width,
+            above,
+            below,
+        });
         Some([lower, upper])
     }
 
@@ -349,8 +363,15 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
             Sign::NonNegative | Sign::Positive => false,
         };
         let shown = if is_positive { poly.clone() } else { poly.neg() };
+        self.by_enclosures(atom, &shown).or_else(|| self.by_conjugate(atom, &shown))
+    }
+
+    /// The same for what is positive, with each root in it between polynomials.
+    fn by_enclosures(&self, atom: usize, shown: &Poly) -> Option<Argument> {
+        let Atom { poly, sign } = &self.state.atoms[atom];
+        let is_positive = shown == poly;
         // enclosed, a root that all terms have would be subtracted from itself; where the atom is strict it may be 0
-        let mut common = common_powers(&shown);
+        let mut common = common_powers(shown);
         let is_root = |v: usize| self.ground.enclosed.iter().any(|e| e.root == v);
         let serves = |atom| *sign == Sign::Positive || self.ground.signs.is_strict(atom);
         common.retain(|power| {
@@ -358,7 +379,7 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
         });
         let factor = [self.ground.signs.monomial(BigRational::one(), &common)?];
         let Shown { scale, of_scale, products, cofactors, .. } =
-            self.ground.positive(&over(&shown, &common))?;
+            self.ground.positive(&over(shown, &common))?;
         let mut products = self.ground.product(&products, &factor)?;
         let mut cofactors = self.ground.times(&cofactors, &Poly::term(common, BigInt::one()))?;
         if *sign == Sign::Zero {
@@ -372,6 +393,6 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
 }
 
 /// A product of powers of atoms.
-fn unit(factors: &[(usize, u32)]) -> Summand {
+pub(super) fn unit(factors: &[(usize, u32)]) -> Summand {
     Summand::new(BigRational::one(), factors)
 }

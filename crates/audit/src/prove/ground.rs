@@ -20,6 +20,7 @@ pub(super) const SMALL: usize = 1 << 20;
 /// A root s between two polynomials: above = scale·s − low, below = low + width − scale·s.
 pub(super) struct Enclosed {
     pub(super) root: usize,
+    pub(super) equation: Equation,
     pub(super) scale: Poly,
     pub(super) of_scale: Sum,
     pub(super) low: Poly,

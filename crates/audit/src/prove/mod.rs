@@ -36,6 +36,7 @@ mod leaf;
 mod limits;
 mod line;
 mod linear;
+mod lone_root;
 mod means;
 mod monomial;
 mod nearness;

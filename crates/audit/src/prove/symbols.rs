@@ -14,6 +14,8 @@ use super::variation;
 
 /// Estimates of roots are multiples of one part in so many.
 const ESTIMATE: u32 = 1000;
+/// Roots that the scope does not have are variables from here on.
+const ADJOINED: usize = 1 << 19;
 /// Terms of a numerator or a denominator.
 const TERMS: usize = 60;
 
@@ -37,6 +39,8 @@ pub(super) struct Symbols<'a, 's, 'g> {
     roots: Vec<(usize, Quotient)>,
     /// numbers of which roots were asked that the scope does not have
     missing: RefCell<Vec<BigRational>>,
+    /// positive quotients of which roots were asked that there are not
+    asked: RefCell<Vec<Quotient>>,
     /// what stands for a root that the scope does not have
     estimates: Option<Rough>,
 }
@@ -52,9 +56,9 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
             }
         }
         let known = plain.atoms.to_vec();
-        let missing = RefCell::default();
+        let (missing, asked) = (RefCell::default(), RefCell::default());
         let roots = Vec::new();
-        let mut out = Self { state, x, known, roots, missing, estimates: None };
+        let mut out = Self { state, x, known, roots, missing, asked, estimates: None };
         for v in variation::roots(state.scope) {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
@@ -83,6 +87,25 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
         self.estimates = Some(rough);
     }
 
+    /// From now on the first root that was asked for is a number, too, of which the scope knows nothing; false if there
+    /// was none.
+    pub(super) fn adjoin(&mut self) -> bool {
+        let asked = self.asked.take();
+        let root = ADJOINED + self.roots.len();
+        self.roots.extend(asked.into_iter().take(1).map(|q| (root, q)));
+        self.roots.iter().any(|known| known.0 == root)
+    }
+
+    /// Whether a number has no root in it that the scope does not have.
+    pub(super) fn is_known(&self, (num, den): &Quotient) -> bool {
+        !num.vars().into_iter().chain(den.vars()).any(|v| v >= ADJOINED)
+    }
+
+    /// A sum of positive terms with something above each root in its place that the scope does not have.
+    pub(super) fn above_adjoined(&self, (num, den): &Quotient) -> Option<Quotient> {
+        self.beside_roots((num.clone(), den.clone()), |v| v >= ADJOINED, Rough::Above)
+    }
+
     /// Whether estimates stand for roots.
     pub(super) fn estimates(&self) -> bool {
         self.estimates.is_some()
@@ -105,15 +128,25 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
 
     /// A number with something below each root in its place, where all of its terms have one sign.
     pub(super) fn below_roots(&self, a: &Quotient) -> Option<Quotient> {
-        let (mut num, mut den) = a.clone();
-        common_sign(&num)?;
-        for (root, q) in self.roots.iter().rev() {
-            let (below, _) = self.around_root(q)?;
+        common_sign(&a.0)?;
+        self.beside_roots(a.clone(), |_| true, Rough::Below)
+    }
+
+    /// A quotient with something on one side of these roots in their place in the numerator.
+    fn beside_roots(
+        &self,
+        (mut num, mut den): Quotient,
+        of: impl Fn(usize) -> bool,
+        rough: Rough,
+    ) -> Option<Quotient> {
+        for (root, q) in self.roots.iter().rev().filter(|root| of(root.0)) {
+            let (below, above) = self.around_root(q)?;
+            let beside = if rough == Rough::Above { above } else { below };
             let mut sum = (Poly::default(), Poly::one());
             for n in 0..=num.degree(*root) {
                 let mut term = (num.coefficient(*root, n), Poly::one());
                 for _ in 0..n {
-                    term = self.product(&term, &below)?;
+                    term = self.product(&term, &beside)?;
                 }
                 sum = self.sum(&sum, &term)?;
             }
@@ -290,8 +323,12 @@ impl Numbers for Symbols<'_, '_, '_> {
             self.missing.borrow_mut().push(BigRational::new(num, den));
         }
         found.or_else(|| {
+            let is_positive = self.is_positive(a)?;
+            if is_positive {
+                self.asked.borrow_mut().push(a.clone());
+            }
             let rough = self.estimates?;
-            let (below, above) = (self.is_positive(a)?).then(|| self.around_root(a))??;
+            let (below, above) = is_positive.then(|| self.around_root(a))??;
             Some(if rough == Rough::Above { above } else { below })
         })
     }
