@@ -23,6 +23,8 @@ use crate::argument::{Argument, Rules as _, SideArgument};
 const POWERS: [u32; 2] = [1, 2];
 /// Terms of a root's series that its enclosure has, one try after the other.
 const TERMS: [u32; 4] = [1, 2, 3, 4];
+/// Summands of a proof that a quotient lies on one side: with more, it takes the kernel seconds.
+const MOST: usize = 10_000;
 /// Roots that the scope does not have, but coefficients may.
 const ADJOINED: usize = 3;
 /// Coefficients of a series that are computed.
@@ -231,6 +233,18 @@ fn closed(
     let end = Argument::Assume { formula, cases };
     let only = |then, formula: usize| Argument::Assume { formula, cases: vec![then] };
     let argument = assumed.into_iter().rev().fold(end, only);
-    let proof = !is_near || begun.closes(&argument).is_ok();
+    let proof = summands(&argument) <= MOST && (!is_near || begun.closes(&argument).is_ok());
     proof.then_some(argument)
+}
+
+/// Summands of all sums in an argument.
+fn summands(argument: &Argument) -> usize {
+    match argument {
+        Argument::Positive { terms, .. } => terms.len(),
+        Argument::Assume { cases, .. } => cases.iter().map(summands).sum(),
+        Argument::Split { zero, positive, negative, .. } => {
+            [zero, positive, negative].into_iter().map(|then| summands(then)).sum()
+        }
+        _ => 0,
+    }
 }

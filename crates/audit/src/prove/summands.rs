@@ -1,6 +1,7 @@
 //! Sums of products that are plainly not negative: weights, squares, and powers of atoms.
 
-use std::collections::BTreeMap;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 
 use kane_kernel::{Atom, Atoms, Fuel, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
@@ -12,6 +13,9 @@ use crate::argument::Argument;
 
 /// Summands that a sum may have.
 const MOST: usize = 2000;
+
+/// What a product of two summands costs, in operations.
+const COST: u64 = 2;
 
 /// weight · square² · Π atomsᵢ^eᵢ with a positive weight
 #[derive(Clone, Debug)]
@@ -48,16 +52,35 @@ pub(super) fn one() -> Sum {
     vec![Summand::new(BigRational::one(), &[])]
 }
 
-/// The product of two sums, unless it has too many summands.
+/// The product of two sums, each product once, unless it has too many summands.
 pub(super) fn product(a: &[Summand], b: &[Summand], fuel: &Fuel) -> Option<Sum> {
     if a.len() * b.len() > MOST {
         return None;
     }
-    a.iter().flat_map(|a| b.iter().map(|b| a.times(b, fuel))).collect()
+    fuel.spend(COST * (a.len() * b.len()) as u64).ok()?;
+    let all: Option<Sum> = a.iter().flat_map(|a| b.iter().map(|b| a.times(b, fuel))).collect();
+    all.map(merged)
+}
+
+/// The same sum with each product once.
+fn merged(sum: Sum) -> Sum {
+    let mut places: HashMap<_, usize> = HashMap::new();
+    let mut out = Sum::new();
+    for summand in sum {
+        match places.entry((summand.square.clone(), summand.factors.clone())) {
+            Entry::Occupied(known) => out[*known.get()].weight += summand.weight,
+            Entry::Vacant(free) => {
+                free.insert(out.len());
+                out.push(summand);
+            }
+        }
+    }
+    out
 }
 
 /// Σ summands + Σ cofactors·equations = 0, in whole numbers.
 pub(super) fn closed(sum: Sum, cofactors: impl IntoIterator<Item = (usize, Poly)>) -> Argument {
+    let sum = merged(sum);
     let scale = sum.iter().fold(BigInt::one(), |lcm, s| lcm.lcm(s.weight.denom()));
     let whole = |weight: BigRational| (weight * BigRational::from(scale.clone())).to_integer();
     let term = |s: Summand| Term {
