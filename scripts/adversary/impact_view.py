@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from impact_log import SHAPES, half_unit
-from impacts import Contact
+from impacts import Contact, halved
 
 ZERO = Fraction(0)
 
@@ -125,12 +125,12 @@ class View:
         if not unit:
             return ZERO
         u, s, most = (round(x / unit) for x in terms)
-        low, high = s - most, s + most
-        while high - low > 1:
-            middle = (low + high) // 2
-            # s + w*pull(middle) > middle
-            over = (s - middle) * (u * u + middle * middle) > most * (u * abs(u) + middle * abs(middle))
-            low, high = (middle, high) if over else (low, middle)
+
+        def is_below(v):
+            # s + w*pull(v) > v
+            return (s - v) * (u * u + v * v) > most * (u * abs(u) + v * abs(v))
+
+        low = halved(s - most, s + most, is_below)
         squares = u * u + low * low
         return -bound * (u * abs(u) + low * abs(low)) / squares if squares else ZERO
 

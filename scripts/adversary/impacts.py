@@ -43,6 +43,14 @@ def root(x):
     return Fraction(isqrt((x.numerator << scale) // x.denominator), 1 << (scale // 2))
 
 
+def halved(low, high, is_below):
+    """The whole number before the change, between one that is below what is looked for and one that is not."""
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if is_below(middle) else (low, middle)
+    return low
+
+
 def by_ratio(c, ratio):
     """Newton's restitution with p_t = ratio*p_n; None where no push does it."""
     _, tn, nn = c.w
@@ -149,10 +157,7 @@ def smith_1991(c):
         low *= 2
     while misses(high) < 0:
         high *= 2
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if misses(middle) < 0 else (low, middle)
-    k = Fraction(low, one)
+    k = Fraction(halved(low, high, lambda k: misses(k) < 0), one)
     return by_ratio(c, -m * (1 + k * abs(k)) / (1 + k * k))
 
 

@@ -22,7 +22,7 @@ type Q = BigRational;
 pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel) -> Option<Vec<Q>> {
     let (rows, cols) = (b.len(), columns.len());
     // The tableau of phase one in whole numbers: artificial variables are the initial basis.
-    let common = common(columns.iter().flatten().map(|(_, value)| value).chain(b));
+    let common = common_denominator(columns.iter().flatten().map(|(_, value)| value).chain(b));
     let of = |q: &Q| q.numer() * (&common / q.denom());
     let mut table = vec![vec![BigInt::zero(); cols + 1]; rows];
     for (j, column) in columns.iter().enumerate() {
@@ -69,8 +69,8 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
     None
 }
 
-/// The least common denominator.
-fn common<'q>(values: impl IntoIterator<Item = &'q Q>) -> BigInt {
+/// The least common denominator; 1 of no fractions.
+pub fn common_denominator<'q>(values: impl IntoIterator<Item = &'q Q>) -> BigInt {
     let fractions = values.into_iter().filter(|q| !q.is_integer());
     fractions.fold(BigInt::one(), |l, q| l.lcm(q.denom()))
 }
@@ -78,7 +78,7 @@ fn common<'q>(values: impl IntoIterator<Item = &'q Q>) -> BigInt {
 /// A vector of whole numbers in the same ratios.
 #[must_use]
 pub fn whole(values: &[Q]) -> Vec<BigInt> {
-    let common = common(values);
+    let common = common_denominator(values);
     values.iter().map(|q| q.numer() * (&common / q.denom())).collect()
 }
 

@@ -156,7 +156,8 @@ impl Jet {
     }
 }
 
-/// A sum or a product: in machine words where both numbers leave room for it, which takes a tenth of the time.
+/// A sum or a product: in machine words where both numbers leave room for it, since long integers take most of their
+/// time in divisors.
 fn combined(
     a: &BigRational,
     b: &BigRational,

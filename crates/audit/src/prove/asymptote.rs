@@ -5,7 +5,6 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 
 use kane_kernel::{Expr, Germ, Limit, Poly, Side, State, Target, differs};
-
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
@@ -16,7 +15,7 @@ use super::nearness::Nearness;
 use super::series::{Along, Numbers as _, Value};
 use super::squeeze::{Beside, between};
 use super::symbols::{Quotient, Rough, Symbols, polynomial};
-use super::variation::ratio_in;
+use super::variation::{ratio_in, roots};
 use crate::argument::{Argument, Rules as _, SideArgument};
 
 /// Powers of t along which roots are tried.
@@ -37,14 +36,14 @@ pub(super) fn one_side(
     side: &Side,
     steps: u64,
 ) -> Option<SideArgument> {
-    if state.scope.context.vars.len() == state.scope.germ() && !has_cases(state, &limit.expr) {
+    if roots(state.scope).is_empty() && !has_cases(state, &limit.expr) {
         return None;
     }
     POWERS.iter().find_map(|&power| {
         let germs = Germs::new(state, side, steps).along(power);
         let exact = series(state, side, power);
-        if exact.value(&limit.expr).is_some() {
-            return within(limit, side, [&exact, &exact], &germs, steps);
+        if let Some(value) = exact.value(&limit.expr) {
+            return within(limit, side, &value, [&exact, &exact], &germs, steps);
         }
         let mut adjoined = series(state, side, power);
         for _ in 0..ADJOINED {
@@ -52,12 +51,15 @@ pub(super) fn one_side(
                 break;
             }
         }
-        let formal = within(limit, side, [&adjoined, &exact], &germs, steps);
+        let formal = adjoined.value(&limit.expr);
+        let formal = formal
+            .and_then(|value| within(limit, side, &value, [&adjoined, &exact], &germs, steps));
         formal.or_else(|| {
             [Rough::Above, Rough::Below].into_iter().find_map(|rough| {
                 let mut estimated = series(state, side, power);
                 estimated.numbers.estimate_roots(rough);
-                within(limit, side, [&estimated, &exact], &germs, steps)
+                let value = estimated.value(&limit.expr)?;
+                within(limit, side, &value, [&estimated, &exact], &germs, steps)
             })
         })
     })
@@ -67,20 +69,20 @@ pub(super) fn one_side(
 fn within(
     limit: &Limit,
     side: &Side,
+    value: &Value<Quotient>,
     both: Both<'_, '_, '_, '_>,
     germs: &Germs<'_, '_, '_>,
     steps: u64,
 ) -> Option<SideArgument> {
     let along = both[0];
     let state = along.numbers.state();
-    let value = along.value(&limit.expr)?;
     let senses = match limit.to {
         Target::PlusInf => vec![Ordering::Greater],
         Target::MinusInf => vec![Ordering::Less],
         Target::Finite(_) => vec![Ordering::Greater, Ordering::Less],
     };
     let beside = |&sense: &Ordering| -> Option<(Ordering, Beside)> {
-        let ((num, den), order) = quotient(along, limit, &value, sense)?;
+        let ((num, den), order) = quotient(along, limit, value, sense)?;
         let end = at_zero(state, limit, side, (&num, &den, order), steps)?;
         Some((sense, Beside { num, den, order, end }))
     };

@@ -9,10 +9,10 @@
 //! After L. Yang, Solving harder problems with lesser mathematics (2005), who cuts by all orders of the
 //! variables at a time.
 
+use kane_algebra::linear_program::common_denominator;
 use kane_algebra::squares::total_degree as total;
 use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -196,7 +196,7 @@ impl Part {
         if reduce(&mut system, n) < n {
             return None;
         }
-        let common = system.iter().flatten().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+        let common = common_denominator(system.iter().flatten());
         let whole = |x: &Q| (x * Q::from_integer(common.clone())).to_integer();
         // common·x by the forms, the number 1 being the last of them
         let values: Vec<Poly> = system

@@ -9,16 +9,14 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
-use super::ground::{Cofactors, Enclosed, Equation, Ground, SMALL, Shown, TERMS, add};
+use super::ground::{Enclosed, Equation, Ground, SMALL, Shown, TERMS, add};
 use super::nearness::Rest;
 use super::summands::{Sum, Summand, common_powers, joined, one, over};
 
 impl Ground<'_> {
     /// Shows that a polynomial in x, t, symbols and enclosed roots is positive.
     pub(super) fn positive(&self, p: &Poly) -> Option<Shown> {
-        let (poly, scale, of_scale) = (p.clone(), Poly::one(), one());
-        let (products, cofactors) = (Sum::new(), Cofactors::new());
-        let mut it = Shown { poly, scale, of_scale, products, cofactors };
+        let mut it = Shown::new(p.clone());
         for Enclosed { equation, .. } in self.enclosed.iter().rev() {
             if !equation.of_beta.is_empty() {
                 self.substitute(&mut it, equation)?;

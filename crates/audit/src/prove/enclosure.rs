@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Atom, Fuel, Germ, Poly, Sign, State, Term};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -139,7 +139,7 @@ impl<'a, 's, 'g> Ground<'a, 's, 'g> {
         let cut = u32::try_from(start).ok()? + terms;
         let coefficient = |n: u32| self.along.coefficient(&series, i64::from(n) - i64::from(shift));
         let known = (0..cut).map(coefficient).collect::<Option<Vec<_>>>()?;
-        let scale = known.iter().fold(BigInt::one(), |lcm, c| lcm.lcm(c.denom()));
+        let scale = common_denominator(&known);
         let whole = |c: &BigRational| (c * BigRational::from_integer(scale.clone())).to_integer();
         let margin = (coefficient(cut)?.abs().floor().to_integer() + BigInt::one()) * &scale;
         let middle = Poly::in_variable(self.t, &known.iter().map(whole).collect::<Vec<_>>());
@@ -386,7 +386,7 @@ fn product(a: &Product, b: &Product) -> Product {
 
 /// Σ products + Σ cofactors·equations = 0, in whole numbers.
 fn closed(products: Vec<Product>, cofactors: Vec<(usize, Poly)>) -> Argument {
-    let scale = products.iter().fold(BigInt::one(), |lcm, (weight, _)| lcm.lcm(weight.denom()));
+    let scale = common_denominator(products.iter().map(|product| &product.0));
     let term = |(weight, factors): Product| Term {
         weight: (weight * BigRational::from_integer(scale.clone())).to_integer(),
         square: Poly::one(),

@@ -111,12 +111,7 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
             [Some(sum), _] => (false, sum),
             [_, Some(sum)] => (true, sum),
             // it varies
-            _ => match self.along.polynomial(&beta)? {
-                Value::Series(s) => {
-                    (!self.along.numbers.is_positive(&s.coefficients[0])?, Sum::new())
-                }
-                Value::Zero => return None,
-            },
+            _ => (!self.sign(&beta)?, Sum::new()),
         };
         let (beta, gamma) = if is_opposite { (beta.neg(), gamma.neg()) } else { (beta, gamma) };
         Some(Equation { atom, var, period, beta, of_beta, gamma, is_opposite })

@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
+use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Fuel, Monomial, Poly, exponent};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _};
 
@@ -65,6 +65,14 @@ pub(super) struct Ground<'a> {
     /// roots of constants
     pub(super) constants: Vec<Equation>,
     pub(super) enclosed: Vec<Enclosed>,
+}
+
+impl Shown {
+    /// A polynomial as it is.
+    pub(super) fn new(poly: Poly) -> Self {
+        let (products, cofactors) = (Sum::new(), Cofactors::new());
+        Self { poly, scale: Poly::one(), of_scale: one(), products, cofactors }
+    }
 }
 
 impl<'a> Ground<'a> {
@@ -184,7 +192,7 @@ impl<'a> Ground<'a> {
 
     /// Takes terms in the place of the polynomial, times what makes them whole.
     pub(super) fn set(&self, it: &mut Shown, terms: BTreeMap<Monomial, BigRational>) -> Option<()> {
-        let scale = terms.values().fold(BigInt::one(), |lcm, c| lcm.lcm(c.denom()));
+        let scale = common_denominator(terms.values());
         let whole = |c: BigRational| (c * BigRational::from(scale.clone())).to_integer();
         let poly = Poly::sum(terms.into_iter().map(|(m, c)| (m, whole(c))));
         let weight = Summand::new(scale.clone().into(), &[]);

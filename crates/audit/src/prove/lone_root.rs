@@ -6,7 +6,7 @@ use kane_kernel::{Poly, Sign};
 use super::envelope::{Envelope, unit};
 use super::ground::{Cofactors, Equation, Shown, add};
 use super::series::{Numbers as _, Value};
-use super::summands::{Sum, closed, one};
+use super::summands::{Sum, closed};
 use crate::argument::Argument;
 
 impl Envelope<'_, '_, '_> {
@@ -29,13 +29,7 @@ impl Envelope<'_, '_, '_> {
     fn apart_from(&self, atom: usize, shown: &Poly, equation: &Equation) -> Option<Argument> {
         let Equation { atom: q, var, beta, of_beta, gamma, is_opposite, .. } = equation;
         let ground = &self.ground;
-        let mut it = Shown {
-            poly: shown.clone(),
-            scale: Poly::one(),
-            of_scale: one(),
-            products: Sum::new(),
-            cofactors: Cofactors::new(),
-        };
+        let mut it = Shown::new(shown.clone());
         ground.substitute(&mut it, equation)?;
         let [b, a] = [0, 1].map(|n| it.poly.coefficient(*var, n));
         let is_root_greater = self.sign(&a)?;
@@ -83,7 +77,7 @@ impl Envelope<'_, '_, '_> {
     }
 
     /// Whether a polynomial is positive for small t, by its series.
-    fn sign(&self, p: &Poly) -> Option<bool> {
+    pub(super) fn sign(&self, p: &Poly) -> Option<bool> {
         let Value::Series(series) = self.along.polynomial(p)? else { return None };
         self.along.numbers.is_positive(&series.coefficients[0])
     }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Fuel, Monomial, Poly};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _};
 
@@ -83,8 +83,7 @@ impl Nearness {
 
     /// What makes weights whole.
     fn scale(&self) -> BigInt {
-        let weights = self.0.iter().flat_map(|demand| demand.rest.values());
-        weights.fold(BigInt::one(), |lcm, weight| lcm.lcm(weight.denom()))
+        common_denominator(self.0.iter().flat_map(|demand| demand.rest.values()))
     }
 
     /// A radius within which all that is demanded holds.
@@ -110,7 +109,7 @@ impl Nearness {
     /// first − t·rest in whole numbers, and the weight of that.
     fn atom(&self, i: usize, t: usize, fuel: &Fuel) -> Option<(Poly, BigInt)> {
         let Demand { first, rest } = &self.0[i];
-        let scale = rest.values().fold(BigInt::one(), |lcm, weight| lcm.lcm(weight.denom()));
+        let scale = common_denominator(rest.values());
         let rest = polynomial(rest, &scale).mul(&Poly::var(t), fuel).ok()?;
         Some((first.scale(&scale).sub(&rest), scale))
     }

@@ -1,11 +1,11 @@
 //! A point whose coordinates are roots of numbers, and roots of what is made of such, in the field of one algebraic
 //! number: θ = Σ wᵢ·sᵢ, whose powers are written in the products of the sᵢ, and these in the powers.
 
+use kane_algebra::linear_program::common_denominator;
 use kane_algebra::point::{Partial, specialised};
 use kane_algebra::sign_table::SignTable;
 use kane_kernel::{Atom, Fuel, Point, Poly, State};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
@@ -86,7 +86,7 @@ fn written(radicals: &Radicals, weight: u32, fuel: &Fuel) -> Option<Partial> {
     let of = |at: usize| rows.iter().map(|row| row[at].clone()).collect::<Vec<Q>>();
     let mut monic: Vec<Q> = of(degree).into_iter().map(|q| -q).collect();
     monic.push(Q::one());
-    let common = monic.iter().fold(BigInt::one(), |l, q| l.lcm(q.denom()));
+    let common = common_denominator(&monic);
     let poly: Vec<BigInt> = monic.iter().map(|q| (q * &common).to_integer()).collect();
     // of the roots of a factor θ is the one in whose interval its value is
     let value = radicals.value(&theta)?;

@@ -3,9 +3,9 @@
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
+use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Atom, Atoms, Fuel, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
@@ -13,7 +13,6 @@ use crate::argument::Argument;
 
 /// Summands that a sum may have.
 const MOST: usize = 2000;
-
 /// What a product of two summands costs, in operations.
 const COST: u64 = 2;
 
@@ -81,7 +80,7 @@ fn merged(sum: Sum) -> Sum {
 /// Σ summands + Σ cofactors·equations = 0, in whole numbers.
 pub(super) fn closed(sum: Sum, cofactors: impl IntoIterator<Item = (usize, Poly)>) -> Argument {
     let sum = merged(sum);
-    let scale = sum.iter().fold(BigInt::one(), |lcm, s| lcm.lcm(s.weight.denom()));
+    let scale = common_denominator(sum.iter().map(|s| &s.weight));
     let whole = |weight: BigRational| (weight * BigRational::from(scale.clone())).to_integer();
     let term = |s: Summand| Term {
         weight: whole(s.weight),
