@@ -1,5 +1,7 @@
 //! Sign tables: the real line cut at all roots of some polynomials, complete in one variable.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{Fuel, Rejection, Root, sign_at};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -48,7 +50,7 @@ impl SignTable {
         for base in &bases {
             isolate(base, &mut roots, fuel)?;
         }
-        separate(&bases, &mut roots, fuel)?;
+        let roots = separate(&bases, roots, fuel)?;
         let roots = cut_gaps(&bases, roots, fuel)?;
         Ok(Self { bases, roots, factored })
     }
@@ -169,11 +171,24 @@ pub fn refine(root: &mut Root, fuel: &Fuel) -> Result<(), Rejection> {
     Ok(())
 }
 
-/// (a + b)/2. A sum of fractions takes a common divisor, which takes the square of their size.
+/// (a + b)/2. A fraction in lowest terms takes a common divisor, which takes the square of its size.
 pub(crate) fn midpoint(a: &Q, b: &Q, fuel: &Fuel) -> Result<Q, Rejection> {
     let words = size(a).saturating_add(size(b));
     spend_fraction(words, fuel)?;
-    Ok((a + b) / Q::from_integer(2.into()))
+    Ok(if a.denom() == b.denom() {
+        Q::new(a.numer() + b.numer(), a.denom() * 2)
+    } else {
+        Q::new(a.numer() * b.denom() + b.numer() * a.denom(), a.denom() * b.denom() * 2)
+    })
+}
+
+/// The order of two fractions by their cross products: as continued fractions, which their own order compares, nearby
+/// ones of many digits take a division for each digit or two.
+fn order(a: &Q, b: &Q) -> Ordering {
+    if a.denom() == b.denom() {
+        return a.numer().cmp(b.numer());
+    }
+    (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
 }
 
 /// Words of a fraction.
@@ -182,43 +197,59 @@ fn size(x: &Q) -> u64 {
 }
 
 /// The sign of a value, within the budget: Horner's rule on numbers that grow by the size of x in
-/// each step.
+/// each step. Its three products a step are of long integers, however short these are.
 fn value_sign(p: &[BigInt], x: &Q, fuel: &Fuel) -> Result<i8, Rejection> {
     let degree = u64::try_from(p.len()).unwrap_or(u64::MAX);
     let words = 1 + degree.saturating_mul(x.numer().bits() + x.denom().bits()) / 64;
     fuel.spend(degree.saturating_mul(words))?;
+    fuel.spend_beyond(degree.saturating_mul(8))?;
     Ok(sign_at(p, x))
 }
 
 /// Shrinks intervals until they are disjoint and no other base has a root or sign change there.
-fn separate(bases: &[Vec<BigInt>], roots: &mut [Root], fuel: &Fuel) -> Result<(), Rejection> {
+fn separate(bases: &[Vec<BigInt>], roots: Vec<Root>, fuel: &Fuel) -> Result<Vec<Root>, Rejection> {
+    // with each root, whether its interval was found to be free of other bases: only a halving changes that
+    let mut lone: Vec<(Root, bool)> = roots.into_iter().map(|root| (root, false)).collect();
     for _ in 0..MAX_HALVINGS {
-        roots.sort_by(|a, b| (&a.lo, &a.hi).cmp(&(&b.lo, &b.hi)));
+        lone.sort_by(|(a, _), (b, _)| order(&a.lo, &b.lo).then_with(|| order(&a.hi, &b.hi)));
         let mut dirty = false;
-        for i in 0..roots.len() {
-            if roots[i].is_exact() {
+        for i in 0..lone.len() {
+            let root = &lone[i].0;
+            if root.is_exact() {
                 continue;
             }
-            let (lo, hi) = (roots[i].lo.clone(), roots[i].hi.clone());
-            let mut clear =
-                (i == 0 || roots[i - 1].hi < lo) && roots.get(i + 1).is_none_or(|r| hi < r.lo);
-            for base in bases {
-                let at = |x| value_sign(base, x, fuel);
-                clear = clear && at(&lo)? != 0 && at(&hi)? != 0;
-                if clear && *base != roots[i].poly {
-                    clear = descartes(base, Some(&lo), Some(&hi), fuel)? == 0;
-                }
+            let after = |left: &Root, right: &Root| order(&left.hi, &right.lo).is_lt();
+            let apart = (i == 0 || after(&lone[i - 1].0, root))
+                && lone.get(i + 1).is_none_or(|next| after(root, &next.0));
+            if apart && !lone[i].1 {
+                lone[i].1 = is_lone(bases, &lone[i].0, fuel)?;
             }
-            if !clear {
-                refine(&mut roots[i], fuel)?;
+            if !(apart && lone[i].1) {
+                refine(&mut lone[i].0, fuel)?;
+                lone[i].1 = false;
                 dirty = true;
             }
         }
         if !dirty {
-            return Ok(());
+            return Ok(lone.into_iter().map(|(root, _)| root).collect());
         }
     }
     Err(Rejection::Budget)
+}
+
+/// Whether no base vanishes at an end of the interval of a root, and none but its own has a sign change inside.
+fn is_lone(bases: &[Vec<BigInt>], root: &Root, fuel: &Fuel) -> Result<bool, Rejection> {
+    for base in bases {
+        let vanishes = |x| Ok(value_sign(base, x, fuel)? == 0);
+        if vanishes(&root.lo)? || vanishes(&root.hi)? {
+            return Ok(false);
+        }
+        let is_other = *base != root.poly;
+        if is_other && descartes(base, Some(&root.lo), Some(&root.hi), fuel)? != 0 {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// Cuts gaps at rational points until Descartes' rule sees that they hold no root.
