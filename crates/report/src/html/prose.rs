@@ -47,11 +47,21 @@ pub(crate) fn parts(text: &str, anchor: &dyn Fn(&str) -> Option<String>) -> Vec<
                     parts.push(Part::Heading { level, start: range.start, words });
                 }
             }
+            Event::InlineHtml(markup) if is_comment(&markup) => {}
+            Event::Start(Tag::HtmlBlock) if is_comment(&text[range.clone()]) => {
+                source.by_ref().find(|(event, _)| matches!(event, Event::End(TagEnd::HtmlBlock)));
+            }
             event => events.push(plain(event, anchor)),
         }
     }
     flush(&mut events, &mut parts);
     parts
+}
+
+/// Whether markup is one comment and nothing else: what no reader of Markdown shows.
+fn is_comment(markup: &str) -> bool {
+    let inside = markup.trim().strip_prefix("<!--").and_then(|rest| rest.strip_suffix("-->"));
+    inside.is_some_and(|inside| !inside.contains("-->"))
 }
 
 fn flush(events: &mut Vec<Event<'_>>, parts: &mut Vec<Part>) {
@@ -152,6 +162,14 @@ mod tests {
             assert!(!shown.contains(forbidden), "{forbidden} in {shown}");
         }
         assert!(shown.contains("&lt;script&gt;") && shown.contains("[p]"), "{shown}");
+    }
+
+    #[test]
+    fn a_comment_is_not_shown_and_what_stands_beside_it_is() {
+        assert_eq!(shown("<!-- a\n\nb -->\n\nw <!-- c -->v\n"), "<p>w v</p>\n");
+        for beside in ["<!-- a --> b <!-- c -->\n", "<!-- a --><b>\n", "<!-- a\n\nb\n"] {
+            assert!(shown(beside).contains("&lt;!-- a"), "{beside}");
+        }
     }
 
     #[test]
