@@ -22,6 +22,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import witness  # noqa: E402
+from algebraic import Alg, Costly  # noqa: E402
 from meaning import Scene, all_of, formula, links, number, text  # noqa: E402
 from reader import Unreadable  # noqa: E402
 from trial import Trial  # noqa: E402
@@ -49,7 +50,7 @@ class Maker:
                 known.append(("part", ("vec", rng.choice(s.vectors + list(s.vlets))), rng.randrange(s.size)))
             return rng.choice(known)
         kinds = ["+", "-", "*", "*", "/", "^", "neg", "abs", "cases"] + ["call"] * 3 * bool(s.functions)
-        kinds += (["dot", "norm2", "det"] + ["cross2"] * (s.size == 2)) * bool(s.size)
+        kinds += (["dot", "norm2", "norm", "det"] + ["cross2"] * (s.size == 2)) * bool(s.size)
         kind = rng.choice(kinds)
         if kind in "+-*/":
             return (kind, self.number(depth - 1), self.number(depth - 1))
@@ -66,7 +67,7 @@ class Maker:
             return (kind, name, [self.number(depth - 1) for _ in s.functions[name][0]])
         if kind == "det":
             return (kind, self.matrix(depth - 2))
-        if kind == "norm2":
+        if kind in ("norm", "norm2"):
             return (kind, self.vector(depth - 2))
         return (kind, self.vector(depth - 2), self.vector(depth - 2))
 
@@ -144,6 +145,7 @@ class Maker:
             found += [
                 ("chain", [("dot", u, v), ("dot", v, u)], ["="]),
                 ("chain", [("^", ("dot", u, v), 2), ("*", ("norm2", u), ("norm2", v))], ["<="]),
+                *self.lengths(u, v, p),
                 ("iff", ("v=", "=", u, v), ("chain", [("norm2", ("v-", u, v)), zero], ["="])),
                 ("iff", ("v=", "!=", u, v), ("chain", [("norm2", ("v-", u, v)), zero], [">"])),
                 ("v=", "=", ("mv", ("mm", m, n), u), ("mv", m, ("mv", n, u)), s.size),
@@ -161,6 +163,32 @@ class Maker:
                 found.append(("chain", [("dot", ("cross3", u, v), v), zero], ["="]))
         f = rng.choice(found)
         return self.changed(f) if rng.random() < 0.25 else f
+
+    def lengths(self, u, v, p):
+        """What is true of lengths."""
+        a, b, size = ("norm", u), ("norm", v), self.s.size
+        sum_, difference, both = ("norm", ("v+", u, v)), ("norm", ("v-", u, v)), ("*", a, b)
+        zero, one = ("n", Fraction(0)), ("n", Fraction(1))
+        some = ("chain", [a, zero], ["!="])
+        unit = ("chain", [("norm", ("over", a, u)), one], ["="])
+        cross = ("abs", ("cross2", u, v)) if size == 2 else ("norm", ("cross3", u, v))
+        right = ("chain", [("dot", u, v), zero], ["="])
+        w = ("vec", self.rng.choice(self.s.vectors))
+        return [
+            ("chain", [a, zero], [">="]),
+            ("chain", [sum_, ("+", a, b)], ["<="]),
+            ("chain", [difference, ("abs", ("-", a, b))], [">="]),
+            ("chain", [("abs", ("dot", u, v)), both], ["<="]),
+            ("chain", [("dot", u, v), both], ["<="]),
+            ("chain", [cross, both], ["<="]),
+            ("chain", [("norm", ("scale", p, u)), ("*", ("abs", p), a)], ["="]),
+            ("chain", [("abs", ("part", w, 0)), ("norm", w)], ["<="]),
+            ("chain", [("^", a, 2), ("dot", u, u)], ["="]),
+            ("implies", some, unit),
+            ("iff", ("chain", [a, zero], ["="]), ("chain", [("norm2", u), zero], ["="])),
+            ("implies", right, ("chain", [sum_, difference], ["="])),
+            ("implies", right, ("chain", [sum_, a], [">="])),
+        ]
 
     def changed(self, f):
         """One small fault somewhere."""
@@ -262,13 +290,17 @@ def document(rng):
 
 
 def premises_hold(claim, givens, env, s):
+    """Whether they do; `Costly` where roots take too long to tell apart."""
     _, when, cited, _ = claim
-    if all_of(when, env, s) is not True:
-        return False
-    for label in cited:
-        formulas, condition = givens[label]
-        if all_of(condition, env, s) is True and all_of(formulas, env, s) is not True:
+    try:
+        if all_of(when, env, s) is not True:
             return False
+        for label in cited:
+            formulas, condition = givens[label]
+            if all_of(condition, env, s) is True and all_of(formulas, env, s) is not True:
+                return False
+    except Costly:
+        return Costly
     return True
 
 
@@ -278,17 +310,22 @@ def point_of(link, scene):
         named = witness.point(link)
     except Unreadable:
         pass
-    if named is None or not all(isinstance(value, Fraction) for value in named.values()):
+    if named is None or not all(isinstance(value, (Fraction, Alg)) for value in named.values()):
         return None
     return {name: Fraction(1) for name in scene.names()} | named
 
 
 def truths_of(claim, env, s):
-    """The truth of each link at a point."""
+    """The truth of each link at a point; of one with roots that take too long to tell apart, `Costly` itself."""
     content, _, _, by = claim
-    if by is not None:
-        env = {**env, "e": number(by, env, s)}
-    return [link(env, s) for f in content for link in links(f)]
+
+    def truth(link):
+        try:
+            return link(env if by is None else {**env, "e": number(by, env, s)}, s)
+        except Costly:
+            return Costly
+
+    return [truth(link) for f in content for link in links(f)]
 
 
 def judge(scene, givens, claims, shown, points):
@@ -303,7 +340,7 @@ def judge(scene, givens, claims, shown, points):
         tally.append(("exists " if by else "contradiction " if content is None else "") + verdict)
         if by and verdict in ("refuted", "ill-defined"):
             wrong.append(f"{label}: an existence is {verdict}")
-        inside = [env for env in points if premises_hold(claim, givens, env, scene)]
+        inside = [env for env in points if premises_hold(claim, givens, env, scene) is True]
         if (verdict == "vacuous" or (content is None and verdict == "proved")) and inside:
             wrong.append(f"{label}: {verdict}, but all premises hold at {shown_point(inside[0])}")
         for i, link in enumerate(statement["links"]):
@@ -313,7 +350,7 @@ def judge(scene, givens, claims, shown, points):
                     if len(truths) != len(statement["links"]):
                         wrong.append(f"{label}: {len(truths)} links are meant")
                         break
-                    if truths[i] is not True:
+                    if truths[i] not in (True, Costly):
                         wrong.append(f"{label}, link {i + 1}: proved, but {truths[i]} at {shown_point(env)}")
                         break
             if link["verdict"] in ("refuted", "ill-defined"):
@@ -321,11 +358,11 @@ def judge(scene, givens, claims, shown, points):
                 if env is None:
                     tally.append("witness not read")
                     continue
-                if not premises_hold(claim, givens, env, scene):
+                if premises_hold(claim, givens, env, scene) is False:
                     wrong.append(f"{label}, link {i + 1}: a premise fails at {shown_point(env)}")
                 elif content is not None:
                     truth = truths_of(claim, env, scene)[i]
-                    if truth is not {"refuted": False, "ill-defined": None}[link["verdict"]]:
+                    if truth not in ({"refuted": False, "ill-defined": None}[link["verdict"]], Costly):
                         wrong.append(f"{label}, link {i + 1}: {link['verdict']}, but {truth} at {shown_point(env)}")
     return wrong, tally
 

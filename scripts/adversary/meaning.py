@@ -1,10 +1,12 @@
 """What formulas, vectors and definitions with arguments mean, and how they are written: for `lowered.py`.
 
-None is what is undefined. A vector is a list of components, each of which may be.
+None is what is undefined. A number is a fraction, or a real made by the roots of lengths, with an exact sign. A vector is a list of components, each of which may be.
 """
 
 from fractions import Fraction
 from itertools import permutations
+
+from algebraic import sign, square_root
 
 AXES = "xyz"
 
@@ -59,6 +61,9 @@ def number(e, env, s):
         if None in a or None in b:
             return None
         return a[0] * b[1] - a[1] * b[0] if kind == "cross2" else sum(p * q for p, q in zip(a, b))
+    if kind == "norm":
+        a = array(e[1], env, s)
+        return None if None in a else square_root(total(p * p for p in a))
     if kind == "det":
         return determinant(matrix(e[1], env, s))
     parts = [number(p, env, s) for p in e[1:] if isinstance(p, tuple)]
@@ -72,14 +77,23 @@ def number(e, env, s):
     if kind == "*":
         return a * b
     if kind == "/":
-        return a / b if b else None
+        return a / b if sign(b) else None
     if kind == "neg":
         return -a
     if kind == "abs":
-        return abs(a)
+        return a if sign(a) >= 0 else -a
     if kind == "^":
-        return a ** e[2] if a or e[2] >= 0 else None
+        return power(a, e[2])
     raise AssertionError(kind)
+
+
+def power(a, n):
+    if n < 0:
+        return 1 / power(a, -n) if sign(a) else None
+    out = Fraction(1)
+    for _ in range(n):
+        out = a * out
+    return out
 
 
 def determinant(m):
@@ -98,11 +112,11 @@ def determinant(m):
 def inverse(m):
     """By elimination; all components are undefined where there is none."""
     size = len(m)
-    if not determinant(m):
+    if determinant(m) is None or not sign(determinant(m)):
         return [[None] * size for _ in m]
     rows = [list(row) + [Fraction(i == j) for j in range(size)] for i, row in enumerate(m)]
     for i in range(size):
-        pivot = next(k for k in range(i, size) if rows[k][i])
+        pivot = next(k for k in range(i, size) if sign(rows[k][i]))
         rows[i], rows[pivot] = rows[pivot], rows[i]
         rows[i] = [p / rows[i][i] for p in rows[i]]
         for k in range(size):
@@ -134,7 +148,7 @@ def array(e, env, s):
     if kind in ("scale", "over", "turn"):
         c, v = number(e[1], env, s), array(e[2], env, s)
         if kind == "over":
-            c = 1 / c if c else None
+            c = 1 / c if c is not None and sign(c) else None
         return [times(c, p) for p in v] if kind != "turn" else [times(times(c, v[1]), -1), times(c, v[0])]
     a = array(e[1], env, s)
     if kind == "vneg":
@@ -181,7 +195,8 @@ def matrix(e, env, s):
 def compare(op, a, b):
     if a is None or b is None:
         return None
-    return {"=": a == b, "!=": a != b, "<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b}[op]
+    way = sign(a - b)
+    return {"=": way == 0, "!=": way != 0, "<": way < 0, "<=": way <= 0, ">": way > 0, ">=": way >= 0}[op]
 
 
 def all_of(formulas, env, s):
