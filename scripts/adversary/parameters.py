@@ -16,8 +16,8 @@ from fractions import Fraction
 
 import witness
 from expr import ONE, ZERO, add, div, mul, num, show, sub, substitute, var
-from radicals import approaches, behaviour, judged
-from reader import read
+from radicals import approaches, behaviour, judged, true
+from reader import Unreadable, read
 from trial import Trial
 
 CLAIMS = 8  # a document
@@ -64,7 +64,7 @@ KNOWN = [
 def known(where, expression, target, letters):
     """A known limit with expressions in the place of its letters: what tends, the point, the side, and where to."""
     aim = target if target in INFINITE else substitute(read(target), letters)
-    return substitute(read(expression), letters), where.rstrip("+"), "+" if where.endswith("+") else "", aim
+    return substitute(read(expression), letters), where.rstrip("+-"), where[-1] if where[-1] in "+-" else "", aim
 
 
 def formula(rng, symbols):
@@ -100,7 +100,7 @@ def written(expression, point, side, target):
 
 
 def document(rng):
-    """A document's text, and its claims as (label, expression, point, side, target, symbols)."""
+    """A document's text, and its claims as (label, expression, point, side, target, symbols, conditions)."""
     symbols = rng.sample(SYMBOLS, rng.randint(1, 4))
     lines = ["# Limits with symbols", "", "```kane", "var x" + "".join(f", {s} > 0" for s in symbols)]
     claims = []
@@ -115,13 +115,20 @@ def document(rng):
         if point == "0" and not side and rng.random() < 0.4:
             side = rng.choice("+-")
         lines.append(f"claim c{i}: {written(expression, point, side, target)}")
-        claims.append((f"c{i}", expression, point, side, target, symbols))
+        claims.append((f"c{i}", expression, point, side, target, symbols, ()))
     return "\n".join([*lines, "```", ""]), claims
+
+
+def applies(claim, constants):
+    """Whether the conditions of a claim hold at these symbols."""
+    return all(true(condition, constants) for condition in claim[-1])
 
 
 def holds(claim, constants):
     """Whether a claim is true at these symbols: True, False, or None if that is not clear."""
-    _, e, point, side, target, _ = claim
+    _, e, point, side, target, *_ = claim
+    if not applies(claim, constants):
+        return True
     found = [judged(behaviour(e, x, constants), target, constants) for x in approaches(point, side)]
     return False if False in found else None if None in found else True
 
@@ -132,9 +139,11 @@ def draws(rng, symbols):
         yield {s: Decimal(rng.choice([1, 2, 3, 4, 7, 10, 100])) / rng.choice([1, 1, 2, 3, 50]) for s in symbols}
 
 
-def truth(rng, claim):
-    """Whether a claim is "right" at all choices of its symbols, "wrong" at one of them, or "unclear"."""
-    truths = [holds(claim, constants) for constants in draws(rng, claim[-1])]
+def truth(choices, claim):
+    """Whether a claim is "right" at all choices of its symbols, "wrong" at one of them, or "unclear"; or "empty"."""
+    truths = [holds(claim, constants) for constants in choices if applies(claim, constants)]
+    if not truths:
+        return "empty"
     return "wrong" if False in truths else "unclear" if None in truths else "right"
 
 
@@ -149,9 +158,9 @@ def chosen(link, symbols):
 
 def complaint(claim, kind, statement):
     """Why a verdict is wrong on a claim of this kind, or nothing."""
-    label, e, point, side, _, symbols = claim
+    label, e, point, side, _, symbols, conditions = claim
     verdict = statement["verdict"]
-    if verdict == "vacuous" or (verdict == "proved" and kind == "wrong"):
+    if (verdict == "vacuous" and kind != "empty") or (verdict == "proved" and kind == "wrong"):
         return f"{label} is {verdict}"
     if verdict not in ("refuted", "ill-defined"):
         return ""
@@ -159,12 +168,23 @@ def complaint(claim, kind, statement):
     reason, constants = link["reason"], chosen(link, symbols)
     if constants is None:
         return f"{label} is {verdict}, and names no symbols: {reason}"
+    if not applies(claim, constants):
+        return f"{label} is {verdict} where its condition fails: {reason}"
     if holds(claim, constants):
         return f"{label} is {verdict}, and true where it says: {reason}"
-    limit = re.search(r"the limit is (-?\d+(?:\.\d+)?(?:/\d+)?)(?=[;, ]|\.?$)", reason)
-    if limit and not any(holds((label, e, *way, num(limit[1]), symbols), constants) for way in ways(point, side)):
+    limit = told_limit(reason)
+    if limit and not any(holds((label, e, *way, limit, symbols, ()), constants) for way in ways(point, side)):
         return f"{label} has another limit where it is refuted: {reason}"
     return ""
+
+
+def told_limit(reason):
+    """What a reason says the limit is, as an expression or an infinity; None if it says none, or in other words."""
+    told = re.search(r"the limit is ([^;,]+?)(?: \(|[;,]|\.?$)", reason)
+    try:
+        return told and (told[1] if told[1] in INFINITE else read(told[1]))
+    except Unreadable:
+        return None
 
 
 def ways(point, side):
@@ -177,40 +197,45 @@ def selftest():
     rng = random.Random(0)
     letters = dict(zip("pqr", map(var, "abc")))
     for one in KNOWN:
-        claim = ("", *known(*one, letters), ["a", "b", "c"])
-        assert truth(rng, claim) == "right", one
+        claim = ("", *known(*one, letters), ["a", "b", "c"], ())
+        assert truth(draws(rng, claim[-2]), claim) == "right", one
 
     def said(verdict, taken, limit):
         steps = [{"depth": 0, "text": f"Take {taken}."}, {"depth": 0, "text": f"Then the limit is {limit}."}]
         reason = f"false under all that was assumed, for {taken}: the limit is {limit}"
         return {"verdict": verdict, "links": [{"verdict": verdict, "reason": reason, "steps": steps}]}
 
-    right = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p/2", letters), ["a"])
-    wrong = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p", letters), ["a"])
+    right = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p/2", letters), ["a"], ())
+    wrong = ("c", *known("oo", "sqrt(x^2 + p*x) - x", "p", letters), ["a"], ())
     assert not complaint(right, "right", said("proved", "", "")) and not complaint(wrong, "wrong", said("refuted", "a = 1/2", "0.25"))
     assert complaint(wrong, "wrong", said("proved", "", "")), "a wrong claim is proved"
     assert complaint(right, "right", said("refuted", "a = 2", "1")), "a right claim is refuted"
     assert complaint(wrong, "wrong", said("refuted", "a = 1/2", "0.26")), "the limit is another"
 
 
+def judge(trial, document, choices):
+    """Puts documents to the program, and its verdicts against the values at choices of the symbols."""
+    rng = random.Random(trial.seed)
+    for source, claims, statements in trial.documents(document, rng, 4_000_000):
+        of_label = {s["label"]: s for s in statements}
+        for claim in claims:
+            statement = of_label[claim[0]]
+            trial.judged += 1
+            kind, verdict = truth(choices(rng, claim[-2]), claim), statement["verdict"]
+            trial.count_one(f"{kind}, {verdict}")
+            if verdict == "undecided" and kind in ("right", "wrong") and "--show-open" in sys.argv:
+                print(f"open ({kind}): {statement['source']}", file=sys.stderr, flush=True)
+            why = complaint(claim, kind, statement)
+            if why:
+                trial.wrong.append((source, why))
+    return trial.told()
+
+
 def main():
     trial = Trial("parameters")
-    rng = random.Random(trial.seed)
     with localcontext(EXACT):
         selftest()
-        for source, claims, statements in trial.documents(document, rng, 4_000_000):
-            of_label = {s["label"]: s for s in statements}
-            for claim in claims:
-                statement = of_label[claim[0]]
-                trial.judged += 1
-                kind, verdict = truth(rng, claim), statement["verdict"]
-                trial.count_one(f"{kind}, {verdict}")
-                if verdict == "undecided" and kind != "unclear" and "--show-open" in sys.argv:
-                    print(f"open ({kind}): {statement['source']}", file=sys.stderr, flush=True)
-                why = complaint(claim, kind, statement)
-                if why:
-                    trial.wrong.append((source, why))
-    return trial.told()
+        return judge(trial, document, draws)
 
 
 if __name__ == "__main__":

@@ -78,12 +78,30 @@ def value(e, at):
         return inside.sqrt()
     if kind == "^":
         return value(e[1], at) ** e[2]
+    if kind in ("neg", "abs"):
+        a = value(e[1], at)
+        return -a if kind == "neg" else abs(a)
+    if kind == "cases":
+        for guards, body in e[1]:
+            if all(true(guard, at) for guard in guards):
+                return value(body, at)
+        if e[2] is None:
+            raise Undefined
+        return value(e[2], at)
     a, b = value(e[1], at), value(e[2], at)
+    if kind in ("min", "max"):
+        return min(a, b) if kind == "min" else max(a, b)
     if kind == "/":
         if b == 0:
             raise Undefined
         return a / b
     return {"+": a.__add__, "-": a.__sub__, "*": a.__mul__}[kind](b)
+
+
+def true(relation, at):
+    """Whether a relation holds."""
+    sign, a, b = relation[0], value(relation[1], at), value(relation[2], at)
+    return {"=": a == b, "!=": a != b, "<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b}[sign]
 
 
 def rational(rng):

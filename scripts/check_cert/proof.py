@@ -38,6 +38,11 @@ class Proof:
 
     def check_split(self, proof, conditions, formulas, passes):
         """The cases admit each sign that the polynomial can have."""
+        for part, then in self.cases(proof):
+            self.check(then, [*conditions, part], formulas, passes)
+
+    def cases(self, proof):
+        """The condition of each case of a split, with what there is for it; at the end, that they leave out no sign."""
         poly, cases = keys(proof, "split", "cases")
         poly, admitted = polynomial(poly, self.ring), set()
         for case in listed(cases):
@@ -45,8 +50,7 @@ class Proof:
             demand(isinstance(opposite, bool), "it is to be said whether the opposite is meant")
             demand(text(sign) in OPPOSITE, "there is no such sign")
             admitted |= {(-s if opposite else s) for s in (-1, 0, 1) if holds(s, sign)}
-            part = self.ring.condition(negative(poly) if opposite else poly, sign)
-            self.check(then, [*conditions, part], formulas, passes)
+            yield self.ring.condition(negative(poly) if opposite else poly, sign), then
         demand(len(admitted) == 3, "the cases leave out a sign")
 
     def check_sum(self, proof, conditions):

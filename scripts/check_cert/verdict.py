@@ -4,7 +4,7 @@ from .errors import Rejected, demand
 from .evidence import keys, listed, optional, text
 from .functions import Functions
 from .goal import Goal, rests_on
-from .limits import prove_limit
+from .limits import prove_by_cases
 from . import angles, determined, exponentials
 from .motion import check_witness
 from .point import check_point
@@ -72,6 +72,9 @@ def check_link(document, aims, link, shown):
     goal = Goal(document, claim, item, finding, premises, [text(r) for r in listed(roots)])
     determined.check(goal, finding)
     proof = Proof(goal)
+    if shown_by == "sides":
+        prove_by_cases(proof, evidence, claim, *item[1:], claim.variable)
+        return finding
     demand(isinstance(evidence, dict) and len(evidence) == 1, "one piece of evidence is expected")
     ((kind, content),) = evidence.items()
     if shown_by == "proof":
@@ -81,9 +84,6 @@ def check_link(document, aims, link, shown):
         state = goal.state(finding)
         passes = claim.variable if form == "limit" else ANY
         proof.check(content, state.conditions, state.formulas, passes)
-    elif shown_by == "sides":
-        demand(kind == "sides", "a proof of each side is expected")
-        prove_limit(proof, content, claim, *item[1:], claim.variable)
     elif kind == "functions":
         check_witness(goal, claim, kind, content, rests_on(document, claim.cited))
         exponentials.check_witness(goal, kind, content, rests_on(document, claim.cited))

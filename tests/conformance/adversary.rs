@@ -200,6 +200,14 @@ fn no_verdict_on_a_limit_with_several_symbols_under_roots_is_wrong() {
 }
 
 #[test]
+fn no_verdict_on_a_limit_near_a_kink_is_wrong() {
+    if let Some(printed) = trial("kinks.py", 48) {
+        let kinds = ["right, proved: ", "wrong, refuted: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
+#[test]
 fn no_verdict_on_roots_of_numbers_is_wrong() {
     if let Some(printed) = trial("surds.py", 160) {
         let kinds = [

@@ -68,11 +68,25 @@ pub(crate) fn walk(c: &mut Certificate, see: See<'_>) {
     see("Certificate.goal", Field::Digest(&mut c.goal));
     see("Certificate.finding", Field::Finding(&mut c.finding));
     see("Certificate.evidence", Field::Evidence(&mut c.evidence));
-    match &mut c.evidence {
+    evidence(&mut c.evidence, see);
+}
+
+fn evidence(e: &mut Evidence, see: See<'_>) {
+    match e {
         Evidence::Contradiction(p) => proof("Evidence::Contradiction", p, see),
         Evidence::Limit(sides) => {
             see("Evidence::Limit", Field::List(sides));
             sides.iter_mut().for_each(|s| side_proof(s, see));
+        }
+        Evidence::Split { poly, cases } => {
+            see("Evidence::Split.poly", Field::Poly(poly));
+            see("Evidence::Split.cases", Field::List(cases));
+            for c in cases {
+                see("Evidence::Split.opposite", Field::Flag(&mut c.opposite));
+                see("Evidence::Split.sign", Field::Sign(&mut c.sign));
+                see("Evidence::Split.then", Field::Evidence(&mut c.then));
+                evidence(&mut c.then, see);
+            }
         }
         Evidence::Model(Model::Point(p)) => point(p, see),
         Evidence::Model(Model::Functions(f)) => {
@@ -229,6 +243,11 @@ pub(crate) const KINDS: &[&str] = &[
     "Certificate.evidence",
     "Evidence::Contradiction",
     "Evidence::Limit",
+    "Evidence::Split.poly",
+    "Evidence::Split.cases",
+    "Evidence::Split.opposite",
+    "Evidence::Split.sign",
+    "Evidence::Split.then",
     "Point.generator",
     "Point.values",
     "Point.values.0",

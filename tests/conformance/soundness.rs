@@ -238,6 +238,8 @@ fn extra() -> Vec<Case> {
         claim irrational: a^2 != 2\n\
         claim signs: a^2 >= 2 when a^3 >= 3\n\
         claim apart: sqrt(x) -> sqrt(3) as x -> 2\n\
+        claim cases: sqrt(a^2 + x) -> abs(a) as x -> 0\n\
+        claim case: a/sqrt(a^2 + x) -> a/abs(a) as x -> 0 when a != 0\n\
         ```\n";
     kane::audit::read("extra.md", text.as_bytes()).map(|d| cases(&d)).unwrap_or_default()
 }

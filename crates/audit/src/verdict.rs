@@ -197,7 +197,7 @@ impl Judgement {
         let met = self.met.as_deref()?;
         match &met.certificate.evidence {
             Evidence::Model(model) => Some(explain::model(&met.goal, model)),
-            Evidence::Contradiction(_) | Evidence::Limit(_) => None,
+            Evidence::Contradiction(_) | Evidence::Limit(_) | Evidence::Split { .. } => None,
         }
     }
 

@@ -22,10 +22,12 @@ pub fn check(goal: &Goal, certificate: &Certificate, fuel: Fuel) -> Checked {
     crate::door::enter(goal, certificate)?;
     let finding = certificate.finding;
     match (&certificate.evidence, &goal.conclusion) {
-        (Evidence::Limit(proofs), Conclusion::Link(Link::Limit(limit)))
-            if finding == Finding::Proved =>
-        {
-            limit_holds(goal, limit, proofs, &fuel)
+        (
+            evidence @ (Evidence::Limit(_) | Evidence::Split { .. }),
+            Conclusion::Link(Link::Limit(limit)),
+        ) if finding == Finding::Proved => {
+            let scope = scope(goal, fuel)?;
+            tends(&constants(&scope, goal, limit.var)?, limit, evidence)
         }
         (Evidence::Contradiction(proof), _) => contradicts(goal, finding, proof, &fuel),
         (Evidence::Model(Model::Point(point)), _) => holds_at(goal, finding, point, &fuel),
@@ -148,19 +150,28 @@ fn limits(goal: &Goal) -> impl Iterator<Item = &Limit> {
     })
 }
 
-/// Checks one limit from all its sides.
-fn limit_holds(goal: &Goal, limit: &Limit, proofs: &[SideProof], fuel: &Fuel) -> Checked {
-    let scope = scope(goal, fuel.clone())?;
-    // With explicit functions there is nothing that a passage could add.
-    let mut state = constants(&scope, goal, limit.var)?;
-    if !goal.context.values.is_empty() {
-        state.passages = Passages::Nowhere;
+/// Checks a limit in each case of the constants, of which it is known what the state says.
+fn tends(state: &State<'_, '_>, limit: &Limit, evidence: &Evidence) -> Checked {
+    match evidence {
+        Evidence::Limit(proofs) => from_all_sides(state, limit, proofs),
+        Evidence::Contradiction(proof) => state.refute(proof),
+        Evidence::Split { poly, cases } => {
+            if !poly.vars().iter().all(|v| state.is_constant(*v, limit.var)) {
+                return Err(Rejection::NotConstant);
+            }
+            state.split(poly, cases, &|state, case| tends(state, limit, case))
+        }
+        Evidence::Model(_) => Err(Rejection::WrongEvidence),
     }
-    let sides = sides(&scope, limit);
+}
+
+/// Checks a limit from all its sides.
+fn from_all_sides(state: &State<'_, '_>, limit: &Limit, proofs: &[SideProof]) -> Checked {
+    let sides = sides(state.scope, limit);
     if sides.is_empty() || sides.len() != proofs.len() {
         return Err(Rejection::OutsideDomain);
     }
-    sides.iter().zip(proofs).try_for_each(|(s, p)| crate::limit::check(&state, limit, s, p))
+    sides.iter().zip(proofs).try_for_each(|(s, p)| crate::limit::check(state, limit, s, p))
 }
 
 /// Checks explicit functions: premises for all x, and how the conclusion fails.
@@ -195,7 +206,11 @@ fn functions(goal: &Goal, finding: Finding, f: &Functions, fuel: &Fuel) -> Check
         State { passages, ..point_state(&scope, &goal, Some(fails))? }.refute(proof)
     };
     let tends = |l: Limit, when: &[Relation], proofs: &[SideProof]| {
-        limit_holds(&on_domain(Conclusion::Link(Link::Limit(l.clone())), when), &l, proofs, fuel)
+        let goal = on_domain(Conclusion::Link(Link::Limit(l.clone())), when);
+        let scope = scope(&goal, fuel.clone())?;
+        // With explicit functions there is nothing that a passage could add.
+        let state = State { passages: Passages::Nowhere, ..constants(&scope, &goal, l.var)? };
+        from_all_sides(&state, &l, proofs)
     };
     for ((v, _), proof) in f.values.iter().zip(&f.ranges) {
         holds(&range_premise(&goal.context, *v), proof)?;

@@ -30,9 +30,14 @@ pub(crate) fn enter(goal: &Goal, certificate: &Certificate) -> Checked {
         Conclusion::NotImplied(s) => sentence(s)?,
         Conclusion::Contradiction => {}
     }
-    match &certificate.evidence {
+    evidence(&certificate.evidence)
+}
+
+fn evidence(found: &Evidence) -> Checked {
+    match found {
         Evidence::Contradiction(p) => proof(p),
         Evidence::Limit(sides) => sides.iter().try_for_each(side_proof),
+        Evidence::Split { cases, .. } => cases.iter().try_for_each(|case| evidence(&case.then)),
         Evidence::Model(Model::Point(p)) => point(p),
         Evidence::Model(Model::Functions(f)) => {
             f.values.iter().map(|(_, e)| e).try_for_each(expression)?;

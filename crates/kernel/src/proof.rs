@@ -42,6 +42,13 @@ pub enum Evidence {
     Limit(Vec<SideProof>),
     /// a point or functions
     Model(Model),
+    /// for a limit: the sign of a polynomial in constants is one of three
+    Split {
+        /// the polynomial
+        poly: Poly,
+        /// cases that between them admit each sign: a limit proof, or that it cannot be
+        cases: Vec<Case<Self>>,
+    },
 }
 
 /// Shows that the atoms collected so far, with formulas not yet assumed, have no common point.
@@ -81,15 +88,15 @@ pub enum Proof {
     },
 }
 
-/// A case of a [`Proof::Split`]: the polynomial, or its opposite, has this sign.
+/// A case of a [`Proof::Split`] or an [`Evidence::Split`]: the polynomial, or its opposite, has this sign.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Case {
+pub struct Case<P = Proof> {
     /// whether it is said of the opposite
     pub opposite: bool,
     /// the sign
     pub sign: Sign,
-    /// proof with this atom
-    pub then: Proof,
+    /// what there is with this atom
+    pub then: P,
 }
 
 /// weight · square² · Π factors, a summand known to be ≥ 0.

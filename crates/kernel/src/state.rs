@@ -67,17 +67,7 @@ impl<'s, 'g> State<'s, 'g> {
                 }
                 states.iter().zip(cases).try_for_each(|(s, p)| s.refute(p))
             }
-            Proof::Split { poly, cases } => {
-                let sided = |c: &Case, s: i8| if c.opposite { -s } else { s };
-                let admitted = |s: i8| cases.iter().any(|c| c.sign.admits(sided(c, s)));
-                if ![-1, 0, 1].into_iter().all(admitted) {
-                    return Err(Rejection::SignLeftOut);
-                }
-                cases.iter().try_for_each(|c| {
-                    let side = if c.opposite { poly.neg() } else { poly.clone() };
-                    self.with(Atom::new(side, c.sign)).refute(&c.then)
-                })
-            }
+            Proof::Split { poly, cases } => self.split(poly, cases, &Self::refute),
             Proof::Positive { terms, cofactors } => self.positive(terms, cofactors),
             Proof::Pass { germ, .. } if !self.passages.allow(germ.side.var) => {
                 Err(Rejection::OutsideDomain)
@@ -87,6 +77,24 @@ impl<'s, 'g> State<'s, 'g> {
                 self.with(self.at_zero(germ, atom)?).refute(then)
             }
         }
+    }
+
+    /// Checks what there is for each case of the sign of a polynomial.
+    pub(crate) fn split<P>(
+        &self,
+        poly: &Poly,
+        cases: &[Case<P>],
+        check: &dyn Fn(&Self, &P) -> Checked,
+    ) -> Checked {
+        let sided = |c: &Case<P>, s: i8| if c.opposite { -s } else { s };
+        let admitted = |s: i8| cases.iter().any(|c| c.sign.admits(sided(c, s)));
+        if ![-1, 0, 1].into_iter().all(admitted) {
+            return Err(Rejection::SignLeftOut);
+        }
+        cases.iter().try_for_each(|c| {
+            let side = if c.opposite { poly.neg() } else { poly.clone() };
+            check(&self.with(Atom::new(side, c.sign)), &c.then)
+        })
     }
 
     fn atom(&self, i: usize) -> Checked<&Atom> {

@@ -153,8 +153,11 @@ impl Writer<'_> {
                 let state = claim_state(&scope, goal, accepted.certificate.finding)?;
                 json!({ "proof": self.proof(&state, labels, proof)? })
             }
-            Evidence::Limit(proofs) => {
-                json!({ "sides": self.sides(goal, labels, proofs)? })
+            limit @ (Evidence::Limit(_) | Evidence::Split { .. }) => {
+                let Conclusion::Link(Link::Limit(l)) = &goal.conclusion else {
+                    return Err(Rejection::WrongEvidence);
+                };
+                self.limit(&constants(&scope, goal, l.var)?, labels, limit)?
             }
             Evidence::Model(Model::Point(point)) => json!({ "point": self.point(&scope, point) }),
             Evidence::Model(Model::Functions(f)) => {
@@ -276,6 +279,29 @@ impl Writer<'_> {
             (self.context.vars[*v].name.clone(), e.plain(self.context).into())
         };
         Value::Object(values.iter().map(value).collect())
+    }
+
+    /// A limit claim, in each case of the constants.
+    fn limit(&mut self, state: &State<'_, '_>, labels: &Labels, evidence: &Evidence) -> Written {
+        Ok(match evidence {
+            Evidence::Limit(proofs) => {
+                let sides: Result<Vec<Value>, _> =
+                    proofs.iter().map(|p| self.side(state, labels, p)).collect();
+                json!({ "sides": sides? })
+            }
+            Evidence::Contradiction(proof) => json!({ "proof": self.proof(state, labels, proof)? }),
+            Evidence::Split { poly, cases } => {
+                let mut all = Vec::new();
+                for case in cases {
+                    let then = self.limit(state, labels, &case.then)?;
+                    all.push(
+                        json!({ "opposite": case.opposite, "is": sign(case.sign), "then": then }),
+                    );
+                }
+                json!({ "split": self.poly(state.scope, poly), "cases": all })
+            }
+            Evidence::Model(_) => return Err(Rejection::WrongEvidence),
+        })
     }
 
     /// One limit from all its sides, as the conclusion of the goal.

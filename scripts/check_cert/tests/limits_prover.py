@@ -5,6 +5,7 @@ from check_cert.functions import Functions
 from check_cert.germ import along, constant_conditions, inside_range, owes, out_of_range, read_germ
 from check_cert.goal import Goal, State, sides
 from check_cert.limits import differs, misses, wrong_sign
+from check_cert.polynomial import negative as negated
 
 from .prover import find_link, prove
 
@@ -39,12 +40,13 @@ def write_germ(goal, state, variable, at, above, values=None, radius=None, power
     return germ, read, local
 
 
-def write_side(goal, statement, f, limit, above, told):
-    """A side proof; `told` is (num, den, order, values, radius, power, sense, upper)."""
+def write_side(goal, statement, f, limit, above, told, known=()):
+    """A side proof; `told` is (num, den, order, values, radius, power, sense, upper), `known` are conditions on constants."""
     num, den, order, *more = told
     values, radius, power, sense, upper = (*more, *PLAIN[len(more):])
     at = None if statement.at is None else str(statement.at)
     state = goal.constants(statement.variable)
+    state = State([*state.conditions, *known], state.formulas)
     written, read, local = write_germ(
         goal, state, statement.variable, at, above, values, radius, power
     )
@@ -62,7 +64,7 @@ def write_side(goal, statement, f, limit, above, told):
     if sense != "=":
         side["sense"] = sense
     if upper:
-        side["upper"] = write_side(goal, statement, f, limit, above, upper)
+        side["upper"] = write_side(goal, statement, f, limit, above, upper, known)
     return side
 
 
@@ -77,6 +79,25 @@ def limit_link(*sides, roots=()):
             "finding": "proved", "premises": "cited", "roots": list(roots),
             "evidence": {"sides": written},
         }
+    return link
+
+
+def cases_link(poly, zero, positive, negative):
+    """A link that is a limit, proved by the sign of a polynomial: in each case what is told of each side; None if it cannot be."""
+    def link(document, claim, item):
+        goal = Goal(document, claim, item, "proved", "cited", [])
+        read, cases = polynomial(poly, goal.ring), []
+        for opposite, sign, told in ((False, "=0", zero), (False, ">0", positive), (True, ">0", negative)):
+            known = [goal.ring.condition(negated(read) if opposite else read, sign)]
+            if told is None:
+                state = goal.constants(claim.variable)
+                then = {"proof": prove(goal, [*state.conditions, *known], state.formulas)}
+            else:
+                all_sides = zip(claim.sides, told)
+                sides = [write_side(goal, claim, *item[1:], above, one, known) for above, one in all_sides]
+                then = {"sides": sides}
+            cases.append({"opposite": opposite, "is": sign, "then": then})
+        return {"finding": "proved", "premises": "cited", "roots": [], "evidence": {"split": poly, "cases": cases}}
     return link
 
 

@@ -1,8 +1,9 @@
 """Limits, germs, passages and functions."""
 
+import copy
 import unittest
 
-from .limits_prover import functions_link, limit_link, p, pass_link
+from .limits_prover import cases_link, functions_link, limit_link, p, pass_link
 from .prover import certify
 from .support import answer, document, expected, verdicts
 
@@ -48,6 +49,40 @@ class Limits(unittest.TestCase):
             loose=functions_link("refuted", "x", {"a": "0"}, (0, True, "0", p(), ONE, 0)),
             inverse=limit_link((ratio[1], ratio[0], 0)),
         )
+
+    def test_a_limit_by_the_sign_of_a_constant(self):
+        text = document(
+            "var a, b > 0, x",
+            "claim kink: |a + x| -> |a| as x -> 0+",
+            "claim steep: |b + x| -> |b| as x -> 0+",
+        )
+        a, minus = p((1, "a", 1)), p((-1, "a", 1))
+        above, below = p((1, "a", 1), (1, "t:", 1)), p((-1, "a", 1), (-1, "t:", 1))
+        kink = cases_link(a, [(T, ONE, 0)], [(above, ONE, 0)], [(below, ONE, 0, None, [minus, ONE])])
+        steep = cases_link(p((1, "b", 1)), None, [(p((1, "b", 1), (1, "t:", 1)), ONE, 0)], None)
+        certificate = self.check(text, kink=kink, steep=steep)
+
+        def rejected(change, reason, number=0):
+            changed = copy.deepcopy(certificate)
+            change(changed["claims"][number]["links"][0]["evidence"])
+            faults, lines = answer(text, changed)
+            self.assertEqual(faults, 1, reason)
+            self.assertIn(reason, lines[0])
+
+        cannot = certificate["claims"][1]["links"][0]["evidence"]["cases"][0]["then"]
+        for change, reason in (
+            (lambda e: e["cases"].pop(), "the cases leave out a sign"),
+            (lambda e: e.update(split=T), "not those of constants"),
+            (lambda e: e.update(split=p((1, "x", 1))), "not those of constants"),
+            (lambda e: e["cases"][2].update(opposite=False), ""),
+            (lambda e: e["cases"][1].update(then=e["cases"][2]["then"]), ""),
+            (lambda e: e["cases"][1].update(then=cannot), ""),
+            (lambda e: e["cases"][1].update(then={"point": {"theta": None, "values": {}}}), ""),
+            (lambda e: e["cases"][1].update(then={**e["cases"][1]["then"], **cannot}), ""),
+            (lambda e: e.update(more=[]), ""),
+        ):
+            with self.subTest(reason=reason):
+                rejected(change, reason)
 
     def test_premised_limits_and_ranges(self):
         text = document(

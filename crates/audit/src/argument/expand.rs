@@ -8,7 +8,8 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use kane_kernel::{
-    Atom, Case, Cases, Fuel, Limit, Poly, Proof, Rejection, SideProof, Sign, State, differs, misses,
+    Atom, Case, Cases, Evidence, Fuel, Limit, Poly, Proof, Rejection, SideProof, Sign, State,
+    differs, misses,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -17,7 +18,7 @@ use num_traits::{One, Signed, Zero};
 use super::identity::{Derived, Reducer, divided};
 use super::node::{Fact, Known, Node, Side, Sum, whole};
 use super::rules::{Flaw, Step};
-use super::{Argument, Course, Passage, SideArgument, line, orthant};
+use super::{Argument, Course, LimitArgument, Passage, SideArgument, line, orthant};
 
 /// Coefficient operations that one expansion may take.
 const FUEL: u64 = 2_000_000_000;
@@ -37,19 +38,46 @@ pub(crate) fn contradiction(state: &State<'_, '_>, course: &Course) -> Step<Proo
     match course {
         Course::After(passages, argument) => after(state, passages, argument),
         Course::Split { poly, zero, positive, negative } => {
-            let case = |opposite: bool, sign: Sign, then: &Course| -> Step<Case> {
-                let poly = if opposite { poly.neg() } else { poly.clone() };
-                let then = contradiction(&state.with(Atom::new(poly, sign)), then)?;
-                Ok(Case { opposite, sign, then })
-            };
-            let cases = vec![
-                case(false, Sign::Zero, zero)?,
-                case(false, Sign::Positive, positive)?,
-                case(true, Sign::Positive, negative)?,
-            ];
+            let cases = by_sign(state, poly, [&**zero, positive, negative], &contradiction)?;
             Ok(Proof::Split { poly: poly.clone(), cases })
         }
     }
+}
+
+/// The evidence for an argument for a limit.
+pub(crate) fn limit_proof(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    argument: &LimitArgument,
+) -> Step<Evidence> {
+    match argument {
+        LimitArgument::Sides(sides) => {
+            let proofs = sides.iter().map(|side| side_proof(state, limit, side));
+            Ok(Evidence::Limit(proofs.collect::<Step<_>>()?))
+        }
+        LimitArgument::Absurd(argument) => Ok(Evidence::Contradiction(expand(state, argument)?)),
+        LimitArgument::Split { poly, zero, positive, negative } => {
+            let then = |state: &State<'_, '_>, case: &_| limit_proof(state, limit, case);
+            let cases = by_sign(state, poly, [&**zero, positive, negative], &then)?;
+            Ok(Evidence::Split { poly: poly.clone(), cases })
+        }
+    }
+}
+
+/// What there is for each of the three signs of a polynomial: zero, positive, negative.
+fn by_sign<A, P>(
+    state: &State<'_, '_>,
+    poly: &Poly,
+    arguments: [&A; 3],
+    then: &dyn Fn(&State<'_, '_>, &A) -> Step<P>,
+) -> Step<Vec<Case<P>>> {
+    let signs = [(false, Sign::Zero), (false, Sign::Positive), (true, Sign::Positive)];
+    let case = |((opposite, sign), argument): ((bool, Sign), &A)| {
+        let side = if opposite { poly.neg() } else { poly.clone() };
+        let then = then(&state.with(Atom::new(side, sign)), argument)?;
+        Ok(Case { opposite, sign, then })
+    };
+    signs.into_iter().zip(arguments).map(case).collect()
 }
 
 /// A proof of the kernel for an argument after passages to limits.

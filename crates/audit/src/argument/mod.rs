@@ -19,7 +19,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 pub use expand::contradicts_bounds;
-pub(crate) use expand::{contradiction, expand, side_proof};
+pub(crate) use expand::{contradiction, expand, limit_proof, side_proof};
 pub use orthant::BoundedSum;
 pub(crate) use orthant::bounded_sum;
 pub use rules::Flaw;
@@ -136,6 +136,26 @@ pub(crate) struct SideArgument {
     pub(crate) upper: Option<Box<Self>>,
 }
 
+/// An argument for a limit from all its sides, by cases of the constants.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum LimitArgument {
+    /// one argument a side
+    Sides(Vec<SideArgument>),
+    /// in this case nothing has to be shown: the constants cannot be so
+    Absurd(Argument),
+    /// the sign of a polynomial in constants is one of three
+    Split {
+        /// the polynomial
+        poly: Poly,
+        /// if it is 0
+        zero: Box<LimitArgument>,
+        /// if it is > 0
+        positive: Box<LimitArgument>,
+        /// if it is < 0
+        negative: Box<LimitArgument>,
+    },
+}
+
 /// How a contradiction is reached where limits may be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Course {
@@ -159,8 +179,8 @@ pub(crate) enum Course {
 pub(crate) enum Grounds {
     /// the conditions of the opposite contradict each other
     Contradiction(Course),
-    /// one argument a side
-    Limit(Vec<SideArgument>),
+    /// a limit is what is claimed
+    Limit(LimitArgument),
     /// a point or functions
     Model(Model),
 }

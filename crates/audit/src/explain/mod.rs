@@ -14,13 +14,15 @@ mod witness;
 
 use kane_algebra::syntax::rebuild;
 use kane_kernel::{
-    Atom, Conclusion, Expr, Finding, Fuel, Goal, Link, Poly, Scope, Sign, State, claim_state,
-    constants, scope,
+    Atom, Conclusion, Expr, Finding, Fuel, Goal, Limit, Link, Poly, Scope, Sign, State,
+    claim_state, constants, scope,
 };
 use num_integer::Integer as _;
 use num_traits::Signed as _;
 
-use crate::argument::{Argument, Course, Grounds, Passage, Rules as _, SideArgument};
+use crate::argument::{
+    Argument, Course, Grounds, LimitArgument, Passage, Rules as _, SideArgument,
+};
 use crate::kept::Kept;
 
 pub(crate) use prune::without_idle;
@@ -315,14 +317,47 @@ impl Teller<'_> {
         self.passages(&next, rest, then, steps);
     }
 
-    fn limit(&mut self, scope: &Scope<'_>, arguments: &[SideArgument]) -> Vec<Step> {
-        let mut steps = Vec::new();
+    fn limit(&mut self, scope: &Scope<'_>, argument: &LimitArgument) -> Vec<Step> {
         let Conclusion::Link(Link::Limit(limit)) = &self.goal.conclusion else {
-            return steps;
+            return Vec::new();
         };
-        let Ok(state) = constants(scope, self.goal, limit.var) else {
-            return steps;
-        };
+        match constants(scope, self.goal, limit.var) {
+            Ok(state) => self.limit_in(&state, limit, argument),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// A limit in a case of the constants.
+    fn limit_in(
+        &mut self,
+        state: &State<'_, '_>,
+        limit: &Limit,
+        argument: &LimitArgument,
+    ) -> Vec<Step> {
+        match argument {
+            LimitArgument::Sides(sides) => self.sides(state, limit, sides),
+            LimitArgument::Absurd(argument) => self.argument(state, argument),
+            LimitArgument::Split { poly, zero, positive, negative } => {
+                self.count += 1;
+                let [is_zero, is_positive, is_negative] = signs(poly).map(|atom| state.with(atom));
+                vec![Step::Split {
+                    poly: poly.clone(),
+                    zero: self.limit_in(&is_zero, limit, zero),
+                    positive: self.limit_in(&is_positive, limit, positive),
+                    negative: self.limit_in(&is_negative, limit, negative),
+                }]
+            }
+        }
+    }
+
+    /// A limit from each of its sides.
+    fn sides(
+        &mut self,
+        state: &State<'_, '_>,
+        limit: &Limit,
+        arguments: &[SideArgument],
+    ) -> Vec<Step> {
+        let (scope, mut steps) = (state.scope, Vec::new());
         for proof in arguments.iter().flat_map(|a| std::iter::once(a).chain(a.upper.as_deref())) {
             if !self.goes_on() {
                 break;

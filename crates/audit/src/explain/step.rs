@@ -358,6 +358,8 @@ pub enum Reason {
         /// what their variables stand for
         variables: Vec<Variable>,
     },
+    /// a limit by cases: the polynomials in constants whose signs are told apart
+    LimitByCases(Vec<Poly>),
     /// a limit without a side
     NoSide,
     /// a point

@@ -1,10 +1,10 @@
 //! A finding in outline, and the hypotheses that it used: read off the argument as it stands,
 //! without the states that it passes through.
 
-use kane_kernel::{Conclusion, Finding, Fuel, Goal, Link, scope, sides};
+use kane_kernel::{Conclusion, Finding, Fuel, Goal, Link, Poly, scope, sides};
 
 use super::{FUEL, Means, Reason, Source, Variable, names, witness};
-use crate::argument::{Argument, Course, Grounds, SideArgument};
+use crate::argument::{Argument, Course, Grounds, LimitArgument, SideArgument};
 use crate::kept::Kept;
 
 /// Where the formula with this index of a goal's state comes from.
@@ -28,7 +28,7 @@ pub(crate) fn used(goal: &Goal, grounds: &Grounds, cited: usize) -> Vec<usize> {
     let mut uses = Uses::default();
     match grounds {
         Grounds::Contradiction(course) => uses.course(course),
-        Grounds::Limit(arguments) => arguments.iter().for_each(|a| uses.argument(&a.along)),
+        Grounds::Limit(argument) => uses.limit(argument),
         Grounds::Model(_) => return (0..goal.hypotheses.len().min(cited)).collect(),
     }
     let hypothesis = |i: usize| match source(goal, i) {
@@ -68,16 +68,33 @@ fn alone(goal: &Goal, finding: Finding, grounds: &Grounds) -> Reason {
     }
 }
 
-/// A limit as it was read off on the first side.
-fn limit(goal: &Goal, arguments: &[SideArgument]) -> Option<Reason> {
+/// A limit as it was read off on the first side, or of what it was told apart by sign.
+fn limit(goal: &Goal, argument: &LimitArgument) -> Option<Reason> {
     let Conclusion::Link(Link::Limit(limit)) = &goal.conclusion else {
         return None;
     };
     let scope = scope(goal, Fuel::new(FUEL)).ok()?;
+    let LimitArgument::Sides(arguments) = argument else {
+        return Some(Reason::LimitByCases(told_apart(argument)));
+    };
     let (side, argument) = sides(&scope, limit).into_iter().zip(arguments).next()?;
     let quotient = (argument.num.clone(), argument.den.clone());
     let (power, sense) = (argument.germ.power, argument.sense);
     Some(Reason::Limit { side, power, sense, quotient, variables: names::variables(goal, &scope) })
+}
+
+/// The polynomials of whose signs there are cases, each once, from the outside in.
+fn told_apart(argument: &LimitArgument) -> Vec<Poly> {
+    let (mut out, mut todo) = (Vec::new(), vec![argument]);
+    while let Some(argument) = todo.pop() {
+        if let LimitArgument::Split { poly, zero, positive, negative } = argument {
+            if !out.contains(poly) {
+                out.push(poly.clone());
+            }
+            todo.extend([&**negative, positive, zero]);
+        }
+    }
+    out
 }
 
 /// What an argument uses.
@@ -95,6 +112,22 @@ struct Uses {
 }
 
 impl Uses {
+    fn limit(&mut self, argument: &LimitArgument) {
+        match argument {
+            LimitArgument::Sides(sides) => sides.iter().for_each(|side| self.side(side)),
+            LimitArgument::Absurd(argument) => self.argument(argument),
+            LimitArgument::Split { zero, positive, negative, .. } => {
+                [zero, positive, negative].into_iter().for_each(|case| self.limit(case));
+            }
+        }
+    }
+
+    fn side(&mut self, side: &SideArgument) {
+        self.argument(&side.along);
+        self.argument(&side.at_zero);
+        side.upper.iter().for_each(|upper| self.side(upper));
+    }
+
     fn course(&mut self, course: &Course) {
         match course {
             Course::After(passages, then) => {

@@ -82,7 +82,8 @@ fn within(
         Target::Finite(_) => vec![Ordering::Greater, Ordering::Less],
     };
     let beside = |&sense: &Ordering| -> Option<(Ordering, Beside)> {
-        let ((num, den), order) = quotient(along, limit, value, sense)?;
+        let (found, order) = quotient(along, limit, value, sense)?;
+        let (num, den) = along.numbers.outward(&found)?;
         let end = at_zero(state, limit, side, (&num, &den, order), steps)?;
         Some((sense, Beside { num, den, order, end }))
     };
@@ -94,7 +95,7 @@ fn within(
             closed(both, limit, &first, beside, *sense, (&nearness, terms), false)?;
         }
         let radius = nearness.borrow().radius(&state.scope.fuel)?;
-        let germ = germs.within(radius)?;
+        let germ = germs.within(along.numbers.outward(&radius)?)?;
         let shown = |sense: Ordering| {
             let beside = &all.iter().find(|one| one.0 == sense)?.1;
             let along = closed(both, limit, &germ, beside, sense, (&nearness, terms), true)?;
@@ -138,8 +139,8 @@ pub(super) fn value(
                 Some(if is_positive { Target::PlusInf } else { Target::MinusInf })
             }
             Value::Series(s) if s.low == 0 => {
-                let (num, den) = &s.coefficients[0];
-                Some(Target::Finite(ratio_in((num, den), &root)))
+                let (num, den) = along.numbers.outward(&s.coefficients[0])?;
+                Some(Target::Finite(ratio_in((&num, &den), &root)))
             }
             Value::Series(_) | Value::Zero => Some(Target::Finite(Expr::int(0))),
         });
@@ -148,6 +149,21 @@ pub(super) fn value(
         }
     }
     Err(missing)
+}
+
+/// A polynomial in constants whose sign decides how an expression, or the limit that is claimed of it, behaves there.
+pub(super) fn undetermined(state: &State<'_, '_>, limit: &Limit, side: &Side) -> Option<Poly> {
+    POWERS.iter().find_map(|&power| {
+        let along = series(state, side, power);
+        if let Target::Finite(to) = &limit.to {
+            along.value(to);
+        }
+        let value = along.value(&limit.expr);
+        along.numbers.undetermined().or_else(|| {
+            let Some(Value::Series(series)) = value else { return None };
+            series.coefficients.iter().take(2).find_map(|c| along.numbers.unsigned(c))
+        })
+    })
 }
 
 /// Whether an expression is no quotient of polynomials, definitions followed.
@@ -227,9 +243,11 @@ fn closed(
     let own = there.atoms.len();
     let there = there.with_cases(wrong);
     let formula = there.formulas.len() - 1;
+    let change = &both[0].numbers.change;
     let close = |case: &State<'_, '_>| {
-        let envelope = Envelope::new(case, both, (nearness, is_near), (before, terms))?;
-        envelope.contradiction(own)
+        let (case, by) = change.case(case)?;
+        let envelope = Envelope::new(&case, both, (nearness, is_near), (before, terms))?;
+        change.argument(state, envelope.contradiction(own)?, &by)
     };
     let cases = there.assume(formula).ok()?.iter().map(close).collect::<Option<Vec<_>>>()?;
     let end = Argument::Assume { formula, cases };

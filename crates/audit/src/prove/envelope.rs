@@ -140,6 +140,10 @@ impl<'a, 's, 'g> Envelope<'a, 's, 'g> {
     /// Closes a case: its roots are enclosed, then one of its atoms has the wrong sign. Before the radius is known it is
     /// collected how near one has to be.
     pub(super) fn contradiction(mut self, before: usize) -> Option<Argument> {
+        let absurd = self.state.atoms.iter().position(|a| a.decided() == Some(false));
+        if let Some(atom) = absurd {
+            return Some(Argument::Absurd(atom));
+        }
         let mut cuts = std::mem::take(&mut self.cuts);
         let mut next = self.ground.places.first;
         if self.ground.is_near {

@@ -5,9 +5,9 @@ use std::rc::Rc;
 
 use kane_algebra::syntax::rebuild;
 use kane_kernel::{
-    Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit, Link,
-    Passages, Place, Poly, Proof, Relation, Side, State, Target, claim_state, constants, differ,
-    on_functions, point_state, premises, range_premise, scope, sides, unequal,
+    Atom, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit,
+    Link, Passages, Place, Poly, Proof, Relation, Side, State, Target, claim_state, constants,
+    differ, on_functions, point_state, premises, range_premise, scope, sides, sign_at, unequal,
 };
 use num_rational::BigRational;
 
@@ -69,12 +69,15 @@ pub(crate) fn model(
         rest.atoms.iter().filter(|a| a.poly.vars().len() > 1).flat_map(|a| a.poly.vars()).collect();
     used.extend(trail.iter().flat_map(|e| [e.d.vars(), e.e.vars()].concat()));
     used.extend(mentioned(goal));
+    // what the claim's condition says without cases
+    let when = formulas.last().filter(|cases| cases.len() == 1).and_then(|cases| cases.first());
+    let known: Vec<Atom> = rest.atoms.iter().chain(when.into_iter().flatten()).cloned().collect();
     let functions = OnceCell::new();
     let of_x = || functions.get_or_init(|| simple_functions(x)).clone();
     let candidates = |v: &usize| {
         let simple = candidates(&goal.context, *v, x, used.contains(v), &of_x);
         let of_x = goal.context.vars.get(*v).is_some_and(|var| var.of == Some(x));
-        if of_x { [roots(&rest, *v, x), simple].concat() } else { simple }
+        if of_x { [roots(&rest, *v, x), simple].concat() } else { admitted(&known, *v, simple) }
     };
     let lists: Vec<Vec<Rc<Expr>>> = free.iter().map(candidates).collect();
     let tries = super::sample::diagonal(&lists, effort.candidates);
@@ -94,6 +97,18 @@ pub(crate) fn model(
         }
     }
     None
+}
+
+/// The numbers among candidates for a constant that what is known of it alone admits, if there are any.
+fn admitted(known: &[Atom], v: usize, candidates: Vec<Rc<Expr>>) -> Vec<Rc<Expr>> {
+    let alone = known.iter().filter(|a| a.poly.vars() == [v]);
+    let tests: Vec<_> = alone.filter_map(|a| Some((a.sign, a.poly.univariate(v)?))).collect();
+    let admits = |e: &Rc<Expr>| match &**e {
+        Expr::Num(q) => tests.iter().all(|(sign, p)| sign.admits(sign_at(p, q))),
+        _ => true,
+    };
+    let some: Vec<_> = candidates.iter().filter(|e| admits(e)).cloned().collect();
+    if some.is_empty() { candidates } else { some }
 }
 
 /// What equations of degree two in a function say that it may be, as functions of x, and what is never negative.
@@ -255,7 +270,7 @@ fn certified(
         if sides(&scope, l).iter().any(|side| limits::misses(&state, l, side, effort.steps)) {
             return None;
         }
-        let arguments = limits::prove(&goal, l, effort.steps, effort.fuel())?;
+        let arguments = limits::from_all_sides(&state, l, effort.steps)?;
         arguments.iter().map(|a| side_proof(&state, l, a).ok()).collect::<Option<Vec<_>>>()
     };
     // What holds at points is less work than limits.

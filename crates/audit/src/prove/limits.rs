@@ -18,7 +18,10 @@ use super::search::{Outcome, Search};
 use super::squeeze;
 use super::symbols::without_squares;
 use super::variation::{substituted, varies};
-use crate::argument::{Passage, SideArgument};
+use crate::argument::{LimitArgument, Passage, SideArgument};
+
+/// Case distinctions on constants inside each other.
+const SPLITS: u32 = 3;
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
 #[derive(Clone, Debug)]
@@ -138,6 +141,8 @@ fn read_off(state: &State<'_, '_>, limit: &Limit, germ: &Germ, steps: u64) -> Ve
             continue;
         };
         let (num, den) = cancelled(&without_squares(state, num), &without_squares(state, den));
+        // nothing over a power of t is nothing
+        let den = if num.is_empty() { Poly::one() } else { den };
         let t = state.scope.germ();
         let order = den.terms().map(|(m, _)| exponent(m, t)).min().unwrap_or(0);
         out.push(Found { num, den, order });
@@ -231,20 +236,59 @@ fn along(
     })
 }
 
-/// A proof of a limit from all its sides.
+/// A proof of a limit, of which each case of the constants has the budget of a claim.
 pub(crate) fn prove(
     goal: &Goal,
     limit: &Limit,
     steps: u64,
-    fuel: Fuel,
+    fuel: &dyn Fn() -> Fuel,
+) -> Option<LimitArgument> {
+    by_cases(goal, limit, &[], (steps, fuel), SPLITS)
+}
+
+/// A proof where these atoms are known: from all sides as it is, or by the sign of what decides how the expression behaves.
+fn by_cases(
+    goal: &Goal,
+    limit: &Limit,
+    known: &[Atom],
+    (steps, fuel): (u64, &dyn Fn() -> Fuel),
+    splits: u32,
+) -> Option<LimitArgument> {
+    let scope = kane_kernel::scope(goal, fuel()).ok()?;
+    let mut state = constants(&scope, goal, limit.var).ok()?;
+    state.atoms.extend(known.iter().cloned());
+    let any = |_: usize, _: &Poly| true;
+    if !known.is_empty()
+        && let Outcome::Closed(absurd) = Search::new(steps / 8, &any, false).solve(&state)
+    {
+        return Some(LimitArgument::Absurd(absurd));
+    }
+    if let Some(arguments) = from_all_sides(&state, limit, steps) {
+        return Some(LimitArgument::Sides(arguments));
+    }
+    let splits = splits.checked_sub(1)?;
+    let poly = asymptote::undetermined(&state, limit, sides(&scope, limit).first()?)?;
+    let case = |poly: Poly, sign: Sign| {
+        let known = [known, &[Atom::new(poly, sign)]].concat();
+        by_cases(goal, limit, &known, (steps, fuel), splits).map(Box::new)
+    };
+    let positive = case(poly.clone(), Sign::Positive)?;
+    let negative = case(poly.neg(), Sign::Positive)?;
+    let zero = case(poly.clone(), Sign::Zero)?;
+    Some(LimitArgument::Split { poly, zero, positive, negative })
+}
+
+/// Arguments for a limit, one for each of its sides.
+pub(crate) fn from_all_sides(
+    state: &State<'_, '_>,
+    limit: &Limit,
+    steps: u64,
 ) -> Option<Vec<SideArgument>> {
-    let scope = kane_kernel::scope(goal, fuel).ok()?;
-    let state = constants(&scope, goal, limit.var).ok()?;
-    let sides = sides(&scope, limit);
+    let sides = sides(state.scope, limit);
     if sides.is_empty() {
         return None;
     }
-    sides.iter().map(|side| one_side(&state, limit, side, steps)).collect()
+    sides.iter().map(|side| one_side(state, limit, side, steps)).collect()
 }
 
 /// The limit of a closed expression of x, as a target, if it is rational or infinite.

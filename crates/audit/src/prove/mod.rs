@@ -9,6 +9,7 @@ mod boxes;
 mod budget;
 mod cases;
 mod cells;
+mod change;
 mod cofactor;
 mod colon;
 mod combination;
@@ -52,6 +53,7 @@ mod sample;
 mod search;
 mod series;
 mod settled;
+
 mod squares;
 mod squeeze;
 mod summands;
@@ -70,7 +72,7 @@ use kane_kernel::{
     Rejection, Sentence, Side, Sign, State, check, claim_state, constants, digest, scope, sides,
 };
 
-use crate::argument::{Course, Flaw, Grounds, contradiction, side_proof};
+use crate::argument::{Course, Flaw, Grounds, contradiction, limit_proof};
 use crate::kept::Kept;
 use crate::{Open, explain};
 
@@ -451,8 +453,8 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(arguments) = limits::prove(goal, limit, self.budget.steps, self.fuel())
-            && self.decide(goal, Finding::Proved, Grounds::Limit(arguments), out)
+        if let Some(argument) = limits::prove(goal, limit, self.budget.steps, &|| self.fuel())
+            && self.decide(goal, Finding::Proved, Grounds::Limit(argument), out)
         {
             return;
         }
@@ -486,11 +488,9 @@ fn evidence(
             let state = claim_state(&scope, goal, finding)?;
             Evidence::Contradiction(contradiction(&state, course)?)
         }
-        (Grounds::Limit(arguments), Conclusion::Link(Link::Limit(l))) => {
+        (Grounds::Limit(argument), Conclusion::Link(Link::Limit(l))) => {
             let scope = scope(goal, fuel.clone())?;
-            let state = constants(&scope, goal, l.var)?;
-            let proofs = arguments.iter().map(|a| side_proof(&state, l, a));
-            Evidence::Limit(proofs.collect::<Result<_, _>>()?)
+            limit_proof(&constants(&scope, goal, l.var)?, l, argument)?
         }
         (Grounds::Limit(_), _) => return Err(Rejection::WrongEvidence.into()),
     })

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Fuel, Monomial, Poly};
 use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _};
 
@@ -88,6 +89,11 @@ impl Nearness {
 
     /// A radius within which all that is demanded holds.
     pub(super) fn radius(&self, fuel: &Fuel) -> Option<(Poly, Poly)> {
+        Some(self.radius_over(fuel)?.0)
+    }
+
+    /// The same, and what was divided out of both of its polynomials.
+    fn radius_over(&self, fuel: &Fuel) -> Option<((Poly, Poly), BigInt)> {
         let scale = self.scale();
         let whole = |(monomial, cores): (Monomial, Vec<Poly>)| -> Option<Poly> {
             let monomial = Poly::term(monomial, BigInt::one());
@@ -101,9 +107,13 @@ impl Nearness {
         }
         // nothing is demanded
         if den.is_empty() {
-            return Some((Poly::one(), Poly::one()));
+            return Some(((Poly::one(), Poly::one()), BigInt::one()));
         }
-        Some((num, den))
+        // an atom that is changed by an equation is one without a common factor
+        let [(of_num, num), (of_den, den)] = [num.primitive(), den.primitive()];
+        let common = of_num.gcd(&of_den);
+        let [num, den] = [num.scale(&(of_num / &common)), den.scale(&(of_den / &common))];
+        Some(((num, den), common))
     }
 
     /// first − t·rest in whole numbers, and the weight of that.
@@ -149,8 +159,9 @@ impl Nearness {
             Some((sum, poly))
         };
         let cofactors = (0..self.len()).map(cofactor).collect::<Option<Vec<_>>>()?;
-        let radius =
-            Summand::new(BigRational::new(BigInt::one(), self.scale()), &[(places.radius_atom, 1)]);
+        let (_, common) = self.radius_over(fuel)?;
+        let weight = BigRational::new(common, self.scale());
+        let radius = Summand::new(weight, &[(places.radius_atom, 1)]);
         let t = Summand::new(BigRational::one(), &[(places.t_atom, 1)]);
         let cut = |i: usize| {
             // cofactorᵢ·(firstᵢ − t·restᵢ) is radius − t·δ and t·Σ restₖ·cofactorₖ of the others

@@ -15,8 +15,12 @@ pub(super) trait Numbers {
     type Number: Clone + Debug;
 
     fn number(&self, q: &BigRational) -> Self::Number;
-    /// A symbol that does not vary, if it is one of these numbers.
+    /// A symbol of the statement that does not vary, if it is one of these numbers.
     fn symbol(&self, v: usize) -> Option<Self::Number>;
+    /// A variable of polynomials in these numbers that does not vary.
+    fn variable(&self, v: usize) -> Option<Self::Number> {
+        self.symbol(v)
+    }
     fn sum(&self, a: &Self::Number, b: &Self::Number) -> Option<Self::Number>;
     fn product(&self, a: &Self::Number, b: &Self::Number) -> Option<Self::Number>;
     /// 1/a, of what is not zero.
@@ -74,6 +78,8 @@ impl Numbers for Rationals {
 pub(super) struct Series<N = BigRational> {
     pub(super) low: i64,
     pub(super) coefficients: Vec<N>,
+    /// whether all further coefficients are 0
+    is_whole: bool,
 }
 
 impl Series {
@@ -123,17 +129,31 @@ impl<F: Numbers> Along<'_, '_, F> {
     }
 
     /// A series without zeros in front; `None` if nothing of it is known but that it is small.
-    fn normalised(&self, mut low: i64, mut coefficients: Vec<F::Number>) -> Option<ValueOf<F>> {
-        let zeros = coefficients.iter().take_while(|c| self.numbers.is_zero(c)).count();
-        coefficients.drain(..zeros);
-        low += i64::try_from(zeros).ok()?;
-        (!coefficients.is_empty()).then_some(Value::Series(Series { low, coefficients }))
+    fn normalised(&self, mut s: SeriesOf<F>) -> Option<ValueOf<F>> {
+        let zeros = s.coefficients.iter().take_while(|c| self.numbers.is_zero(c)).count();
+        s.coefficients.drain(..zeros);
+        s.low += i64::try_from(zeros).ok()?;
+        if s.coefficients.is_empty() {
+            return s.is_whole.then_some(Value::Zero);
+        }
+        Some(Value::Series(s))
     }
 
+    /// c·tⁿ with a c that is not 0.
     fn monomial(&self, c: F::Number, n: i64) -> SeriesOf<F> {
         let mut coefficients = vec![self.numbers.number(&BigRational::zero()); self.terms];
         coefficients[0] = c;
-        Series { low: n, coefficients }
+        Series { low: n, coefficients, is_whole: true }
+    }
+
+    /// A number as a series.
+    fn constant(&self, c: F::Number) -> ValueOf<F> {
+        if self.numbers.is_zero(&c) { Value::Zero } else { Value::Series(self.monomial(c, 0)) }
+    }
+
+    /// Coefficients up to the last that is not 0.
+    fn length(&self, s: &SeriesOf<F>) -> usize {
+        s.coefficients.iter().rposition(|c| !self.numbers.is_zero(c)).map_or(0, |last| last + 1)
     }
 
     fn power_of_t(&self, n: i64) -> SeriesOf<F> {
@@ -146,7 +166,7 @@ impl<F: Numbers> Along<'_, '_, F> {
             Value::Zero => Value::Zero,
             Value::Series(s) => {
                 let negated = s.coefficients.iter().map(|c| self.numbers.product(&minus, c));
-                Value::Series(Series { low: s.low, coefficients: negated.collect::<Option<_>>()? })
+                Value::Series(Series { coefficients: negated.collect::<Option<_>>()?, ..*s })
             }
         })
     }
@@ -157,12 +177,17 @@ impl<F: Numbers> Along<'_, '_, F> {
             (Value::Zero, other) | (other, Value::Zero) => return Some(other.clone()),
             (Value::Series(a), Value::Series(b)) => (a, b),
         };
-        let end = |s: &SeriesOf<F>| s.low + i64::try_from(s.coefficients.len()).unwrap_or(i64::MAX);
+        let end =
+            |s: &SeriesOf<F>, length: usize| s.low + i64::try_from(length).unwrap_or(i64::MAX);
+        let known = |s: &SeriesOf<F>| end(s, s.coefficients.len());
         let low = a.low.min(b.low);
-        let sum = (low..end(a).min(end(b)))
+        let end_of_both = known(a).min(known(b));
+        let coefficients = (low..end_of_both)
             .map(|n| self.numbers.sum(&self.coefficient(a, n)?, &self.coefficient(b, n)?))
             .collect::<Option<Vec<_>>>()?;
-        self.normalised(low, sum)
+        let is_within = |s: &SeriesOf<F>| s.is_whole && end(s, self.length(s)) <= end_of_both;
+        let is_whole = is_within(a) && is_within(b);
+        self.normalised(Series { low, coefficients, is_whole })
     }
 
     /// Σ aᵢ·b₍ₙ₋ᵢ₎ over a range of i.
@@ -183,7 +208,8 @@ impl<F: Numbers> Along<'_, '_, F> {
         let terms = a.coefficients.len().min(b.coefficients.len());
         let one = |n: usize| self.convolved(&a.coefficients, &b.coefficients, 0..n + 1, n);
         let coefficients = (0..terms).map(one).collect::<Option<_>>()?;
-        Some(Series { low: a.low + b.low, coefficients })
+        let is_whole = a.is_whole && b.is_whole && self.length(a) + self.length(b) <= terms + 1;
+        Some(Series { low: a.low + b.low, coefficients, is_whole })
     }
 
     fn mul(&self, a: &ValueOf<F>, b: &ValueOf<F>) -> Option<ValueOf<F>> {
@@ -201,7 +227,7 @@ impl<F: Numbers> Along<'_, '_, F> {
             let sum = self.convolved(&s.coefficients, &out, 1..n + 1, n)?;
             out.push(self.numbers.product(&sum, &minus)?);
         }
-        Some(Series { low: -s.low, coefficients: out })
+        Some(Series { low: -s.low, coefficients: out, is_whole: s.is_whole && self.length(s) == 1 })
     }
 
     /// The root, where its powers of t are whole and its coefficients are numbers of the kind.
@@ -219,14 +245,15 @@ impl<F: Numbers> Along<'_, '_, F> {
             let rest = self.numbers.sum(&s.coefficients[n], &sum)?;
             out.push(self.numbers.product(&rest, &half)?);
         }
-        Some(Series { low: s.low / 2, coefficients: out })
+        let is_whole = s.is_whole && self.length(s) == 1;
+        Some(Series { low: s.low / 2, coefficients: out, is_whole })
     }
 
     fn pow(&self, s: &SeriesOf<F>, n: u32) -> Option<SeriesOf<F>> {
         let one = self.numbers.number(&BigRational::one());
         let mut start = vec![self.numbers.number(&BigRational::zero()); s.coefficients.len()];
         start[0] = one;
-        let start = Series { low: 0, coefficients: start };
+        let start = Series { low: 0, coefficients: start, is_whole: true };
         (0..n).try_fold(start, |out, _| self.times(&out, s))
     }
 
@@ -249,10 +276,7 @@ impl<F: Numbers> Along<'_, '_, F> {
     }
 
     fn number(&self, q: &BigRational) -> ValueOf<F> {
-        if q.is_zero() {
-            return Value::Zero;
-        }
-        Value::Series(self.monomial(self.numbers.number(q), 0))
+        self.constant(self.numbers.number(q))
     }
 
     /// The series of an expression; `None` if it has none that is seen, or is not defined there.
@@ -263,7 +287,7 @@ impl<F: Numbers> Along<'_, '_, F> {
             Expr::Var(v) => match self.scope.context.value(*v) {
                 Some(value) => self.value(value),
                 None if *v == self.side.var => self.x(),
-                None => Some(Value::Series(self.monomial(self.numbers.symbol(*v)?, 0))),
+                None => Some(self.constant(self.numbers.symbol(*v)?)),
             },
             Expr::Let(i) => v(&self.scope.context.lets.get(*i)?.body),
             Expr::Neg(a) => self.neg(&v(a)?),
@@ -334,6 +358,8 @@ impl<F: Numbers> Along<'_, '_, F> {
                     Value::Series(self.power_of_t(1))
                 } else if v == self.side.var {
                     self.x()?
+                } else if let Some(c) = self.numbers.variable(v) {
+                    self.constant(c)
                 } else {
                     self.value(self.scope.root(v).unwrap_or(&Expr::Var(v)))?
                 };

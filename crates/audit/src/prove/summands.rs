@@ -3,6 +3,7 @@
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
+use kane_algebra::factors::factors;
 use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Atom, Atoms, Fuel, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
@@ -13,6 +14,8 @@ use crate::argument::Argument;
 
 /// Summands that a sum may have.
 const MOST: usize = 2000;
+/// Terms of a polynomial whose factors are looked for.
+const FACTORED: usize = 30;
 /// What a product of two summands costs, in operations.
 const COST: u64 = 2;
 
@@ -115,16 +118,34 @@ impl Signs {
         place(Sign::Positive).or_else(|| place(Sign::NonNegative))
     }
 
+    /// The same of a positive multiple of a polynomial without a common factor, and how many times that is.
+    fn told_of_multiple(&self, p: &Poly) -> Option<(usize, BigInt)> {
+        self.told(p).map(|atom| (atom, BigInt::one())).or_else(|| {
+            let content = |a: &Atom| {
+                let (content, rest) = a.poly.primitive();
+                (rest == *p).then_some(content)
+            };
+            let place = |sign| {
+                let mut own = self.atoms.iter().enumerate().filter(|(_, a)| a.sign == sign);
+                own.find_map(|(i, a)| Some((i, content(a)?)))
+            };
+            place(Sign::Positive).or_else(|| place(Sign::NonNegative))
+        })
+    }
+
     pub(super) fn is_strict(&self, atom: usize) -> bool {
         self.atoms[atom].sign == Sign::Positive
     }
 
     /// A monomial times a positive weight, if it is plainly not negative.
     pub(super) fn monomial(&self, weight: BigRational, m: &[(usize, u32)]) -> Option<Summand> {
-        let (mut factors, mut root) = (Vec::new(), Monomial::new());
+        let (mut factors, mut root, mut weight) = (Vec::new(), Monomial::new(), weight);
         for &(v, n) in m {
-            match self.told(&Poly::var(v)) {
-                Some(atom) => factors.push((atom, n)),
+            match self.told_of_multiple(&Poly::var(v)) {
+                Some((atom, times)) => {
+                    weight /= BigRational::from(times.pow(n));
+                    factors.push((atom, n));
+                }
                 None if n % 2 == 0 => root.push((v, n / 2)),
                 None => return None,
             }
@@ -135,7 +156,8 @@ impl Signs {
 
     /// The variables of a monomial, each once, whose odd powers have no plain sign.
     pub(super) fn unsigned(&self, m: &[(usize, u32)]) -> Monomial {
-        let open = |&&(v, n): &&(usize, u32)| n % 2 == 1 && self.told(&Poly::var(v)).is_none();
+        let is_told = |v: usize| self.told_of_multiple(&Poly::var(v)).is_some();
+        let open = |&&(v, n): &&(usize, u32)| n % 2 == 1 && !is_told(v);
         m.iter().filter(open).map(|&(v, _)| (v, 1)).collect()
     }
 
@@ -149,7 +171,28 @@ impl Signs {
         };
         by_terms()
             .or_else(|| self.by_atom(p))
+            .or_else(|| self.by_factors(p))
             .filter(|sum| sum.iter().any(|s| self.positive_one(s)))
+    }
+
+    /// What is a product of powers of which atoms tell the signs.
+    fn by_factors(&self, p: &Poly) -> Option<Sum> {
+        if p.len() > FACTORED {
+            return None;
+        }
+        let (content, factors) = factors(p);
+        let (mut weight, mut powers) = (BigRational::from(content), Vec::new());
+        for (f, n) in factors.into_iter().filter(|(f, _)| !f.is_constant()) {
+            let opposite = || self.told_of_multiple(&f.neg()).map(|found| (found, true));
+            let ((atom, times), is_opposite) =
+                self.told_of_multiple(&f).map(|found| (found, false)).or_else(opposite)?;
+            weight /= BigRational::from(times.pow(n));
+            if is_opposite && n % 2 == 1 {
+                weight = -weight;
+            }
+            powers.push((atom, n));
+        }
+        weight.is_positive().then(|| vec![Summand::new(weight, &powers)])
     }
 
     fn positive_one(&self, s: &Summand) -> bool {
@@ -157,14 +200,15 @@ impl Signs {
         constant && s.factors.keys().all(|atom| self.is_strict(*atom))
     }
 
-    /// What is a monomial times the polynomial of an atom.
+    /// What is the polynomial of an atom, or a monomial times that.
     fn by_atom(&self, p: &Poly) -> Option<Sum> {
-        let common = common_powers(p);
-        let (content, rest) = over(p, &common).primitive();
-        let atom = self.told(&rest).filter(|_| content.is_positive())?;
-        let mut out = self.monomial(content.into(), &common)?;
-        *out.factors.entry(atom).or_insert(0) += 1;
-        Some(vec![out])
+        [Monomial::new(), common_powers(p)].iter().find_map(|common| {
+            let (content, rest) = over(p, common).primitive();
+            let (atom, times) = self.told_of_multiple(&rest)?;
+            let mut out = self.monomial(BigRational::new(content, times), common)?;
+            *out.factors.entry(atom).or_insert(0) += 1;
+            Some(vec![out])
+        })
     }
 }
 

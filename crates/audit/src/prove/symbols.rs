@@ -2,12 +2,14 @@
 
 use std::cell::RefCell;
 
+use kane_algebra::factors::factors;
 use kane_algebra::ring::{cancelled, common_sign};
 use kane_kernel::{Atom, Expr, Fraction, Piece, Poly, Sign, State, exponent};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed as _;
 
+use super::change::Change;
 use super::factors::square_root;
 use super::series::Numbers;
 use super::variation;
@@ -33,6 +35,8 @@ pub(super) type Quotient = (Poly, Poly);
 pub(super) struct Symbols<'a, 's, 'g> {
     state: &'a State<'s, 'g>,
     x: usize,
+    /// what of these symbols stands for another than in the statement
+    pub(super) change: Change,
     /// what is known without cases
     known: Vec<Atom>,
     /// roots and their radicands, which are quotients of constants and earlier roots
@@ -41,6 +45,8 @@ pub(super) struct Symbols<'a, 's, 'g> {
     missing: RefCell<Vec<BigRational>>,
     /// positive quotients of which roots were asked that there are not
     asked: RefCell<Vec<Quotient>>,
+    /// polynomials of which a sign was asked that is not known
+    open: RefCell<Vec<Poly>>,
     /// what stands for a root that the scope does not have
     estimates: Option<Rough>,
 }
@@ -55,10 +61,14 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
                 plain = only.clone();
             }
         }
-        let known = plain.atoms.to_vec();
-        let (missing, asked) = (RefCell::default(), RefCell::default());
+        let change = Change::new(state, &plain.atoms, x).unwrap_or_default();
+        let inward =
+            |a: &Atom| Some(Atom::new(change.inward(state, &a.poly)?.primitive().1, a.sign));
+        let known = plain.atoms.iter().filter_map(inward).collect();
+        let (missing, asked, open) = Default::default();
         let roots = Vec::new();
-        let mut out = Self { state, x, known, roots, missing, asked, estimates: None };
+        let mut out =
+            Self { state, x, change, known, roots, missing, asked, open, estimates: None };
         for v in variation::roots(state.scope) {
             let radicand = out.radicand(v);
             out.roots.extend(radicand.map(|radicand| (v, radicand)));
@@ -73,12 +83,84 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
 
     /// What a root is the root of, if there are constants and earlier roots alone in it.
     fn radicand(&self, root: usize) -> Option<Quotient> {
-        let Fraction { num, den } = radicand(self.state, root)?;
+        let Expr::Sqrt(radicand) = self.state.scope.root(root)? else { return None };
+        // of its pieces those that what is known does not exclude
+        let may_hold = |a: &Atom| {
+            let sign = self.change.inward(self.state, &a.poly).and_then(|p| self.asked_sign(&p));
+            let wrong = if a.sign == Sign::Zero { sign.is_some() } else { sign == Some(false) };
+            !wrong
+        };
+        let pieces = self.state.scope.pieces(radicand).ok()?;
+        let left = pieces.into_iter().filter(|piece| piece.atoms.iter().all(may_hold));
+        let mut values = left.filter_map(|piece| piece.value);
+        let Fraction { num, den } = values.next().filter(|_| values.next().is_none())?;
         let known = |v: &usize| {
             self.state.is_constant(*v, self.x) || self.roots.iter().any(|(root, _)| root == v)
         };
         let all_known = num.vars().iter().chain(&den.vars()).all(known);
-        all_known.then_some((num, den))
+        let inward = |p: &Poly| self.change.inward(self.state, p);
+        if all_known { inward(&num).zip(inward(&den)) } else { None }
+    }
+
+    /// A quotient in the symbols of the statement.
+    pub(super) fn outward(&self, (num, den): &Quotient) -> Option<Quotient> {
+        let outward = |p| self.change.outward(self.state, p);
+        outward(num).zip(outward(den))
+    }
+
+    /// A polynomial in constants whose sign would tell one that was asked for and is not known: the first of these, or one
+    /// of its factors, or a variable of a sum of squares.
+    pub(super) fn undetermined(&self) -> Option<Poly> {
+        let is_constant =
+            |p: &&Poly| p.vars().into_iter().all(|v| self.state.is_constant(v, self.x));
+        let either = |p: &Poly| {
+            let factors = factors(p).1.into_iter().map(|(factor, _)| factor);
+            let open = factors.into_iter().find(|f| !f.is_constant() && self.sign(f).is_none())?;
+            let plain = |(v, n): &(usize, u32)| n % 2 == 0 || self.is_signed(*v);
+            let is_sum =
+                common_sign(&open).is_some() && open.terms().all(|(m, _)| m.iter().all(plain));
+            let first = open.vars().into_iter().find(|v| !self.is_strict(*v));
+            Some(first.filter(|_| is_sum).map_or(open, Poly::var))
+        };
+        let open = self.open.borrow();
+        let found = open.iter().filter(is_constant).find_map(either)?;
+        self.change.outward(self.state, &found)
+    }
+
+    /// A factor of a number, or a constant in it, that may have either sign.
+    pub(super) fn unsigned(&self, (num, den): &Quotient) -> Option<Poly> {
+        let is_constant = |v: &usize| self.state.is_constant(*v, self.x);
+        let factors = factors(num).1.into_iter().map(|(factor, _)| factor);
+        let of_constants = |f: &Poly| {
+            !f.is_constant() && f.vars().iter().all(is_constant) && self.sign(f).is_none()
+        };
+        let vars = num.vars().into_iter().chain(den.vars());
+        let mut open = vars.into_iter().filter(|v| is_constant(v) && !self.is_signed(*v));
+        let found =
+            factors.into_iter().find(of_constants).or_else(|| open.next().map(Poly::var))?;
+        self.change.outward(self.state, &found)
+    }
+
+    /// The sign of what is not zero, remembered where it is not known.
+    fn asked_sign(&self, p: &Poly) -> Option<bool> {
+        let sign = self.sign(p).or_else(|| self.sign_of_factors(p));
+        if sign.is_none() {
+            self.open.borrow_mut().push(p.clone());
+        }
+        sign
+    }
+
+    /// The sign of a product, of whose factors those with odd powers have known signs and none vanishes.
+    fn sign_of_factors(&self, p: &Poly) -> Option<bool> {
+        let (content, factors) = factors(p);
+        let is_positive = content.is_positive();
+        factors.into_iter().filter(|(f, _)| !f.is_constant()).try_fold(
+            is_positive,
+            |sign, (f, n)| {
+                let own = self.sign(&f)?;
+                Some(sign == (own || n % 2 == 0))
+            },
+        )
     }
 
     /// From now on estimates stand for roots that the scope does not have. They serve for slopes; a limit that is one is
@@ -163,6 +245,8 @@ impl<'a, 's, 'g> Symbols<'a, 's, 'g> {
 
     fn reduced(&self, num: &Poly, den: &Poly) -> Option<Quotient> {
         let (num, den) = self.without_squares(num.clone(), den.clone())?;
+        let reduced = |p| self.change.reduced(self.state, p);
+        let (num, den) = reduced(num).zip(reduced(den))?;
         if num.is_empty() {
             return Some((num, Poly::one()));
         }
@@ -264,6 +348,11 @@ impl Numbers for Symbols<'_, '_, '_> {
     }
 
     fn symbol(&self, v: usize) -> Option<Quotient> {
+        let value = self.change.inward(self.state, &Poly::var(v)).map(|p| (p, Poly::one()));
+        value.filter(|_| self.state.is_constant(v, self.x))
+    }
+
+    fn variable(&self, v: usize) -> Option<Quotient> {
         self.state.is_constant(v, self.x).then(|| (Poly::var(v), Poly::one()))
     }
 
@@ -290,6 +379,8 @@ impl Numbers for Symbols<'_, '_, '_> {
                 (num, den) = self.reduced(&product, &den.mul(&conjugate, fuel).ok()?)?;
             }
         }
+        // what may be 0 is not divided by without a thought
+        self.asked_sign(&num);
         (!num.is_empty()).then_some((den, num))
     }
 
@@ -297,8 +388,10 @@ impl Numbers for Symbols<'_, '_, '_> {
     fn root(&self, a: &Quotient) -> Option<Quotient> {
         let fuel = &self.state.scope.fuel;
         let square = a.0.mul(&a.1, fuel).ok()?;
-        let absolute =
-            |p: Poly| self.sign(&p).map(|positive| if positive { p.clone() } else { p.neg() });
+        let absolute = |p: Poly| {
+            let is_positive = self.asked_sign(&p)?;
+            Some(if is_positive { p } else { p.neg() })
+        };
         let den = absolute(a.1.clone())?;
         let one = vec![(Poly::one(), Poly::one())];
         // √(n/d)·d is the root of n·d
@@ -338,17 +431,9 @@ impl Numbers for Symbols<'_, '_, '_> {
     }
 
     fn is_positive(&self, a: &Quotient) -> Option<bool> {
-        let is_positive = self.sign(&a.0)? == self.sign(&a.1)?;
+        let is_positive = self.asked_sign(&a.0)? == self.asked_sign(&a.1)?;
         Some(is_positive)
     }
-}
-
-/// What a root is the root of, if that is one fraction wherever it is defined.
-pub(super) fn radicand(state: &State<'_, '_>, root: usize) -> Option<Fraction> {
-    let Expr::Sqrt(radicand) = state.scope.root(root)? else { return None };
-    let pieces = state.scope.pieces(radicand).ok()?;
-    let mut values = pieces.into_iter().filter_map(|piece| piece.value);
-    values.next().filter(|_| values.next().is_none())
 }
 
 /// A polynomial with radicands in the place of squares of their roots, so that it shows what is left at t = 0.

@@ -60,6 +60,9 @@ pub(super) fn lemma(name: &str, accepted: &Accepted) -> Result<Emitted, NotEmitt
             return Ok(Emitted { text, part: Part::Points, form: Some(form) });
         }
         (Evidence::Limit(_), ..) => return Err(NotEmitted::Step("limits for another claim")),
+        (Evidence::Split { .. }, ..) => {
+            return Err(NotEmitted::Step("a limit by cases of constants"));
+        }
     };
     Ok(Emitted { text, part, form: None })
 }

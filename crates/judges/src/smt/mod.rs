@@ -44,7 +44,9 @@ pub fn question(accepted: &Accepted) -> Result<Question, NotPut> {
     let point = match evidence {
         Evidence::Contradiction(_) => None,
         Evidence::Model(Model::Point(point)) => Some(point),
-        Evidence::Model(Model::Functions(_)) | Evidence::Limit(_) => return Err(NotPut::Limits),
+        Evidence::Model(Model::Functions(_)) | Evidence::Limit(_) | Evidence::Split { .. } => {
+            return Err(NotPut::Limits);
+        }
     };
     let terms = Terms::new(&goal.context);
     let mut asserted = Vec::new();

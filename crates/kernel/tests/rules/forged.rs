@@ -169,7 +169,11 @@ fn numbers_of_a_certificate_are_canonical() {
         }
         for proof in side_proofs(&bad) {
             let evidence = Evidence::Limit(vec![proof.clone()]);
-            assert!(refused(&tends, Finding::Proved, evidence), "{proof:?}");
+            assert!(refused(&tends, Finding::Proved, evidence.clone()), "{proof:?}");
+            let (opposite, sign) = (false, kane_kernel::Sign::Zero);
+            let cases = vec![kane_kernel::Case { opposite, sign, then: evidence }];
+            let split = Evidence::Split { poly: n(1), cases };
+            assert!(refused(&tends, Finding::Proved, split), "{proof:?}");
         }
         let simple = || root(&[-2, 0, 1], q(1, 1), q(2, 1));
         let at = |values, generator| Point { generator, values };

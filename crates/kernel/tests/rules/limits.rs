@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use kane_kernel::{
-    Approach, Atom, Conclusion, Context, Evidence, Expr, Finding, Germ, Goal, Hypothesis, Inside,
-    Limit, Link, Passages, Place, Poly, Proof, Rejection, Rel, Sentence, Side, SideProof, Target,
-    Term, constants, point_state, premises, scope,
+    Approach, Atom, Case, Conclusion, Context, Evidence, Expr, Finding, Germ, Goal, Hypothesis,
+    Inside, Limit, Link, Model, Passages, Place, Point, Poly, Proof, Rejection, Rel, Sentence,
+    Side, SideProof, Sign, Target, Term, constants, point_state, premises, scope,
 };
 
 use crate::oracle::inside;
@@ -17,10 +17,18 @@ use crate::support::{
 
 /// 1/x as x → ∞, as a goal, and its proof with x = 1/t.
 fn tends_to_zero() -> (Goal, SideProof) {
+    (reciprocal(), reciprocal_proof(0))
+}
+
+fn reciprocal() -> Goal {
     let expr = Expr::Div(Expr::int(1).into(), Expr::Var(X).into());
     let to = Target::Finite(Expr::int(0));
     let limit = Limit { expr, to, var: X, at: Approach::PlusInf };
-    let goal = Goal { conclusion: Conclusion::Link(Link::Limit(limit)), ..plain() };
+    Goal { conclusion: Conclusion::Link(Link::Limit(limit)), ..plain() }
+}
+
+/// The proof in a state in which so many atoms speak of constants.
+fn reciprocal_proof(known: usize) -> SideProof {
     let t = 2;
     let split = |formula, cases| Box::new(Proof::Assume { formula, cases });
     // Formulas along the germ: `when`, then the failure; at t = 0 and for the radius alike.
@@ -28,18 +36,20 @@ fn tends_to_zero() -> (Goal, SideProof) {
         power: 1,
         side: Side { var: X, at: None, above: true },
         radius: (n(1), n(1)),
-        positive: split(1, vec![minus_one(0), minus_one(0)]),
+        positive: split(1, vec![minus_one(known), minus_one(known)]),
         inside: Vec::new(),
     };
-    // Atoms: t > 0, 1 − t > 0, x·t = 1; then x ≠ 0 and 1 − t·x ≠ 0, or x = 0.
+    // Atoms behind those: t > 0, 1 − t > 0, x·t = 1; then x ≠ 0 and 1 − t·x ≠ 0, or x = 0.
     let gap = n(1).sub(&times(&x(), &Poly::var(t)));
     let pole = Proof::Positive {
         terms: vec![term(1, n(1), Vec::new())],
-        cofactors: vec![(2, n(1)), (3, Poly::var(t).neg())],
+        cofactors: vec![(known + 2, n(1)), (known + 3, Poly::var(t).neg())],
     };
-    let differs =
-        Proof::Positive { terms: vec![term(1, n(1), vec![(4, 2)])], cofactors: vec![(2, gap)] };
-    let proof = SideProof {
+    let differs = Proof::Positive {
+        terms: vec![term(1, n(1), vec![(known + 4, 2)])],
+        cofactors: vec![(known + 2, gap)],
+    };
+    SideProof {
         germ,
         num: Poly::var(t),
         den: n(1),
@@ -47,9 +57,63 @@ fn tends_to_zero() -> (Goal, SideProof) {
         sense: Ordering::Equal,
         upper: None,
         along: split(1, vec![differs, pole]),
-        at_zero: split(1, vec![one_is_zero(0)]),
-    };
-    (goal, proof)
+        at_zero: split(1, vec![one_is_zero(known)]),
+    }
+}
+
+/// The three cases of a polynomial: that it is zero, positive, negative.
+fn by_sign(poly: Poly, then: [Evidence; 3]) -> Evidence {
+    let signs = [(false, Sign::Zero), (false, Sign::Positive), (true, Sign::Positive)];
+    let case = |((opposite, sign), then)| Case { opposite, sign, then };
+    Evidence::Split { poly, cases: signs.into_iter().zip(then).map(case).collect() }
+}
+
+#[test]
+fn a_limit_is_proved_by_cases_of_constants_and_of_nothing_else() {
+    let judge = |evidence: Evidence| judged(&reciprocal(), Finding::Proved, evidence);
+    let shown = |known: usize| Evidence::Limit(vec![reciprocal_proof(known)]);
+    let all = |known: usize| [shown(known), shown(known), shown(known)];
+    assert_eq!(judge(by_sign(Poly::var(Y), all(1))), Ok(()));
+    let [zero, positive, negative] = all(1);
+    let twice = by_sign(Poly::var(Y).sub(&n(1)), all(2));
+    assert_eq!(judge(by_sign(Poly::var(Y), [zero, twice, negative.clone()])), Ok(()));
+    // what varies has no sign for all small t
+    for varies in [x(), Poly::var(2), x().mul(&Poly::var(Y), &plenty()).expect("small")] {
+        assert_eq!(judge(by_sign(varies, all(1))), Err(Rejection::NotConstant));
+    }
+    for left_out in 0..3 {
+        let Evidence::Split { poly, mut cases } = by_sign(Poly::var(Y), all(1)) else {
+            unreachable!("it is made so")
+        };
+        cases.remove(left_out);
+        assert_eq!(judge(Evidence::Split { poly, cases }), Err(Rejection::SignLeftOut));
+    }
+    let empty = || Evidence::Limit(Vec::new());
+    assert!(judge(by_sign(Poly::var(Y), [shown(1), empty(), shown(1)])).is_err());
+    let model = Evidence::Model(Model::Point(Point::default()));
+    let by_model = judge(by_sign(Poly::var(Y), [shown(1), positive, model]));
+    assert_eq!(by_model, Err(Rejection::WrongEvidence));
+    // the proof of another case has other atoms
+    assert!(judge(by_sign(Poly::var(Y), [shown(1), shown(0), negative])).is_err());
+}
+
+#[test]
+fn a_case_of_constants_that_cannot_be_needs_no_limit() {
+    let judge = |evidence: Evidence| judged(&reciprocal(), Finding::Proved, evidence);
+    let absurd = |proof: Proof| Evidence::Contradiction(proof);
+    let shown = || Evidence::Limit(vec![reciprocal_proof(1)]);
+    // 1 is neither zero nor negative
+    let cases = |zero: Proof| [absurd(zero), shown(), absurd(minus_one(0))];
+    assert_eq!(judge(by_sign(n(1), cases(one_is_zero(0)))), Ok(()));
+    assert!(judge(by_sign(n(1), cases(nothing()))).is_err());
+    let sum = |cases| by_sign(Poly::var(Y), cases);
+    assert!(judge(sum([shown(), absurd(minus_one(0)), shown()])).is_err());
+    // what is shown of all points is no limit
+    assert_eq!(judge(absurd(one_is_zero(0))), Err(Rejection::WrongEvidence));
+    for finding in [Finding::Refuted, Finding::Vacuous, Finding::Consistent] {
+        let verdict = judged(&reciprocal(), finding, by_sign(n(1), [shown(), shown(), shown()]));
+        assert_eq!(verdict, Err(Rejection::WrongEvidence), "{finding:?}");
+    }
 }
 
 #[test]

@@ -27,6 +27,11 @@ pub(super) fn sentence(goal: &Goal, reason: &Reason, form: Form) -> String {
     match reason {
         Reason::Contradiction(means) => contradiction(goal, means, form),
         Reason::NoSide => "accepted".to_owned(),
+        Reason::LimitByCases(polys) => {
+            let told = polys.iter().map(|p| formulas.poly(p)).collect::<Vec<_>>().join(", ");
+            let sign = if polys.len() == 1 { "sign" } else { "signs" };
+            format!("by the {sign} of {told}")
+        }
         Reason::Limit { side, power, sense, quotient, variables } => {
             let formulas = Formulas::new(form, &goal.context, variables);
             let plain = Formulas::new(Form::Plain, &goal.context, variables);
