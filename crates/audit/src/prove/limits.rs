@@ -236,8 +236,16 @@ fn along(
     })
 }
 
-/// A proof of a limit, of which each case of the constants has the budget of a claim.
-pub(crate) fn prove(
+/// A proof of a limit from all sides as it is.
+pub(crate) fn prove(goal: &Goal, limit: &Limit, steps: u64, fuel: Fuel) -> Option<LimitArgument> {
+    let scope = kane_kernel::scope(goal, fuel).ok()?;
+    let state = constants(&scope, goal, limit.var).ok()?;
+    from_all_sides(&state, limit, steps).map(LimitArgument::Sides)
+}
+
+/// A proof of a limit, which has none as it is, by the sign of what decides how the expression behaves. Each case of the
+/// constants has the budget of a claim.
+pub(crate) fn prove_by_cases(
     goal: &Goal,
     limit: &Limit,
     steps: u64,
@@ -246,7 +254,7 @@ pub(crate) fn prove(
     by_cases(goal, limit, &[], (steps, fuel), SPLITS)
 }
 
-/// A proof where these atoms are known: from all sides as it is, or by the sign of what decides how the expression behaves.
+/// A proof where these atoms are known.
 fn by_cases(
     goal: &Goal,
     limit: &Limit,
@@ -257,14 +265,14 @@ fn by_cases(
     let scope = kane_kernel::scope(goal, fuel()).ok()?;
     let mut state = constants(&scope, goal, limit.var).ok()?;
     state.atoms.extend(known.iter().cloned());
-    let any = |_: usize, _: &Poly| true;
-    if !known.is_empty()
-        && let Outcome::Closed(absurd) = Search::new(steps / 8, &any, false).solve(&state)
-    {
-        return Some(LimitArgument::Absurd(absurd));
-    }
-    if let Some(arguments) = from_all_sides(&state, limit, steps) {
-        return Some(LimitArgument::Sides(arguments));
+    if !known.is_empty() {
+        let any = |_: usize, _: &Poly| true;
+        if let Outcome::Closed(absurd) = Search::new(steps / 8, &any, false).solve(&state) {
+            return Some(LimitArgument::Absurd(absurd));
+        }
+        if let Some(arguments) = from_all_sides(&state, limit, steps) {
+            return Some(LimitArgument::Sides(arguments));
+        }
     }
     let splits = splits.checked_sub(1)?;
     let poly = asymptote::undetermined(&state, limit, sides(&scope, limit).first()?)?;

@@ -453,12 +453,16 @@ impl Prover<'_> {
         if doubt && self.consistent(goal, out) {
             return;
         }
-        if let Some(argument) = limits::prove(goal, limit, self.budget.steps, &|| self.fuel())
-            && self.decide(goal, Finding::Proved, Grounds::Limit(argument), out)
-        {
-            return;
-        }
-        if !self.witness(goal, Finding::Refuted, Ways::Near, out) {
+        let steps = self.budget.steps;
+        let proves = |argument: Option<_>, out: &mut Verdicts| {
+            let grounds = argument.map(Grounds::Limit);
+            grounds.is_some_and(|grounds| self.decide(goal, Finding::Proved, grounds, out))
+        };
+        // what is refuted by simple functions does not wait for its cases
+        let decided = proves(limits::prove(goal, limit, steps, self.fuel()), out)
+            || self.witness(goal, Finding::Refuted, Ways::Near, out)
+            || proves(limits::prove_by_cases(goal, limit, steps, &|| self.fuel()), out);
+        if !decided {
             out.unreached = self.unreached(goal, limit);
         }
     }
