@@ -3,7 +3,6 @@
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
-use kane_algebra::factors::factors;
 use kane_algebra::linear_program::common_denominator;
 use kane_kernel::{Atom, Atoms, Fuel, Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
@@ -14,8 +13,6 @@ use crate::argument::Argument;
 
 /// Summands that a sum may have.
 const MOST: usize = 2000;
-/// Terms of a polynomial whose factors are looked for.
-const FACTORED: usize = 30;
 /// What a product of two summands costs, in operations.
 const COST: u64 = 2;
 
@@ -171,28 +168,7 @@ impl Signs {
         };
         by_terms()
             .or_else(|| self.by_atom(p))
-            .or_else(|| self.by_factors(p))
             .filter(|sum| sum.iter().any(|s| self.positive_one(s)))
-    }
-
-    /// What is a product of powers of which atoms tell the signs.
-    fn by_factors(&self, p: &Poly) -> Option<Sum> {
-        if p.len() > FACTORED {
-            return None;
-        }
-        let (content, factors) = factors(p);
-        let (mut weight, mut powers) = (BigRational::from(content), Vec::new());
-        for (f, n) in factors.into_iter().filter(|(f, _)| !f.is_constant()) {
-            let opposite = || self.told_of_multiple(&f.neg()).map(|found| (found, true));
-            let ((atom, times), is_opposite) =
-                self.told_of_multiple(&f).map(|found| (found, false)).or_else(opposite)?;
-            weight /= BigRational::from(times.pow(n));
-            if is_opposite && n % 2 == 1 {
-                weight = -weight;
-            }
-            powers.push((atom, n));
-        }
-        weight.is_positive().then(|| vec![Summand::new(weight, &powers)])
     }
 
     fn positive_one(&self, s: &Summand) -> bool {
