@@ -284,11 +284,7 @@ impl Writer<'_> {
     /// A limit claim, in each case of the constants.
     fn limit(&mut self, state: &State<'_, '_>, labels: &Labels, evidence: &Evidence) -> Written {
         Ok(match evidence {
-            Evidence::Limit(proofs) => {
-                let sides: Result<Vec<Value>, _> =
-                    proofs.iter().map(|p| self.side(state, labels, p)).collect();
-                json!({ "sides": sides? })
-            }
+            Evidence::Limit(proofs) => json!({ "sides": self.each_side(state, labels, proofs)? }),
             Evidence::Contradiction(proof) => json!({ "proof": self.proof(state, labels, proof)? }),
             Evidence::Split { poly, cases } => {
                 let mut all = Vec::new();
@@ -310,8 +306,16 @@ impl Writer<'_> {
             return Err(Rejection::WrongEvidence);
         };
         let scope = scope(goal, Fuel::new(u64::MAX))?;
-        let state = constants(&scope, goal, limit.var)?;
-        proofs.iter().map(|p| self.side(&state, labels, p)).collect()
+        self.each_side(&constants(&scope, goal, limit.var)?, labels, proofs)
+    }
+
+    fn each_side(
+        &mut self,
+        state: &State<'_, '_>,
+        labels: &Labels,
+        proofs: &[SideProof],
+    ) -> Written {
+        proofs.iter().map(|p| self.side(state, labels, p)).collect()
     }
 
     fn side(&mut self, state: &State<'_, '_>, labels: &Labels, p: &SideProof) -> Written {

@@ -23,6 +23,10 @@ use super::{Argument, Course, LimitArgument, Passage, SideArgument, line, orthan
 /// Coefficient operations that one expansion may take.
 const FUEL: u64 = 2_000_000_000;
 
+/// Zero, positive, negative: whether it is said of the opposite, and the sign.
+const SIGNS: [(bool, Sign); 3] =
+    [(false, Sign::Zero), (false, Sign::Positive), (true, Sign::Positive)];
+
 /// A proof of the kernel for an argument that closes this state.
 pub(crate) fn expand(state: &State<'_, '_>, argument: &Argument) -> Step<Proof> {
     let fuel = Fuel::new(FUEL);
@@ -71,13 +75,12 @@ fn by_sign<A, P>(
     arguments: [&A; 3],
     then: &dyn Fn(&State<'_, '_>, &A) -> Step<P>,
 ) -> Step<Vec<Case<P>>> {
-    let signs = [(false, Sign::Zero), (false, Sign::Positive), (true, Sign::Positive)];
     let case = |((opposite, sign), argument): ((bool, Sign), &A)| {
         let side = if opposite { poly.neg() } else { poly.clone() };
         let then = then(&state.with(Atom::new(side, sign)), argument)?;
         Ok(Case { opposite, sign, then })
     };
-    signs.into_iter().zip(arguments).map(case).collect()
+    SIGNS.into_iter().zip(arguments).map(case).collect()
 }
 
 /// A proof of the kernel for an argument after passages to limits.
@@ -238,11 +241,10 @@ impl Work<'_> {
                 Ok(Node::assume(*formula, cases))
             }
             Argument::Split { poly, .. } => {
-                let signs = [(false, Sign::Zero), (false, Sign::Positive), (true, Sign::Positive)];
                 let case = |(sign, part): ((bool, Sign), &Outline<'_>)| {
                     self.side(poly, sign, |new| self.walk([&known[..], &[new]].concat(), part))
                 };
-                let cases = signs.into_iter().zip(&outline.parts).map(case);
+                let cases = SIGNS.into_iter().zip(&outline.parts).map(case);
                 Ok(Node::split(poly.clone(), cases.collect::<Step<_>>()?))
             }
             Argument::Substitute { equation, var, lead, .. } => {

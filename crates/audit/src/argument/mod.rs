@@ -23,7 +23,7 @@ pub(crate) use expand::{contradiction, expand, limit_proof, side_proof};
 pub use orthant::BoundedSum;
 pub(crate) use orthant::bounded_sum;
 pub use rules::Flaw;
-pub(crate) use rules::Rules;
+pub(crate) use rules::{Rules, composed};
 
 /// A variable with the indices of the atoms that bound it below and above.
 pub(crate) type Bounds = (usize, Option<usize>, Option<usize>);

@@ -307,7 +307,7 @@ fn cells(bases: &[Vec<BigInt>], roots: &[Root], fuel: &Fuel) -> Step<Vec<Vec<i8>
 }
 
 /// denⁿ·p(num/den) for v, with n the degree of p in v.
-pub(super) fn composed(p: &Poly, v: usize, num: &Poly, den: &Poly, fuel: &Fuel) -> Step<Poly> {
+pub(crate) fn composed(p: &Poly, v: usize, num: &Poly, den: &Poly, fuel: &Fuel) -> Step<Poly> {
     // a bound at 0 moves nothing
     if *den == Poly::one() && *num == Poly::power(v, 1) {
         return Ok(p.clone());

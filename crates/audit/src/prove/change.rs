@@ -5,7 +5,7 @@
 use kane_kernel::{Atom, Poly, Sign, State, Term};
 use num_traits::One as _;
 
-use crate::argument::{Argument, Rules as _};
+use crate::argument::{Argument, Rules as _, composed};
 
 /// Symbols that are changed at most.
 const MOST: usize = 4;
@@ -81,6 +81,11 @@ impl Change {
             // its coefficient is 1 or −1, which an even power takes the sign of
             p.remainder(*var, rule, true, fuel).ok()
         })?;
+        self.renew(state, p)
+    }
+
+    /// A polynomial with the new symbols in the place of those that are renewed.
+    fn renew(&self, state: &State<'_, '_>, p: Poly) -> Option<Poly> {
         self.renewed.iter().try_fold(p, |p, r| put(state, &p, r.var, &r.inward))
     }
 
@@ -94,8 +99,8 @@ impl Change {
 
     /// A polynomial in these symbols, in those of the statement.
     pub(super) fn outward(&self, state: &State<'_, '_>, p: &Poly) -> Option<Poly> {
-        let renewed = self.renewed.iter().rev().map(|r| (r.var, &r.outward));
-        renewed.into_iter().try_fold(p.clone(), |p, (v, value)| put(state, &p, v, value))
+        let mut latest_first = self.renewed.iter().rev();
+        latest_first.try_fold(p.clone(), |p, r| put(state, &p, r.var, &r.outward))
     }
 
     /// A case along a germ in these symbols, and the equations by which it came there.
@@ -113,11 +118,7 @@ impl Change {
             by.push((at, *var));
         }
         for at in 0..case.atoms.len() {
-            let p = self
-                .renewed
-                .iter()
-                .try_fold(case.atoms[at].poly.clone(), |p, r| put(&case, &p, r.var, &r.inward))?;
-            case.atoms[at].poly = p;
+            case.atoms[at].poly = self.renew(&case, case.atoms[at].poly.clone())?;
         }
         Some((case, by))
     }
@@ -165,14 +166,7 @@ fn leads(p: &Poly, v: usize) -> bool {
     p.degree(v) > 0 && lead.is_some_and(|c| c.magnitude().is_one())
 }
 
-/// A polynomial with another one in the place of a variable, by Horner's rule.
+/// A polynomial with another one in the place of a variable.
 fn put(state: &State<'_, '_>, p: &Poly, v: usize, value: &Poly) -> Option<Poly> {
-    if p.degree(v) == 0 {
-        return Some(p.clone());
-    }
-    let fuel = &state.scope.fuel;
-    p.coefficients(v)
-        .iter()
-        .rev()
-        .try_fold(Poly::default(), |sum, c| Some(sum.mul(value, fuel).ok()?.add(c)))
+    composed(p, v, value, &Poly::one(), &state.scope.fuel).ok()
 }

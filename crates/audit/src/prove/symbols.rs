@@ -379,7 +379,7 @@ impl Numbers for Symbols<'_, '_, '_> {
                 (num, den) = self.reduced(&product, &den.mul(&conjugate, fuel).ok()?)?;
             }
         }
-        // what may be 0 is not divided by without a thought
+        // where it may be 0 its sign is one to be told apart
         self.asked_sign(&num);
         (!num.is_empty()).then_some((den, num))
     }
