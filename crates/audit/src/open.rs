@@ -133,6 +133,8 @@ pub enum Method {
     Squares,
     /// the ideal of the equations
     Ideals,
+    /// tangent planes in the place of roots and quotients
+    Tangents,
     /// a cone of linear conditions, cut until coefficients have one sign on each part
     Differences,
     /// boxes on which the signs of coefficients tell

@@ -12,7 +12,7 @@ use super::hints::{Hint, Wealth, hinted, untold};
 use super::idle::without_idle;
 use super::isolated::{Rule, isolated};
 use super::linear::{combination, is_linear_in_all, solution};
-use super::search::{MAX_SPLITS, Outcome, Search, since};
+use super::search::{BRIEFLY, MAX_SPLITS, Outcome, Search, since};
 use super::settled::Settled;
 use super::squares::{Reach, squares};
 use super::{
@@ -26,6 +26,8 @@ use crate::open::Method;
 const BOUNDARY: u32 = 5;
 /// Points from which others are approached.
 const STARTS: usize = 4;
+/// Places of symbols at which roots are looked at.
+const PLACES: usize = 60;
 /// Case distinctions for which one by elimination counts.
 const CASE: u32 = 2;
 /// What it costs, of the budget for squares or for cells, to tell a case.
@@ -206,7 +208,8 @@ impl Search<'_> {
         let linear = is_linear_in_all(state);
         let tries = if linear || self.brief { (2, 12) } else { (5, 200) };
         let near = self
-            .sample(state, trail, vars, tries)
+            .at_places(state, trail, vars, if self.brief { BRIEFLY } else { PLACES })
+            .or_else(|| self.sample(state, trail, vars, tries))
             .or_else(|| self.linear_point(state, trail, vars));
         if self.brief {
             return near;

@@ -34,6 +34,7 @@ mod ideal;
 mod idle;
 mod isolated;
 mod leaf;
+mod lemmas;
 mod limits;
 mod line;
 mod linear;
@@ -43,6 +44,7 @@ mod monomial;
 mod nearness;
 mod pairs;
 mod parameter;
+mod places;
 mod primitive;
 mod products;
 mod radicals;
@@ -60,6 +62,8 @@ mod summands;
 mod surds;
 mod symbols;
 mod tactics;
+mod tangents;
+mod touching;
 mod variation;
 mod witness;
 mod written;
@@ -296,6 +300,7 @@ impl Prover<'_> {
         search.keep = kept(goal);
         search.hints = Hint::all(&scope, self.using);
         search.as_written = !models;
+        search.tangents = ways == Ways::Near && finding == Finding::Proved;
         if guide {
             search.widest = 60;
         }

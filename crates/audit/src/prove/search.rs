@@ -5,7 +5,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
 
 use super::attempt::Attempt;
-use super::elimination::{Elimination, Factors};
+use super::elimination::{Elimination, Factors, open_vars};
 use super::factors::{
     cancellation, cannot_vanish, content_to_split, leading, pinched, positive_factor,
     squared_factor,
@@ -89,6 +89,8 @@ pub(crate) struct Search<'a> {
     pub(crate) as_written: bool,
     /// whether sides with several roots are squared before anything is solved for along a germ, too
     pub(crate) squares_first: bool,
+    /// whether tangent planes are set against roots and quotients
+    pub(crate) tangents: bool,
     /// the summands of the goal, once they are looked at
     pub(super) written: OnceCell<Vec<Hint>>,
     /// what was tried, and the smallest conditions on which all of it failed
@@ -99,6 +101,8 @@ pub(crate) struct Search<'a> {
 const STEP: u64 = 5_000;
 /// Steps along one branch: a proof is checked recursively, and so has to fit on the stack.
 const MAX_DEPTH: u32 = 160;
+/// Places of symbols at which roots are looked at where it is to be brief.
+pub(super) const BRIEFLY: usize = 12;
 /// Case distinctions after which summands are no longer looked at as they are written.
 const WRITTEN: u32 = 1;
 /// Case distinctions on the sign of a polynomial along one branch.
@@ -129,6 +133,7 @@ impl<'a> Search<'a> {
             hints: Vec::new(),
             as_written: false,
             squares_first: false,
+            tangents: false,
             written: OnceCell::new(),
             attempt: RefCell::default(),
         }
@@ -253,6 +258,21 @@ impl<'a> Search<'a> {
             let next =
                 |s: &State<'_, '_>| self.run(s, &since(s, fresh), pending.clone(), trail, splits);
             return all(states.iter().map(next), |cases| Argument::Assume { formula, cases });
+        }
+        // before a symbol is solved for by what stands under a root
+        if self.models
+            && splits == 0
+            && trail.is_empty()
+            && let Some(point) = self.at_places(state, trail, &open_vars(state), BRIEFLY)
+        {
+            return Outcome::Model(point);
+        }
+        // before anything is multiplied out
+        if splits == 0
+            && trail.is_empty()
+            && let Some(proof) = self.by_lemmas_of_hints(state).or_else(|| self.by_tangents(state))
+        {
+            return Outcome::Closed(proof);
         }
         // before equations between roots are solved for some of them
         if let Some(outcome) = self.by_roots(state, trail) {

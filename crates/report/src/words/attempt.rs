@@ -38,6 +38,7 @@ fn name(method: Method) -> &'static str {
         Method::Products => "products of conditions",
         Method::Squares => "sums of squares",
         Method::Ideals => "ideals",
+        Method::Tangents => "tangent planes",
         Method::Differences => "successive differences",
         Method::Boxes => "boxes",
         Method::Points => "points",

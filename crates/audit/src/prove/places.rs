@@ -1,0 +1,70 @@
+//! Points by places: the symbols have simple values, and the roots those that follow.
+
+use kane_algebra::point::{burden, specialised};
+use kane_kernel::{Atom, Point, Poly, State};
+use num_rational::BigRational;
+
+use super::elimination::{Elimination, open_vars};
+use super::line;
+use super::radicals::Radicals;
+use super::sample::{candidates, diagonal};
+use super::search::Search;
+
+/// Places at which all symbols are equal.
+const EQUAL: usize = 8;
+/// Roots below which a sample of all variables is as good.
+const FEWEST: usize = 2;
+
+impl Search<'_> {
+    /// A point of a state with several roots.
+    pub(super) fn at_places(
+        &self,
+        state: &State<'_, '_>,
+        trail: &[Elimination],
+        vars: &[usize],
+        tries: usize,
+    ) -> Option<Point> {
+        let is_root = |v: &usize| state.scope.root(*v).is_some();
+        let (roots, symbols): (Vec<usize>, Vec<usize>) = vars.iter().copied().partition(is_root);
+        if roots.len() < FEWEST || symbols.is_empty() {
+            return None;
+        }
+        let lists: Vec<_> = symbols.iter().map(|&v| candidates(state, v)).collect();
+        // first where all are equal, as are most that hold an equation by their sum
+        let shared = lists[0].iter().filter(|q| lists.iter().all(|list| list.contains(q)));
+        let equal = shared.take(EQUAL).map(|q| vec![q.clone(); lists.len()]);
+        let places: Vec<_> = equal.chain(diagonal(&lists, tries)).collect();
+        places.into_iter().map_while(|values| self.step(state).then_some(values)).find_map(
+            |values| {
+                let place: Vec<(usize, BigRational)> =
+                    symbols.iter().copied().zip(values).collect();
+                let work = state.atoms.iter().map(|a| burden(&a.poly, &place));
+                state.scope.fuel.spend_beyond(work.fold(0, u64::saturating_add)).ok()?;
+                let at = |a: &Atom| {
+                    let atom = Atom::new(specialised(&a.poly, &place), a.sign);
+                    (atom.decided() != Some(false)).then_some(atom)
+                };
+                let atoms = state.atoms.iter().map(at).collect::<Option<_>>()?;
+                let special = State { atoms, ..state.clone() };
+                if roots.iter().any(|&v| line::is_empty(&special, v)) || is_false(&special) {
+                    return None;
+                }
+                let here = place.into_iter().map(|(var, q)| {
+                    let [d, e] = [q.denom().clone(), -q.numer()].map(Poly::constant);
+                    Elimination { var, d, e }
+                });
+                let trail: Vec<Elimination> = trail.iter().cloned().chain(here).collect();
+                self.sample(&special, &trail, &open_vars(&special), (1, 4))
+            },
+        )
+    }
+}
+
+/// Whether roots of numbers have values at which something is not as it is said.
+fn is_false(state: &State<'_, '_>) -> bool {
+    Radicals::of(state).is_some_and(|radicals| {
+        let fuel = &state.scope.fuel;
+        let seen = |a: &Atom| radicals.seen(&a.poly, fuel).is_some_and(|sign| !a.sign.admits(sign));
+        state.atoms.iter().any(seen)
+    })
+}
