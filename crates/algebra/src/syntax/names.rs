@@ -31,6 +31,9 @@ pub const RESERVED: [&str; 22] = [
     "exists",
 ];
 
+/// Names that nothing can be defined by: whoever reads them knows what they mean.
+pub(crate) const MATHEMATICAL: [&str; 6] = ["sin", "cos", "tan", "exp", "log", "pi"];
+
 /// The words between formulas.
 pub(crate) const CONNECTIVES: [&str; 4] = ["and", "or", "implies", "iff"];
 

@@ -15,7 +15,8 @@ use thiserror::Error;
 use super::exponential_symbol::{Exponential, named_powers};
 use super::monomial::Monomial;
 use super::names::{
-    PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate, summed,
+    MATHEMATICAL, PI, RESERVED, applied, canonical_name, latex_name, power as power_name, rate,
+    summed,
 };
 use super::sequence::Sequences;
 use super::summation::Summation;
@@ -53,6 +54,9 @@ pub enum DeclareError {
     /// a word of the language
     #[error("`{0}` is a reserved word and cannot be a name")]
     ReservedWord(String),
+    /// a name that mathematics has given away
+    #[error("`{0}` has a meaning of its own and cannot be defined as something else")]
+    Mathematical(String),
     /// the name is taken
     #[error("`{name}` is already declared")]
     Redeclared {
@@ -241,6 +245,13 @@ impl Scope {
         }
     }
 
+    fn check_definable(&self, name: &str) -> Result<(), DeclareError> {
+        if MATHEMATICAL.contains(&canonical_name(name).as_ref()) {
+            return Err(DeclareError::Mathematical(name.to_owned()));
+        }
+        self.check_free(name)
+    }
+
     /// Whether nothing at all has the name.
     #[must_use]
     pub fn is_unused(&self, name: &str) -> bool {
@@ -289,7 +300,7 @@ impl Scope {
         takes: usize,
         body: Value,
     ) -> Result<(), DeclareError> {
-        self.check_free(name)?;
+        self.check_definable(name)?;
         self.typeset.entry(latex_name(name)).or_insert_with(|| name.to_owned());
         let height = body.parts().iter().map(|part| self.height(part)).max().unwrap_or(0);
         let template = Template::new(takes, body, height);
@@ -410,7 +421,7 @@ impl Scope {
     /// # Errors
     /// When the name is reserved or taken, or looks like another one in print.
     pub fn define(&mut self, name: &str, body: Expr) -> Result<usize, DeclareError> {
-        self.check_free(name)?;
+        self.check_definable(name)?;
         let index = self.context.lets.len();
         self.enter(name, Symbol::Let(index));
         self.heights.push(self.height(&body));

@@ -96,6 +96,8 @@ impl Parser<'_> {
             return self.build_value(Value::Array(array), span, height.unwrap_or(1));
         }
         let (expr, height) = match self.scope().resolve(name) {
+            // whatever a symbol of that name stands for elsewhere
+            _ if self.in_angle && canonical_name(name) == "pi" => (Expr::Var(PI), 1),
             Some(Symbol::Var(index)) => {
                 if self.in_term && self.scope().sequences().index_of(index).is_some() {
                     self.report(SyntaxErrorKind::IndexInTerm(excerpt(name)), span.clone());
@@ -105,7 +107,6 @@ impl Parser<'_> {
                 }
                 (Expr::Var(index), 1)
             }
-            None if self.in_angle && canonical_name(name) == "pi" => (Expr::Var(PI), 1),
             Some(Symbol::Let(index)) => (Expr::Let(index), self.scope().height_of_let(index) + 1),
             None => {
                 let kind = SyntaxErrorKind::UnknownSymbol(excerpt(name));

@@ -337,7 +337,14 @@ pub enum End {
     /// it fails where the symbol has this value, if the value is known
     At(usize, Option<Value>),
     /// the limit is another
-    Limit(Target),
+    Limit {
+        /// which one
+        target: Target,
+        /// of a limit from both sides, whether this is the one from above
+        above: Option<bool>,
+        /// whether what it is claimed to be is undefined for these values
+        against_nothing: bool,
+    },
 }
 
 /// A finding in outline.

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 
 use kane_algebra::point::Partial;
 use kane_algebra::rational_function::RationalFunction;
-use kane_algebra::syntax::{Evaluator, Logic, NoValue};
+use kane_algebra::syntax::{Evaluator, Logic, NoValue, eval};
 use kane_kernel::{
-    Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Link, Model, Point, Proof,
-    Relation, Root, Sentence, expressions,
+    Approach, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Limit, Link,
+    Model, Point, Proof, Relation, Root, Sentence, Target, expressions,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -30,7 +30,7 @@ pub(crate) fn model(goal: &Goal, model: &Model) -> Vec<Assignment> {
 /// A model in outline.
 pub(super) fn reason(goal: &Goal, finding: Finding, model: &Model) -> Reason {
     match model {
-        Model::Functions(f) => Reason::Functions { values: functions(goal, f), end: end(f) },
+        Model::Functions(f) => Reason::Functions { values: functions(goal, f), end: end(goal, f) },
         Model::Point(point) => {
             let claim = conclusion(goal, finding, point).pop();
             let shown = mentioned(goal, false);
@@ -71,7 +71,7 @@ pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
                 of: f.var,
                 values: functions(goal, f),
                 hypotheses: f.premises.iter().map(held).collect(),
-                end: end(f),
+                end: end(goal, f),
             }
         }
     }
@@ -249,12 +249,54 @@ fn functions(goal: &Goal, f: &Functions) -> Vec<Assignment> {
 }
 
 /// How a claim fails for functions.
-fn end(f: &Functions) -> End {
+fn end(goal: &Goal, f: &Functions) -> End {
     match &f.failure {
         Failure::Reaches(_) => End::Holds,
         Failure::At(point) => End::At(f.var, value(point, f.var)),
-        Failure::Limit { target, .. } => End::Limit(target.clone()),
+        Failure::Limit { link, target, proof, .. } => {
+            let limit = match goal.conclusion.links().get(*link) {
+                Some(Link::Limit(limit)) => Some(limit),
+                _ => None,
+            };
+            let is_wide = limit.is_some_and(|limit| is_from_both_sides(goal, limit));
+            End::Limit {
+                target: target.clone(),
+                above: is_wide.then_some(proof.germ.side.above),
+                against_nothing: limit.is_some_and(|limit| has_no_target(goal, f, limit)),
+            }
+        }
     }
+}
+
+/// Whether what a limit is claimed to be is undefined where constants have these values.
+fn has_no_target(goal: &Goal, f: &Functions, limit: &Limit) -> bool {
+    let Target::Finite(claimed) = &limit.to else { return false };
+    let number = |v: usize| match f.values.iter().find(|(of, _)| *of == v) {
+        Some((_, Expr::Num(q))) => Some(q.clone()),
+        _ => None,
+    };
+    let mut todo = vec![claimed];
+    while let Some(e) = todo.pop() {
+        match e {
+            Expr::Var(v) if number(*v).is_none() => return false,
+            Expr::Let(i) => {
+                todo.extend(goal.context.lets.get(*i).map(|definition| &definition.body))
+            }
+            _ => todo.extend(e.children()),
+        }
+    }
+    let symbols = 0..goal.context.vars.len();
+    let at: Vec<Q> = symbols.map(|v| number(v).unwrap_or_else(Q::zero)).collect();
+    let value = eval(claimed, &goal.context, &at);
+    matches!(value, Err(NoValue::DivisionByZero | NoValue::NegativeRadicand))
+}
+
+/// Whether a limit is one from both sides.
+fn is_from_both_sides(goal: &Goal, limit: &Limit) -> bool {
+    let Approach::To(a) = &limit.at else { return false };
+    let Some(var) = goal.context.vars.get(limit.var) else { return false };
+    var.lower.as_ref().is_none_or(|b| b.value < *a)
+        && var.upper.as_ref().is_none_or(|b| b.value > *a)
 }
 
 /// Symbols that the conclusion and `when` mention, and with `all` also the hypotheses, in order of

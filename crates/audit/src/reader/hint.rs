@@ -10,6 +10,10 @@ use super::{MAX_CANDIDATES, Reader};
 const FUNCTIONS: &str = "functions are `abs`, `min`, `max`, `sqrt`, and `sin`, `cos`, `tan` of angles; others are \
                          declared, `var f(x)`, or defined, `let f(x) := …`";
 
+/// What to say of π where it is no multiple of an angle.
+const PI: &str = "π stands inside `sin`, `cos`, `tan` and in the bounds of an angle; elsewhere a number takes its place \
+                  of which no more is known than is said: `var 333/106 < pi < 355/113`";
+
 /// Functions that others have, and how what they are is said here.
 const ELSEWHERE: [(&[&str], &str); 7] = [
     (&["sinh", "cosh", "tanh"], "it is made of exponentials: `(exp(x) - exp(-x))/2`"),
@@ -49,6 +53,9 @@ impl Reader {
         let is_called = text.get(span.end..).is_some_and(|behind| behind.starts_with('('));
         if is_called && let Some((_, hint)) = ELSEWHERE.iter().find(|(of, _)| of.contains(&name)) {
             return (*hint).to_owned();
+        }
+        if canonical_name(name) == "pi" && self.scope.is_unused("pi") {
+            return PI.to_owned();
         }
         let derivative = self.hint_at_derivative(name, span, text);
         derivative.or_else(|| self.hint_at_name(name, text)).unwrap_or_else(|| match is_called {

@@ -201,13 +201,20 @@ pub(super) fn end(formulas: &Formulas, end: &End) -> String {
             let at = value(formulas, at);
             format!("it fails at {}", formulas.compared(&formulas.symbol(*v), "=", &at))
         }
-        End::Limit(target) => {
+        End::Limit { target, above, against_nothing } => {
             let target = match target {
                 Target::Finite(value) => formulas.expr(value),
                 Target::PlusInf => formulas.infinity(true),
                 Target::MinusInf => formulas.infinity(false),
             };
-            format!("the limit is {target}")
+            let from = match above {
+                None => "",
+                Some(true) => " from the right",
+                Some(false) => " from the left",
+            };
+            let against =
+                if *against_nothing { ", and what it should be is undefined" } else { "" };
+            format!("the limit{from} is {target}{against}")
         }
     }
 }
