@@ -1,6 +1,8 @@
 //! Lines between statements, in print: the symbols that they declare, with their ranges and units, and the author's
 //! comments.
 
+use std::ops::Range;
+
 use kane_algebra::syntax::latex_name;
 use maud::{Markup, html};
 use pulldown_latex::config::DisplayMode;
@@ -9,11 +11,43 @@ use super::math::math;
 
 /// What the lines declare; nothing where no line declares and none is a comment.
 pub(super) fn declarations(between: &str) -> Option<Markup> {
-    let said = |line: &&str| line.starts_with("var ") || line.starts_with('#');
-    let lines: Vec<&str> = between.lines().map(str::trim).filter(said).collect();
+    let mut lines: Vec<String> = Vec::new();
+    let mut is_open = false;
+    for line in between.lines() {
+        let said = line.trim();
+        let goes_on = is_open && line.starts_with(char::is_whitespace) && !said.is_empty();
+        // a line that is indented goes on with the one above
+        if let Some(above) = lines.last_mut().filter(|_| goes_on) {
+            above.push(' ');
+            above.push_str(said);
+        } else {
+            let declares = said.starts_with("var ");
+            if declares || said.starts_with('#') {
+                lines.push(said.to_owned());
+            }
+            is_open = declares;
+        }
+        is_open &= !said.contains('#');
+    }
     (!lines.is_empty()).then(|| {
         html! { div.vars data-v="ground" { @for line in &lines { p { (in_print(line)) } } } }
     })
+}
+
+/// The lines of the `var` in which a place of a text is, if it is in one.
+pub(super) fn declaration_around(text: &str, at: usize) -> Option<Range<usize>> {
+    let line_of = |at: usize| text[..at].rfind('\n').map_or(0, |end| end + 1);
+    let mut start = line_of(at);
+    while text[start..].starts_with([' ', '\t']) && start > 0 {
+        start = line_of(start - 1);
+    }
+    let goes_on = |end: usize| text[end..].starts_with("\n ") || text[end..].starts_with("\n\t");
+    let end_of = |from: usize| text[from..].find('\n').map_or(text.len(), |end| from + end);
+    let mut end = end_of(at);
+    while goes_on(end) {
+        end = end_of(end + 1);
+    }
+    text[start..].starts_with("var ").then_some(start..end)
 }
 
 fn in_print(line: &str) -> Markup {
@@ -89,19 +123,34 @@ fn word(word: &str) -> Option<String> {
         "<=" => "\\le".to_owned(),
         ">=" => "\\ge".to_owned(),
         "!=" => "\\ne".to_owned(),
+        "+" | "-" => word.to_owned(),
         _ if is_name(word) => latex_name(word),
         _ => match word.strip_suffix(')').and_then(|word| word.split_once('(')) {
             Some((name, of)) if is_name(name) && is_name(of) => {
                 format!("{}({})", latex_name(name), latex_name(of))
             }
             Some(_) => return None,
-            None => {
-                let number = word.strip_prefix('-').unwrap_or(word);
-                let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '/');
-                (!number.is_empty() && number.chars().all(digits)).then(|| word.to_owned())?
-            }
+            None => product(word, is_name)?,
         },
     })
+}
+
+/// A product or a quotient of numbers and names, as `-pi/2` and `2*a/3`.
+fn product(text: &str, is_name: impl Fn(&str) -> bool) -> Option<String> {
+    let (sign, rest) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
+    let factor = |factor: &str| {
+        let is_digit = |c: char| c.is_ascii_digit() || c == '.';
+        match factor {
+            _ if is_name(factor) => Some(latex_name(factor)),
+            _ if !factor.is_empty() && factor.chars().all(is_digit) => Some(factor.to_owned()),
+            _ => None,
+        }
+    };
+    let quotient = |part: &str| -> Option<String> {
+        Some(part.split('/').map(factor).collect::<Option<Vec<_>>>()?.join("/"))
+    };
+    let parts = rest.split('*').map(quotient).collect::<Option<Vec<_>>>()?;
+    Some(format!("{sign}{}", parts.join(" \\, ")))
 }
 
 #[cfg(test)]
@@ -118,16 +167,34 @@ mod tests {
         assert_eq!(of("v(t) in R^2 [m/s]"), Some((vector, unit("m/s"))));
         assert_eq!(of("N > 0"), Some(("N > 0".to_owned(), None)), "a symbol and not a set");
         assert_eq!(of("n in N"), Some(("n \\in \\mathbb{N}".to_owned(), None)));
-        assert_eq!(of("theta <= -pi/2"), None, "what is not known is not guessed");
+        assert_eq!(of("theta <= -pi/2"), Some(("\\theta \\le -\\pi/2".to_owned(), None)));
+        assert_eq!(of("y <= 2*b + 1"), Some(("y \\le 2 \\, b + 1".to_owned(), None)));
+        assert_eq!(of("y <= (b + 1)*2"), None, "what is not known is not guessed");
     }
 
     #[test]
     fn a_line_that_is_not_known_stands_as_it_was_written() {
         let shown =
-            declarations("\nvar x <= 2*y\n# of <b>both</b>\nlet z := 1\n").expect("two lines");
+            declarations("\nvar x <= 2*(y)\n# of <b>both</b>\nlet z := 1\n").expect("two lines");
         let shown = shown.into_string();
-        assert!(shown.contains("<code>var x &lt;= 2*y</code>"), "{shown}");
+        assert!(shown.contains("<code>var x &lt;= 2*(y)</code>"), "{shown}");
         assert!(shown.contains("of &lt;b&gt;both&lt;/b&gt;</span>"), "{shown}");
         assert!(!shown.contains("let"), "{shown}");
+    }
+
+    #[test]
+    fn a_declaration_is_found_from_any_of_its_lines() {
+        let text = "claim a: x = x\nvar b > 0,\n    0 < c < b\n  # of c\nlet d := b\n";
+        let whole = "var b > 0,\n    0 < c < b\n  # of c";
+        for inside in ["var", "b > 0", "c < b", "of c"] {
+            let at = text.find(inside).expect("it is there");
+            let found = declaration_around(text, at).expect("a declaration");
+            assert_eq!(&text[found], whole, "{inside}");
+        }
+        for outside in ["a: x", "let d"] {
+            assert_eq!(declaration_around(text, text.find(outside).expect("it is there")), None);
+        }
+        let shown = declarations(whole).expect("a line").into_string();
+        assert!(shown.contains("of c</span>") && !shown.contains("<code>"), "{shown}");
     }
 }

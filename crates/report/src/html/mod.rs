@@ -22,7 +22,7 @@ use crate::origin::Origin;
 use crate::report::Entry;
 use crate::{Picture, Report, Summary};
 use anchors::Anchors;
-use declarations::declarations;
+use declarations::{declaration_around, declarations};
 pub(crate) use entry::lines;
 pub(crate) use frame::Frame;
 use prose::Part;
@@ -226,8 +226,17 @@ impl<'a> Page<'a> {
             let Some(entry) = self.entry(index) else { continue };
             let span = &entry.statement.span;
             if whole && !range.is_empty() {
-                pieces.extend(document.text.get(from..span.start).and_then(declarations));
-                from = span.end + document.text[span.end..].find('\n').unwrap_or(0);
+                // what a declaration brings along stands behind its whole line
+                let line = declaration_around(&document.text, span.start);
+                let (until, next) = match line {
+                    Some(line) => (line.end, line.end),
+                    None => {
+                        let end = document.text[span.end..].find('\n').unwrap_or(0);
+                        (span.start, span.end + end)
+                    }
+                };
+                pieces.extend(document.text.get(from..until).and_then(declarations));
+                from = next.max(from);
             }
             pieces.push(self.statement(index, &entry, level + 1));
         }
