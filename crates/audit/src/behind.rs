@@ -12,6 +12,7 @@ use num_rational::BigRational;
 use num_traits::Zero as _;
 
 use crate::explain::mentions;
+use crate::motion::mentioned;
 use crate::prove::{Budget, Decided, Memory, Prover, Verdicts};
 use crate::{Body, Document, Standing};
 
@@ -68,8 +69,25 @@ impl Witnessed<'_> {
         let is_other =
             |i: &usize| matches!(statements[*i].body, Body::Given(_)) && !self.cited.contains(i);
         let mut others: Vec<usize> = (0..self.above).filter(is_other).collect();
+        self.leave_conventions(&mut others);
         others.sort_by_key(|i| !self.further.contains(i));
         others
+    }
+
+    /// Takes away what a document says of itself about exponentials, logarithms and angles of which neither the claim nor
+    /// another given speaks: with their values it holds at every point.
+    fn leave_conventions(&self, others: &mut Vec<usize>) {
+        let stands_for = &self.document.motion.stands_for;
+        let context = &self.document.context;
+        let mut spoken = mentioned(self.goal);
+        for i in others.iter().filter(|i| !self.document.is_convention(**i)) {
+            if let Body::Given(sentence) = &self.document.statements[*i].body {
+                spoken.extend(mentions(context, sentence));
+            }
+        }
+        others.retain(|i| {
+            stands_for.get(i).is_none_or(|symbols| symbols.iter().any(|v| spoken.contains(v)))
+        });
     }
 
     /// What a given says.

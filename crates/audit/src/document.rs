@@ -179,6 +179,13 @@ impl Document {
         }
     }
 
+    /// Whether a statement is one that the language makes of an exponential, a logarithm or an angle. It holds at every
+    /// point, with their values.
+    #[must_use]
+    pub fn is_convention(&self, statement: usize) -> bool {
+        self.motion.stands_for.contains_key(&statement)
+    }
+
     /// An expression of a statement, with derivatives as they were written where the chain rule took them.
     #[must_use]
     pub fn as_written(&self, e: &Expr) -> Expr {

@@ -32,6 +32,8 @@ pub(crate) struct Motion {
     pub(crate) measured: Vec<(usize, Angle)>,
     /// what stands for exponentials and logarithms
     pub(crate) exponentials: Vec<Exponential>,
+    /// by statement, what a given about an exponential, a logarithm or an angle speaks of that nothing else has to
+    pub(crate) stands_for: BTreeMap<usize, Vec<usize>>,
     /// by statement, of which statement it is the derivative
     pub(crate) derived: BTreeMap<usize, usize>,
     /// givens that may hold nowhere near a limit, with the variables of such limits

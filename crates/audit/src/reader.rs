@@ -131,6 +131,7 @@ fn read_with(
             angles: reader.scope.angles().collect(),
             measured: reader.scope.measured().collect(),
             exponentials: reader.scope.exponentials().cloned().collect(),
+            stands_for: reader.stands_for(),
             derived: reader.derived,
             undetermined,
         };

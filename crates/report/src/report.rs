@@ -135,6 +135,13 @@ impl<'a> Entry<'a> {
         matches!(self.statement.body, Body::Claim(_))
     }
 
+    /// Whether it is claimed under conditions that might be met nowhere.
+    pub(crate) fn supposes(&self) -> bool {
+        let document = &self.audit.document;
+        let has_premise = self.judgement.hypotheses.iter().any(|i| !document.is_convention(*i));
+        has_premise || self.claim().is_none_or(|claim| !claim.when.is_empty())
+    }
+
     /// Whether it says that the premises contradict each other.
     pub(crate) fn is_contradiction(&self) -> bool {
         matches!(self.claim(), Some(claim) if matches!(claim.content, Content::Contradiction))

@@ -96,7 +96,7 @@ fn reason(entry: &Entry<'_>) -> String {
     let judgement = entry.judgement;
     let mut parts: Vec<String> = entry.expectation().into_iter().chain(entry.support()).collect();
     parts.extend(entry.decisive_reason(Form::Plain));
-    if judgement.verdict == Verdict::Proved && judgement.met.is_none() {
+    if judgement.verdict == Verdict::Proved && judgement.met.is_none() && entry.supposes() {
         parts.push("no model of the hypotheses found".to_owned());
     }
     if !judgement.rests_on.is_empty() {

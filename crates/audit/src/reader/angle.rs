@@ -4,7 +4,7 @@
 //! (cos, sin) of its part lies on the unit circle, and in the range that is declared. Whoever speaks of
 //! the point rests on that `given`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane_algebra::syntax::{Angle, Turn};
 use kane_kernel::{Bound, Expr, Link, Rel, Relation, Sentence, Var};
@@ -141,6 +141,17 @@ impl Reader {
             }
         }
         Ok(relations)
+    }
+
+    /// By statement, what is tied to the meaning of exponentials, logarithms and angles by it.
+    pub(super) fn stands_for(&self) -> BTreeMap<usize, Vec<usize>> {
+        let of_angle = |(theta, given): (&usize, &usize)| {
+            let angle = self.scope.angle(*theta)?;
+            Some((*given, vec![*theta, angle.cos, angle.sin]))
+        };
+        let angles = self.circles.iter().chain(&self.arcs).filter_map(of_angle);
+        let others = self.exponentials.iter().map(|(symbol, given)| (*given, vec![*symbol]));
+        angles.chain(others).collect()
     }
 
     /// The `given`s of the angles that are among these symbols by themselves, and by their points, or have
