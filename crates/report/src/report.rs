@@ -7,7 +7,7 @@ use kane_kernel::{Context, Link, Sentence};
 
 use crate::origin::Origin;
 use crate::place::Place;
-use crate::words::{self, Form, Line, Subject};
+use crate::words::{self, Form, Formulas, Line, Subject};
 
 /// An audit, the statements of it that are shown, and the command that shows them again.
 #[derive(Clone, Debug)]
@@ -160,12 +160,23 @@ impl<'a> Entry<'a> {
 
     /// The statement as written, on one line and without comments.
     pub(crate) fn source(&self) -> String {
-        self.audit.document.on_one_line(self.statement.span.clone())
+        let source = self.audit.document.on_one_line(self.statement.span.clone());
+        if source.is_empty() { self.saying() } else { source }
     }
 
     /// What the statement says as written: without its kind and label, and without what it cites and expects.
+    ///
+    /// What the language says of an exponential is written nowhere, and is what it says.
     pub(crate) fn saying(&self) -> String {
-        self.audit.document.on_one_line(self.statement.parts.saying())
+        let document = &self.audit.document;
+        let said = document.on_one_line(self.statement.parts.saying());
+        match &self.statement.body {
+            Body::Given(sentence) if said.is_empty() => {
+                let relations: Vec<_> = sentence.relations().cloned().collect();
+                Formulas::new(Form::Plain, &document.context, &[]).relations(&relations)
+            }
+            _ => said,
+        }
     }
 
     /// The claim, if it is one.

@@ -7,6 +7,7 @@ use kane_audit::Verdict;
 use unicode_width::UnicodeWidthStr;
 
 use crate::report::Entry;
+use crate::sheet::wrapped;
 use crate::shorten::{padded, shorten};
 use crate::words::Form;
 use crate::{Page, Report, Summary};
@@ -15,6 +16,8 @@ use crate::{Page, Report, Summary};
 const LABEL: usize = 16;
 /// Columns for what a statement says, where the page has no width.
 const SAYING: usize = 48;
+/// Before a reason that stands below what is said.
+const REASON: &str = "      ";
 /// Columns for the longest verdict.
 const VERDICT: usize = 11;
 
@@ -52,6 +55,7 @@ struct Columns {
     saying: usize,
     /// what is left for what is said and the reason; `None` is without end
     rest: Option<usize>,
+    width: Option<usize>,
 }
 
 impl Columns {
@@ -66,7 +70,7 @@ impl Columns {
         });
         let rest = page.width.map(|width| width.saturating_sub(2 + VERDICT + 2 + label + 2));
         let saying = longest.min(rest.map_or(SAYING, |rest| rest / 2));
-        Self { label, saying, rest }
+        Self { label, saying, rest, width: page.width }
     }
 }
 
@@ -78,11 +82,21 @@ fn line(out: &mut String, entry: &Entry<'_>, columns: &Columns, style: Style) {
     let _ = write!(out, "{style}{mark} {verdict:VERDICT$}{style:#}  {label}  ");
     let reason = reason(entry);
     let rest = columns.rest.unwrap_or(usize::MAX);
+    let said = entry.saying();
+    let whole = format!("{}  {reason}", padded(&shorten(&said, columns.saying), columns.saying));
     if reason.is_empty() {
-        out.push_str(&shorten(&entry.saying(), rest));
+        out.push_str(&shorten(&said, rest));
+    } else if let Some(width) = columns.width
+        && whole.width() > rest
+        && (!entry.judgement.as_expected() || entry.judgement.verdict != Verdict::Proved)
+    {
+        // what decides against a claim is seen whole, below it
+        out.push_str(&shorten(&said, rest));
+        for line in wrapped(REASON, &reason, width) {
+            let _ = write!(out, "\n{}", shorten(&line, width));
+        }
     } else {
-        let saying = padded(&shorten(&entry.saying(), columns.saying), columns.saying);
-        out.push_str(&shorten(&format!("{saying}  {reason}"), rest));
+        out.push_str(&shorten(&whole, rest));
     }
     out.truncate(out.trim_end().len());
     out.push('\n');
