@@ -92,6 +92,7 @@ fn line(out: &mut String, entry: &Entry<'_>, columns: &Columns, style: Style) {
     {
         // what decides against a claim is seen whole, below it
         out.push_str(&shorten(&said, rest));
+        out.truncate(out.trim_end().len());
         for line in wrapped(REASON, &reason, width) {
             let _ = write!(out, "\n{}", shorten(&line, width));
         }
