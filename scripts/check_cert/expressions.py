@@ -273,7 +273,7 @@ class Reader:
             return self.direction(self.take("sin", "cos", "tan"))
         if self.kind == "name" and self.word in ("exp", "log") and self.is_free(self.word):
             return self.exponential(self.take("exp", "log"))
-        if self.in_angle and self.kind == "name" and self.word == "pi" and self.is_free("pi"):
+        if self.in_angle and self.kind == "name" and self.word == "pi":
             self.advance()
             return ("pi", 1)
         if self.kind == "name" and self.word in arrays.FUNCTIONS and self.is_free(self.word):

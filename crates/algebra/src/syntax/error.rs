@@ -105,6 +105,11 @@ pub enum SyntaxErrorKind {
     /// the limit variable is a definition or a function
     #[error("`{0}` is not a plain `var` and cannot be the limit variable")]
     NotALimitVariable(String),
+    /// a limit of an angle at a symbol
+    #[error(
+        "`{0}` is an angle, since it stands inside `sin`, `cos` or `tan` in this document: its limits are at numbers"
+    )]
+    AngleAtASymbol(String),
     /// a limit point or bound that is not a number
     #[error("this must be a rational constant")]
     NotConstant,

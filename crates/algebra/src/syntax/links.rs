@@ -224,9 +224,12 @@ impl Parser<'_> {
         let Some(declared) = self.scope().context().vars.get(var) else {
             return Ok(None);
         };
-        let is_plain =
-            |scope: &Scope| scope.sequences().index_of(var).is_none() && scope.angle(var).is_none();
+        let is_plain = |scope: &Scope| scope.sequences().index_of(var).is_none();
         let at_number = matches!(at, Point::Fixed(_));
+        if declared.of.is_none() && !at_number && self.scope().angle(var).is_some() {
+            self.report(SyntaxErrorKind::AngleAtASymbol(excerpt(name)), name_span);
+            return Ok(None);
+        }
         if declared.of.is_some() || !at_number && !is_plain(self.scope()) {
             self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
             return Ok(None);
