@@ -11,7 +11,7 @@ from . import angles, arrays, bounds, exponentials, logic, motion, sequences, sh
 from .units import Units, read as read_unit
 from .errors import Rejected, Unreadable, demand
 from .evidence import text as written_text
-from .expressions import GREEK, RESERVED, Reader, parts, symbols_in
+from .expressions import GREEK, MATHEMATICAL, RESERVED, Reader, parts, symbols_in
 from .ties import Ties
 
 SMALL_GREEK = sorted({name for name in GREEK.values() if name.islower()}, key=len, reverse=True)
@@ -469,6 +469,8 @@ class Document:
             parameters = self.bound_names(reader)
             reader.expect(")")
         reader.expect(":=")
+        if name in MATHEMATICAL:
+            reader.fail(f"`{name}` has a meaning of its own")
         self.add(Statement("let", label or name))
         reader.bound = parameters
         body = reader.value()

@@ -13,6 +13,8 @@ from . import angles, arrays, exponentials, logic, motion, sequences, sums, temp
 from .arrays import Array
 from .errors import Unreadable
 
+# what no definition is called
+MATHEMATICAL = {"sin", "cos", "tan", "exp", "log", "pi"}
 RESERVED = set(
     "oo d abs min max sqrt cases else from when as using by expect not implied contradiction"
     " and or implies iff exists".split()
