@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use kane_algebra::syntax::NoValue;
 use kane_kernel::{Approach, Atom, Rejection};
 
 use crate::Variable;
@@ -42,6 +43,20 @@ pub enum Open {
     Index,
     /// with numbers, or n + 1, in the place of an index it comes to too much
     Long,
+    /// a limit is of what is undefined at a place near its point
+    UndefinedNear {
+        /// the place
+        at: String,
+        /// why there is no value
+        why: NoValue,
+    },
+    /// what a limit is claimed to be is undefined
+    NoTarget {
+        /// for these values of its symbols; none if it has no symbol
+        at: String,
+        /// why there is no value
+        why: NoValue,
+    },
     /// the step of an induction fails at these values, and the claim at no index that was tried
     Step(String),
 }
@@ -89,6 +104,19 @@ impl fmt::Display for Open {
                  on them that hold for all indices may be missing from `from`",
             ),
             Self::Long => f.write_str("it comes to too much when powers and terms are written out"),
+            Self::UndefinedNear { at, why } => write!(
+                f,
+                "near the point it is undefined ({why}), for example at {at}; a side, as in `0+`, a `when` or a \
+                 narrower domain leaves that out"
+            ),
+            Self::NoTarget { at, why } if at.is_empty() => {
+                write!(f, "what it should tend to is undefined ({why})")
+            }
+            Self::NoTarget { at, why } => write!(
+                f,
+                "what it should tend to is undefined ({why}), for example for {at}; a `when` leaves that \
+                 out"
+            ),
             Self::Step(at) => write!(
                 f,
                 "it does not follow from the claim at the index before and from what is cited (it fails \

@@ -64,6 +64,7 @@ mod symbols;
 mod tactics;
 mod tangents;
 mod touching;
+mod undefined;
 mod variation;
 mod witness;
 mod written;
@@ -469,6 +470,9 @@ impl Prover<'_> {
             || proves(limits::prove_by_cases(goal, limit, steps, &|| self.fuel()), out);
         if !decided {
             out.unreached = self.unreached(goal, limit);
+            if self.work.left() > 0 {
+                out.open = undefined::undefined(goal, limit).or(out.open.take());
+            }
         }
     }
 
