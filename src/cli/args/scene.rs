@@ -32,7 +32,8 @@ pub(crate) struct SceneArgs {
     #[arg(value_name = "FILE.toml")]
     pub(crate) file: PathBuf,
 
-    /// Answer by this model instead of the least good one: NAME or NAME/SYSTEM
+    /// Answer by this model instead of the least good one: NAME, which is in f64, or NAME/SYSTEM,
+    /// with f32, f64, double-double, interval or rational
     #[arg(long, value_name = "MODEL")]
     pub(crate) model: Option<String>,
 

@@ -61,6 +61,12 @@ impl SceneReport<'_> {
         };
         match (good, answer.chosen) {
             (true, _) => format!("{shown}: {each}{surely}{open}"),
+            (false, None) if answer.wanted.is_some() && !self.is_compared => match verdict {
+                Some(Judged { verdict: Verdict::Misses { .. }, .. }) => {
+                    format!("{shown}, the model asked for, is not good enough")
+                }
+                _ => format!("{shown}, the model asked for, is not known to be good enough"),
+            },
             (false, None) => format!("no model is known to be good enough; shown is {shown}"),
             (false, Some(chosen)) => {
                 format!("{shown} is not known to be good enough; {chosen} is")

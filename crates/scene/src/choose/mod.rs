@@ -82,8 +82,10 @@ pub struct Answer {
     pub known: Option<Known>,
     /// The models that were tried, from the cheapest.
     pub judged: Vec<Judged>,
-    /// The cheapest that is good enough; `None` if none is.
+    /// The cheapest of those tried that is good enough; `None` if none is.
     pub chosen: Option<Model>,
+    /// The one that was asked for; it alone was tried, if not [all](Effort::All) were.
+    pub wanted: Option<Model>,
     /// The one whose answer is shown: the chosen one, or the one that was asked for, or the most
     /// faithful one.
     pub shown: Model,
@@ -187,7 +189,7 @@ pub fn answer(
             spread: spread.map(|spread| spread[index]),
         })
         .collect();
-    let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted);
+    let reasons = reasons::reasons(scene, &reference, &judged, chosen, wanted, effort);
     let stated = |x: &Rational| Shown { value: x.to_f64(), text: x.to_string() };
     Ok(Answer {
         sha256: scene.sha256.clone(),
@@ -195,6 +197,7 @@ pub fn answer(
         lines,
         known: reference.values.is_ok().then_some(reference.known),
         chosen,
+        wanted,
         shown,
         reasons,
         picture: Picture::of(scene, shown, laws),

@@ -1,5 +1,6 @@
 //! Why this model, in sentences.
 
+use super::Effort;
 use super::evaluate::{Found, contact};
 use super::judge::{Judged, Place, Verdict};
 use super::model::{Mechanics, Model};
@@ -30,6 +31,7 @@ pub(super) fn reasons(
     judged: &[Judged],
     chosen: Option<Model>,
     wanted: Option<Model>,
+    effort: Effort,
 ) -> Vec<String> {
     let mut said = vec![format!(
         "The scene's own terms are {}{}.",
@@ -54,9 +56,13 @@ pub(super) fn reasons(
     said.extend(of_the_loss(scene, reference));
     if let Some(wanted) = wanted {
         said.push(format!("{wanted} was asked for."));
+        said.extend(of_the_wanted(scene, judged, wanted));
     }
+    // where only the one that was asked for was tried, nothing is known of the others
+    let alone = wanted.is_some() && effort == Effort::Chosen;
     match chosen {
-        Some(chosen) => of_the_choice(reference, judged, chosen, &mut said),
+        Some(chosen) => of_the_choice(reference, judged, chosen, alone, &mut said),
+        None if alone && reference.values.is_ok() => {}
         None => said.push(limit(scene, reference, judged)),
     }
     said.extend(of_the_inputs(scene, reference));
@@ -192,7 +198,34 @@ fn of_the_loss(scene: &Scene, reference: &Reference) -> Option<String> {
     Some(said)
 }
 
-fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: &mut Vec<String>) {
+/// What the model that was asked for lacks; `None` if it is good enough.
+fn of_the_wanted(scene: &Scene, judged: &[Judged], wanted: Model) -> Option<String> {
+    let found = judged.iter().find(|judged| judged.model == wanted)?;
+    match &found.verdict {
+        Verdict::Meets => None,
+        Verdict::Misses { quantity, .. } => {
+            let asked = scene.asked.iter().find(|asked| asked.quantity == *quantity)?;
+            let (tolerance, off) = (asked.tolerance.to_f64(), in_words(&found.verdict));
+            Some(match tolerance == 0.0 {
+                true => {
+                    format!("It is not good enough: {off}, where the exact value is asked for.")
+                }
+                false => format!("It is not good enough: {off}, more than {}.", short(tolerance)),
+            })
+        }
+        Verdict::Uncertified(_) | Verdict::Fails(_) => {
+            Some(format!("It is not known to be good enough: {}.", in_words(&found.verdict)))
+        }
+    }
+}
+
+fn of_the_choice(
+    reference: &Reference,
+    judged: &[Judged],
+    chosen: Model,
+    alone: bool,
+    said: &mut Vec<String>,
+) {
     // the most costly of those passed over tells most; of each mechanics the best
     let passed = judged.iter().take_while(|judged| judged.model != chosen);
     let mut told: Vec<(Mechanics, &Judged)> = Vec::new();
@@ -232,8 +265,9 @@ fn of_the_choice(reference: &Reference, judged: &[Judged], chosen: Model, said: 
         .iter()
         .rfind(|judged| judged.model.mechanics == chosen.mechanics)
         .map(|judged| format!("; {}: {}", judged.model.system, in_words(&judged.verdict)));
+    let is = if alone { "Good enough is" } else { "Good enough and cheapest is" };
     said.push(format!(
-        "Good enough and cheapest is {}{equal}, in {}{error}{}.",
+        "{is} {}{equal}, in {}{error}{}.",
         chosen.mechanics.words(),
         chosen.system,
         shorter.unwrap_or_default()

@@ -338,6 +338,23 @@ fn another_model_is_answered_with_its_error() {
 }
 
 #[test]
+fn of_one_model_that_was_asked_for_nothing_is_said_of_the_others() {
+    let why = |name: &str| {
+        let model = Model::named(name, laws()).unwrap();
+        answered("backspin", SHIPPED[1].1, Some(model)).1.reasons.join(" ")
+    };
+    let off = why("whittaker-uncapped");
+    let said = "It is not good enough: omega_rad_s is off by";
+    assert!(off.contains(said) && off.contains(", more than 3."), "{off}");
+    // the cheapest is in f32, but that was not tried
+    let double = why("routh-newton/f64");
+    assert!(double.contains("Good enough is Coulomb friction"), "{double}");
+    for said in [off, double] {
+        assert!(!said.contains("no model reaches") && !said.contains("cheapest"), "{said}");
+    }
+}
+
+#[test]
 fn what_the_inputs_move_is_enclosed_tightly_enough_to_tell() {
     let (_, answer) = answered("backspin", SHIPPED[1].1, None);
     // 200,000 samples and the corners, in an independent program
