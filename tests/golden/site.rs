@@ -34,8 +34,8 @@ fn judged(stem: &str) -> Audit {
 fn a_site_in_small() {
     let some = |ids: &[&str]| Some(ids.iter().map(|id| (*id).to_owned()).collect());
     let selection = Selection {
-        laws: some(&["wang-su-li", "smith-1991", "kane-levinson"]),
-        properties: some(&["C1", "energy", "subdivision"]),
+        laws: some(&["wang-su-li", "smith-1991", "kane-levinson", "brach", "keller-printed"]),
+        properties: some(&["C1", "energy-tangential", "energy-sphere", "energy", "subdivision"]),
     };
     let matrix = matrix(laws(), &selection, &mut |_, _| {});
     let stems = ["oblique-collision", "bouncing-ball"];

@@ -104,16 +104,35 @@ fn others(site: &Site<'_>) -> Words {
         + format!(" have {claims} claims: {}; {expected}.", fared(&verdicts))
 }
 
-/// Which laws create energy on some planar contact, and in how many Kane's pendulum gains some.
+/// Which laws create energy on some planar contact, in which friction alone does, and in how many Kane's pendulum gains
+/// some.
 fn energy(site: &Site<'_>) -> Words {
     let matrix = site.matrix.matrix;
-    let Some(column) = matrix.properties.iter().position(|property| property.id == "energy") else {
+    if !matrix.properties.iter().any(|property| property.group == "energy") {
         return Words::default();
+    }
+    let found = |row: &Row, id: &str| {
+        let column = matrix.properties.iter().position(|property| property.id == id)?;
+        row.cells.get(column).map(|cell| cell.finding)
     };
-    let is_refuted =
-        |row: &&Row| row.cells.get(column).is_some_and(|cell| cell.finding == Finding::Refuted);
-    let creators: Vec<String> =
-        matrix.rows.iter().filter(is_refuted).map(|row| row.law.info.id.to_owned()).collect();
+    let laws = |is_meant: &dyn Fn(&Row) -> bool| -> Vec<String> {
+        let meant = matrix.rows.iter().filter(|row| is_meant(row));
+        meant.map(|row| row.law.info.id.to_owned()).collect()
+    };
+    // a law that says nothing of contacts that couple is asked on a sphere alone, which is a planar contact, too
+    let totals = ["energy-sphere", "energy"];
+    let creators = laws(&|row| totals.iter().any(|id| found(row, id) == Some(Finding::Refuted)));
+    let by_friction = laws(&|row| {
+        found(row, "energy-tangential") == Some(Finding::Refuted)
+            && totals.iter().all(|id| found(row, id) == Some(Finding::Proved))
+    });
+    let friction = match by_friction.is_empty() {
+        true => String::new(),
+        false => format!(
+            "; in {} friction does, though the collision as a whole does not",
+            listed(&by_friction)
+        ),
+    };
     let map = site.figures.iter().find_map(|figure| match &figure.content {
         Content::Map(panels) => Some(panels),
         Content::Curves { .. } => None,
@@ -134,7 +153,8 @@ fn energy(site: &Site<'_>) -> Words {
         "{} of {all} laws create energy on some planar contact: {}",
         creators.len(),
         listed(&creators)
-    )) + gains
+    )) + friction
+        + gains
 }
 
 /// What f64, double-double and exact fractions cost.
