@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane::figures::experiment::{self, Point};
 use kane::impact::compliant::{Compliance, MawBarberFawcett, Process as _};
 use kane::impact::{Alpha, Law, law, laws};
+use kane::report::site::Fit;
 
 use super::cells::Cells;
 use super::{groups, law_link, signed};
@@ -133,9 +134,24 @@ pub(super) fn section(cells: Cells<'_>) -> Result<Reality, NotMade> {
             point.alpha
         );
     }
+    out.push_str(&by_the_median());
     let keep = cells.laws_with(&["energy-sphere", "cone-sphere"]);
     out.push_str(&needed(&points, &order, &keep));
     Ok(Reality { text: out, slides, half_space, sliding })
+}
+
+/// What the site tells of the same laws by another measure, by which another is nearest.
+fn by_the_median() -> String {
+    let fits = experiment::fits(laws());
+    let of = |fit: &Fit| {
+        let names: Vec<String> = fit.laws.iter().map(|id| law_link(id)).collect();
+        format!("{} {:.2}", names.join(", "), fit.median)
+    };
+    let first: Vec<String> = fits.iter().take(3).map(of).collect();
+    format!(
+        "\n`kane site` tells the median distance of k instead, over all points of four series. A few points that are far off do not move it, so that others are nearest: {}.\n",
+        first.join("; ")
+    )
 }
 
 /// The μ that the laws need which keep energy and cone.

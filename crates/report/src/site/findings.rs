@@ -184,8 +184,10 @@ fn experiment(fits: &[Fit]) -> Words {
         Some(paper) if paper != best => format!("; the paper's law is {:.2} off", paper.median),
         _ => String::new(),
     };
+    // by another measure another law may be nearest
     let off = format!(
-        " {} is nearest, with a median distance of k of {:.2}{paper}.",
+        " {} is nearest by the median distance of k over all points, {:.2}{paper}. docs/verdict.md measures one series \
+         of them by the root of the mean square.",
         names(best),
         best.median
     );
