@@ -16,8 +16,8 @@ Examples:
   kane laws --out reports                 also writes reports/laws.html, .txt, .md and .json, and
                                           the picture reports/matrix.svg with its data, .csv
 
-A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact that \
-it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what \
+A cell is proved, with certificates that the kernel accepted; or refuted, by an exact contact, or \
+of a limit by a bound, which it accepted too; or not applicable, or undecided, with the reason. docs/properties.md says what \
 each property asks.
 ";
 
