@@ -10,8 +10,8 @@ Examples:
 
 The shipped derivations are audited, the laws held against every property, the paper's formulas \
 examined, the shipped collisions and scenes answered, and methods timed, quickly. It takes under a \
-minute; standard error says what takes how long. The site is read from the disk: no page loads \
-anything, and all links are relative.
+minute; standard error says what takes how long. The site is read from the disk: pages load \
+what they share from the folder `shared` beside them and nothing else, and all links are relative.
 
 Exit codes:
   0  the site is written, whatever it says
