@@ -273,6 +273,25 @@ fn the_schema_and_the_sweep_are_printed() {
     let run = kane(&["check", file.to_str().expect("UTF-8")]);
     assert_eq!(run.code, 3, "{}", run.stdout);
     assert!(run.stdout.contains("vx1_post_m_s is empty"), "{}", run.stdout);
+    for of_nothing in ["inf", "as the numbers tell", "0 of 0", "Checks"] {
+        assert!(!run.stdout.contains(of_nothing), "{of_nothing}: {}", run.stdout);
+    }
+    let names = "mass1_kg,radius1_m,inertia1_kg_m2,mu,e,vx1_pre_m_s,vy1_pre_m_s,omega1_pre_rad_s,\
+                 vx1_post_m_s,vy1_post_m_s,omega1_post_rad_s\n";
+    fs::write(&file, names).expect("the scratch folder is ours");
+    let run = kane(&["check", file.to_str().expect("UTF-8")]);
+    assert_eq!(run.code, 3, "{}", run.stdout);
+    assert!(run.stdout.contains("The log has no impacts\n"), "{}", run.stdout);
+}
+
+#[test]
+fn a_long_headline_is_set_in_lines() {
+    let run = kane(&["check", "crates/records/tests/data/mujoco-4.0.0_default.csv"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let news = run.stdout.split("\n\n").next().expect("it begins with the news");
+    assert!(news.lines().count() > 4, "{news}");
+    let widest = news.lines().map(|line| line.chars().count()).max();
+    assert!(widest <= Some(100), "{news}");
 }
 
 /// A log with the names of an engine is the same log: a preset says what its columns are, and the command that is

@@ -13,7 +13,10 @@ use super::wording::{at_line, brief, factor, formats, friction};
 #[must_use]
 pub fn headline(study: &Study) -> String {
     if study.rows == 0 {
-        return "No row could be checked.".to_owned();
+        return match study.rejections.total() {
+            0 => "The log has no impacts.".to_owned(),
+            _ => "No row could be checked.".to_owned(),
+        };
     }
     let mut parts = vec![normal(study)];
     parts.extend(tangential(study));

@@ -30,6 +30,10 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
     facts.push(Entry::new("not read", study.header.unread.join(", ")));
     facts.push(Entry::new("SI assumed", study.header.unitless.join(", ")));
     sheet.labelled(facts);
+    // tables of nothing would read as if something had been asked
+    if study.rows == 0 {
+        return sheet;
+    }
     sheet.heading("checks", "Checks, with the worst residual and what is allowed");
     sheet.table(checks(report));
     if !study.friction.is_empty() {

@@ -274,8 +274,11 @@ pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
         (_, Some(or)) => format!("or {}, which too few tell", or.name()),
         _ => "as the numbers tell".to_owned(),
     };
-    let mut text =
-        format!("{} rows checked, numbers in {} ({told})", study.rows, formats(&precision.told));
+    let mut text = format!("{} rows checked", study.rows);
+    // without a number there is nothing to tell a format from
+    if study.rows > 0 || study.format_stated {
+        let _ = write!(text, ", numbers in {} ({told})", formats(&precision.told));
+    }
     let rejected = study.rejections.total();
     if rejected > 0 {
         let _ = write!(text, ", {rejected} rows REJECTED");

@@ -33,7 +33,9 @@ impl Sheet<'_> {
         let mut out = String::new();
         let _ = writeln!(out, "{}", self.title);
         if !self.headline.is_empty() {
-            let _ = writeln!(out, "{bold}{}{bold:#}", self.headline);
+            for line in wrapped("", &self.headline, prose) {
+                let _ = writeln!(out, "{bold}{line}{bold:#}");
+            }
         }
         // a heading stands close to what it heads, a paragraph to the paragraph above
         let mut headed = false;
