@@ -1,26 +1,30 @@
-//! What the README shows is what the program prints.
+//! What the README and the page of impact records show is what the program prints.
 
 use crate::kane;
 
 const README: &str = include_str!("../../README.md");
+const RECORDS: &str = include_str!("../../docs/records.md");
 
 /// Every block that begins with `$ kane …` is the output of that command. A line with `…` alone stands for lines
 /// left out, a `…` at the end of a line for the rest of it.
 #[test]
 fn every_shown_output_is_what_the_program_prints() {
-    let mut shown = 0;
-    for block in README.split("```").skip(1).step_by(2) {
-        let Some((command, output)) = block.trim_start_matches("console\n").split_once('\n') else {
-            continue;
-        };
-        let Some(command) = command.strip_prefix("$ kane ") else {
-            continue;
-        };
-        let run = kane(&command.split(' ').collect::<Vec<_>>());
-        compare(output, &run.stdout);
-        shown += 1;
+    for page in [README, RECORDS] {
+        let mut shown = 0;
+        for block in page.split("```").skip(1).step_by(2) {
+            let Some((command, output)) = block.trim_start_matches("console\n").split_once('\n')
+            else {
+                continue;
+            };
+            let Some(command) = command.strip_prefix("$ kane ") else {
+                continue;
+            };
+            let run = kane(&command.split(' ').collect::<Vec<_>>());
+            compare(output, &run.stdout);
+            shown += 1;
+        }
+        assert!(shown > 0, "the page shows no output");
     }
-    assert!(shown > 0, "the README shows no output");
 }
 
 /// Goes through both texts; a mark of omission skips to the next line that is shown.
@@ -37,12 +41,12 @@ fn compare(shown: &str, printed: &str) {
             None => actual == line,
         };
         let found = if skipping { printed.any(fits) } else { printed.next().is_some_and(fits) };
-        assert!(found, "the README shows, but the program does not print:\n{line}");
+        assert!(found, "the page shows, but the program does not print:\n{line}");
         skipping = false;
     }
     assert!(
         skipping || printed.next().is_none(),
-        "the README ends before the output does, without saying so"
+        "the page ends before the output does, without saying so"
     );
 }
 
