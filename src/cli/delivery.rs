@@ -126,6 +126,20 @@ pub(super) fn write(dir: &Path, inputs: &[&Path], files: &[Written]) -> Result<(
     put
 }
 
+/// Looks at the directory and at one file of those that will be written, for a run that takes long to make them.
+///
+/// # Errors
+/// If it is no directory and none can be made there, or the file may not be written.
+pub(super) fn look(dir: &Path, first: &str) -> Result<(), Refusal> {
+    let folders = dir.ancestors().filter(|place| !place.as_os_str().is_empty());
+    let there = folders.filter_map(|place| fs::metadata(place).ok()).next();
+    if there.is_some_and(|it| !it.is_dir()) {
+        let error = io::Error::from(io::ErrorKind::NotADirectory);
+        return Err(Refusal::Failed(dir.to_owned(), error));
+    }
+    check(dir, &[], &Written::new(first, String::new()))
+}
+
 /// A new file for the text until it is complete, which is nobody's and no link.
 fn beside(target: &Path) -> io::Result<(PathBuf, File)> {
     let mut tries = 0_u32;

@@ -27,6 +27,9 @@ use super::delivery::{self, Written};
 use super::{Outcome, bad_input, machine, output};
 use stages::Stages;
 
+/// The page that is opened first.
+const INDEX: &str = "index.html";
+
 /// Runs the verb.
 pub(super) fn run(args: &SiteArgs) -> Outcome {
     made(&args.out).err().unwrap_or(Outcome::AsExpected)
@@ -34,6 +37,8 @@ pub(super) fn run(args: &SiteArgs) -> Outcome {
 
 /// Makes the site and writes it; all of it or nothing.
 fn made(out: &Path) -> Result<(), Outcome> {
+    // what it takes most of a minute to make should have a place
+    delivery::look(out, INDEX).map_err(|why| bad_input(&why.to_string()))?;
     let mut stages = Stages::default();
     // proofs on one core, numbers on another; what is timed comes after them
     let (audits, matrix, numbers) = std::thread::scope(|scope| {
@@ -114,7 +119,7 @@ fn made(out: &Path) -> Result<(), Outcome> {
     stages.finish();
     let bytes: usize = files.iter().map(|file| file.bytes().len()).sum();
     let kilobytes = bytes / 1000;
-    let index = out.join("index.html");
+    let index = out.join(INDEX);
     let told = format!(
         "{}\n{} files, {kilobytes} kB; open {}\n",
         kane::report::site::index(&site).text(Page::default()),

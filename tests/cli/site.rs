@@ -7,6 +7,25 @@ use serde_json::Value;
 use crate::{kane, scratch};
 
 #[test]
+fn where_a_site_cannot_be_written_is_said_before_it_is_made() {
+    let dir = scratch("site-place");
+    let file = dir.join("file");
+    fs::write(&file, "mine\n").expect("writable");
+    fs::write(dir.join("index.html"), "<p>mine").expect("writable");
+    for (place, said) in [
+        (&file, "not a directory"),
+        (&file.join("below"), "not a directory"),
+        (&dir, "did not write"),
+    ] {
+        let run = kane(&["site", "--out", place.to_str().expect("UTF-8")]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
+        // a stage that took seconds would have a line of its own
+        assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
+        assert!(run.stderr.contains(said), "{}", run.stderr);
+    }
+}
+
+#[test]
 fn a_site_needs_a_directory() {
     let run = kane(&["site"]);
     assert_eq!(run.code, 2);
