@@ -358,6 +358,7 @@ fn a_file_s_fault_is_shown_in_its_line() {
         ("missing", format!("{good}{rod}"), ":3:1", "missing field `velocity_m_s`"),
         ("syntax", "friction = = 1\n".to_owned(), ":1:12", ""),
         ("none", good.to_owned(), "none.toml", "exactly one of"),
+        ("empty", String::new(), "empty.toml", "the file is empty"),
         (
             "domain",
             format!("friction = -0.3\nrestitution = 0.5\n{rod}velocity_m_s = [0, -1]\n"),

@@ -76,12 +76,25 @@ impl Source<'_> {
     /// The first thing that does not fit, with the key that may have been meant.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Fault> {
         toml::from_str(self.text).map_err(|error| {
+            if let Some(message) = self.lacks_all() {
+                return self.fault(0..0, message);
+            }
             let span = error.span().unwrap_or_default();
             let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
             let mut fault = self.fault(span, message);
             fault.note = suggestion(&fault.message);
             fault
         })
+    }
+
+    /// What is said of a file without a key, where the name of the first one that is missing would mislead.
+    fn lacks_all(&self) -> Option<&'static str> {
+        let keys = self.text.parse::<toml::Table>().ok().filter(|_| !self.of_flags)?;
+        match self.text.trim().is_empty() {
+            _ if !keys.is_empty() => None,
+            true => Some("the file is empty"),
+            false => Some("the file has comments alone, and no key"),
+        }
     }
 
     /// A number's text: TOML's own floats would not be exact.

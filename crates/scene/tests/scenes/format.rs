@@ -118,6 +118,14 @@ fn numbers_that_are_none_are_refused() {
     let fault = scene("bad.toml", &text).expect_err("it has no mass");
     assert!(fault.message.contains("missing field `mass_kg`"), "{}", fault.message);
     assert_eq!(fault.line, 7, "{fault}");
+    for (text, message) in [
+        ("", "the file is empty"),
+        ("\n \n", "is empty"),
+        ("# soon\n", "comments alone, and no key"),
+    ] {
+        let fault = scene("bad.toml", text).expect_err("it says nothing");
+        assert!(fault.message.contains(message), "{}", fault.message);
+    }
 }
 
 #[test]
