@@ -40,3 +40,20 @@ fn the_table_of_the_paper() {
     assert_eq!(svg, picture(&report), "the same in every run");
     assert_kept("docs/figures/formula-failures.svg", &strips_picture(&report));
 }
+
+/// A formula of three inputs is searched at points, which are in the table alone.
+#[test]
+fn where_no_formula_that_fails_can_be_drawn_there_is_no_picture() {
+    let drawings = |text: &str| {
+        let document = kane::audit::read("d.md", text.as_bytes()).expect("it is well formed");
+        let stability = examine(&document, false, &mut |_, _| {});
+        let command = "kane stability d.md".to_owned();
+        let report = StabilityReport { stability: &stability, accounts: &[], command };
+        let sheet = sheet(&report);
+        assert!(sheet.headline().contains("1 fails somewhere"), "{}", sheet.headline());
+        sheet.drawings().len()
+    };
+    let several = "# D\n\n```kane\nvar a > 0, b > 0, c > 0\nlet f := (a + b)*c - a*c\n```\n";
+    assert_eq!(drawings(several), 0);
+    assert_eq!(drawings(&several.replace("*c", "*a")), 1, "of two inputs there is one");
+}

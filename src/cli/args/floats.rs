@@ -119,7 +119,8 @@ pub(crate) struct StabilityArgs {
     #[arg(long)]
     pub(crate) rounded_inputs: bool,
 
-    /// Also write NAME-stability.html, .txt, .md, .tex, .json, .csv and .svg into this directory
+    /// Also write NAME-stability.html, .txt, .md, .tex, .json and .csv, and as .svg what can be drawn, into this
+    /// directory
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 

@@ -18,17 +18,26 @@ const PANEL: Point = (316.0, 240.0);
 const COLUMNS: usize = 3;
 const LEGEND: f64 = 30.0;
 
+/// Whether a formula that fails has one or two inputs: of more the picture shows nothing.
+pub(super) fn shows_something(report: &StabilityReport<'_>) -> bool {
+    let entries = report.entries();
+    let mut failing = entries.iter().filter(|entry| entry.fails());
+    failing.any(|entry| !rows(entry).is_empty() || plane(entry).is_some())
+}
+
+/// What is drawn of a formula of two inputs.
+fn plane<'a>(entry: &Entry<'a>) -> Option<&'a Plane> {
+    entry.planes.iter().find(|plane| plane.format == "f64").copied()
+}
+
 /// Every formula that fails and has at most two inputs, as SVG.
 #[must_use]
 pub fn picture(report: &StabilityReport<'_>) -> String {
     let entries = report.entries();
     let failing = || entries.iter().filter(|entry| entry.fails());
     let rows: Vec<Strip> = failing().flat_map(rows).collect();
-    let planes = failing().filter_map(|entry| {
-        let plane = entry.planes.iter().find(|plane| plane.format == "f64")?;
-        Some((entry, *plane))
-    });
-    let planes: Vec<(&Entry<'_>, &Plane)> = planes.collect();
+    let planes: Vec<(&Entry<'_>, &Plane)> =
+        failing().filter_map(|entry| Some((entry, plane(entry)?))).collect();
     let title = report.stability.title.as_deref().unwrap_or(&report.stability.name);
     let notes = [
         "A strip is a formula over its input, f32 above f64; inputs below 0 have a strip of their own. Far from 1 the \

@@ -2,6 +2,7 @@
 
 use kane_measure::{Fault, Point};
 
+use super::picture::shows_something;
 use super::{Entry, StabilityReport, bits, interval, named, picture, short, strips_picture};
 use crate::sheet::{Column, Entry as Line, Row, Sheet, Table, Tone, Words, row};
 
@@ -22,12 +23,11 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
     let mut sheet = Sheet::new("Stability", title, report.headline(), &report.command);
     sheet.prose(READING);
     let entries = report.entries();
-    if entries.iter().any(Entry::fails) {
-        if entries.iter().any(|e| e.lines.iter().any(|line| !line.ranges.is_empty())) {
-            sheet.figure("strips", "At a glance", || strips_picture(report));
-        }
-        let draw = || picture(report);
-        sheet.figure("stability", "Bits lost by the input", draw);
+    if entries.iter().any(|e| e.lines.iter().any(|line| !line.ranges.is_empty())) {
+        sheet.figure("strips", "At a glance", || strips_picture(report));
+    }
+    if shows_something(report) {
+        sheet.figure("stability", "Bits lost by the input", || picture(report));
     }
     for (index, entry) in entries.iter().enumerate().filter(|(_, entry)| entry.fails()) {
         sheet.heading(format!("formula-{}", index + 1), equation(entry) + notes(entry));
