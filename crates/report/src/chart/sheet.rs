@@ -8,7 +8,7 @@ use super::{
 };
 use crate::sheet::{Column, Row, Sheet, Table, Tone, Words, row};
 
-const READING: &str = "Of each quantity the cheapest comes first; * nothing else is both cheaper and better. \
+const READING: &str = "Of each quantity the cheapest comes first; • nothing else is both cheaper and better. \
 Digits that are right, at the worst and at the median input.";
 
 /// Warnings that text shows.
@@ -44,7 +44,9 @@ pub fn sheet<'a>(report: &'a ChartReport<'a>) -> Sheet<'a> {
 }
 
 fn methods(group: &[(&Measured, bool)]) -> Table {
+    // what a row is called comes first: by it a page reads the row, and text repeats it where a line has no room for all
     let columns = vec![
+        Column::left("method"),
         Column::left(""),
         Column::right("time").unit("ns"),
         Column::left("quartiles"),
@@ -53,8 +55,6 @@ fn methods(group: &[(&Measured, bool)]) -> Table {
         Column::right("ulps"),
         Column::right("proved"),
         Column::right("at alpha"),
-        Column::left("system"),
-        Column::left("name"),
         Column::long("form", 20),
     ];
     let row = |(measured, on_front): &(&Measured, bool)| -> Row {
@@ -65,7 +65,8 @@ fn methods(group: &[(&Measured, bool)]) -> Table {
         let accuracy = &measured.accuracy;
         let exact = accuracy.worst == i64::MAX;
         row![
-            if *on_front { "*" } else { "" },
+            format!("{} in {}", measured.method.name, measured.method.system),
+            if *on_front { "•" } else { "" },
             time,
             spread,
             digits(accuracy.worst),
@@ -73,8 +74,6 @@ fn methods(group: &[(&Measured, bool)]) -> Table {
             if exact { String::new() } else { ulps(accuracy.ulps) },
             daggered(measured),
             if exact { String::new() } else { format!("{:.3e}", accuracy.at) },
-            measured.method.system.to_string(),
-            measured.method.name,
             match measured.method.is_law {
                 true => Words::from(form_of(&measured.method)),
                 false => Words::formula(form_of(&measured.method)),

@@ -29,7 +29,7 @@ pub struct PricesReport<'a> {
     pub command: String,
 }
 
-const READING: &str = "The fastest way comes first; * nothing else is both faster and better. Digits that are right, \
+const READING: &str = "The fastest way comes first; • nothing else is both faster and better. Digits that are right, \
 at the worst and at the median of the inputs tried, which are the same for all forms of a format; the time of one \
 evaluation in a column of 128, one operation after another; bits lost at most are proved, over the whole range.";
 
@@ -69,29 +69,28 @@ fn forms(prices: &Prices) -> Table {
 }
 
 fn ways(prices: &Prices) -> Table {
+    // what a row is called comes first: by it a page reads the row
     let columns = vec![
+        Column::left("way"),
         Column::left(""),
         Column::right("time").unit("ns"),
         Column::left("quartiles"),
         Column::right("worst"),
         Column::right("median"),
         Column::right("bits lost at most"),
-        Column::left("system"),
-        Column::left("form"),
         Column::long("worst at", 20),
     ];
     let row = |way: &Way| -> Row {
         let exact = way.worst == i64::MAX;
         row![
-            if way.on_front { "*" } else { "" },
+            format!("{} in {}", form_of(prices, way), way.system),
+            if way.on_front { "•" } else { "" },
             nanoseconds(way.time.median),
             quartiles(&way.time),
             digits(way.worst),
             digits(way.median),
             way.bound(prices)
                 .map_or_else(String::new, |(bound, format)| { bits_at_most(bound.bound, format) }),
-            way.system.to_string(),
-            form_of(prices, way),
             if exact { String::new() } else { at(prices, way) },
         ]
         .toned(if way.on_front { Tone::Good } else { Tone::Plain })
