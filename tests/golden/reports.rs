@@ -257,3 +257,16 @@ fn the_digest_is_that_of_sha_256() {
     let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
     assert_eq!(document.sha256(), expected);
 }
+
+#[test]
+fn the_title_of_a_section_fits_into_a_graph_of_one_column() {
+    let text = "# D\n\n```kane\nvar m > 0\nclaim a: m + 1 > 0\n```\n";
+    let document = read("d.md", text.as_bytes()).expect("it is well formed");
+    let audit = kane::audit::audit(document, &Options::default(), &mut |_, _| {});
+    let page = html(&Report::new(&audit, "kane audit d.md"));
+    let (before, _) = page.split_once(">Before the first section</text>").expect("it has a title");
+    let (_, svg) = before.rsplit_once("viewBox=\"0 0 ").expect("in a picture");
+    let width: u32 = svg.split_once(' ').expect("a size").0.parse().expect("a number");
+    // letters of 7 pixels, and a margin at either side
+    assert!(width >= 7 * 24 + 24, "{width}");
+}

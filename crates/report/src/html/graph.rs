@@ -9,12 +9,13 @@ use kane_audit::{Body, Verdict};
 use maud::{Markup, PreEscaped, html};
 use unicode_width::UnicodeWidthStr as _;
 
-use super::overview::{Section, overview};
+use super::overview::{self, Section, overview};
 use super::{Page, verdict_class};
 use crate::layers::{Layout, Measures, Node, Place, layout};
 use crate::outline::headings;
 use crate::reach::Reach;
 use crate::report::Entry;
+use crate::shorten::shorten;
 use crate::wording::mark;
 
 const MEASURES: Measures = Measures { row: 28, gap: 44, head: 36, foot: 12, margin: 12, rows: 12 };
@@ -62,6 +63,7 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
         .chain(sections.iter().map(|section| section.title.as_str()))
         .collect();
     let listed = listed(&titles, &nodes, &shown);
+    let width = layout.width.max(widest(&listed));
     let between: Vec<(usize, usize)> = nodes
         .iter()
         .flat_map(|node| {
@@ -91,12 +93,12 @@ pub(super) fn graph(page: &Page<'_>) -> Markup {
                 button type="button" data-zoom="1.25" { "Larger" } " "
                 button type="button" data-zoom="0" { "Whole" }
             }
-            @let on_paper = layout.width <= PAPER.0 && height <= PAPER.1;
+            @let on_paper = width <= PAPER.0 && height <= PAPER.1;
             @if !on_paper { p.paper { "The graph itself is too large for this paper; the page has it on a screen." } }
             div.scroll.large[!on_paper] tabindex="0" role="region" aria-label="The graph, which scrolls" {
-                svg width=(layout.width) height=(height) viewBox=(format!("0 0 {} {height}", layout.width))
+                svg width=(width) height=(height) viewBox=(format!("0 0 {width} {height}"))
                     role="group" aria-label="Statements and what they cite" {
-                    (bands(&titles, &layout))
+                    (bands(&titles, &layout, width))
                     (PreEscaped(lines(&nodes, &reach, &layout)))
                     @for ((index, entry), (number, place)) in
                         shown.iter().zip(layout.places.iter().enumerate())
@@ -158,8 +160,16 @@ fn listed<'t>(
     all.filter(|section| !section.verdicts.is_empty()).collect()
 }
 
+/// What the titles of sections need, which may be wider than a graph of few nodes.
+fn widest(sections: &[Section<'_>]) -> u32 {
+    let letters = sections.iter().map(|section| section.title.width().min(overview::LETTERS)).max();
+    2 * MEASURES.margin + u32::try_from(overview::LETTER * letters.unwrap_or(0)).unwrap_or(0)
+}
+
 /// A stripe and a title behind each section.
-fn bands(titles: &[&str], layout: &Layout) -> Markup {
+fn bands(titles: &[&str], layout: &Layout, width: u32) -> Markup {
+    let room = width.saturating_sub(2 * MEASURES.margin);
+    let letters = usize::try_from(room).unwrap_or(usize::MAX) / overview::LETTER;
     let tops = layout.tops.windows(2);
     let bands =
         titles.iter().zip(tops).enumerate().filter_map(|(band, (title, tops))| match tops {
@@ -170,7 +180,7 @@ fn bands(titles: &[&str], layout: &Layout) -> Markup {
         @for (number, (band, title, top, height)) in bands.enumerate() {
             rect id={ "band-" (band) } class=(if number % 2 == 0 { "band" } else { "band odd" })
                 x="0" y=(top) width="100%" height=(height) {}
-            text.title x=(MEASURES.margin) y=(top + 20) { (title) }
+            text.title x=(MEASURES.margin) y=(top + 20) { (shorten(title, letters)) }
         }
     }
 }

@@ -20,10 +20,10 @@ pub(super) struct Section<'t> {
 
 /// Height of a row; width of a letter of a title, and of the cell of a statement.
 const ROW: usize = 24;
-const LETTER: usize = 7;
+pub(super) const LETTER: usize = 7;
 const CELL: usize = 8;
 /// The most columns of a title.
-const LETTERS: usize = 60;
+pub(super) const LETTERS: usize = 60;
 /// The farthest that an arc reaches to the right.
 const REACH: usize = 150;
 
