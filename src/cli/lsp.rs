@@ -5,7 +5,7 @@ use std::io;
 use clap::Args;
 use kane_editor::{End, serve};
 
-use super::{Outcome, bad_input};
+use super::{Outcome, bad_input, output};
 
 /// What `--help` says behind the options.
 pub(super) const ABOUT: &str = "\
@@ -30,7 +30,14 @@ pub(crate) struct LspArgs {
 pub(super) fn run(_: &LspArgs) -> Outcome {
     match serve(io::stdin(), io::stdout().lock()) {
         Ok(End::Orderly) => Outcome::AsExpected,
-        Ok(End::Abrupt) => Outcome::Unexpected,
+        Ok(End::Abrupt) => {
+            // an editor keeps this in its log; a person who began this by hand sees what it is for
+            output::to_stderr(
+                "error: the input ended before the editor ended the conversation; an editor starts this by itself, see \
+                 editors/README.md\n",
+            );
+            Outcome::Unexpected
+        }
         Err(error) => bad_input(&format!("the conversation with the editor broke off: {error}")),
     }
 }

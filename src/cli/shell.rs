@@ -76,8 +76,11 @@ fn printed(text: &[u8]) -> Outcome {
 fn pages() -> io::Result<Vec<(String, String)>> {
     let mut command = help::command().disable_help_subcommand(true);
     command.build();
-    let verbs = command.get_subcommands().filter(|verb| !verb.is_hide_set());
-    let verbs = verbs.map(|verb| (format!("kane-{}", verb.get_name()), verb));
+    let mut verbs: Vec<&Command> =
+        command.get_subcommands().filter(|verb| !verb.is_hide_set()).collect();
+    // a verb whose help is made of data has moved to the end
+    verbs.sort_by_key(|verb| verb.get_display_order());
+    let verbs = verbs.into_iter().map(|verb| (format!("kane-{}", verb.get_name()), verb));
     let all = std::iter::once(("kane".to_owned(), &command)).chain(verbs);
     all.map(|(name, command)| page(&name, command).map(|text| (name, text))).collect()
 }

@@ -116,4 +116,11 @@ fn what_a_budget_does_not_reach_is_undecided_and_the_report_names_the_budget() {
     assert!(little.stdout.contains("--budget 1"), "{}", little.stdout);
     let nothing = kane(&["audit", &path, "--budget", "much"]);
     assert_eq!(nothing.code, 2, "{}", nothing.stderr);
+    // a number below 0 is a wrong value, no flag that might have been meant
+    for flag in ["--budget", "--effort"] {
+        let below = kane(&["audit", &path, flag, "-1"]);
+        assert_eq!(below.code, 2, "{}", below.stderr);
+        let said = format!("invalid value '-1' for '{flag}");
+        assert!(below.stderr.contains(&said) && !below.stderr.contains("tip"), "{}", below.stderr);
+    }
 }

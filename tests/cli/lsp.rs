@@ -60,7 +60,10 @@ fn an_editor_that_ends_the_conversation_gets_exit_code_zero_and_another_one_not(
         assert_eq!(said[0]["result"]["serverInfo"]["name"], "kane");
         assert_eq!((&said[1]["id"], &said[1]["result"]), (&json!("b"), &Value::Null));
     }
-    assert_eq!(told(&[], &framed(&beginning())).code, 1);
+    for input in [&*framed(&beginning()), ""] {
+        let left = told(&[], input);
+        assert!(left.code == 1 && left.stderr.contains("the input ended"), "{}", left.stderr);
+    }
     let broken = told(&[], "this is no editor\n");
     assert_eq!(broken.code, 2);
     assert!(broken.stderr.contains("broke off") && broken.stdout.is_empty(), "{}", broken.stderr);

@@ -133,6 +133,9 @@ fn every_verb_has_a_page_of_the_manual() {
     assert_eq!(kane(&["man", "--out", dir.to_str().expect("UTF-8")]).code, 2);
     let unknown = kane(&["man", "adit"]);
     assert!(unknown.code == 2 && unknown.stderr.contains("did you mean `audit`?"));
+    let listed: Vec<String> = verbs().into_iter().map(|(verb, _)| verb).collect();
+    let unknown = kane(&["man", "zzzzzz"]).stderr;
+    assert!(unknown.contains(&format!("there are {}", listed.join(", "))), "as in help: {unknown}");
 }
 
 #[test]

@@ -60,11 +60,16 @@ pub(crate) struct CheckArgs {
     pub(crate) float: Option<String>,
 
     /// How far coordinates reach in the engine's world, in contact arms; 0 if the normal and the arm do not come from positions
-    #[arg(long, value_name = "ARMS", default_value_t = kane::records::tolerance::EXTENT)]
+    #[arg(
+        long,
+        value_name = "ARMS",
+        default_value_t = kane::records::tolerance::EXTENT,
+        allow_negative_numbers = true
+    )]
     pub(crate) extent: f64,
 
     /// Print the collision of this line as a file for kane collide, and stop
-    #[arg(long, value_name = "LINE")]
+    #[arg(long, value_name = "LINE", allow_negative_numbers = true)]
     pub(crate) row: Option<u64>,
 
     /// Compare with an older log: exit code 1 if a check or the law does worse

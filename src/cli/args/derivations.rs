@@ -89,11 +89,16 @@ pub(crate) struct AuditArgs {
     /// Coefficient operations that one search may take before its claim is undecided [default: 40000000]
     ///
     /// With fewer, the number of states and of functions that are tried shrinks in the same measure.
-    #[arg(long, value_name = "OPERATIONS")]
+    #[arg(long, value_name = "OPERATIONS", allow_negative_numbers = true)]
     pub(crate) budget: Option<u64>,
 
     /// Multiply every budget, of states, operations, functions and squares, by this number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u64).range(1..=1_000_000),
+        allow_negative_numbers = true
+    )]
     pub(crate) effort: Option<u64>,
 
     /// Print the proof or the witness of the statement with this label, step by step; may be repeated
