@@ -173,12 +173,14 @@ fn a_quick_chart_has_all_its_parts() {
     let dir = scratch("chart");
     let run = kane(&["chart", "--quick", "--out", dir.to_str().expect("UTF-8")]);
     assert_eq!(run.code, 0, "{}", run.stderr);
-    for part in ["wang-su-li  k", "rational", "rustc", "\nmethod ", "\nlaw in rational  ", "  • "] {
+    for part in ["wang-su-li  k", "rational", "rustc", "\nmethod ", "\nlaw in rational  ", "  • "]
+    {
         assert!(run.stdout.contains(part), "{part} is missing from\n{}", run.stdout);
     }
     // a row is read by its name, and marked by the sign that the text above it tells of
     let page = fs::read_to_string(dir.join("chart.html")).expect("it was written");
-    for part in ["<th scope=\"row\">law in rational</th>", ">•</td>", "• nothing else is both"] {
+    for part in ["<th scope=\"row\">law in rational</th>", ">•</td>", "• nothing else is both"]
+    {
         assert!(page.contains(part), "{part} is missing from the page");
     }
     for ending in ["md", "json", "csv", "svg"] {
