@@ -14,6 +14,7 @@ mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod hidden; // characters that are not seen reach nothing that is shown
 mod laws; // the matrix: exit codes, one cell in full, files
+mod limits;
 mod lsp; // the language server as an editor starts it
 mod matrix_page; // the page of the matrix in a browser
 mod print; // the report for LaTeX, compiled

@@ -1,12 +1,14 @@
 //! A derivation document after reading: symbols, statements, and where each stands in the text.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use kane_algebra::syntax::{Notation as _, Sequences, rebuild};
-use kane_kernel::{Context, Expr, Limit, Link, Relation, Sentence};
+use kane_kernel::{Context, Expr, Limit, Link, Relation, Sentence, expressions};
 use sha2::{Digest as _, Sha256};
 
 use crate::motion::Motion;
+use crate::spoken::within;
 use crate::{Existence, Verdict};
 
 /// A derivation document that was read without error.
@@ -177,6 +179,30 @@ impl Document {
                 format!("not implied {denied}")
             }
         }
+    }
+
+    /// Symbols in a claimed limit that are constants by their declaration, where nothing in it varies with the limit
+    /// variable and a cited `given` ties them to that; and the limit variable.
+    #[must_use]
+    pub fn constants_along(&self, claim: &Claim, link: usize) -> Option<(Vec<usize>, usize)> {
+        let Content::Links(links) = &claim.content else { return None };
+        let (Link::Limit(limit), _) = links.get(link)? else { return None };
+        let x = limit.var;
+        let vars = &self.context.vars;
+        let (own, _) = within(&self.context, vec![&limit.expr]);
+        let varies = |v: &usize| *v == x || vars.get(*v).is_some_and(|var| var.of == Some(x));
+        if own.iter().any(varies) {
+            return None;
+        }
+        let tied = claim.from.iter().filter_map(|i| match &self.statements.get(*i)?.body {
+            Body::Given(sentence) => {
+                let all = expressions(&sentence.when, &sentence.links).collect();
+                Some(within(&self.context, all).0).filter(|symbols| symbols.contains(&x))
+            }
+            _ => None,
+        });
+        let tied: BTreeSet<usize> = tied.flatten().filter(|v| own.contains(v)).collect();
+        (!tied.is_empty()).then(|| (tied.into_iter().collect(), x))
     }
 
     /// Whether a statement is one that the language makes of an exponential, a logarithm or an angle. It holds at every

@@ -295,7 +295,16 @@ impl<'a> Entry<'a> {
     /// Why the verdict on a link is what it is.
     pub(crate) fn reason(&self, link: &LinkJudgement, form: Form) -> String {
         let label = |index: usize| self.labels(&[index]).concat();
-        let reason = words::reason(link, self.context(), &label, form);
+        let mut reason = words::reason(link, self.context(), &label, form);
+        if link.verdict != Verdict::Proved
+            && let Some(claim) = self.claim()
+            && let Some(place) =
+                self.judgement.links.iter().position(|other| std::ptr::eq(other, link))
+            && let Some((constants, along)) = self.audit.document.constants_along(claim, place)
+        {
+            reason.push_str("; ");
+            reason.push_str(&words::nothing_varies(&constants, along, self.context(), form));
+        }
         match self.claim().and_then(|claim| words::found(claim, self.context(), form)) {
             Some(found) => format!("{found}{reason}"),
             None => reason,

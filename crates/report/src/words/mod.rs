@@ -23,6 +23,7 @@ use kane_kernel::{Context, Expr, Goal};
 
 pub(crate) use formula::{Formulas, escaped};
 pub(crate) use prose::Prose;
+pub(crate) use reason::nothing_varies;
 
 /// In which form sentences are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -165,6 +165,24 @@ pub(super) fn standing(
     format!("{lead}{mark} {told}{behind}")
 }
 
+/// That nothing in a limit varies with its variable, and what is a constant there by its declaration.
+pub(crate) fn nothing_varies(
+    constants: &[usize],
+    along: usize,
+    context: &Context,
+    form: Form,
+) -> String {
+    let formulas = plain_formulas(form, context);
+    let along = formulas.symbol(along);
+    let names: Vec<String> = constants.iter().map(|v| formulas.symbol(*v)).collect();
+    let are = if names.len() == 1 { "is a constant" } else { "are constants" };
+    let first = names.first().map_or("", String::as_str);
+    format!(
+        "nothing in it varies with {along}: {} {are} as declared, and would be a function as {first}({along})",
+        names.join(", ")
+    )
+}
+
 /// That a given was not shown to be able to hold near a limit.
 pub(super) fn unreached(
     unreached: &Unreached,
