@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use kane_kernel::{Conclusion, Expr, Fraction, Fuel, Link, Monomial, Poly, Rel, Scope, State};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero as _;
+use num_traits::{Signed as _, Zero as _};
 
 use super::hints::expanded;
 use super::touching::{Point, Root, Tangents};
@@ -61,7 +61,8 @@ pub(super) fn tangents(state: &State<'_, '_>) -> Option<Vec<Tangents>> {
         }
         let radicand = fraction(scope, &expanded(inner, &state.goal.context)?)?;
         if let (Some(n), Some(d)) = (radicand.num.as_constant(), radicand.den.as_constant()) {
-            numbers.push((v, Q::new(n, d)));
+            let number = (!d.is_zero()).then(|| Q::new(n, d)).filter(Q::is_positive)?;
+            numbers.push((v, number));
             continue;
         }
         vars.extend(radicand.num.vars().into_iter().chain(radicand.den.vars()));

@@ -236,7 +236,7 @@ impl<'a> Point<'a> {
 
     /// c·r with a number c.
     fn lone_root(&self, f: &Fraction) -> Option<(Q, &Root, &Value)> {
-        let den = f.den.as_constant()?;
+        let den = f.den.as_constant().filter(|den| !den.is_zero())?;
         let mut terms = f.num.terms();
         let (Some(([(v, 1)], c)), None) = (terms.next(), terms.next()) else { return None };
         let (root, value) = self.roots.iter().find(|(root, _)| root.v == *v)?;
