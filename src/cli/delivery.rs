@@ -131,8 +131,8 @@ pub(super) fn write(dir: &Path, inputs: &[&Path], files: &[Written]) -> Result<(
 /// # Errors
 /// If it is no directory and none can be made there, or the file may not be written.
 pub(super) fn look(dir: &Path, first: &str) -> Result<(), Refusal> {
-    let folders = dir.ancestors().filter(|place| !place.as_os_str().is_empty());
-    let there = folders.filter_map(|place| fs::metadata(place).ok()).next();
+    let mut folders = dir.ancestors().filter(|place| !place.as_os_str().is_empty());
+    let there = folders.find_map(|place| fs::metadata(place).ok());
     if there.is_some_and(|it| !it.is_dir()) {
         let error = io::Error::from(io::ErrorKind::NotADirectory);
         return Err(Refusal::Failed(dir.to_owned(), error));

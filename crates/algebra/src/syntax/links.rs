@@ -12,7 +12,7 @@ use super::eval::eval;
 use super::lexer::{self, Token};
 use super::names::{CONNECTIVES, PI};
 use super::parser::{Node, Parser, excerpt};
-use super::scope::{Scope, Symbol};
+use super::scope::Symbol;
 use super::shift::{Motion, Point};
 
 /// Tokens that are looked at to see where a symbol stands beside its bounds.
@@ -224,13 +224,13 @@ impl Parser<'_> {
         let Some(declared) = self.scope().context().vars.get(var) else {
             return Ok(None);
         };
-        let is_plain = |scope: &Scope| scope.sequences().index_of(var).is_none();
+        let is_index = self.scope().sequences().index_of(var).is_some();
         let at_number = matches!(at, Point::Fixed(_));
         if declared.of.is_none() && !at_number && self.scope().angle(var).is_some() {
             self.report(SyntaxErrorKind::AngleAtASymbol(excerpt(name)), name_span);
             return Ok(None);
         }
-        if declared.of.is_some() || !at_number && !is_plain(self.scope()) {
+        if declared.of.is_some() || !at_number && is_index {
             self.report(SyntaxErrorKind::NotALimitVariable(excerpt(name)), name_span);
             return Ok(None);
         }

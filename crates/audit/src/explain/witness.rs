@@ -275,15 +275,8 @@ fn has_no_target(goal: &Goal, f: &Functions, limit: &Limit) -> bool {
         Some((_, Expr::Num(q))) => Some(q.clone()),
         _ => None,
     };
-    let mut todo = vec![claimed];
-    while let Some(e) = todo.pop() {
-        match e {
-            Expr::Var(v) if number(*v).is_none() => return false,
-            Expr::Let(i) => {
-                todo.extend(goal.context.lets.get(*i).map(|definition| &definition.body))
-            }
-            _ => todo.extend(e.children()),
-        }
+    if within(&goal.context, vec![claimed]).0.into_iter().any(|v| number(v).is_none()) {
+        return false;
     }
     let symbols = 0..goal.context.vars.len();
     let at: Vec<Q> = symbols.map(|v| number(v).unwrap_or_else(Q::zero)).collect();

@@ -5,9 +5,10 @@ use std::rc::Rc;
 
 use kane_algebra::syntax::rebuild;
 use kane_kernel::{
-    Atom, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis, Limit,
-    Link, Passages, Place, Poly, Proof, Relation, Side, State, Target, claim_state, constants,
-    differ, on_functions, point_state, premises, range_premise, scope, sides, sign_at, unequal,
+    Atom, Bound, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis,
+    Limit, Link, Passages, Place, Poly, Proof, Relation, Side, State, Target, Var, claim_state,
+    constants, differ, on_functions, point_state, premises, range_premise, scope, sides, sign_at,
+    unequal,
 };
 use num_rational::BigRational;
 
@@ -170,11 +171,7 @@ fn candidates(
     functions: &dyn Fn() -> Vec<Rc<Expr>>,
 ) -> Vec<Rc<Expr>> {
     let var = &context.vars[v];
-    let inside = |q: &Q| {
-        let above = |b: &kane_kernel::Bound| if b.strict { *q > b.value } else { *q >= b.value };
-        let below = |b: &kane_kernel::Bound| if b.strict { *q < b.value } else { *q <= b.value };
-        var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
-    };
+    let inside = |q: &Q| is_within(var, q);
     if varied && var.of == Some(x) {
         return functions();
     }
@@ -432,4 +429,11 @@ fn failure(
         }
         _ => None,
     }
+}
+
+/// Whether a number is within the declared bounds of a symbol.
+pub(super) fn is_within(var: &Var, q: &Q) -> bool {
+    let above = |b: &Bound| if b.strict { *q > b.value } else { *q >= b.value };
+    let below = |b: &Bound| if b.strict { *q < b.value } else { *q <= b.value };
+    var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
 }

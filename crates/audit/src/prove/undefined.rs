@@ -6,7 +6,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
+use super::functions::is_within;
 use crate::Open;
+use crate::spoken::within;
 
 type Q = BigRational;
 
@@ -58,21 +60,13 @@ fn fault(e: &Expr, context: &Context, at: &[Q]) -> Option<NoValue> {
 
 /// Simple values of all symbols: equal ones, and those of which one is 0.
 fn places(context: &Context) -> Vec<Vec<Q>> {
-    let within = |v: usize, q: &Q| {
-        context.vars.get(v).is_some_and(|var| {
-            let above =
-                |b: &kane_kernel::Bound| if b.strict { *q > b.value } else { *q >= b.value };
-            let below =
-                |b: &kane_kernel::Bound| if b.strict { *q < b.value } else { *q <= b.value };
-            var.lower.as_ref().is_none_or(above) && var.upper.as_ref().is_none_or(below)
-        })
-    };
+    let admits = |v: usize, q: &Q| context.vars.get(v).is_some_and(|var| is_within(var, q));
     let inside = |v: usize, q: &Q| -> Q {
         let var = context.vars.get(v);
         let (lower, upper) =
             var.map_or((None, None), |var| (var.lower.as_ref(), var.upper.as_ref()));
         match (lower, upper) {
-            _ if within(v, q) => q.clone(),
+            _ if admits(v, q) => q.clone(),
             (Some(a), Some(b)) => (&a.value + &b.value) / (Q::one() + Q::one()),
             (Some(a), None) => &a.value + Q::one(),
             (None, Some(b)) => &b.value - Q::one(),
@@ -84,7 +78,7 @@ fn places(context: &Context) -> Vec<Vec<Q>> {
         let q = Q::from(BigInt::from(n));
         (0..symbols).map(|v| inside(v, &q)).collect::<Vec<Q>>()
     });
-    let zeros = (0..symbols).filter(|v| within(*v, &Q::zero())).take(ZEROS).map(|v| {
+    let zeros = (0..symbols).filter(|v| admits(*v, &Q::zero())).take(ZEROS).map(|v| {
         let mut at = equal[0].clone();
         at[v] = Q::zero();
         at
@@ -120,14 +114,7 @@ fn points(context: &Context, limit: &Limit) -> Vec<[Q; 2]> {
 
 /// The values of the symbols in an expression: `h = -1/1024`.
 fn said(e: &Expr, context: &Context, at: &[Q]) -> String {
-    let (mut symbols, mut todo) = (std::collections::BTreeSet::new(), vec![e]);
-    while let Some(e) = todo.pop() {
-        match e {
-            Expr::Var(v) => _ = symbols.insert(*v),
-            Expr::Let(i) => todo.extend(context.lets.get(*i).map(|definition| &definition.body)),
-            _ => todo.extend(e.children()),
-        }
-    }
+    let (symbols, _) = within(context, vec![e]);
     let value = |v: usize| Some(format!("{} = {}", context.vars.get(v)?.name, at.get(v)?));
     symbols.into_iter().filter_map(value).collect::<Vec<_>>().join(", ")
 }
