@@ -1,4 +1,4 @@
-//! Exact linear feasibility: the simplex method with Bland's rule, in whole numbers.
+//! Exact linear feasibility: the simplex method in whole numbers.
 //!
 //! A row of the tableau counts up to a positive factor, so it is kept without a common one (no fraction is
 //! ever reduced). Signs, ratios and pivots are those of the tableau in fractions.
@@ -13,13 +13,30 @@ use crate::ray::Ray;
 
 type Q = BigRational;
 
+/// Pivots that gain nothing, times the number of rows, after which a cycle is feared.
+const IDLE: usize = 20;
+
+/// Which variable enters the basis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entering {
+    /// the first that gains anything (Bland 1977): there are no cycles, and many steps where there are many columns
+    First,
+    /// the one with the largest cost (Dantzig 1951), until nothing has been gained for long
+    Greatest,
+}
+
 /// Finds x ≥ 0 with A·x = b, or `None` if there is none or the steps or the fuel run out.
 ///
 /// `columns[j]` lists the non-zero entries (row, value) of column j; `b` has one entry a row.
-/// Exact; Bland's rule (1977) excludes cycles, `steps` bounds the pivots and `fuel` their work,
-/// which grows with the numbers in the tableau.
+/// Exact; `steps` bounds the pivots and `fuel` their work, which grows with the numbers in the tableau.
 #[must_use]
-pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel) -> Option<Vec<Q>> {
+pub fn feasible(
+    columns: &[Vec<(usize, Q)>],
+    b: &[Q],
+    entering: Entering,
+    steps: usize,
+    fuel: &Fuel,
+) -> Option<Vec<Q>> {
     let (rows, cols) = (b.len(), columns.len());
     // The tableau of phase one in whole numbers: artificial variables are the initial basis.
     let common = common_denominator(columns.iter().flatten().map(|(_, value)| value).chain(b));
@@ -41,6 +58,8 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
     let mut table: Vec<Ray> = table.into_iter().map(Ray::of).collect();
     let mut cost = Ray::of(cost);
     let mut basis: Vec<Option<usize>> = vec![None; rows];
+    // pivots since the last one by which the sum of the artificial variables became less
+    let mut idle = 0;
     for _ in 0..steps {
         if cost.sign(cols).is_eq() {
             let mut x = vec![Q::zero(); cols];
@@ -51,13 +70,17 @@ pub fn feasible(columns: &[Vec<(usize, Q)>], b: &[Q], steps: usize, fuel: &Fuel)
             }
             return Some(x);
         }
-        let enter = cost.first_positive(cols)?;
+        let enter = match entering {
+            Entering::Greatest if idle <= IDLE * rows => cost.greatest(cols),
+            _ => cost.first_positive(cols),
+        }?;
         // Smallest ratio; ties by the lowest basic variable, artificial ones leave first.
         let able = (0..rows).filter(|&i| table[i].sign(enter).is_gt());
         let leave = able.min_by(|&i, &j| {
             table[i].compare(&table[j], cols, enter).then(basis[i].cmp(&basis[j]))
         })?;
         let pivot = table[leave].clone();
+        idle = if pivot.sign(cols).is_eq() { idle + 1 } else { 0 };
         for (i, row) in table.iter_mut().enumerate() {
             if i != leave && row.sign(enter).is_ne() {
                 *row = row.cleared(enter, &pivot, fuel).ok()?;
@@ -96,18 +119,25 @@ mod tests {
         Q::from_integer(n.into())
     }
 
+    const BOTH: [Entering; 2] = [Entering::First, Entering::Greatest];
+
     #[test]
     fn a_feasible_system_is_solved() {
         // x + y = 3, x − y = 1
         let columns = [vec![(0, q(1)), (1, q(1))], vec![(0, q(1)), (1, q(-1))]];
-        assert_eq!(feasible(&columns, &[q(3), q(1)], 100, &fuel()), Some(vec![q(2), q(1)]));
+        for entering in BOTH {
+            let found = feasible(&columns, &[q(3), q(1)], entering, 100, &fuel());
+            assert_eq!(found, Some(vec![q(2), q(1)]));
+        }
     }
 
     #[test]
     fn an_infeasible_system_is_not() {
         // x + y = −1
         let columns = [vec![(0, q(1))], vec![(0, q(1))]];
-        assert_eq!(feasible(&columns, &[q(-1)], 100, &fuel()), None);
+        for entering in BOTH {
+            assert_eq!(feasible(&columns, &[q(-1)], entering, 100, &fuel()), None);
+        }
     }
 
     #[test]
@@ -118,7 +148,7 @@ mod tests {
 
     #[test]
     fn no_steps_no_answer() {
-        assert_eq!(feasible(&[vec![(0, q(1))]], &[q(1)], 0, &fuel()), None);
+        assert_eq!(feasible(&[vec![(0, q(1))]], &[q(1)], Entering::Greatest, 0, &fuel()), None);
     }
 
     type Rows = Vec<Vec<i64>>;
@@ -144,11 +174,13 @@ mod tests {
         #[test]
         fn a_planted_solution_makes_the_system_feasible(a in rows(), x in prop::collection::vec(0i64..4, 4)) {
             let b: Vec<Q> = a.iter().map(|row| q(dot(row, &x))).collect();
-            let found = feasible(&columns(&a), &b, 1000, &fuel()).expect("x is a solution");
-            prop_assert!(found.iter().all(|v| !v.is_negative()));
-            for (row, b) in a.iter().zip(&b) {
-                let sum = row.iter().zip(&found).fold(Q::zero(), |s, (a, x)| s + q(*a) * x);
-                prop_assert_eq!(&sum, b);
+            for entering in BOTH {
+                let found = feasible(&columns(&a), &b, entering, 1000, &fuel()).expect("x is a solution");
+                prop_assert!(found.iter().all(|v| !v.is_negative()));
+                for (row, b) in a.iter().zip(&b) {
+                    let sum = row.iter().zip(&found).fold(Q::zero(), |s, (a, x)| s + q(*a) * x);
+                    prop_assert_eq!(&sum, b);
+                }
             }
         }
 
@@ -162,7 +194,9 @@ mod tests {
             }
             b[0] -= b.iter().sum::<i64>().max(0) + 1;
             let b: Vec<Q> = b.into_iter().map(q).collect();
-            prop_assert_eq!(feasible(&columns(&a), &b, 1000, &fuel()), None);
+            for entering in BOTH {
+                prop_assert_eq!(feasible(&columns(&a), &b, entering, 1000, &fuel()), None);
+            }
         }
     }
 }

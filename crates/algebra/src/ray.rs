@@ -1,6 +1,6 @@
 //! Rays: rows of whole numbers without a common factor, which stand for all their positive multiples.
 
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 
 use kane_kernel::{Checked, Fuel};
 use num_bigint::BigInt;
@@ -50,6 +50,16 @@ impl Ray {
             Self::Words(row) => row[..among].iter().position(|x| *x > 0),
             Self::Long(row) => row[..among].iter().position(BigInt::is_positive),
         }
+    }
+
+    /// The greatest of so many entries, the first of equal ones, if it is positive.
+    pub(crate) fn greatest(&self, among: usize) -> Option<usize> {
+        let first = |i: &usize| Reverse(*i);
+        match self {
+            Self::Words(row) => (0..among).max_by_key(|i| (row[*i], first(i))),
+            Self::Long(row) => (0..among).max_by_key(|i| (&row[*i], first(i))),
+        }
+        .filter(|i| self.sign(*i).is_gt())
     }
 
     /// The quotient of two entries, of which the second is not 0.

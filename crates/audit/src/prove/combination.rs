@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kane_algebra::linear_program::{feasible, whole};
+use kane_algebra::linear_program::{Entering, feasible, whole};
 use kane_kernel::{Poly, Power, Sign, State, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -12,6 +12,9 @@ use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
+
+/// One part in so many of what is left of the budget is for one linear program.
+const SHARE: u64 = 8;
 
 /// A term that is not negative, as a polynomial, and whether it is positive.
 pub(super) type Summand = (Term, Poly, bool);
@@ -116,7 +119,8 @@ pub(super) fn combined(
     matrix.extend(multiples.iter().map(|m| entries(&m.2)));
     let mut b = vec![Q::zero(); height];
     b.push(Q::one());
-    let weights = whole(&feasible(&matrix, &b, size.pivots, &state.scope.fuel)?);
+    let fuel = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
+    let weights = whole(&feasible(&matrix, &b, Entering::Greatest, size.pivots, &fuel)?);
     let (of_summands, of_multiples) = weights.split_at(summands.len());
     let used = summands.into_iter().zip(of_summands).filter(|(_, w)| w.is_positive());
     let terms = used.map(|((term, ..), w)| Term { weight: w.clone(), ..term }).collect();

@@ -151,6 +151,9 @@ impl Search<'_> {
                 let rules = Rule::all(state);
                 let settled = cofactor(state, &rules).or_else(|| isolated(state, &rules));
                 if let Some(settled) = settled {
+                    if let Some(proof) = self.by_settled_alone(state, &settled, splits) {
+                        return Outcome::Closed(proof);
+                    }
                     return self.by_settled(state, settled, trail, splits + 1);
                 }
                 if let Some(found) = discriminant(state) {

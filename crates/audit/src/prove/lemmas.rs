@@ -9,6 +9,7 @@ use super::combination::{Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::hints::Hint;
 use super::search::{Outcome, Search, since};
+use super::settled::Settled;
 use super::tangents::tangents;
 use super::touching::{Gap, Tangents};
 use crate::argument::Argument;
@@ -18,6 +19,8 @@ use crate::open::Method;
 const STEPS: u64 = 300;
 /// One part in so many of the budget for squares is for one lemma.
 const SHARE: u64 = 16;
+/// Case distinctions after which nothing is looked at by itself.
+const FEW: u32 = 2;
 /// Expressions that an author says to use of which lemmas are made.
 const HINTS: usize = 6;
 /// The linear program of the last sum.
@@ -155,8 +158,30 @@ impl Search<'_> {
         Some(Lemma { poly: poly.clone(), zero, negative })
     }
 
+    /// What is left once a sign is known, by the conditions that speak of its variables alone: after a root has been
+    /// squared away those with the root only widen the search.
+    pub(super) fn by_settled_alone(
+        &self,
+        state: &State<'_, '_>,
+        settled: &Settled,
+        splits: u32,
+    ) -> Option<Argument> {
+        let atom = settled.atom();
+        let has_root = |p: &Poly| p.vars().iter().any(|v| state.scope.root(*v).is_some());
+        let others = || state.atoms.iter().any(|a| has_root(&a.poly));
+        if splits > FEW || self.brief || !self.proofs || has_root(&atom.poly) || !others() {
+            return None;
+        }
+        let poly = atom.poly.clone();
+        let next = about(&state.with(atom), &poly, &[]);
+        match self.aside().run(&next, &since(&next, 0), Vec::new(), &[], 0) {
+            Outcome::Closed(left) => Some(settled.clone().split(left)),
+            _ => None,
+        }
+    }
+
     /// A small search beside this one.
-    fn aside(&self) -> Search<'_> {
+    pub(super) fn aside(&self) -> Search<'_> {
         let mut search = Search::new(STEPS, self.may_eliminate, false);
         search.widest = self.widest;
         search.keep.clone_from(&self.keep);

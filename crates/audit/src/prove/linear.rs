@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use kane_algebra::linear_program::{feasible, whole};
+use kane_algebra::linear_program::{Entering, feasible, whole};
 use kane_algebra::point::{Partial, specialised};
 use kane_kernel::{Atom, Fuel, Point, Poly, Power, Sign, State, Term};
 use num_rational::BigRational;
@@ -88,7 +88,7 @@ fn weighted(state: &State<'_, '_>) -> Option<Argument> {
     matrix.push(vec![(0, Q::one()), (height, Q::one())]);
     let mut b = vec![Q::zero(); height];
     b.push(Q::one());
-    let weights = whole(&feasible(&matrix, &b, PIVOTS, &state.scope.fuel)?);
+    let weights = whole(&feasible(&matrix, &b, Entering::First, PIVOTS, &state.scope.fuel)?);
     let term = |weight: &num_bigint::BigInt, factors| Term {
         weight: weight.clone(),
         square: Poly::one(),
@@ -184,7 +184,7 @@ fn vertex(atoms: &[Atom], vars: &[usize], fuel: &Fuel) -> Option<Vec<(usize, Q)>
             columns.push(vec![(row, -Q::one())]);
         }
     }
-    let found = feasible(&columns, &b, PIVOTS, fuel)?;
+    let found = feasible(&columns, &b, Entering::First, PIVOTS, fuel)?;
     let scale = &found[tau] + Q::one();
     let value = |at: usize| (&found[2 * at] - &found[2 * at + 1]) / &scale;
     Some(vars.iter().enumerate().map(|(at, &v)| (v, value(at))).collect())

@@ -9,18 +9,21 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One, Signed};
 
+use super::circuits::{Term, circuits};
 use super::combination::{Size, Summand, combined, summand};
 use super::monomial::{known, sign};
 use crate::argument::Argument;
 
 /// Terms of a condition.
-const TERMS: usize = 24;
-/// Monomials between those of a condition that count.
-const POINTS: usize = 80;
+const TERMS: usize = 120;
+/// Terms of one between all of which chains are looked for.
+const FEW: usize = 24;
+/// Monomials between terms.
+const POINTS: usize = 120;
 /// Rounds in which they are found, each between those of the one before.
 const ROUNDS: usize = 2;
 /// The linear program of the steps.
-const SIZE: Size = Size { rows: 80, columns: 1200, pivots: 400 };
+const SIZE: Size = Size { rows: 240, columns: 1200, pivots: 400 };
 
 /// A contradiction between one condition and means of its terms.
 pub(super) fn means(state: &State<'_, '_>) -> Option<Argument> {
@@ -58,27 +61,51 @@ fn below(state: &State<'_, '_>, i: usize, by: &[usize]) -> Option<Argument> {
     let mut summands: Vec<Summand> = std::iter::once(alone).chain(products).collect();
     let vars = state.atoms[i].poly.vars();
     let row = |m: &[(usize, u32)]| -> Vec<u32> { vars.iter().map(|&v| exponent(m, v)).collect() };
-    let terms = summands.iter().flat_map(|(_, poly, _)| poly.terms());
-    let points = between(terms.map(|(m, _)| row(m)).collect())?;
     let monomial = |row: &[u32]| -> Monomial {
         vars.iter().copied().zip(row.iter().copied()).filter(|power| power.1 > 0).collect()
     };
-    for (n, p) in points.iter().enumerate() {
+    let all = match &summands[1..] {
+        [] => summands[0].1.clone(),
+        products => products.iter().fold(Poly::default(), |sum, (_, poly, _)| sum.add(poly)),
+    };
+    let terms: Vec<Term> = all.terms().map(|(m, c)| (row(m), c.clone())).collect();
+    let circuits = circuits(&terms, &state.scope.fuel)?;
+    for (p, _) in terms.iter().filter(|term| term.1.is_negative()) {
         if let Some((square, factors)) = known(state, &monomial(p)) {
             summands.push(summand(state, Poly::term(square, BigInt::one()), factors)?);
         }
-        for q in points.iter().take(n) {
-            let middle: Vec<u32> = p.iter().zip(q).map(|(a, b)| (a + b) / 2).collect();
-            let step = step(p, q).filter(|_| points.contains(&middle));
-            let Some((common, [p, q])) = step else { continue };
+    }
+    let by_steps = |steps: BTreeSet<[Vec<u32>; 2]>| {
+        let mut summands = summands.clone();
+        for [p, q] in steps {
+            let Some((common, [p, q])) = step(&p, &q) else { continue };
             let Some((square, factors)) = known(state, &monomial(&common)) else { continue };
             let half = |row: &[u32]| Poly::term(monomial(row), BigInt::one());
             let square = Poly::term(square, BigInt::one());
             let square = square.mul(&half(&p).sub(&half(&q)), &state.scope.fuel).ok()?;
             summands.push(summand(state, square, factors)?);
         }
+        combined(state, summands, Vec::new(), &SIZE)
+    };
+    // between the terms of one circuit there may be no chain, and between those of all there is
+    let all = || {
+        let few = terms.len() <= FEW;
+        few.then(|| steps(terms.iter().map(|term| term.0.clone()).collect()))
+    };
+    by_steps(circuits.into_iter().flat_map(steps).collect()).or_else(|| by_steps(all()?))
+}
+
+/// Points of which the middle is one, too, between some that are given.
+fn steps(ends: BTreeSet<Vec<u32>>) -> BTreeSet<[Vec<u32>; 2]> {
+    let points = between(ends).unwrap_or_default();
+    let mut steps = BTreeSet::new();
+    for (n, p) in points.iter().enumerate() {
+        let middle =
+            |q: &Vec<u32>| -> Vec<u32> { p.iter().zip(q).map(|(a, b)| (a + b) / 2).collect() };
+        let whole = points.iter().take(n).filter(|q| points.contains(&middle(q)));
+        steps.extend(whole.map(|q| [p.clone(), q.clone()]));
     }
-    combined(state, summands, Vec::new(), &SIZE)
+    steps
 }
 
 /// All points of the lattice on the segments between some, and on those between these; `None` for too many.

@@ -270,7 +270,10 @@ impl<'a> Search<'a> {
         // before anything is multiplied out
         if splits == 0
             && trail.is_empty()
-            && let Some(proof) = self.by_lemmas_of_hints(state).or_else(|| self.by_tangents(state))
+            && let Some(proof) = self
+                .by_lemmas_of_hints(state)
+                .or_else(|| self.by_tangents(state))
+                .or_else(|| self.by_homogeneous(state))
         {
             return Outcome::Closed(proof);
         }

@@ -92,6 +92,39 @@ fn few_terms_in_many_variables_are_told_by_means_of_two() {
     }
 }
 
+#[test]
+fn many_terms_are_told_by_the_fewest_of_which_each_is_a_mean() {
+    for (claim, expected) in [
+        // Hölder's inequality for three triples, whose third powers are 1 and 1 and a variable
+        ("(a^3 + 2)*(b^3 + 2)*(c^3 + 2) >= (a + b + c)^3", Verdict::Proved),
+        ("(a^3 + 2)*(b^3 + 2)*(c^3 + 2) >= 1001/1000*(a + b + c)^3", Verdict::Refuted),
+        ("(a^4 + 1)*(b^4 + 1)*(c^4 + 1)*(e^4 + 1) >= (1 + a*b*c*e)^4", Verdict::Proved),
+        ("(a^4 + 1)*(b^4 + 1)*(c^4 + 1)*(e^4 + 1) >= (1 + a*b*c*e)^4 + 1/1000", Verdict::Refuted),
+    ] {
+        assert_eq!(verdict(claim), expected, "{claim}");
+    }
+}
+
+#[test]
+fn what_a_sum_is_makes_the_other_conditions_homogeneous() {
+    for (sum, quotients) in [
+        ("a + b + c = 1", "a/(1 + b - c) + b/(1 + c - a) + c/(1 + a - b)"),
+        // the same with 2·a for a, and so on
+        ("2*a + 2*b + 2*c = 1", "2*a/(1 + 2*b - 2*c) + 2*b/(1 + 2*c - 2*a) + 2*c/(1 + 2*a - 2*b)"),
+    ] {
+        assert_eq!(verdict(&format!("{quotients} >= 1 when {sum}")), Verdict::Proved, "{sum}");
+        let beyond = format!("{quotients} >= 1001/1000 when {sum}");
+        assert_eq!(verdict(&beyond), Verdict::Refuted, "{sum}");
+    }
+}
+
+#[test]
+fn a_root_that_has_been_squared_away_does_not_widen_the_search() {
+    let claim = |n: &str| format!("a^2 + b^2 + c^2 >= sqrt({n})*a*b*c when a*b*c <= a + b + c");
+    assert_eq!(verdict(&claim("3")), Verdict::Proved);
+    assert_eq!(verdict(&claim("5")), Verdict::Refuted);
+}
+
 /// No mean of two terms has whole powers; of their products with the variables there are enough.
 #[test]
 fn cyclic_quotients_are_told_by_means_of_products_with_their_variables() {
