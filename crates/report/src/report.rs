@@ -1,6 +1,6 @@
 //! What is shown of an audit.
 
-use kane_algebra::syntax::{Notation as _, latex_name, visible};
+use kane_algebra::syntax::{Notation as _, latex_name, surface, visible};
 use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
 use kane_judges::Judge;
 use kane_kernel::{Context, Link, Sentence};
@@ -205,8 +205,31 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// What it says in LaTeX, and its conditions; `None` for what is said in words.
+    /// What it says in LaTeX, as its author wrote it, and its conditions; `None` for what is said in words.
     pub(crate) fn said(&self) -> Option<(String, Option<String>)> {
+        let written_out = self.written_out()?;
+        Some(self.surface().unwrap_or(written_out))
+    }
+
+    /// The same with vectors, functions and angles as they are judged, if they are written in another way.
+    pub(crate) fn judged(&self) -> Option<(String, Option<String>)> {
+        self.surface().and_then(|_| self.written_out())
+    }
+
+    fn surface(&self) -> Option<(String, Option<String>)> {
+        let document = &self.audit.document;
+        let is_own = |name: &str| {
+            document.statements.iter().any(|statement| {
+                let is_definition = matches!(statement.body, Body::Let(_) | Body::Defined(_));
+                let said = is_definition.then(|| document.on_one_line(statement.parts.saying()));
+                let behind = said.as_deref().and_then(|said| said.strip_prefix(name));
+                behind.is_some_and(|behind| behind.trim_start().starts_with('('))
+            })
+        };
+        surface(&self.saying(), self.context(), &is_own)
+    }
+
+    fn written_out(&self) -> Option<(String, Option<String>)> {
         let context = self.context();
         let (links, when) = match &self.statement.body {
             Body::Let(index) => return Some((self.definition(*index)?, None)),

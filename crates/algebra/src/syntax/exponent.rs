@@ -126,12 +126,7 @@ impl Parser<'_> {
     fn raised(&mut self) -> Result<Node, SyntaxError> {
         let (text, span) = (self.lexeme(), self.span());
         self.advance();
-        let (minus, digits) = match text.strip_prefix('⁻') {
-            Some(digits) => (true, digits),
-            None => (false, text),
-        };
-        let plain: Option<String> = digits.chars().map(lexer::plain_digit).collect();
-        let Some(plain) = plain.filter(|plain| !plain.is_empty()) else {
+        let Some((minus, plain)) = raised_digits(text) else {
             return Err(SyntaxError { kind: SyntaxErrorKind::ExponentNotInteger, span });
         };
         if plain.len() > MAX_DIGITS {
@@ -141,6 +136,16 @@ impl Parser<'_> {
         let value = if minus { Expr::Neg(value.into()) } else { value };
         self.build(value, span, 1)
     }
+}
+
+/// Whether an exponent in raised digits is negative, and its digits.
+pub(super) fn raised_digits(text: &str) -> Option<(bool, String)> {
+    let (minus, digits) = match text.strip_prefix('⁻') {
+        Some(digits) => (true, digits),
+        None => (false, text),
+    };
+    let plain: Option<String> = digits.chars().map(lexer::plain_digit).collect();
+    plain.filter(|plain| !plain.is_empty()).map(|plain| (minus, plain))
 }
 
 /// The value of a literal integer or a tower of them.

@@ -66,7 +66,7 @@ pub(crate) fn limit(limit: &Limit, context: &Context) -> String {
     format!("{f} \\to {to} \\text{{ as }} {x} \\to {point}")
 }
 
-fn comparison(rel: Rel) -> &'static str {
+pub(super) fn comparison(rel: Rel) -> &'static str {
     match rel {
         Rel::Eq => "=",
         Rel::Ne => "\\ne",
@@ -126,8 +126,9 @@ pub(super) fn is_function(symbol: usize, context: &Context) -> bool {
 
 /// What is as high as a line stands in plain parentheses: TeX and browsers set those that grow apart from what they
 /// multiply.
-fn parentheses(inner: &str) -> String {
-    let is_high = ["\\frac", "\\begin", "\\sqrt"].iter().any(|high| inner.contains(high));
+pub(super) fn parentheses(inner: &str) -> String {
+    let high = ["\\frac", "\\begin", "\\sqrt", "\\sum", "\\prod"];
+    let is_high = high.iter().any(|high| inner.contains(high));
     if is_high { format!("\\left({inner}\\right)") } else { format!("({inner})") }
 }
 

@@ -1,6 +1,8 @@
 use std::rc::Rc;
 
-use kane_algebra::syntax::{Notation, literal, parse_expr, parse_relations, parse_sentence};
+use kane_algebra::syntax::{
+    Notation, latex_name, literal, parse_expr, parse_relations, parse_sentence, surface,
+};
 use kane_kernel::{Expr, Rel, Relation};
 use proptest::prelude::*;
 
@@ -95,6 +97,23 @@ proptest! {
                 }
             }
         }
+    }
+
+    /// What is set by the grammar alone is what is set from the syntax that was read. `vv` stands for what is written out.
+    #[test]
+    fn the_surface_is_set_as_what_was_read(e in expressions()) {
+        let text = e.plain(scope().context());
+        prop_assume!(!text.contains("cases") && parse_expr(&text, &scope()).is_ok());
+        let set = surface(&format!("vv > {text} when 1 < vv"), scope().context(), &|_| false);
+        let said = format!("{} > {}", latex_name("vv"), e.latex(scope().context()));
+        prop_assert_eq!(set, Some((said, Some(format!("1 < {}", latex_name("vv"))))), "{}", text);
+        let nothing = surface(&format!("x > {text}"), scope().context(), &|_| false);
+        prop_assert_eq!(nothing, None, "nothing in {} is written out", text);
+    }
+
+    #[test]
+    fn the_surface_of_any_text_ends(text in soup()) {
+        let _ = surface(&text, scope().context(), &|_| false);
     }
 
     #[test]
@@ -201,4 +220,35 @@ fn latex_reads_like_print() {
         let sentence = parse_sentence(text, &scope()).expect(text);
         assert_eq!(sentence.latex(scope().context()), latex);
     }
+}
+
+#[test]
+fn what_is_written_out_is_set_as_it_is_written() {
+    for (text, said) in [
+        ("dot(v, v) = dot(v, n)^2 + 1", r"v \cdot v = (v \cdot n)^{2} + 1"),
+        ("v - dot(v, n)*n = [x, y]", r"v - (v \cdot n) n = \begin{pmatrix} x \\ y \end{pmatrix}"),
+        ("cross(u + v, w) = 2*cross(u, w)/x", r"(u + v) \times w = \frac{2 (u \times w)}{x}"),
+        ("sin(2*x) <= norm(v)", r"\sin(2 x) \le \left|v\right|"),
+        ("h(x/y) = x^n", r"h\left(\frac{x}{y}\right) = x^{n}"),
+        (
+            "det([[x, y], [y, x]]) = x² - y²",
+            r"\det\left(\begin{pmatrix} x & y \\ y & x \end{pmatrix}\right) = x^{2} - y^{2}",
+        ),
+        ("sum(k^2 for k in 1..n) > 0", r"\sum_{k=1}^{n} k^{2} > 0"),
+        ("2*sum(k + 1 for k in 1..n) > 0", r"2 \left(\sum_{k=1}^{n} (k + 1)\right) > 0"),
+        ("exp(-x) -> 0 as x -> oo", r"\exp(-x) \to 0 \text{ as } x \to \infty"),
+        ("h(x) := x*y", "h(x) := x y"),
+        ("u := dot(v, w)", r"u := v \cdot w"),
+    ] {
+        let set = surface(text, scope().context(), &|_| false);
+        assert_eq!(set.map(|set| set.0).as_deref(), Some(said), "{text}");
+    }
+    for text in
+        ["x > 0 or dot(v, v) > 0", "dot(v, v)", "dot(v, v) > 0 extra", "x = cases { x > 0: 1 }", ""]
+    {
+        assert_eq!(surface(text, scope().context(), &|_| false), None, "{text}");
+    }
+    let own = surface("dot(x, y) = norm(vv)", scope().context(), &|name| name == "dot");
+    let said = format!("{}(x, y) = \\left|{}\\right|", latex_name("dot"), latex_name("vv"));
+    assert_eq!(own, Some((said, None)), "a function of the document is no product");
 }
