@@ -5,6 +5,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from opinion import second_opinion
@@ -16,9 +17,14 @@ LONGEST = 60  # seconds that a scene may take
 
 
 class Trial:
-    """What the command line `SCRIPT KANE [COUNT [SEED]] [--certificates]` asks for, and what comes of it."""
+    """What the command line `SCRIPT KANE [COUNT [SEED]] [--certificates] [--keep DIR]` asks for, and what comes of it."""
 
     def __init__(self, seed):
+        self.keep = None
+        if "--keep" in sys.argv:
+            at = sys.argv.index("--keep")
+            self.keep = Path(sys.argv[at + 1])
+            del sys.argv[at : at + 2]
         arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
         self.kane, count, self.seed = arguments + ["1000", seed][len(arguments) - 1:]
         self.count = int(count)
@@ -32,10 +38,12 @@ class Trial:
         path.write_text(source)
         written = ["--certificates" if self.audited % PRINTED else "--out", self.folder.name + "/out"]
         self.audited += 1
+        began = time.monotonic()
         run = subprocess.run(
             [self.kane, "audit", str(path), "--format", "json", "--budget", str(budget), *written],
             capture_output=True, text=True, check=False,
         )
+        self.seconds = time.monotonic() - began
         if run.returncode not in (0, 1):
             return None, run.stderr
         statements = json.loads(run.stdout)["documents"][0]["statements"]
@@ -44,7 +52,7 @@ class Trial:
             refused, _ = second_opinion(source, Path(self.folder.name, "out/d.cert.json"), shown)
             if refused:
                 self.rejected += 1
-                self.wrong.append((source, "\n".join(refused)))
+                self.note(source, "\n".join(refused))
         return statements, ""
 
     def documents(self, make, rng, budget):
@@ -55,7 +63,7 @@ class Trial:
             source, known = make(rng)
             statements, messages = self.statements(source, budget)
             if statements is None:
-                self.wrong.append((source, messages))
+                self.note(source, messages)
                 return
             yield source, known, statements
 
@@ -93,6 +101,13 @@ class Trial:
             done = numbers.stop
             if done % 500 == 0:
                 print(f"{done} formulas, {self.judged} judged, {len(self.wrong)} wrong", file=sys.stderr, flush=True)
+
+    def note(self, source, why):
+        """A wrong answer, and its document, which is kept where that is asked for."""
+        self.wrong.append((source, why))
+        if self.keep:
+            self.keep.mkdir(parents=True, exist_ok=True)
+            (self.keep / f"{self.seed}-{len(self.wrong)}.md").write_text(f"<!-- {why} -->\n\n{source}")
 
     def count_one(self, name):
         self.tally[name] = self.tally.get(name, 0) + 1
