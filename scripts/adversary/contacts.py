@@ -3,23 +3,34 @@
 from decimal import Decimal
 from fractions import Fraction
 
-from expr import NEGATED, add, mul, num, relation, show, sub, substitute, symbols, var, walk
+from expr import NEGATED, add, mul, num, power, relation, show, sub, substitute, symbols, var, walk
 from inequalities import FAMILIES, chance, fold
 from neighbourhoods import Unclear, holds, places, value
 from reader import read
 
 NAMES = ["a", "b", "c", "k", "m", "u", "v", "x", "y", "z"]
 TURNED = {">=": "<=", "<=": ">=", ">": "<", "<": ">", "=": "=", "!=": "!="}
-STRICT = {">=": ">", "<=": "<"}
+STRICT = {">=": ">", "<=": "<", ">": ">", "<": "<", "=": "!="}
 EPSILON = [Fraction(1, 10), Fraction(1, 100), Fraction(1, 1000), Fraction(1, 10**6)]
 #: what may stand in the place of a letter that a premise speaks of, and the symbol by the letter
 TURNS = [("s", "s"), ("s", "s"), ("2*s", "s/2"), ("s/3", "3*s"), ("s^2", "sqrt(s)"), ("1/s", "1/s"), ("sqrt(s)", "s^2")]
-FORMULAS = ["s*t", "s/t", "2*s", "s^2", "s + t", "s + 1", "sqrt(s)", "s + 1/s", "s*t^2", "sqrt(s*t)", "s/2"]
+FORMULAS = [
+    "s*t", "s/t", "2*s", "s^2", "s + t", "s + 1", "sqrt(s)", "s + 1/s", "s*t^2", "sqrt(s*t)", "s/2", "sqrt(2)*s",
+    "1000000*s",
+]  # fmt: skip
 #: hints of no use: s and t are symbols, w is one of which nothing is known, l and r are the sides of the claim
 HINTS = [
     "l - r", "r - l", "w*(l - r)", "-1 - s^2", "1/(s - t)", "sqrt(s - t)", "sqrt(-1 - s^2)", "1/(s - s)", "w", "1/w",
     "sqrt(w)", "s - t", "w - s", "l", "-l", "s*t - 1", "abs(s - t)", "(l - r)^2", "sqrt(l - r)", "1/(l - r)", "w^2 - s^2",
     "min(s, -t)", "s - 1", "-(s - t)^2", "sqrt(r - l) - w",
+]  # fmt: skip
+
+
+#: what is 0 and has a value everywhere
+DISGUISES = [
+    "sqrt(0)", "0*s", "sqrt(s - s)", "sqrt(4) - 2", "sqrt(1/4) - 1/2", "s^0 - 1", "sqrt(2)*sqrt(2) - 2", "sqrt(8) - 2*sqrt(2)",
+    "0/(1 + s^2)", "abs(s - s)", "sqrt((s - t)^2) - abs(s - t)", "min(s, t) + max(s, t) - s - t", "1/sqrt(2) - sqrt(1/2)",
+    "sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2)", "0*sqrt(2)", "1000000000000*s - 1000000000000*s",
 ]  # fmt: skip
 
 
@@ -43,7 +54,7 @@ class Setting:
         self.hints = [substitute(h, self.table) for h in self.known.hints]
         sides = [side for r in (self.relation, self.premise, self.order) if r for side in r[1:]]
         self.symbols = sorted(set().union(*(symbols(side, {}) for side in sides)))
-        self.closed = not any(e[0] == "d" or (e[0] == "/" and fold(e[2])[0] != "n") for side in sides for e in walk(side))
+        self.closed = self.known.closes and not any(e[0] == "d" or (e[0] == "/" and fold(e[2])[0] != "n") for side in sides for e in walk(side))
         self.sign = rng.choice([">", ">", ">", ">="])
         self.declared = rng.random() < 0.5
         self.positive = [(self.sign, var(s), num(0)) for s in self.symbols]
@@ -103,7 +114,8 @@ class Claim:
         self.signs, self.premise, self.order = True, bool(setting.premise), bool(setting.order)
         self.relation, self.right = setting.relation, False
         if right:
-            self.change = rng.choice(["as it is", "as it is", "weaker", "strictly weaker", "moved", "scaled", "apart"])
+            changes = ["as it is", "as it is", "moved", "scaled", "apart", "disguised"]
+            self.change = rng.choice(changes + ["weaker", "strictly weaker"] * (self.relation[0] != "="))
             self.right = setting.known.certain and (setting.sign == ">" or setting.closed)
         else:
             changes = ["constant", "constant", "factor", "strict", "turned", "coefficient", "equation", "unequal", "letters"]
@@ -112,6 +124,8 @@ class Claim:
         self.relation = getattr(self, self.change.replace(" ", "_"), lambda _: self.relation)(rng)
         if self.change.startswith("no "):
             setattr(self, self.change[3:], False)
+        if rng.random() < 0.1:
+            self.relation = self.disguised(rng)
         if rng.random() < 0.3:
             self.relation = (TURNED[self.relation[0]], self.relation[2], self.relation[1])
         if rng.random() < 0.45:
@@ -120,7 +134,7 @@ class Claim:
     def by(self, rng, amount):
         """The relation with an amount more to show, or less."""
         op, left, right = self.relation
-        return op, left, (add if (op == ">=") == (amount > 0) else sub)(right, num(abs(amount)))
+        return op, left, (add if (op[0] == ">") == (amount > 0) else sub)(right, num(abs(amount)))
 
     def weaker(self, rng):
         return self.by(rng, -rng.choice(EPSILON))
@@ -135,7 +149,7 @@ class Claim:
         return op, add(left, extra), add(right, extra)
 
     def scaled(self, rng):
-        factor = put(rng.choice(["3", "1/7", "s", "s + t", "1 + w^2"]), self.names(rng))
+        factor = put(rng.choice(["3", "1/7", "s", "s + t", "1 + w^2", "sqrt(2)", "1/sqrt(3)"]), self.names(rng))
         op, left, right = self.relation
         return op, mul(factor, left), mul(factor, right)
 
@@ -143,12 +157,25 @@ class Claim:
         op, left, right = self.relation
         return op, sub(left, right), num(0)
 
+    def disguised(self, rng):
+        """The same with something beside it that is 0 or 1, or with numbers written as roots."""
+        op, left, right = self.relation
+        nothing = put(rng.choice(DISGUISES), self.names(rng))
+        if rng.random() < 0.3:
+            numbers = [e for e in walk(left) if e[0] == "n" and e[1] > 0]
+            if numbers:
+                old = rng.choice(numbers)
+                return op, replaced(left, old, ("sqrt", power(old, 2))), right
+        if rng.random() < 0.5:
+            return op, add(left, nothing), right
+        return op, mul(left, add(num(1), nothing)), right
+
     def constant(self, rng):
         return self.by(rng, rng.choice(EPSILON))
 
     def factor(self, rng):
         op, left, right = self.relation
-        return op, left, mul(num(1 + rng.choice(EPSILON) * (1 if op == ">=" else -1)), right)
+        return op, left, mul(num(1 + rng.choice(EPSILON) * (1 if op[0] == ">" else -1)), right)
 
     def strict(self, rng):
         return STRICT[self.relation[0]], *self.relation[1:]

@@ -124,6 +124,9 @@ GAPS = [
     ("p^3 + 2*q^3 >= 3*p*q^2", "(p - q)^2*(p + 2*q)"),
 ]
 
+#: where the sides of each of them agree
+AGREE = ["p = q", "p = q", "p = q", "p = 2*q", "p = q", "p = q", "4*p = 3*q", "p = q", "p = 1", None, "p = q"]
+
 #: growing where x is positive
 GROWING = [
     "sqrt(x)", "sqrt(x + 1)", "x/(x + 1)", "sqrt(x^2 + 1)", "x/sqrt(x^2 + 1)", "x - 1/x", "sqrt(x + 1) - 1/(x + 1)",
@@ -136,7 +139,7 @@ class Known:
 
     def __init__(self, family, relation, premise="", hints=(), order=None):
         self.family, self.relation, self.hints, self.order = family, relation, list(hints), order
-        self.certain = True
+        self.certain, self.closes = True, True  # whether it is known to hold, and to hold at 0 too where it has a value
         self.premise, self.last, self.solution = None, None, None
         if premise:
             said, self.last, solution = premise
@@ -158,6 +161,8 @@ def fold(e):
     kind = e[0]
     if kind in "nv":
         return e
+    if kind == "d":
+        return kind, fold(e[1]), e[2]
     if kind == "^":
         a = fold(e[1])
         return num(a[1] ** e[2]) if a[0] == "n" and (a[1] or e[2] > 0) else ("^", a, e[2])
@@ -259,6 +264,28 @@ def gap(rng):
     return Known("gap", (">=", left, right), hints=hints)
 
 
+def equality(rng):
+    """When the sides agree, and that one is larger where they do not."""
+    if rng.random() < 0.6:
+        (said, _), where = rng.choice([pair for pair in zip(GAPS, AGREE) if pair[1]])
+        table = {"p": var("a"), "q": var("b")}
+        (sign, left, right), (_, p, q) = (
+            (r[0], *(substitute(side, table) for side in r[1:])) for r in (Reader(said).relation(), Reader(where).relation())
+        )
+    else:
+        f, sign = shaped(rng)
+        while "abs" in {e[0] for e in walk(f)}:
+            f, sign = shaped(rng)
+        p, q = var("a"), var("b")
+        left, right = add(at(f, p), at(f, q)), mul(num(2), at(f, div(add(p, q), num(2))))
+    if rng.random() < 0.5:
+        known = Known("equality", ("=", p, q), order=("=", left, right))
+    else:
+        known = Known("equality", (sign[0], left, right), order=("!=", p, q))
+    known.closes = False
+    return known
+
+
 def norms(rng):
     """Minkowski: lengths of vectors against the length of their sum, and the length against a component."""
     n, plane = rng.choice([(2, 2), (2, 2), (3, 2), (2, 3)])
@@ -300,4 +327,4 @@ def chance(rng):
     return known
 
 
-FAMILIES = (textbook, textbook, jensen, jensen, tangent, gap, norms, growing)
+FAMILIES = (textbook, textbook, jensen, jensen, tangent, gap, norms, growing, equality)

@@ -149,7 +149,8 @@ def judged(trial, source, claim, statement, rng):
     if link["standing"] == "does not follow" and not link["unmet"]:
         trial.count_one("witnesses that name no given that fails there")
     if verdict == "undecided" and kind != "open to the points" and "--show-open" in sys.argv:
-        print(f"open ({kind}): {statement['source']}   # {'; '.join(claim.setting.lines())}", file=sys.stderr, flush=True)
+        where = f", at {shown(failing)}" if failing else ""
+        print(f"open ({kind}{where}): {statement['source']}   # {'; '.join(claim.setting.lines())}", file=sys.stderr, flush=True)
     try:
         for why in complaints(claim, statement, failing, some):
             trial.note(source, f"{claim.label} {why}")
@@ -196,7 +197,9 @@ def main():
             for claim in claims:
                 trial.judged += 1
                 judged(trial, source, claim, of_label[claim.label], points)
-    print(f"{time.monotonic() - began:.0f} s, the longest of {trial.audited} documents: {times[0][0]:.1f} s", file=sys.stderr)
+            if trial.audited % 100 == 0:
+                print(f"{trial.judged} claims, {len(trial.wrong)} wrong", file=sys.stderr, flush=True)
+    print(f"{time.monotonic() - began:.0f} s, the longest of {trial.audited} documents: {times[0][0]:.1f} s of processor time", file=sys.stderr)
     if "--show-open" in sys.argv:
         for seconds, source in times:
             print(f"{seconds:.1f} s:\n{source}", file=sys.stderr)
