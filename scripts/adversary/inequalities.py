@@ -150,6 +150,10 @@ class Known:
         self.letters = sorted({e[1] for r in relations for side in r[1:] for e in walk(side) if e[0] == "v"})
 
 
+#: where tangents touch
+PLACES = [Fraction(n, d) for n, d in ((1, 1), (2, 1), (3, 1), (4, 1), (8, 1), (9, 1), (1, 2), (1, 3), (1, 4), (3, 4), (1, 8), (4, 3))]
+
+
 def square(q):
     """The root of a fraction, if it is one."""
     n, d = isqrt(q.numerator), isqrt(q.denominator)
@@ -190,6 +194,13 @@ def at(f, e):
     return substitute(f, {"x": e})
 
 
+def simple_place(rng, f):
+    """A number, often one at which f has no root of a number that is none."""
+    chosen = num(rng.choice(PLACES))
+    fair = [num(q) for q in PLACES if fold(at(f, num(q)))[0] == "n"]
+    return rng.choice(fair) if fair and rng.random() < 0.7 else chosen
+
+
 def line(f, middle, x):
     """The tangent of f at a number."""
     return add(fold(at(f, middle)), mul(slope(f, "x", {"x": middle}), sub(x, middle)))
@@ -221,7 +232,7 @@ def jensen(rng):
     if rng.random() < 0.5:
         mean = div(weighted(weights, letters), whole)
         return Known("jensen", (sign, left, mul(whole, at(f, mean))))
-    middle = num(rng.choice([1, 1, 2, 3, Fraction(1, 2), Fraction(1, 3), 4]))
+    middle = simple_place(rng, f)
     right = fold(mul(whole, at(f, middle)))
     last = div(sub(fold(mul(whole, middle)), weighted(weights, letters[:-1])), num(weights[-1]))
     premise = (("=", weighted(weights, letters), fold(mul(whole, middle))), letters[-1][1], last)
@@ -241,7 +252,7 @@ def tangent(rng):
     sign = rng.choice([">=", "<="])
     for name in LETTERS[: rng.choice([1, 2, 2, 3])]:
         f = read(rng.choice([f for f in CONVEX if "abs" not in f] if sign == ">=" else CONCAVE))
-        middle, x = num(rng.choice([1, 1, 2, 3, 4, Fraction(1, 2), Fraction(3, 4)])), var(name)
+        middle, x = simple_place(rng, f), var(name)
         parts.append((at(f, x), line(f, middle, x)))
         hints.append(beside(sign, *parts[-1]))
     left, right = (total(side) for side in zip(*parts))
@@ -317,8 +328,11 @@ def chance(rng):
         inside = substitute(inside, {"x": var(rng.choice(few)), "y": var(rng.choice(few))})
         part = ("sqrt", inside) if rng.random() < 0.8 else div(inside, add(var(rng.choice(few)), num(rng.randint(1, 3))))
         left = part if left is None else (rng.choice("++-"), left, part)
-    middle = {name: num(rng.choice([1, 1, 2, 3, 4, Fraction(1, 2)])) for name in few}
-    right = fold(substitute(left, middle))
+    for _ in range(12):
+        middle = {name: num(rng.choice([1, 1, *PLACES])) for name in few}
+        right = fold(substitute(left, middle))
+        if right[0] == "n":
+            break
     for name in few:
         steep = slope(left, name, middle) if rng.random() < 0.5 else num(Fraction(rng.randint(-4, 4), 4))
         right = add(right, mul(steep, sub(var(name), middle[name])))
