@@ -33,6 +33,12 @@ DISGUISES = [
     "sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2)", "0*sqrt(2)", "1000000000000*s - 1000000000000*s",
 ]  # fmt: skip
 
+#: hints that bring other things into a document; what is an angle is in no exponent, so it has one list or the other
+STRANGE = [
+    ["exp(w)", "exp({s}) - 1 - {s}", "exp(-w^2)", "exp(w) - 1 - w", "d({s}^2, {s})", "d(w^3, w)", "norm([{s}, w])"],
+    ["sin(w)", "cos(w) - 1", "w*sin(w)", "cases {{ {s} > 1: {s}; else: -w }}", "d(sqrt(w), w)", "abs(w) - {s}"],
+]  # fmt: skip
+
 
 def put(text, table):
     return substitute(read(text), table)
@@ -56,7 +62,7 @@ class Setting:
         self.symbols = sorted(set().union(*(symbols(side, {}) for side in sides)))
         self.closed = self.known.closes and not any(e[0] == "d" or (e[0] == "/" and fold(e[2])[0] != "n") for side in sides for e in walk(side))
         self.sign = rng.choice([">", ">", ">", ">="])
-        self.declared = rng.random() < 0.5
+        self.declared, self.strange = rng.random() < 0.5, rng.choice(STRANGE)
         self.positive = [(self.sign, var(s), num(0)) for s in self.symbols]
 
     def turn(self, rng):
@@ -212,6 +218,12 @@ class Claim:
         return {"s": var(rng.choice(self.setting.symbols)), "t": var(rng.choice(self.setting.symbols))}
 
     def hint(self, rng):
+        """What stands behind `using`, as it is written."""
+        if rng.random() < 0.1:
+            return rng.choice(self.setting.strange).format(s=rng.choice(self.setting.symbols))
+        return show(self.plain_hint(rng))
+
+    def plain_hint(self, rng):
         if self.setting.hints and rng.random() < 0.4:
             return rng.choice(self.setting.hints)
         _, left, right = self.relation
@@ -229,7 +241,7 @@ class Claim:
         out = f"claim {self.label}: {relation(self.relation)}"
         out += f" when {relation(setting.order)}" if self.order else ""
         out += f" from {', '.join(cited)}" if cited else ""
-        return out + (f" using {', '.join(map(show, self.hints))}" if self.hints else "")
+        return out + (f" using {', '.join(self.hints)}" if self.hints else "")
 
     def uncited(self):
         """Givens of the document that it does not cite."""
@@ -268,7 +280,7 @@ class Contradiction(Claim):
         opposite = (NEGATED[self.relation[0]], *self.relation[1:])
         out = f"given opposite: {relation(opposite)}" + (f", {relation(self.setting.order)}" if self.order else "")
         out += f"\nclaim {self.label}: contradiction from {', '.join(cited)}"
-        return out + (f" using {', '.join(map(show, self.hints))}" if self.hints else "")
+        return out + (f" using {', '.join(self.hints)}" if self.hints else "")
 
     @staticmethod
     def fails(held):

@@ -199,7 +199,8 @@ def main():
                 judged(trial, source, claim, of_label[claim.label], points)
             if trial.audited % 100 == 0:
                 print(f"{trial.judged} claims, {len(trial.wrong)} wrong", file=sys.stderr, flush=True)
-    print(f"{time.monotonic() - began:.0f} s, the longest of {trial.audited} documents: {times[0][0]:.1f} s of processor time", file=sys.stderr)
+    longest = max((seconds for seconds, _ in times), default=0)
+    print(f"{time.monotonic() - began:.0f} s, the longest of {trial.audited} documents: {longest:.1f} s of processor time", file=sys.stderr)
     if "--show-open" in sys.argv:
         for seconds, source in times:
             print(f"{seconds:.1f} s:\n{source}", file=sys.stderr)
