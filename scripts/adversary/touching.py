@@ -28,6 +28,7 @@ from trial import Trial
 
 BUDGET = 2_000_000
 CLAIMS = 3  # a document
+NEAR = re.compile(r"(?:at|,) ([a-z]) near (-?[\d.]+(?:e-?\d+)?)")
 SIDES = re.compile(r": left side (.*?), right side (.*?)(?: \(|$)")
 
 
@@ -80,6 +81,9 @@ def witness_faults(claim, link):
     mistakes, _ = told.mistakes(link, Place(values))
     for line in mistakes:
         yield f"tells what is not so: {line}"
+    for name, near in NEAR.findall(reason):
+        if told.fits(f"about {near}", values[name]) is False:
+            yield f"tells another value of {name}: {reason}"
     told_sides = SIDES.search(reason)
     for said, side in zip(told_sides.groups() if told_sides else (), claim.relation[1:]):
         if told.fits(said, told.value(side, Place(values))) is False:
