@@ -6,6 +6,7 @@
 
 import random
 import sys
+from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
 from pathlib import Path
@@ -17,6 +18,10 @@ from algebraic import Alg, Costly, root_of, sign, square_root  # noqa: E402
 from chance import mixed, rational, scramble, small  # noqa: E402
 from expr import show  # noqa: E402
 from germ import Germ, approach  # noqa: E402
+from inequalities import FAMILIES, fold  # noqa: E402
+from neighbourhoods import Unclear, digits  # noqa: E402
+from neighbourhoods import Undefined as Nothing  # noqa: E402
+from neighbourhoods import value as in_digits  # noqa: E402
 from point import Ambiguous, Scope, Undefined, evaluate  # noqa: E402
 from reader import read  # noqa: E402
 from slopes import by_rules, differentiable  # noqa: E402
@@ -109,8 +114,28 @@ def roots_are_exact(rng):
     assert sign(r * r * r - 2) == 0 and sign(r * r - Fraction(3, 2)) == 1
 
 
+def digits_agree_with_exact_values(rng):
+    """An inequality that is known, and the same with its arithmetic on numbers done: in digits, and exactly."""
+    known = rng.choice(FAMILIES)(rng)
+    place = {name: abs(small(rng)) for name in known.letters}
+    with digits():
+        far = {name: Decimal(v.numerator) / Decimal(v.denominator) for name, v in place.items()}
+        for side in known.relation[1:]:
+            exact = value(side, **place)
+            for e in (side, fold(side)):
+                try:
+                    v = in_digits(e, far)
+                except (Nothing, Unclear):
+                    v = None
+                assert (v is None) == (exact is None), show(side)
+                if v is not None:
+                    apart = Fraction(v) - (exact.near(400) if isinstance(exact, Alg) else exact)
+                    assert abs(apart) < Fraction(1, 2**80), show(side)
+
+
 def main():
-    checks = [printed_text_reads_back, rewriting_keeps_values, jets_agree_with_differences, jets_agree_with_rules, germs_agree_with_points, roots_are_exact]
+    checks = [printed_text_reads_back, rewriting_keeps_values, jets_agree_with_differences, jets_agree_with_rules]
+    checks += [germs_agree_with_points, roots_are_exact, digits_agree_with_exact_values]
     for check in checks:
         rng = random.Random(check.__name__)
         for _ in range(300):

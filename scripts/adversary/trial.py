@@ -1,6 +1,7 @@
 """One document at a time, put to the program and its certificate to the second checker."""
 
 import json
+import os
 import random
 import subprocess
 import sys
@@ -16,14 +17,20 @@ LONGEST = 60  # seconds that a scene may take
 
 
 class Trial:
-    """What the command line `SCRIPT KANE [COUNT [SEED]] [--certificates]` asks for, and what comes of it."""
+    """What the command line `SCRIPT KANE [COUNT [SEED]] [--certificates] [--keep DIR]` asks for, and what comes of it."""
 
     def __init__(self, seed):
+        self.keep = None
+        if "--keep" in sys.argv:
+            at = sys.argv.index("--keep")
+            self.keep = Path(sys.argv[at + 1])
+            del sys.argv[at : at + 2]
         arguments = [a for a in sys.argv[1:] if not a.startswith("--")]
         self.kane, count, self.seed = arguments + ["1000", seed][len(arguments) - 1:]
         self.count = int(count)
         self.certificates = "--certificates" in sys.argv
         self.tally, self.wrong, self.rejected, self.judged, self.audited = {}, [], 0, 0, 0
+        self.seconds = 0  # of processor time, that the last document took
         self.folder = tempfile.TemporaryDirectory()
 
     def statements(self, source, budget):
@@ -32,10 +39,13 @@ class Trial:
         path.write_text(source)
         written = ["--certificates" if self.audited % PRINTED else "--out", self.folder.name + "/out"]
         self.audited += 1
+        before = os.times()
         run = subprocess.run(
             [self.kane, "audit", str(path), "--format", "json", "--budget", str(budget), *written],
             capture_output=True, text=True, check=False,
         )
+        after = os.times()
+        self.seconds = after.children_user + after.children_system - before.children_user - before.children_system
         if run.returncode not in (0, 1):
             return None, run.stderr
         statements = json.loads(run.stdout)["documents"][0]["statements"]
@@ -44,7 +54,7 @@ class Trial:
             refused, _ = second_opinion(source, Path(self.folder.name, "out/d.cert.json"), shown)
             if refused:
                 self.rejected += 1
-                self.wrong.append((source, "\n".join(refused)))
+                self.note(source, "\n".join(refused))
         return statements, ""
 
     def documents(self, make, rng, budget):
@@ -55,7 +65,7 @@ class Trial:
             source, known = make(rng)
             statements, messages = self.statements(source, budget)
             if statements is None:
-                self.wrong.append((source, messages))
+                self.note(source, messages)
                 return
             yield source, known, statements
 
@@ -93,6 +103,13 @@ class Trial:
             done = numbers.stop
             if done % 500 == 0:
                 print(f"{done} formulas, {self.judged} judged, {len(self.wrong)} wrong", file=sys.stderr, flush=True)
+
+    def note(self, source, why):
+        """A wrong answer, and its document, which is kept where that is asked for."""
+        self.wrong.append((source, why))
+        if self.keep:
+            self.keep.mkdir(parents=True, exist_ok=True)
+            (self.keep / f"{self.seed}-{len(self.wrong)}.md").write_text(f"<!-- {why} -->\n\n{source}")
 
     def count_one(self, name):
         self.tally[name] = self.tally.get(name, 0) + 1

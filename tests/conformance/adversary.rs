@@ -218,3 +218,12 @@ fn no_verdict_on_roots_of_numbers_is_wrong() {
         assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
     }
 }
+
+#[test]
+fn no_verdict_on_what_touches_at_a_point_is_wrong() {
+    if let Some(printed) = trial("touching.py", 100) {
+        let kinds =
+            ["claims, right, proved: ", "claims, wrong, refuted: ", "claims, wrong, ill-defined: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
