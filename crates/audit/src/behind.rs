@@ -98,15 +98,12 @@ impl Witnessed<'_> {
         }
     }
 
-    /// Those of the givens that fail at a point. Only those are asked whose symbols all have a value there.
+    /// Those of the givens that fail at a point. Only those are asked whose symbols all have a rational value there.
     fn failing(&self, others: &[usize], point: &Point) -> Vec<usize> {
-        if point.generator.is_some() {
-            return Vec::new();
-        }
         let document = self.document;
         let values = coordinates(document, point);
         let mut at = Evaluator::new(&document.context, &values);
-        let known = |v: &usize| point.values.iter().any(|known| known.0 == *v);
+        let known = |v: &usize| rational(point, *v).is_some();
         let mut fails_there = |i: &usize| {
             let Body::Given(sentence) = &document.statements[*i].body else { return false };
             mentions(&document.context, sentence).iter().all(known) && fails(&mut at, sentence)
@@ -117,14 +114,14 @@ impl Witnessed<'_> {
     /// That the symbols of the goal have the values of a point, if these are rational.
     fn pins(&self, point: &Point) -> Vec<Hypothesis> {
         let symbols = self.document.context.vars.len();
-        let values = point.values.iter().filter(|(v, _)| *v < symbols);
-        let pin = |(v, value): &(usize, Vec<BigRational>)| {
-            let value = value.first().cloned().unwrap_or_else(BigRational::zero);
-            let equation = Relation { lhs: Expr::Var(*v), rel: Rel::Eq, rhs: Expr::Num(value) };
+        let all = point.values.iter().map(|(v, _)| *v).filter(|v| *v < symbols);
+        let pin = |v: usize| {
+            let value = Expr::Num(rational(point, v)?);
+            let equation = Relation { lhs: Expr::Var(v), rel: Rel::Eq, rhs: value };
             let sentence = Sentence { when: Vec::new(), links: vec![Link::Relation(equation)] };
-            Hypothesis { sentence, given: true }
+            Some(Hypothesis { sentence, given: true })
         };
-        if point.generator.is_some() { Vec::new() } else { values.map(pin).collect() }
+        all.map(pin).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// A witness of the goal at which these givens and these pins hold too.
@@ -186,12 +183,17 @@ impl Witnessed<'_> {
     }
 }
 
+/// The value of a variable at a point, if it has one there that is rational.
+fn rational(point: &Point, v: usize) -> Option<BigRational> {
+    let (_, value) = point.values.iter().find(|known| known.0 == v)?;
+    let is_rational = value.iter().skip(1).all(BigRational::is_zero);
+    is_rational.then(|| value.first().cloned().unwrap_or_else(BigRational::zero))
+}
+
+/// The values of all symbols; 0 for those that have none that is rational.
 fn coordinates(document: &Document, point: &Point) -> Vec<BigRational> {
-    let value = |v: usize| {
-        let known = point.values.iter().find(|known| known.0 == v);
-        known.and_then(|known| known.1.first().cloned()).unwrap_or_else(BigRational::zero)
-    };
-    (0..document.context.vars.len()).map(value).collect()
+    let symbols = 0..document.context.vars.len();
+    symbols.map(|v| rational(point, v).unwrap_or_else(BigRational::zero)).collect()
 }
 
 /// Whether a sentence that speaks of points is false there.

@@ -200,6 +200,23 @@ fn a_witness_names_the_given_that_it_fails_and_that_would_do() {
 }
 
 #[test]
+fn a_witness_with_an_irrational_root_names_the_given_that_it_fails() {
+    let text = "```kane\nvar c > 0, y > 0, z\ngiven premise: y*c = 1\ngiven sign: z > 0\n\
+                claim a: sqrt(y^2 + 1) + sqrt(c^2 + 1) >= 2*sqrt(2) expect refuted\n\
+                claim b: sqrt(2) + sqrt(3) >= sqrt(z + 1) expect ill-defined\n```\n";
+    let audit = audited("root.md", text);
+    let statement = |label: &str| {
+        let mut all = audit.document.statements.iter();
+        all.position(|s| s.label == label).expect("it is there")
+    };
+    let link = |label: &str| audit.judgements[statement(label)].links[0].clone();
+    assert_eq!(link("a").standing, Some(Standing::Unmet(vec![statement("premise")])));
+    assert_eq!(link("a").would_do, Some(statement("premise")));
+    assert_eq!(link("b").standing, Some(Standing::Unmet(vec![statement("sign")])));
+    assert_eq!(link("b").would_do, None, "it is false where z is large");
+}
+
+#[test]
 fn what_is_false_and_what_only_does_not_follow_are_told_apart() {
     let text = "```kane\nvar x, y, z, w >= 0\ngiven positive: x > 0\ngiven tied: z = y + 1\n\
                 given root: y = sqrt(w)\n\
