@@ -40,14 +40,24 @@ pub fn surface(
     (setter.token == Token::End && setter.is_written_out).then_some((said, when))
 }
 
+/// What stands for a symbol.
+#[derive(Clone)]
+struct Text {
+    latex: String,
+    /// whether it needs parentheses in a product
+    is_loose: bool,
+    /// its name, if it has one
+    name: Option<String>,
+}
+
 struct Setter<'a> {
     text: &'a str,
     token: Token,
     span: std::ops::Range<usize>,
     context: &'a Context,
     is_own: &'a dyn Fn(&str) -> bool,
-    /// what is set and no symbol of the context, and whether it needs parentheses in a product
-    texts: RefCell<Vec<(String, bool)>>,
+    /// what is set and no symbol of the context
+    texts: RefCell<Vec<Text>>,
     depth: usize,
     is_written_out: bool,
 }
@@ -83,26 +93,36 @@ impl Setter<'_> {
 
     fn set(&self, e: &Expr) -> String {
         let texts = self.texts.borrow();
-        let text = |v: usize| Some(texts.get(v.checked_sub(TEXTS)?)?.0.clone());
+        let text = |v: usize| Some(texts.get(v.checked_sub(TEXTS)?)?.latex.clone());
         latex_with(e, self.context, &text)
     }
 
     /// A text in the place of a symbol.
-    fn text(&self, text: String, is_loose: bool) -> Expr {
+    fn text(&self, latex: String, is_loose: bool) -> Expr {
+        self.keep(Text { latex, is_loose, name: None })
+    }
+
+    fn named(&self, name: String) -> Expr {
+        self.keep(Text { latex: latex_name(&name), is_loose: false, name: Some(name) })
+    }
+
+    fn keep(&self, text: Text) -> Expr {
         let mut texts = self.texts.borrow_mut();
-        texts.push((text, is_loose));
+        texts.push(text);
         Expr::Var(TEXTS + texts.len() - 1)
+    }
+
+    fn known(&self, v: usize) -> Option<Text> {
+        self.texts.borrow().get(v.checked_sub(TEXTS)?).cloned()
     }
 
     /// The same as a factor.
     fn factor(&self, e: Expr) -> Expr {
         let Expr::Var(v) = e else { return e };
-        let loose = {
-            let texts = self.texts.borrow();
-            let text = v.checked_sub(TEXTS).and_then(|at| texts.get(at));
-            text.filter(|text| text.1).map(|text| parentheses(&text.0))
-        };
-        loose.map_or(Expr::Var(v), |text| self.text(text, false))
+        match self.known(v).filter(|text| text.is_loose) {
+            Some(text) => self.text(parentheses(&text.latex), false),
+            None => e,
+        }
     }
 
     fn statement(&mut self) -> Option<String> {
@@ -337,7 +357,26 @@ impl Setter<'_> {
             return Expr::Let(i);
         }
         self.is_written_out = true;
-        self.text(latex_name(name), false)
+        self.named(canonical.into_owned())
+    }
+
+    /// d(f, x): a symbol of the context where motion has one, a name where f is a name that the context lacks.
+    fn derivative(&mut self, f: &Expr, x: usize) -> Expr {
+        let by = &self.context.vars.get(x).map_or("?", |var| &var.name);
+        let name = match f {
+            Expr::Var(v) if *v < TEXTS => self.context.vars.get(*v).map(|var| var.name.clone()),
+            Expr::Var(v) => self.known(*v).and_then(|text| text.name),
+            _ => None,
+        };
+        let name = name.map(|name| format!("d({name}, {by})"));
+        let symbol = name
+            .as_ref()
+            .and_then(|name| self.context.vars.iter().position(|var| var.name == *name));
+        match (symbol, name, f) {
+            (Some(v), ..) => Expr::Var(v),
+            (None, Some(name), Expr::Var(v)) if *v >= TEXTS => self.named(name),
+            _ => Expr::Deriv(f.clone().into(), x),
+        }
     }
 
     /// A function behind its opened parenthesis.
@@ -352,7 +391,7 @@ impl Setter<'_> {
             ("sqrt", [a]) => Expr::Sqrt(one(a)),
             ("min", [a, b]) => Expr::Min(one(a), one(b)),
             ("max", [a, b]) => Expr::Max(one(a), one(b)),
-            ("d", [f, Expr::Var(x)]) if *x < TEXTS => Expr::Deriv(one(f), *x),
+            ("d", [f, Expr::Var(x)]) if *x < TEXTS => self.derivative(f, *x),
             _ => {
                 self.is_written_out = true;
                 return self.written_out(name, all);

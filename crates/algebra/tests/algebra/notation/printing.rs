@@ -229,6 +229,7 @@ fn what_is_written_out_is_set_as_it_is_written() {
         ("v - dot(v, n)*n = [x, y]", r"v - (v \cdot n) n = \begin{pmatrix} x \\ y \end{pmatrix}"),
         ("cross(u + v, w) = 2*cross(u, w)/x", r"(u + v) \times w = \frac{2 (u \times w)}{x}"),
         ("sin(2*x) <= norm(v)", r"\sin(2 x) \le \left|v\right|"),
+        ("d(d(v, x), x) = cross(u, v)", r"\frac{d^2 v}{d x^2} = u \times v"),
         ("h(x/y) = x^n", r"h\left(\frac{x}{y}\right) = x^{n}"),
         (
             "det([[x, y], [y, x]]) = x² - y²",
