@@ -55,6 +55,39 @@ fn markdown_of_every_verdict() {
 }
 
 #[test]
+fn a_statement_is_set_as_its_author_wrote_it() {
+    let text = "```kane\nvar t, a > 0, theta(t), w(t) in R^3, J in R^3x3\n\
+                let T := dot(w, J*w)/2\nlet h(x) := a*x^2\n\
+                given euler: J*d(w, t) = -cross(w, J*w)\n\
+                claim double: sin(2*theta) = 2*sin(theta)*cos(theta)\n\
+                claim scaled: h(2*a)/h(a) = 4 when a > 1\n\
+                claim plain: a/(1 + a)^2 < 1\n```\n";
+    let document = read("top.md", text.as_bytes()).expect("it can be read");
+    let audit = kane::audit::audit(document, &Options::default(), &mut |_, _| {});
+    let report = Report::new(&audit, "kane audit top.md");
+    let shown = markdown(&report);
+    let formulas: Vec<&str> = shown
+        .split("```math\n")
+        .skip(1)
+        .map(|rest| rest.split_once("\n```").expect("it ends").0)
+        .collect();
+    insta::assert_snapshot!(formulas.join("\n"), @r"
+    \cos(\theta)^{2} + \sin(\theta)^{2} = 1
+    T := \frac{w \cdot (J w)}{2}
+    J \frac{d w}{d t} = -w \times (J w)
+    \sin(2 \theta) = 2 \sin(\theta) \cos(\theta)
+    \frac{h(2 a)}{h(a)} = 4 \quad\text{when } a > 1
+    \frac{a}{(1 + a)^{2}} < 1
+    ");
+    let page = html(&report);
+    let folded = page.matches("<summary>written out</summary>").count();
+    assert_eq!(folded, 4, "what is judged stands below what is written in another way");
+    for formula in ["w \\cdot (J w)", "\\sin(2 \\theta)", "-w \\times (J w)"] {
+        assert!(latex(&report).contains(formula), "{formula}");
+    }
+}
+
+#[test]
 fn json_of_every_verdict() {
     let audit = audit();
     let report = Report::new(&audit, "kane audit wall.md");

@@ -213,7 +213,8 @@ impl<'a> Entry<'a> {
 
     /// The same with vectors, functions and angles as they are judged, if they are written in another way.
     pub(crate) fn judged(&self) -> Option<(String, Option<String>)> {
-        self.surface().and_then(|_| self.written_out())
+        let said = self.surface()?;
+        self.written_out().filter(|judged| *judged != said)
     }
 
     fn surface(&self) -> Option<(String, Option<String>)> {
