@@ -4,7 +4,7 @@ mod arithmetic;
 mod compositum;
 mod field;
 mod greatest_root;
-mod linear;
+pub mod linear;
 mod order;
 mod roots;
 mod surd;

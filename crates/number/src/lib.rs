@@ -91,7 +91,7 @@ mod system;
 pub mod testkit;
 mod ulp;
 
-pub use algebraic::Algebraic;
+pub use algebraic::{Algebraic, linear};
 pub use binary::Binary;
 pub use changes::changes;
 pub use comparison::Comparison;

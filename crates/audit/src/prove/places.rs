@@ -1,8 +1,9 @@
 //! Points by places: the symbols have simple values, and the roots those that follow.
 
 use kane_algebra::point::{burden, specialised};
-use kane_kernel::{Atom, Point, Poly, State};
+use kane_kernel::{Atom, Point, Poly, Sign, State};
 use num_rational::BigRational;
+use num_traits::Zero as _;
 
 use super::elimination::{Elimination, open_vars};
 use super::line;
@@ -25,7 +26,10 @@ impl Search<'_> {
         tries: usize,
     ) -> Option<Point> {
         let is_root = |v: &usize| state.scope.root(*v).is_some();
-        let (roots, symbols): (Vec<usize>, Vec<usize>) = vars.iter().copied().partition(is_root);
+        let (roots, mut symbols): (Vec<usize>, Vec<usize>) =
+            vars.iter().copied().partition(is_root);
+        let following = following(state, &symbols);
+        symbols.retain(|v| following.iter().all(|(w, _)| w != v));
         if roots.len() < FEWEST || symbols.is_empty() {
             return None;
         }
@@ -36,8 +40,13 @@ impl Search<'_> {
         let places: Vec<_> = equal.chain(diagonal(&lists, tries)).collect();
         places.into_iter().map_while(|values| self.step(state).then_some(values)).find_map(
             |values| {
-                let place: Vec<(usize, BigRational)> =
+                let mut place: Vec<(usize, BigRational)> =
                     symbols.iter().copied().zip(values).collect();
+                for (v, equation) in &following {
+                    let left = specialised(equation, &place);
+                    let [d, e] = [1, 0].map(|n| left.coefficient(*v, n).as_constant());
+                    place.push((*v, BigRational::new(-e?, d.filter(|d| !d.is_zero())?)));
+                }
                 let work = state.atoms.iter().map(|a| burden(&a.poly, &place));
                 state.scope.fuel.spend_beyond(work.fold(0, u64::saturating_add)).ok()?;
                 let at = |a: &Atom| {
@@ -58,6 +67,25 @@ impl Search<'_> {
             },
         )
     }
+}
+
+/// Symbols that equations without roots give from the others, and those equations: each after those whose symbols it has.
+fn following(state: &State<'_, '_>, symbols: &[usize]) -> Vec<(usize, Poly)> {
+    let mut found: Vec<(usize, Poly)> = Vec::new();
+    for atom in state.atoms.iter().filter(|a| a.sign == Sign::Zero) {
+        let vars = atom.poly.vars();
+        let is_new = |v: &usize| found.iter().all(|(w, p)| w != v && p.degree(*v) == 0);
+        let gives = |v: &usize| {
+            atom.poly.degree(*v) == 1 && atom.poly.coefficient(*v, 1).is_constant() && is_new(v)
+        };
+        if vars.len() > 1
+            && vars.iter().all(|v| symbols.contains(v))
+            && let Some(v) = vars.iter().rev().copied().find(gives)
+        {
+            found.push((v, atom.poly.clone()));
+        }
+    }
+    found
 }
 
 /// Whether roots of numbers have values at which something is not as it is said.

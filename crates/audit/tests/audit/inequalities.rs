@@ -125,6 +125,21 @@ fn a_root_that_has_been_squared_away_does_not_widen_the_search() {
     assert_eq!(verdict(&claim("5")), Verdict::Refuted);
 }
 
+/// At simple places these have roots of three numbers, none of which is a multiple of a product of others.
+#[test]
+fn what_is_false_with_roots_of_three_numbers_is_refuted() {
+    for claim in [
+        "sqrt(4*a + 1) + sqrt(4*b + 1) + sqrt(4*c + 1) >= sqrt(21) when a + b + c = 1",
+        "sqrt(a + 1) + sqrt(b + 1) >= sqrt(5) when a + b = 1/2",
+        "sqrt(x^2 + 11/10) + sqrt(x^2 + 4) >= sqrt(5) + sqrt(8) + 1/4*(x - 2)",
+        "sqrt(a + 2) + sqrt(b + 3) + sqrt(c + 5) >= sqrt(7) + sqrt(11) + sqrt(13)",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
+    }
+    let most = "sqrt(4*a + 1) + sqrt(4*b + 1) + sqrt(4*c + 1) <= sqrt(21) when a + b + c = 1";
+    assert_eq!(verdict(most), Verdict::Proved);
+}
+
 /// No mean of two terms has whole powers; of their products with the variables there are enough.
 #[test]
 fn cyclic_quotients_are_told_by_means_of_products_with_their_variables() {

@@ -8,7 +8,8 @@ use crate::Rational;
 /// several; `None` if the columns depend on each other or a right-hand side is outside their span.
 ///
 /// Exact, by Gaussian elimination: of the order of rows·columns² operations on numbers that grow.
-pub(super) fn solve(
+#[must_use]
+pub fn solve(
     columns: &[Vec<Rational>],
     right_hand_sides: &[&[Rational]],
 ) -> Option<Vec<Vec<Rational>>> {
