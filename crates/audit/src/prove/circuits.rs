@@ -33,6 +33,7 @@ pub(super) fn circuits(terms: &[Term], fuel: &Fuel) -> Option<Vec<BTreeSet<Vec<u
         return None;
     }
     let fuel = fuel.within(fuel.left() / SHARE);
+    fuel.spend((rows * (means + outer.len())) as u64).ok()?;
     let mut columns = Vec::with_capacity(means + outer.len());
     for (k, (of, _)) in inner.iter().enumerate() {
         for (j, (at, _)) in outer.iter().enumerate() {

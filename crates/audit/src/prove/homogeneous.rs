@@ -12,6 +12,8 @@ use crate::argument::Argument;
 /// Terms of a condition after it is multiplied, and powers of the sum.
 const TERMS: usize = 400;
 const POWER: u32 = 8;
+/// One part in so many of what is left of the budget is for these products.
+const SHARE: u64 = 16;
 
 /// The equation sum = number.
 struct Sum {
@@ -100,13 +102,14 @@ impl Search<'_> {
         let nothing = Atom::new(Poly::one(), Sign::Positive);
         let mut bare = state.clone();
         let mut all = Vec::new();
+        let fuel = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
         for (i, atom) in state.atoms.iter().enumerate() {
             if i != sum.at && common_degree(&atom.poly).is_some() {
                 continue;
             }
             bare.atoms[i] = nothing.clone();
             if i != sum.at && atom.sign.is_order() && is_symbolic(&atom.poly) {
-                all.extend(sum.multiplied(state, i, &state.scope.fuel));
+                all.extend(sum.multiplied(state, i, &fuel));
             }
         }
         // of what is not strict two cases are looked at, and so of one alone
