@@ -207,8 +207,7 @@ impl<'a> Entry<'a> {
 
     /// What it says in LaTeX, as its author wrote it, and its conditions; `None` for what is said in words.
     pub(crate) fn said(&self) -> Option<(String, Option<String>)> {
-        let written_out = self.written_out()?;
-        Some(self.surface().unwrap_or(written_out))
+        self.surface().or_else(|| self.written_out())
     }
 
     /// The same with vectors, functions and angles as they are judged, if they are written in another way.

@@ -4,8 +4,9 @@
 //! It goes by the grammar alone and knows no meanings. What is set is shown and never judged; the tests hold it against
 //! what is set from the syntax that was judged, wherever nothing is written out.
 
+mod word;
+
 use std::cell::RefCell;
-use std::rc::Rc;
 
 use kane_kernel::{Context, Expr, Relation};
 
@@ -13,7 +14,7 @@ use super::chain::{Hand, chained};
 use super::exponent::raised_digits;
 use super::latex::{comparison, latex_with, parentheses};
 use super::lexer::{self, Token};
-use super::names::{RESERVED, canonical_name, latex_name};
+use super::names::latex_name;
 use super::number::parse_literal;
 use super::parser::Level;
 
@@ -91,6 +92,12 @@ impl Setter<'_> {
         found
     }
 
+    fn name(&mut self) -> Option<String> {
+        let name = (self.token == Token::Name).then(|| latex_name(self.lexeme()))?;
+        self.advance();
+        Some(name)
+    }
+
     fn set(&self, e: &Expr) -> String {
         let texts = self.texts.borrow();
         let text = |v: usize| Some(texts.get(v.checked_sub(TEXTS)?)?.latex.clone());
@@ -126,6 +133,9 @@ impl Setter<'_> {
     }
 
     fn statement(&mut self) -> Option<String> {
+        if self.accept_word("exists") {
+            return self.existence();
+        }
         let first = self.sum()?;
         if self.accept(Token::Define) {
             let body = self.sum()?;
@@ -134,7 +144,26 @@ impl Setter<'_> {
         if self.accept(Token::Arrow) {
             return self.limit(&first);
         }
-        self.relations(Some(first))
+        let said = self.relations(Some(first))?;
+        if !self.accept_word("for") {
+            return Some(said);
+        }
+        self.is_written_out = true;
+        Some(format!("{said} \\quad\\text{{for }} {}", self.relations(None)?))
+    }
+
+    /// What follows `exists`.
+    fn existence(&mut self) -> Option<String> {
+        self.is_written_out = true;
+        let mut names = Vec::new();
+        loop {
+            names.push(self.name()?);
+            if !self.accept(Token::Comma) {
+                break;
+            }
+        }
+        self.expect(Token::Colon)?;
+        Some(format!("\\exists\\, {}:\\; {}", names.join(", "), self.relations(None)?))
     }
 
     /// What follows `f ->`.
@@ -143,8 +172,7 @@ impl Setter<'_> {
         if !self.accept_word("as") {
             return None;
         }
-        let x = latex_name(self.lexeme());
-        self.expect(Token::Name)?;
+        let x = self.name()?;
         self.expect(Token::Arrow)?;
         let mut point = self.end()?;
         for (token, side) in [(Token::Plus, "+"), (Token::Minus, "-")] {
@@ -191,7 +219,7 @@ impl Setter<'_> {
             if relations.len() == before {
                 return None;
             }
-            if !self.accept(Token::Comma) {
+            if !self.accept(Token::Comma) && !self.accept_word("and") {
                 return Some(relations);
             }
         }
@@ -329,130 +357,6 @@ impl Setter<'_> {
         }
         self.expect(close)?;
         Some(all)
-    }
-
-    fn word(&mut self) -> Option<Expr> {
-        let name = self.lexeme().to_owned();
-        if name == "cases" {
-            return None;
-        }
-        self.advance();
-        if self.accept(Token::OpenParen) {
-            return self.call(&name);
-        }
-        if RESERVED.contains(&name.as_str()) {
-            return None;
-        }
-        Some(self.symbol(&name))
-    }
-
-    /// A symbol of the context, or a name that it lacks.
-    fn symbol(&mut self, name: &str) -> Expr {
-        let canonical = canonical_name(name);
-        let is = |other: &str| canonical_name(other) == canonical;
-        if let Some(v) = self.context.vars.iter().position(|var| is(&var.name)) {
-            return Expr::Var(v);
-        }
-        if let Some(i) = self.context.lets.iter().position(|def| is(&def.name)) {
-            return Expr::Let(i);
-        }
-        self.is_written_out = true;
-        self.named(canonical.into_owned())
-    }
-
-    /// d(f, x): a symbol of the context where motion has one, a name where f is a name that the context lacks.
-    fn derivative(&mut self, f: &Expr, x: usize) -> Expr {
-        let by = &self.context.vars.get(x).map_or("?", |var| &var.name);
-        let name = match f {
-            Expr::Var(v) if *v < TEXTS => self.context.vars.get(*v).map(|var| var.name.clone()),
-            Expr::Var(v) => self.known(*v).and_then(|text| text.name),
-            _ => None,
-        };
-        let name = name.map(|name| format!("d({name}, {by})"));
-        let symbol = name
-            .as_ref()
-            .and_then(|name| self.context.vars.iter().position(|var| var.name == *name));
-        match (symbol, name, f) {
-            (Some(v), ..) => Expr::Var(v),
-            (None, Some(name), Expr::Var(v)) if *v >= TEXTS => self.named(name),
-            _ => Expr::Deriv(f.clone().into(), x),
-        }
-    }
-
-    /// A function behind its opened parenthesis.
-    fn call(&mut self, name: &str) -> Option<Expr> {
-        if matches!(name, "sum" | "prod") {
-            return self.summed(name);
-        }
-        let all = self.arguments(Token::CloseParen)?;
-        let one = |e: &Expr| Rc::new(e.clone());
-        let known = match (name, all.as_slice()) {
-            ("abs", [a]) => Expr::Abs(one(a)),
-            ("sqrt", [a]) => Expr::Sqrt(one(a)),
-            ("min", [a, b]) => Expr::Min(one(a), one(b)),
-            ("max", [a, b]) => Expr::Max(one(a), one(b)),
-            ("d", [f, Expr::Var(x)]) if *x < TEXTS => self.derivative(f, *x),
-            _ => {
-                self.is_written_out = true;
-                return self.written_out(name, all);
-            }
-        };
-        Some(known)
-    }
-
-    /// A function that the reader writes out.
-    fn written_out(&self, name: &str, all: Vec<Expr>) -> Option<Expr> {
-        if RESERVED.contains(&name) {
-            return None;
-        }
-        // factors of a product of their own
-        let factor = |e: &Expr| {
-            let set = self.set(&self.factor(e.clone()));
-            let is_loose = !matches!(e, Expr::Var(_) | Expr::Let(_) | Expr::Num(_) | Expr::Pow(..));
-            if is_loose { parentheses(&set) } else { set }
-        };
-        let own = (self.is_own)(name);
-        let (text, is_loose) = match (name, all.as_slice()) {
-            ("dot", [a, b]) if !own => (format!("{} \\cdot {}", factor(a), factor(b)), true),
-            ("cross", [a, b]) if !own => (format!("{} \\times {}", factor(a), factor(b)), true),
-            ("norm", [a]) if !own => (format!("\\left|{}\\right|", self.set(a)), false),
-            ("transpose", [a]) if !own => (format!("{}^{{\\mathsf{{T}}}}", factor(a)), false),
-            ("inverse", [a]) if !own => (format!("{}^{{-1}}", factor(a)), false),
-            ("pow", [a, n]) => (format!("{}^{{{}}}", factor(a), self.set(n)), false),
-            (_, all) => {
-                let arguments = all.iter().map(|e| self.set(e)).collect::<Vec<_>>().join(", ");
-                let name = match name {
-                    "sin" | "cos" | "tan" | "exp" | "log" => format!("\\{name}"),
-                    "det" if !own => "\\det".to_owned(),
-                    _ => latex_name(name),
-                };
-                (format!("{name}{}", parentheses(&arguments)), false)
-            }
-        };
-        Some(self.text(text, is_loose))
-    }
-
-    /// `f for k in a..b)`
-    fn summed(&mut self, name: &str) -> Option<Expr> {
-        self.is_written_out = true;
-        let term = self.sum()?;
-        let is_sum = matches!(term, Expr::Add(..) | Expr::Sub(..) | Expr::Neg(_));
-        let term = self.set(&self.factor(term));
-        let term = if is_sum { parentheses(&term) } else { term };
-        if !self.accept_word("for") {
-            return None;
-        }
-        let over = latex_name(self.lexeme());
-        self.expect(Token::Name)?;
-        if !self.accept_word("in") {
-            return None;
-        }
-        let from = self.sum()?;
-        self.expect(Token::Dots)?;
-        let to = self.sum()?;
-        self.expect(Token::CloseParen)?;
-        let (from, to) = (self.set(&from), self.set(&to));
-        Some(self.text(format!("\\{name}_{{{over}={from}}}^{{{to}}} {term}"), true))
     }
 }
 

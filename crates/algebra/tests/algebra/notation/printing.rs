@@ -230,6 +230,9 @@ fn what_is_written_out_is_set_as_it_is_written() {
         ("cross(u + v, w) = 2*cross(u, w)/x", r"(u + v) \times w = \frac{2 (u \times w)}{x}"),
         ("sin(2*x) <= norm(v)", r"\sin(2 x) \le \left|v\right|"),
         ("d(d(v, x), x) = cross(u, v)", r"\frac{d^2 v}{d x^2} = u \times v"),
+        ("dot(v, v) > 0 and x > 0, y > 0", r"v \cdot v > 0,\; x > 0,\; y > 0"),
+        ("exists u, w: h(u) = w", r"\exists\, u, w:\; h(u) = w"),
+        ("h(n) > n for n >= 2", r"h(n) > n \quad\text{for } n \ge 2"),
         ("h(x/y) = x^n", r"h\left(\frac{x}{y}\right) = x^{n}"),
         (
             "det([[x, y], [y, x]]) = x² - y²",
@@ -244,9 +247,14 @@ fn what_is_written_out_is_set_as_it_is_written() {
         let set = surface(text, scope().context(), &|_| false);
         assert_eq!(set.map(|set| set.0).as_deref(), Some(said), "{text}");
     }
-    for text in
-        ["x > 0 or dot(v, v) > 0", "dot(v, v)", "dot(v, v) > 0 extra", "x = cases { x > 0: 1 }", ""]
-    {
+    for text in [
+        "x > 0 or dot(v, v) > 0",
+        "dot(v, v) > 0 and x > 0 or y > 0",
+        "dot(v, v)",
+        "dot(v, v) > 0 extra",
+        "x = cases { x > 0: 1 }",
+        "",
+    ] {
         assert_eq!(surface(text, scope().context(), &|_| false), None, "{text}");
     }
     let own = surface("dot(x, y) = norm(vv)", scope().context(), &|name| name == "dot");
