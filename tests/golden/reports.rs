@@ -74,6 +74,7 @@ fn a_statement_is_set_as_its_author_wrote_it() {
     insta::assert_snapshot!(formulas.join("\n"), @r"
     \cos(\theta)^{2} + \sin(\theta)^{2} = 1
     T := \frac{w \cdot (J w)}{2}
+    h(x) := a x^{2}
     J \frac{d w}{d t} = -w \times (J w)
     \sin(2 \theta) = 2 \sin(\theta) \cos(\theta)
     \frac{h(2 a)}{h(a)} = 4 \quad\text{when } a > 1

@@ -71,7 +71,7 @@ impl Page<'_> {
                     (math(&latex, DisplayMode::Block))
                 }
             },
-            // a function of a counter, and what nothing was found for, are shown as they are written
+            // what is set in no other way is shown as it is written
             None if !entry.is_contradiction() => html! { p { code { (entry.saying()) } } },
             None => html! { p { "The premises contradict each other" } },
         }
