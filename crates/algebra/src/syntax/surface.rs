@@ -168,13 +168,20 @@ impl Setter<'_> {
 
     /// What follows `f ->`.
     fn limit(&mut self, f: &Expr) -> Option<String> {
-        let to = self.end()?;
+        let to = match self.infinite() {
+            Some(infinite) => infinite,
+            None => self.sum().map(|value| self.set(&value))?,
+        };
         if !self.accept_word("as") {
             return None;
         }
         let x = self.name()?;
         self.expect(Token::Arrow)?;
-        let mut point = self.end()?;
+        let mut point = match self.infinite() {
+            Some(infinite) => infinite,
+            // a sign behind it is no operator
+            None => self.binary(Level::Product).map(|value| self.set(&value))?,
+        };
         for (token, side) in [(Token::Plus, "+"), (Token::Minus, "-")] {
             if self.accept(token) {
                 point = format!("{point}^{{{side}}}");
@@ -183,15 +190,14 @@ impl Setter<'_> {
         Some(format!("{} \\to {to} \\text{{ as }} {x} \\to {point}", self.set(f)))
     }
 
-    /// Where something tends to: a number, a symbol or infinity, or for a target a product.
-    fn end(&mut self) -> Option<String> {
-        let is_negative = self.accept(Token::Minus);
-        let sign = if is_negative { "-" } else { "" };
-        if self.accept(Token::Infinity) {
-            return Some(format!("{sign}\\infty"));
+    /// `oo` or `-oo`
+    fn infinite(&mut self) -> Option<String> {
+        let is_negative = self.token == Token::Minus;
+        if is_negative && lexer::next(self.text, self.span.end).0 == Token::Infinity {
+            self.advance();
         }
-        let e = self.binary(Level::Product)?;
-        Some(format!("{sign}{}", self.set(&e)))
+        let sign = if is_negative { "-" } else { "" };
+        self.accept(Token::Infinity).then(|| format!("{sign}\\infty"))
     }
 
     /// Relations with commas between, of which the first side may have been read.

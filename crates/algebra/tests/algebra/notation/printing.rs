@@ -3,7 +3,7 @@ use std::rc::Rc;
 use kane_algebra::syntax::{
     Notation, latex_name, literal, parse_expr, parse_relations, parse_sentence, surface,
 };
-use kane_kernel::{Expr, Rel, Relation};
+use kane_kernel::{Expr, Rel, Relation, Var};
 use proptest::prelude::*;
 
 use super::{ratio, scope};
@@ -109,6 +109,28 @@ proptest! {
         prop_assert_eq!(set, Some((said, Some(format!("1 < {}", latex_name("vv"))))), "{}", text);
         let nothing = surface(&format!("x > {text}"), scope().context(), &|_| false);
         prop_assert_eq!(nothing, None, "nothing in {} is written out", text);
+    }
+
+    /// The reader knows `vv`, and the surface does not.
+    #[test]
+    fn the_surface_of_limits_and_lists_is_set_as_what_was_read(
+        f in expressions(),
+        list in prop::collection::vec(relations_of(expressions().boxed()), 1..4),
+        side in prop::sample::select(vec!["", "+", "-"]),
+    ) {
+        let (shown, mut known) = (scope(), scope());
+        let var = Var { name: "vv".to_owned(), of: None, lower: None, upper: None };
+        known.declare(var).expect("a name");
+        let plain = |e: &Expr| e.plain(shown.context());
+        let limit = format!("{} -> vv*({}) as x -> -1/2{side}", plain(&f), plain(&list[0].lhs));
+        for text in [limit, format!("vv > 1, {}", list.plain(shown.context()))] {
+            let Ok(sentence) = parse_sentence(&text, &known) else { continue };
+            if text.contains("cases") {
+                continue;
+            }
+            let set = surface(&text, shown.context(), &|_| false);
+            prop_assert_eq!(set, Some((sentence.latex(known.context()), None)), "{}", text);
+        }
     }
 
     #[test]
@@ -241,6 +263,9 @@ fn what_is_written_out_is_set_as_it_is_written() {
         ("sum(k^2 for k in 1..n) > 0", r"\sum_{k=1}^{n} k^{2} > 0"),
         ("2*sum(k + 1 for k in 1..n) > 0", r"2 \left(\sum_{k=1}^{n} (k + 1)\right) > 0"),
         ("exp(-x) -> 0 as x -> oo", r"\exp(-x) \to 0 \text{ as } x \to \infty"),
+        ("h(x) -> -(x + y) as y -> 1/2+", r"h(x) \to -(x + y) \text{ as } y \to \frac{1}{2}^{+}"),
+        ("h(x) -> x - 1 as y -> -oo", r"h(x) \to x - 1 \text{ as } y \to -\infty"),
+        ("h(x) -> -oo as y -> -1-", r"h(x) \to -\infty \text{ as } y \to -1^{-}"),
         ("h(x) := x*y", "h(x) := x y"),
         ("u := dot(v, w)", r"u := v \cdot w"),
     ] {
