@@ -210,10 +210,12 @@ impl<'a> Entry<'a> {
         self.surface().or_else(|| self.written_out())
     }
 
-    /// The same with vectors, functions and angles as they are judged, if they are written in another way.
-    pub(crate) fn judged(&self) -> Option<(String, Option<String>)> {
-        let said = self.surface()?;
-        self.written_out().filter(|judged| *judged != said)
+    /// What is judged instead of what is said, where vectors, functions and angles are written out.
+    pub(crate) fn judged(
+        &self,
+        said: &(String, Option<String>),
+    ) -> Option<(String, Option<String>)> {
+        self.written_out().filter(|judged| judged != said)
     }
 
     fn surface(&self) -> Option<(String, Option<String>)> {

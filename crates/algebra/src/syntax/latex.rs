@@ -61,8 +61,11 @@ pub(crate) fn limit(limit: &Limit, context: &Context) -> String {
         Approach::PlusInf => "\\infty".to_owned(),
         Approach::MinusInf => "-\\infty".to_owned(),
     };
-    let f = whole_expr(&limit.expr, context);
     let x = latex_name(var_name(limit.var, context));
+    tends(&whole_expr(&limit.expr, context), &to, &x, &point)
+}
+
+pub(super) fn tends(f: &str, to: &str, x: &str, point: &str) -> String {
     format!("{f} \\to {to} \\text{{ as }} {x} \\to {point}")
 }
 

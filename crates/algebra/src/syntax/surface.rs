@@ -12,7 +12,7 @@ use kane_kernel::{Context, Expr, Relation};
 
 use super::chain::{Hand, chained};
 use super::exponent::raised_digits;
-use super::latex::{comparison, latex_with, parentheses};
+use super::latex::{comparison, latex_with, parentheses, tends};
 use super::lexer::{self, Token};
 use super::names::latex_name;
 use super::number::parse_literal;
@@ -45,8 +45,8 @@ pub fn surface(
 #[derive(Clone)]
 struct Text {
     latex: String,
-    /// whether it needs parentheses in a product
-    is_loose: bool,
+    /// its loosest operator
+    level: Level,
     /// its name, if it has one
     name: Option<String>,
 }
@@ -105,12 +105,12 @@ impl Setter<'_> {
     }
 
     /// A text in the place of a symbol.
-    fn text(&self, latex: String, is_loose: bool) -> Expr {
-        self.keep(Text { latex, is_loose, name: None })
+    fn text(&self, latex: String, level: Level) -> Expr {
+        self.keep(Text { latex, level, name: None })
     }
 
     fn named(&self, name: String) -> Expr {
-        self.keep(Text { latex: latex_name(&name), is_loose: false, name: Some(name) })
+        self.keep(Text { latex: latex_name(&name), level: Level::Atom, name: Some(name) })
     }
 
     fn keep(&self, text: Text) -> Expr {
@@ -123,13 +123,28 @@ impl Setter<'_> {
         self.texts.borrow().get(v.checked_sub(TEXTS)?).cloned()
     }
 
-    /// The same as a factor.
-    fn factor(&self, e: Expr) -> Expr {
+    /// The same where an operand of at least `least` is due: in parentheses, if it is a looser text.
+    fn operand(&self, e: Expr, least: Level) -> Expr {
         let Expr::Var(v) = e else { return e };
-        match self.known(v).filter(|text| text.is_loose) {
-            Some(text) => self.text(parentheses(&text.latex), false),
+        match self.known(v).filter(|text| text.level < least) {
+            Some(text) => self.text(parentheses(&text.latex), Level::Atom),
             None => e,
         }
+    }
+
+    /// A base with an exponent that is no number.
+    fn raised(&self, base: Expr, exponent: &str) -> Option<Expr> {
+        let with_one = self.set(&Expr::Pow(self.operand(base, Level::Atom).into(), 1));
+        let base = with_one.strip_suffix("^{1}")?;
+        Some(self.text(format!("{base}^{{{exponent}}}"), Level::Power))
+    }
+
+    /// Runs `read` one level of nesting further in.
+    fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        self.depth += 1;
+        let found = if self.depth < NESTING { read(self) } else { None };
+        self.depth -= 1;
+        found
     }
 
     fn statement(&mut self) -> Option<String> {
@@ -187,7 +202,7 @@ impl Setter<'_> {
                 point = format!("{point}^{{{side}}}");
             }
         }
-        Some(format!("{} \\to {to} \\text{{ as }} {x} \\to {point}", self.set(f)))
+        Some(tends(&self.set(f), &to, &x, &point))
     }
 
     /// `oo` or `-oo`
@@ -232,10 +247,7 @@ impl Setter<'_> {
     }
 
     fn sum(&mut self) -> Option<Expr> {
-        self.depth += 1;
-        let e = if self.depth < NESTING { self.binary(Level::Sum) } else { None };
-        self.depth -= 1;
-        e
+        self.nested(|setter| setter.binary(Level::Sum))
     }
 
     fn binary(&mut self, level: Level) -> Option<Expr> {
@@ -252,7 +264,10 @@ impl Setter<'_> {
             left = match token {
                 Token::Plus => Expr::Add(left.into(), right.into()),
                 Token::Minus => Expr::Sub(left.into(), right.into()),
-                Token::Star => Expr::Mul(self.factor(left).into(), self.factor(right).into()),
+                Token::Star => {
+                    let factor = |e| self.operand(e, Level::Power);
+                    Expr::Mul(factor(left).into(), factor(right).into())
+                }
                 _ => Expr::Div(left.into(), right.into()),
             };
         }
@@ -262,11 +277,8 @@ impl Setter<'_> {
         if !self.accept(Token::Minus) {
             return self.power();
         }
-        self.depth += 1;
-        let inner =
-            if self.depth < NESTING { self.binary(level.max(Level::Product)) } else { None };
-        self.depth -= 1;
-        Some(Expr::Neg(inner?.into()))
+        let inner = self.nested(|setter| setter.binary(level.max(Level::Product)))?;
+        Some(Expr::Neg(inner.into()))
     }
 
     fn power(&mut self) -> Option<Expr> {
@@ -277,29 +289,26 @@ impl Setter<'_> {
                 let n: i32 = digits.parse().ok()?;
                 self.advance();
                 let n = if is_negative { -n } else { n };
-                Some(Expr::Pow(self.factor(base).into(), n))
+                Some(Expr::Pow(self.operand(base, Level::Atom).into(), n))
             }
             Token::Caret => {
                 self.advance();
-                self.raised(base)
+                self.nested(|setter| setter.exponent(base))
             }
             _ => Some(base),
         }
     }
 
     /// A base with the exponent ahead: a number, or what stands for one.
-    fn raised(&mut self, base: Expr) -> Option<Expr> {
-        let base = self.factor(base);
+    fn exponent(&mut self, base: Expr) -> Option<Expr> {
         let is_negative = self.accept(Token::Minus);
         let exponent = self.power()?;
         let exponent = if is_negative { Expr::Neg(exponent.into()) } else { exponent };
         if let Some(n) = whole(&exponent) {
-            return Some(Expr::Pow(base.into(), n));
+            return Some(Expr::Pow(self.operand(base, Level::Atom).into(), n));
         }
         self.is_written_out = true;
-        let with_one = self.set(&Expr::Pow(base.into(), 1));
-        let base = with_one.strip_suffix("^{1}")?;
-        Some(self.text(format!("{base}^{{{}}}", self.set(&exponent)), false))
+        self.raised(base, &self.set(&exponent))
     }
 
     fn atom(&mut self) -> Option<Expr> {
@@ -334,8 +343,8 @@ impl Setter<'_> {
         let mut rows = Vec::new();
         loop {
             let row = if self.accept(Token::OpenBracket) {
-                let row: Vec<String> = self.list(Token::CloseBracket)?;
-                row.join(" & ")
+                let row = self.arguments(Token::CloseBracket)?;
+                row.iter().map(|e| self.set(e)).collect::<Vec<_>>().join(" & ")
             } else {
                 let e = self.sum()?;
                 self.set(&e)
@@ -347,15 +356,10 @@ impl Setter<'_> {
         }
         self.expect(Token::CloseBracket)?;
         let rows = rows.join(" \\\\ ");
-        Some(self.text(format!("\\begin{{pmatrix}} {rows} \\end{{pmatrix}}"), false))
+        Some(self.text(format!("\\begin{{pmatrix}} {rows} \\end{{pmatrix}}"), Level::Atom))
     }
 
     /// Expressions with commas between, and what ends them.
-    fn list(&mut self, close: Token) -> Option<Vec<String>> {
-        let all = self.arguments(close)?;
-        Some(all.iter().map(|e| self.set(e)).collect())
-    }
-
     fn arguments(&mut self, close: Token) -> Option<Vec<Expr>> {
         let mut all = vec![self.sum()?];
         while self.accept(Token::Comma) {

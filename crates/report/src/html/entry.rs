@@ -46,21 +46,21 @@ impl Page<'_> {
 
     /// What it says, as a formula or in words.
     fn formula(&self, entry: &Entry<'_>) -> Markup {
-        let set = |(said, when): (String, Option<String>)| {
+        let set = |(said, when): &(String, Option<String>)| {
             html! {
                 div.said {
-                    (math(&said, DisplayMode::Block))
+                    (math(said, DisplayMode::Block))
                     @if let Some(when) = when {
-                        span.when { "when " (math(&when, DisplayMode::Block)) }
+                        span.when { "when " (math(when, DisplayMode::Block)) }
                     }
                 }
             }
         };
         if let Some(said) = entry.said() {
             return html! {
-                (set(said))
-                @if let Some(judged) = entry.judged() {
-                    details.more { summary { "written out" } (set(judged)) }
+                (set(&said))
+                @if let Some(judged) = entry.judged(&said) {
+                    details.more { summary { "written out" } (set(&judged)) }
                 }
             };
         }

@@ -5,9 +5,10 @@ use std::rc::Rc;
 use kane_kernel::Expr;
 
 use super::super::arrays::FUNCTIONS;
-use super::super::latex::parentheses;
+use super::super::latex::{is_loose, parentheses};
 use super::super::lexer::Token;
 use super::super::names::{RESERVED, canonical_name, latex_name};
+use super::super::parser::Level;
 use super::{Setter, TEXTS};
 
 impl Setter<'_> {
@@ -85,20 +86,21 @@ impl Setter<'_> {
         if RESERVED.contains(&name) {
             return None;
         }
-        // factors of a product of their own
         let factor = |e: &Expr| {
-            let set = self.set(&self.factor(e.clone()));
-            let is_loose = !matches!(e, Expr::Var(_) | Expr::Let(_) | Expr::Num(_) | Expr::Pow(..));
-            if is_loose { parentheses(&set) } else { set }
+            let set = self.set(&self.operand(e.clone(), Level::Power));
+            if is_loose(e, Level::Atom) { parentheses(&set) } else { set }
         };
         let own = FUNCTIONS.contains(&name) && (self.is_own)(name);
-        let (text, is_loose) = match (name, all.as_slice()) {
-            ("dot", [a, b]) if !own => (format!("{} \\cdot {}", factor(a), factor(b)), true),
-            ("cross", [a, b]) if !own => (format!("{} \\times {}", factor(a), factor(b)), true),
-            ("norm", [a]) if !own => (format!("\\left|{}\\right|", self.set(a)), false),
-            ("transpose", [a]) if !own => (format!("{}^{{\\mathsf{{T}}}}", factor(a)), false),
-            ("inverse", [a]) if !own => (format!("{}^{{-1}}", factor(a)), false),
-            ("pow", [a, n]) => (format!("{}^{{{}}}", factor(a), self.set(n)), false),
+        let product = |a, sign, b| format!("{} \\{sign} {}", factor(a), factor(b));
+        Some(match (name, all.as_slice()) {
+            ("dot", [a, b]) if !own => self.text(product(a, "cdot", b), Level::Product),
+            ("cross", [a, b]) if !own => self.text(product(a, "times", b), Level::Product),
+            ("norm", [a]) if !own => {
+                self.text(format!("\\left|{}\\right|", self.set(a)), Level::Atom)
+            }
+            ("transpose", [a]) if !own => self.raised(a.clone(), "\\mathsf{T}")?,
+            ("inverse", [a]) if !own => self.raised(a.clone(), "-1")?,
+            ("pow", [a, n]) => self.raised(a.clone(), &self.set(n))?,
             (_, all) => {
                 let arguments = all.iter().map(|e| self.set(e)).collect::<Vec<_>>().join(", ");
                 let name = match name {
@@ -106,18 +108,17 @@ impl Setter<'_> {
                     "det" if !own => "\\det".to_owned(),
                     _ => latex_name(name),
                 };
-                (format!("{name}{}", parentheses(&arguments)), false)
+                self.text(format!("{name}{}", parentheses(&arguments)), Level::Atom)
             }
-        };
-        Some(self.text(text, is_loose))
+        })
     }
 
     /// `f for k in a..b)`
     fn summed(&mut self, name: &str) -> Option<Expr> {
         self.is_written_out = true;
         let term = self.sum()?;
-        let is_sum = matches!(term, Expr::Add(..) | Expr::Sub(..) | Expr::Neg(_));
-        let term = self.set(&self.factor(term));
+        let is_sum = is_loose(&term, Level::Product);
+        let term = self.set(&self.operand(term, Level::Power));
         let term = if is_sum { parentheses(&term) } else { term };
         if !self.accept_word("for") {
             return None;
@@ -131,6 +132,6 @@ impl Setter<'_> {
         let to = self.sum()?;
         self.expect(Token::CloseParen)?;
         let (from, to) = (self.set(&from), self.set(&to));
-        Some(self.text(format!("\\{name}_{{{over}={from}}}^{{{to}}} {term}"), true))
+        Some(self.text(format!("\\{name}_{{{over}={from}}}^{{{to}}} {term}"), Level::Product))
     }
 }

@@ -255,6 +255,9 @@ fn what_is_written_out_is_set_as_it_is_written() {
         ("dot(v, v) > 0 and x > 0, y > 0", r"v \cdot v > 0,\; x > 0,\; y > 0"),
         ("exists u, w: h(u) = w", r"\exists\, u, w:\; h(u) = w"),
         ("h(n) > n for n >= 2", r"h(n) > n \quad\text{for } n \ge 2"),
+        ("(x^n)^2 = pow(x, n)^n", r"(x^{n})^{2} = (x^{n})^{n}"),
+        ("2*x^n*y = (x^2)^n", r"2 x^{n} y = (x^{2})^{n}"),
+        ("transpose(transpose(u)) = inverse(u*v)", r"(u^{\mathsf{T}})^{\mathsf{T}} = (u v)^{-1}"),
         ("h(x/y) = x^n", r"h\left(\frac{x}{y}\right) = x^{n}"),
         (
             "det([[x, y], [y, x]]) = x² - y²",
