@@ -6,8 +6,8 @@ shows itself.
 """
 
 from fractions import Fraction
-from math import isqrt
 
+from algebraic import square_root
 from expr import add, div, mul, num, substitute, sub, total, var, walk
 from reader import Reader, read
 from slopes import by_rules, simple
@@ -154,12 +154,6 @@ class Known:
 PLACES = [Fraction(n, d) for n, d in ((1, 1), (2, 1), (3, 1), (4, 1), (8, 1), (9, 1), (1, 2), (1, 3), (1, 4), (3, 4), (1, 8), (4, 3))]
 
 
-def square(q):
-    """The root of a fraction, if it is one."""
-    n, d = isqrt(q.numerator), isqrt(q.denominator)
-    return Fraction(n, d) if n * n == q.numerator and d * d == q.denominator else None
-
-
 def fold(e):
     """The same expression with the arithmetic on numbers done."""
     kind = e[0]
@@ -175,8 +169,8 @@ def fold(e):
         return (kind, *parts)
     values = [part[1] for part in parts]
     if kind == "sqrt":
-        exact = square(values[0]) if values[0] >= 0 else None
-        return (kind, *parts) if exact is None else num(exact)
+        exact = square_root(values[0]) if values[0] >= 0 else None
+        return num(exact) if isinstance(exact, Fraction) else (kind, *parts)
     if kind in ("neg", "abs"):
         return num(-values[0] if kind == "neg" else abs(values[0]))
     a, b = values

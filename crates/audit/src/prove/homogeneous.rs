@@ -2,11 +2,13 @@
 //! can be multiplied by powers of that sum until all their terms have one degree. Then the equation is not needed any
 //! more, and what was alike stays alike: with c = 1 − a − b it would not.
 
+use kane_algebra::squares::total_degree;
 use kane_kernel::{Atom, Fuel, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_traits::{One as _, Pow as _, Signed as _};
 
-use super::search::{Outcome, Search, since};
+use super::idle::nothing;
+use super::search::{Search, has_root};
 use crate::argument::Argument;
 
 /// Terms of a condition after it is multiplied, and powers of the sum.
@@ -64,7 +66,7 @@ impl Sum {
     /// A condition of which all terms have one degree.
     fn multiplied(&self, state: &State<'_, '_>, at: usize, fuel: &Fuel) -> Option<Multiplied> {
         let poly = &state.atoms[at].poly;
-        let top = poly.terms().map(|(m, _)| degree(m)).max()?;
+        let top = total_degree(poly);
         let missing = |m: &[(usize, u32)]| {
             let less = top - degree(m);
             less.is_multiple_of(self.degree).then(|| less / self.degree)
@@ -98,8 +100,6 @@ impl Search<'_> {
     }
 
     fn without(&self, state: &State<'_, '_>, sum: &Sum) -> Option<Argument> {
-        let is_symbolic = |p: &Poly| p.vars().iter().all(|v| state.scope.root(*v).is_none());
-        let nothing = Atom::new(Poly::one(), Sign::Positive);
         let mut bare = state.clone();
         let mut all = Vec::new();
         let fuel = state.scope.fuel.within(state.scope.fuel.left() / SHARE);
@@ -107,8 +107,8 @@ impl Search<'_> {
             if i != sum.at && common_degree(&atom.poly).is_some() {
                 continue;
             }
-            bare.atoms[i] = nothing.clone();
-            if i != sum.at && atom.sign.is_order() && is_symbolic(&atom.poly) {
+            bare.atoms[i] = nothing();
+            if i != sum.at && atom.sign.is_order() && !has_root(state, &atom.poly) {
                 all.extend(sum.multiplied(state, i, &fuel));
             }
         }
@@ -129,11 +129,7 @@ impl Search<'_> {
         place: usize,
     ) -> Option<Argument> {
         let Some((m, others)) = left.split_first() else {
-            let search = self.aside();
-            return match search.run(bare, &since(bare, 0), Vec::new(), &[], 0) {
-                Outcome::Closed(argument) => Some(argument),
-                _ => None,
-            };
+            return self.closed_aside(bare);
         };
         let next = |sign| {
             let bare = bare.with(Atom::new(m.poly.clone(), sign));

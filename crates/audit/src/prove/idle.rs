@@ -10,7 +10,7 @@ use num_traits::Signed as _;
 /// below zero: each of them orders it, with an odd highest power and a number before it.
 pub(super) fn without_idle<'s, 'g>(state: &State<'s, 'g>) -> Option<State<'s, 'g>> {
     let mut atoms = state.atoms.to_vec();
-    let nothing = Atom::new(Poly::one(), Sign::Positive);
+    let nothing = nothing();
     let mut is_new = false;
     for i in 0..atoms.len() {
         if atoms[i].decided().is_none() && atoms[..i].contains(&atoms[i]) {
@@ -24,6 +24,11 @@ pub(super) fn without_idle<'s, 'g>(state: &State<'s, 'g>) -> Option<State<'s, 'g
         is_new = true;
     }
     is_new.then(|| State { atoms, ..state.clone() })
+}
+
+/// A condition that says nothing: it stands in the place of others, so that all keep theirs.
+pub(super) fn nothing() -> Atom {
+    Atom::new(Poly::one(), Sign::Positive)
 }
 
 /// A variable whose conditions can all be met at once.

@@ -151,8 +151,8 @@ impl Search<'_> {
                 let rules = Rule::all(state);
                 let settled = cofactor(state, &rules).or_else(|| isolated(state, &rules));
                 if let Some(settled) = settled {
-                    if let Some(proof) = self.by_settled_alone(state, &settled, splits) {
-                        return Outcome::Closed(proof);
+                    if let Some(left) = self.closed_alone(state, &settled, splits) {
+                        return Outcome::Closed(settled.split(left));
                     }
                     return self.by_settled(state, settled, trail, splits + 1);
                 }

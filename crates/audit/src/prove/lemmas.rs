@@ -8,7 +8,8 @@ use kane_kernel::{Atom, Expr, Poly, Sign, State, Term};
 use super::combination::{Size, Summand, combined, summand};
 use super::elimination::Factors;
 use super::hints::Hint;
-use super::search::{Outcome, Search, since};
+use super::idle::nothing;
+use super::search::{Outcome, Search, has_root, since};
 use super::settled::Settled;
 use super::tangents::tangents;
 use super::touching::{Gap, Tangents};
@@ -142,14 +143,7 @@ impl Search<'_> {
         idle: &[usize],
     ) -> Option<Lemma> {
         let about = about(state, poly, idle);
-        let never = |atom: Atom| {
-            let next = about.with(atom);
-            let search = self.aside();
-            match search.run(&next, &since(&next, 0), Vec::new(), &[], 0) {
-                Outcome::Closed(argument) => Some(argument),
-                _ => None,
-            }
-        };
+        let never = |atom: Atom| self.closed_aside(&about.with(atom));
         let negative = never(Atom::new(poly.neg(), Sign::Positive))?;
         let zero = match strict {
             true => Some(never(Atom::new(poly.clone(), Sign::Zero))?),
@@ -158,30 +152,32 @@ impl Search<'_> {
         Some(Lemma { poly: poly.clone(), zero, negative })
     }
 
-    /// What is left once a sign is known, by the conditions that speak of its variables alone: after a root has been
-    /// squared away those with the root only widen the search.
-    pub(super) fn by_settled_alone(
+    /// Why what is left once a sign is known contradicts itself, by the conditions that speak of its variables alone:
+    /// after a root has been squared away those with the root only widen the search.
+    pub(super) fn closed_alone(
         &self,
         state: &State<'_, '_>,
         settled: &Settled,
         splits: u32,
     ) -> Option<Argument> {
-        let atom = settled.atom();
-        let has_root = |p: &Poly| p.vars().iter().any(|v| state.scope.root(*v).is_some());
-        let others = || state.atoms.iter().any(|a| has_root(&a.poly));
-        if splits > FEW || self.brief || !self.proofs || has_root(&atom.poly) || !others() {
+        let others = || state.atoms.iter().any(|a| has_root(state, &a.poly));
+        let is_tried = splits <= FEW && !self.brief && self.proofs;
+        if !is_tried || has_root(state, &settled.poly) || !others() {
             return None;
         }
-        let poly = atom.poly.clone();
-        let next = about(&state.with(atom), &poly, &[]);
-        match self.aside().run(&next, &since(&next, 0), Vec::new(), &[], 0) {
-            Outcome::Closed(left) => Some(settled.clone().split(left)),
+        self.closed_aside(&about(&state.with(settled.atom()), &settled.poly, &[]))
+    }
+
+    /// A contradiction in a state by a small search.
+    pub(super) fn closed_aside(&self, state: &State<'_, '_>) -> Option<Argument> {
+        match self.aside().run(state, &since(state, 0), Vec::new(), &[], 0) {
+            Outcome::Closed(argument) => Some(argument),
             _ => None,
         }
     }
 
     /// A small search beside this one.
-    pub(super) fn aside(&self) -> Search<'_> {
+    fn aside(&self) -> Search<'_> {
         let mut search = Search::new(STEPS, self.may_eliminate, false);
         search.widest = self.widest;
         search.keep.clone_from(&self.keep);
@@ -206,10 +202,9 @@ fn about<'s, 'g>(state: &State<'s, 'g>, poly: &Poly, idle: &[usize]) -> State<'s
             todo.extend(vars.filter(|v| of.insert(*v)));
         }
     }
-    let nothing = Atom::new(Poly::one(), Sign::Positive);
     let kept = |(i, atom): (usize, &Atom)| {
         let speaks = atom.poly.vars().into_iter().all(|v| of.contains(&v));
-        if speaks && !idle.contains(&i) { atom.clone() } else { nothing.clone() }
+        if speaks && !idle.contains(&i) { atom.clone() } else { nothing() }
     };
     State { atoms: state.atoms.iter().enumerate().map(kept).collect(), ..state.clone() }
 }

@@ -1,6 +1,7 @@
 //! Linear programs over products of conditions.
 
 use kane_algebra::ring::Ring;
+use kane_algebra::squares::total_degree;
 use kane_kernel::{Monomial, Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_traits::One;
@@ -11,10 +12,6 @@ use crate::argument::Argument;
 
 /// A product of conditions by their indices and powers, multiplied out, and whether it is positive for sure.
 type Product = (Factors, Poly, bool);
-
-fn total(p: &Poly) -> u32 {
-    p.terms().map(|(m, _)| m.iter().map(|x| x.1).sum()).max().unwrap_or(0)
-}
 
 /// Linear programming over products of atoms and squares of binomials (Handelman 1988; diagonally
 /// dominant sums of squares). Small systems only.
@@ -27,7 +24,7 @@ pub(super) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
     };
     let known = having(&|s| matches!(s, Sign::Positive | Sign::NonNegative));
     let ring = Ring::of(&live.iter().map(|&i| &state.atoms[i].poly).collect::<Vec<_>>());
-    let top = live.iter().map(|&i| total(&state.atoms[i].poly)).max()?;
+    let top = live.iter().map(|&i| total_degree(&state.atoms[i].poly)).max()?;
     if ring.len() > 5 || known.len() > 14 || top > 8 || live.is_empty() {
         return None;
     }
@@ -47,7 +44,7 @@ pub(super) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
     let mut columns: Vec<Summand> = Vec::new();
     let mut add = |square: Poly, g: &Product| -> Option<()> {
         let p = square.pow(2, fuel).ok()?.mul(&g.1, fuel).ok()?;
-        if total(&p) <= limit && columns.len() < 1500 {
+        if total_degree(&p) <= limit && columns.len() < 1500 {
             let strict = g.2 && square.is_constant();
             let term = Term { weight: BigInt::one(), square, factors: g.0.clone() };
             columns.push((term, p, strict));
@@ -68,7 +65,7 @@ pub(super) fn products(state: &State<'_, '_>, degree: u32) -> Option<Argument> {
         for m in &monomials {
             let m = Poly::term(m.clone(), BigInt::one());
             let p = m.mul(&state.atoms[i].poly, fuel).ok()?;
-            if total(&p) <= limit {
+            if total_degree(&p) <= limit {
                 multiples.push((i, m.clone(), p.clone()));
                 multiples.push((i, m.neg(), p.neg()));
             }
@@ -92,7 +89,7 @@ fn of_conditions(
             let from = factors.last().map_or(0, |f| f.0);
             for &i in known.iter().filter(|&&i| i >= from) {
                 let q = p.mul(&state.atoms[i].poly, &state.scope.fuel).ok()?;
-                if total(&q) > limit {
+                if total_degree(&q) > limit {
                     continue;
                 }
                 let mut factors = factors.clone();

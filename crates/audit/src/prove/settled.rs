@@ -5,7 +5,6 @@ use kane_kernel::{Atom, Poly, Sign, State};
 use crate::argument::{Argument, Rules as _};
 
 /// A polynomial that is zero, or positive, and why it has neither other sign.
-#[derive(Clone)]
 pub(super) struct Settled {
     pub(super) poly: Poly,
     /// [`Sign::Zero`] or [`Sign::Positive`]
