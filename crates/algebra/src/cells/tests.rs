@@ -8,7 +8,7 @@ use super::*;
 type Q = BigRational;
 
 fn fuel() -> Fuel {
-    Fuel::new(1 << 40)
+    Fuel::new(1 << 28)
 }
 
 fn poly(terms: &[(i64, &[u32])]) -> Poly {

@@ -52,9 +52,6 @@ pub enum SyntaxErrorKind {
     /// a reserved word where a name was due
     #[error("`{0}` is a reserved word and cannot be a name")]
     ReservedWord(String),
-    /// `a/0`, or `0^-1`
-    #[error("division by literal zero")]
-    DivisionByLiteralZero,
     /// an exponent that is no literal integer
     #[error("the exponent is not an integer")]
     ExponentNotInteger,

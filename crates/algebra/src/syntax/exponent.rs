@@ -35,9 +35,6 @@ impl Parser<'_> {
                 1
             }
         };
-        if value < 0 && base.value.is_literal_zero() {
-            self.report(SyntaxErrorKind::DivisionByLiteralZero, span.clone());
-        }
         let height = base.height + 1;
         let base = self.number_of(base);
         self.build(Expr::Pow(base.into(), value), span, height)

@@ -426,9 +426,6 @@ impl<'a> Parser<'a> {
         above: Level,
     ) -> Result<Node, SyntaxError> {
         let right = self.binary(above)?;
-        if operator == Operator::Over && right.value.is_literal_zero() {
-            self.report(SyntaxErrorKind::DivisionByLiteralZero, right.span.clone());
-        }
         self.join(operator, left, right)
     }
 

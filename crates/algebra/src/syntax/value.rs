@@ -5,7 +5,6 @@
 use std::fmt;
 
 use kane_kernel::Expr;
-use num_traits::Zero as _;
 
 /// The axes, by which components are called.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -130,18 +129,6 @@ impl Value {
             Self::Number(e) => Self::Number(parts.pop().unwrap_or_else(|| e.clone())),
             Self::Array(Array { shape, .. }) => Self::Array(Array { shape: *shape, parts }),
         }
-    }
-
-    /// Whether it is the number 0 as it is written.
-    pub(crate) fn is_literal_zero(&self) -> bool {
-        fn is_zero(expr: &Expr) -> bool {
-            match expr {
-                Expr::Num(value) => value.is_zero(),
-                Expr::Neg(inner) => is_zero(inner),
-                _ => false,
-            }
-        }
-        matches!(self, Self::Number(e) if is_zero(e))
     }
 
     /// What it is, in words.

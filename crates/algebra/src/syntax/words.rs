@@ -476,6 +476,9 @@ impl Parser<'_> {
                 Some(guards) => branches.push((guards, value)),
                 None => otherwise = Some(value.into()),
             }
+            if self.token() == Token::Comma {
+                return Err(self.unexpected("`;` between two branches"));
+            }
             if !self.accept(Token::Semicolon) {
                 break;
             }

@@ -181,6 +181,8 @@ impl<'g> Coordinates<'g> {
             (Some(why), ..) => {
                 let by = why == NoValue::DivisionByZero;
                 let by = by.then(|| vanishing(at, self.context, r)).flatten();
+                // of a zero that is written nothing is to be told
+                let by = by.filter(|by| !is_numeral(by));
                 Comparison::Undefined(r.clone(), why, by)
             }
             (None, Measured::Exact(a), Measured::Exact(b)) if Logic::of(r).is_some() => {
@@ -217,6 +219,14 @@ fn vanishing(at: &mut Evaluator<'_>, context: &Context, r: &Relation) -> Option<
         todo.extend(e.children().into_iter().cloned());
     }
     None
+}
+
+fn is_numeral(e: &Expr) -> bool {
+    match e {
+        Expr::Num(_) => true,
+        Expr::Neg(inner) => is_numeral(inner),
+        _ => false,
+    }
 }
 
 /// Operations that the exact value of a side may take.
