@@ -151,7 +151,7 @@ fn z3_disagrees_on_no_claim_of_the_shipped_documents() {
     if !installed("z3") {
         return;
     }
-    for name in DOCUMENTS.into_iter().chain(MOTIONS).chain([WITH_INDUCTIONS]) {
+    for name in many::share(DOCUMENTS.into_iter().chain(MOTIONS).chain([WITH_INDUCTIONS])) {
         let audit = judged(name);
         let judge = ask_z3(&Claims::of(&audit), &LIMITS, &|_, _| {}).expect("z3 runs");
         assert!(judge.agrees(), "{name}: {:?}", judge.answers);

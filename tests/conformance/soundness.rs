@@ -20,7 +20,7 @@ use kane::kernel::{
 };
 
 use crate::generate::{any_statement, changed, true_statement};
-use crate::many::many;
+use crate::many::{self, many, share};
 use crate::mutation::{KINDS, clash, kinds, mutant};
 use crate::sampling::{At, Sampler, at, has_limits};
 use crate::support::{Case, Chance, Q, all_documents, cases, documents, shown};
@@ -198,7 +198,7 @@ fn no_false_neighbour_of_a_true_statement_is_accepted() {
 #[test]
 fn no_false_neighbour_of_a_shipped_claim_is_accepted() {
     let (mut chance, mut tally, start) = (Chance::new(3), Tally::default(), Instant::now());
-    let all: Vec<Case> = all_documents().iter().flat_map(cases).collect();
+    let all: Vec<Case> = share(all_documents().iter().flat_map(cases)).collect();
     let found: Vec<Option<Certificate>> =
         all.iter().map(|c| judge_goal(&c.goal, &c.by, Budget::default()).decided).collect();
     while tally.statements < many(2_000) {
@@ -218,7 +218,7 @@ fn no_false_neighbour_of_a_shipped_claim_is_accepted() {
 /// The certificates that are found for the shipped documents and the semantics suite: deciding
 /// ones, and models of the hypotheses.
 fn harvest() -> Vec<(Case, Certificate)> {
-    let mut all: Vec<Case> = all_documents().iter().flat_map(cases).collect();
+    let mut all: Vec<Case> = share(all_documents().iter().flat_map(cases)).collect();
     all.extend(extra());
     let mut out = Vec::new();
     for case in all {
@@ -305,7 +305,8 @@ fn every_field_of_a_certificate_matters(all: &[(Case, Certificate)]) {
         start.elapsed().as_secs_f64()
     );
     let idle: Vec<&&str> = tally.iter().filter(|(_, c)| c[1] == 0).map(|(k, _)| k).collect();
-    assert!(idle.is_empty(), "no change of these was rejected: {idle:?}");
+    // a share of the documents does not need all kinds
+    assert!(idle.is_empty() || !many::all(), "no change of these was rejected: {idle:?}");
     assert!(wrong.is_empty(), "accepted against another finding:\n{}", wrong.join("\n"));
 }
 

@@ -45,7 +45,7 @@ fn errors<F: Binary>(float: &Ratios<F>, truth: &Ratios<Rational>) -> [Rational; 
 }
 
 fn within<F: Binary + NumberSystem>(alpha: F) -> Result<(), TestCaseError> {
-    let (float, truth) = both(&Law::new(WangSuLi), alpha);
+    let (float, truth) = both(&Law::from(WangSuLi), alpha);
     let [k, impulse, energy] = errors(&float, &truth);
     prop_assert!(k <= rational(51, 100), "k is off by {k} ulp at α = {alpha}");
     prop_assert!(impulse <= rational(3, 2), "i_x is off by {impulse} ulp at α = {alpha}");
@@ -70,7 +70,7 @@ proptest! {
     #[test]
     fn exact_and_float_agree_for_whittaker(alpha in alpha()) {
         prop_assume!(alpha < 2.0_f64.powi(1023)); // where 2α is finite
-        let (float, truth) = both(&Law::new(WhittakerUncapped), alpha);
+        let (float, truth) = both(&Law::from(WhittakerUncapped), alpha);
         let [k, impulse, energy] = errors(&float, &truth);
         prop_assert!(k <= rational(1, 2) && energy <= rational(1, 2));
         prop_assert_eq!(impulse, rational(0, 1));
@@ -105,8 +105,8 @@ proptest! {
 
     #[test]
     fn the_sphere_and_alpha_tell_the_same_story(sphere in sphere()) {
-        same_story(&sphere, &Law::new(WangSuLi))?;
-        same_story(&sphere, &Law::new(WhittakerUncapped))?;
+        same_story(&sphere, &Law::from(WangSuLi))?;
+        same_story(&sphere, &Law::from(WhittakerUncapped))?;
     }
 }
 
@@ -146,7 +146,7 @@ fn same_story(sphere: &SphereOnPlane<Rational>, law: &Law) -> Result<(), TestCas
 }
 
 fn error_of_k<F: Binary + NumberSystem>(alpha: F) -> Rational {
-    let (float, truth) = both(&Law::new(WangSuLi), alpha);
+    let (float, truth) = both(&Law::from(WangSuLi), alpha);
     errors(&float, &truth)[0].clone()
 }
 

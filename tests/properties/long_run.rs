@@ -83,7 +83,7 @@ fn end_energy<N: kane_number::Real>(path: &kane_impact::oracle::Path<N>) -> N {
 fn run(contacts: u64) -> Count {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let mut count = Count::default();
-    let (keller, stronge) = (Law::new(Keller1986), Law::new(Stronge1990));
+    let (keller, stronge) = (Law::from(Keller1986), Law::from(Stronge1990));
     while count.contacts < 2 * contacts {
         let Some(contact) = random.contact() else { continue };
         count.ask(&keller, &contact);

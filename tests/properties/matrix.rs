@@ -374,8 +374,8 @@ fn a_law_that_creates_energy_in_its_own_frame_is_refuted_there() {
     let energy: Vec<_> =
         PROPERTIES.iter().filter(|p| ["energy-sphere", "energy"].contains(&p.id)).collect();
     let (restitution, tilt) = (rational(2, 1), rational(1, 10));
-    let turned = Law::new(LougeAdams { tilt, restitution: restitution.clone() });
-    let plain = Law::new(ChatterjeeRuina { restitution });
+    let turned = Law::from(LougeAdams { tilt, restitution: restitution.clone() });
+    let plain = Law::from(ChatterjeeRuina { restitution });
     for row in [row(&turned, &energy, &mut || {}), row(&plain, &energy, &mut || {})] {
         let findings: Vec<_> = row.cells.iter().map(|cell| cell.finding).collect();
         assert_eq!(findings, [Finding::Refuted; 2], "{}", row.law.info.id);

@@ -34,7 +34,7 @@ proptest! {
 
     #[test]
     fn odd_symmetry(sphere in sphere(), float in float_sphere()) {
-        for law in [Law::new(WangSuLi), Law::new(WhittakerUncapped)] {
+        for law in [Law::from(WangSuLi), Law::from(WhittakerUncapped)] {
             is_odd(&law, &sphere)?;
             is_odd(&law, &float)?;
         }

@@ -19,3 +19,8 @@ pub(crate) fn many(gate: usize) -> usize {
         gate.div_ceil(4)
     }
 }
+
+/// Of what does not depend on each other: all in the gate, and else every fourth.
+pub(crate) fn share<T>(things: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+    things.into_iter().step_by(if all() { 1 } else { 4 })
+}

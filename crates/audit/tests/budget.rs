@@ -2,7 +2,12 @@
 
 use std::time::{Duration, Instant};
 
+#[path = "../../../tests/shared/many.rs"]
+#[expect(dead_code, reason = "here are no random statements")]
+mod many;
+
 use kane_audit::{Audit, Budget, Open, Options, Verdict, audit, read};
+use many::share;
 
 /// Longer than the longest of them takes on a busy machine in a build without optimization.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -47,7 +52,7 @@ fn hostile() -> Vec<String> {
 
 #[test]
 fn documents_that_ask_for_much_end_in_little_room() {
-    for body in hostile() {
+    for body in share(hostile()) {
         let text = format!("```kane\n{body}\n```\n");
         let head: String = body.chars().take(60).collect();
         let start = Instant::now();

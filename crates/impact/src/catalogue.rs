@@ -80,7 +80,8 @@ macro_rules! number_systems {
 number_systems!(f32, f64, DoubleDouble, Scaled, Interval, Rational, Algebraic);
 
 impl Law {
-    /// A law as its author wrote it.
+    /// A law as its author wrote it: all of it is compiled once more where this is called. A published law is
+    /// `Law::from` its value instead.
     pub fn new<L: ImpactLaw>(law: L) -> Self {
         Self { info: const { &L::INFO }, faces: Arc::new(law) }
     }
@@ -161,33 +162,67 @@ impl fmt::Debug for Law {
     }
 }
 
+macro_rules! published {
+    ($($law:ty),* $(,)?) => {
+        $(impl From<$law> for Law {
+            #[inline(never)]
+            fn from(law: $law) -> Self {
+                Self::new(law)
+            }
+        })*
+    };
+}
+published!(
+    WangSuLi,
+    WhittakerUncapped,
+    WhittakerStop,
+    RouthNewton,
+    Garwin,
+    GarwinCapped,
+    KaneLevinson,
+    Brach,
+    Keller1986,
+    KellerPrinted,
+    Stronge1990,
+    Smith1991,
+    SmithPrinted,
+    Walton,
+    ChatterjeeRuina,
+    LougeAdams,
+    KuninakaHayakawa,
+    DjerassiNewton,
+    DjerassiPoisson,
+    DjerassiStronge,
+    Saitoh,
+);
+
 /// Every published law with the defaults of its parameters, in the order of tables and reports: the
 /// paper's, then by the year of the idea.
 #[must_use]
 pub fn laws() -> &'static [Law] {
     static LAWS: LazyLock<[Law; 21]> = LazyLock::new(|| {
         [
-            Law::new(WangSuLi),
-            Law::new(WhittakerUncapped),
-            Law::new(WhittakerStop),
-            Law::new(RouthNewton),
-            Law::new(Garwin),
-            Law::new(GarwinCapped),
-            Law::new(KaneLevinson),
-            Law::new(Brach::default()),
-            Law::new(Keller1986),
-            Law::new(KellerPrinted),
-            Law::new(Stronge1990),
-            Law::new(Smith1991),
-            Law::new(SmithPrinted::default()),
-            Law::new(Walton::default()),
-            Law::new(ChatterjeeRuina::default()),
-            Law::new(LougeAdams::default()),
-            Law::new(KuninakaHayakawa::default()),
-            Law::new(DjerassiNewton),
-            Law::new(DjerassiPoisson),
-            Law::new(DjerassiStronge),
-            Law::new(Saitoh::default()),
+            Law::from(WangSuLi),
+            Law::from(WhittakerUncapped),
+            Law::from(WhittakerStop),
+            Law::from(RouthNewton),
+            Law::from(Garwin),
+            Law::from(GarwinCapped),
+            Law::from(KaneLevinson),
+            Law::from(Brach::default()),
+            Law::from(Keller1986),
+            Law::from(KellerPrinted),
+            Law::from(Stronge1990),
+            Law::from(Smith1991),
+            Law::from(SmithPrinted::default()),
+            Law::from(Walton::default()),
+            Law::from(ChatterjeeRuina::default()),
+            Law::from(LougeAdams::default()),
+            Law::from(KuninakaHayakawa::default()),
+            Law::from(DjerassiNewton),
+            Law::from(DjerassiPoisson),
+            Law::from(DjerassiStronge),
+            Law::from(Saitoh::default()),
         ]
     });
     &*LAWS

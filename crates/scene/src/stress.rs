@@ -115,7 +115,7 @@ fn grazing(rows: &mut Vec<Row>) {
     for power in [1, 2, 4, 8, 16] {
         let down = -power_of(10, -power);
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), down / integer(3)], ratio(9, 10));
-        let (found, exact) = once::<f64>(&world, &Law::new(RouthNewton));
+        let (found, exact) = once::<f64>(&world, &Law::from(RouthNewton));
         let Some(exact) = exact else { continue };
         let error = relative(found.as_ref().map(|b| &b.motion.omega), &exact.motion.omega);
         rows.push(Row {
@@ -137,7 +137,7 @@ fn ends_of_restitution(rows: &mut Vec<Row>) {
         ("1", integer(1)),
     ] {
         let world = ball(ratio(1, 3), ratio(2, 5), [ratio(1, 3), ratio(-1, 7)], e);
-        let (found, exact) = once::<f64>(&world, &Law::new(RouthNewton));
+        let (found, exact) = once::<f64>(&world, &Law::from(RouthNewton));
         let Some(exact) = exact else { continue };
         rows.push(Row {
             case: "restitution, error of v_y",
@@ -188,8 +188,8 @@ fn jam(rows: &mut Vec<Row>) {
                     error,
                 });
             };
-            measure("whittaker-uncapped/f64", tip_error(&tip, &Law::new(WhittakerUncapped)));
-            measure("routh-newton/f64", tip_error(&tip, &Law::new(RouthNewton)));
+            measure("whittaker-uncapped/f64", tip_error(&tip, &Law::from(WhittakerUncapped)));
+            measure("routh-newton/f64", tip_error(&tip, &Law::from(RouthNewton)));
         }
     }
 }
@@ -210,8 +210,8 @@ fn inertia(rows: &mut Vec<Row>) {
         let world =
             ball(ratio(1, 3), power_of(10, -power), [ratio(1, 3), ratio(-1, 7)], ratio(9, 10));
         for (method, (found, exact)) in [
-            ("routh-newton/f64", once::<f64>(&world, &Law::new(RouthNewton))),
-            ("wang-su-li/f64", once::<f64>(&world, &Law::new(WangSuLi))),
+            ("routh-newton/f64", once::<f64>(&world, &Law::from(RouthNewton))),
+            ("wang-su-li/f64", once::<f64>(&world, &Law::from(WangSuLi))),
         ] {
             let Some(exact) = exact else { continue };
             rows.push(Row {
@@ -299,7 +299,7 @@ fn bounced<N: Coordinate + NumberSystem>(power: u32) -> f64 {
     world.gravity = ratio(981, 100);
     let count = 10_u64.pow(power);
     let budget = Budget { impacts: count, ..Budget::default() };
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let until = Until::Impacts(count);
     let end = run(&world.map(N::from_rational), &law, &until, budget, &mut |_| {}).ok();
     // it starts on the floor, so that the first impact is at once

@@ -47,13 +47,13 @@ fn float(law: &Law, alpha: f64) -> [f64; 3] {
 /// Source: C. E. Smith (1991) as quoted by Chatterjee and Ruina (1998): k = α − √(α² + 2α − 1).
 #[test]
 fn smith_reverses_the_slip_by_a_square_root() {
-    let [k, i, _] = float(&Law::new(Smith1991), 1.0);
+    let [k, i, _] = float(&Law::from(Smith1991), 1.0);
     assert_printed("k(1) = 1 − √2", k, "-0.41421356");
     assert_printed("i(1) = 1/√2", i, "0.70710678");
-    let [k, i, _] = float(&Law::new(Smith1991), 2.0);
+    let [k, i, _] = float(&Law::from(Smith1991), 2.0);
     assert_printed("k(2) = 2 − √7", k, "-0.64575131");
     assert_printed("i(2)", i, "0.4114");
-    let [k, i, _] = float(&Law::new(Smith1991), 5.0);
+    let [k, i, _] = float(&Law::from(Smith1991), 5.0);
     assert_printed("k(5)", k, "-0.8310");
     assert_printed("i(5)", i, "0.1831");
     // α² + 2α − 1 = (7/4)² at α = 5/4: exact numbers hold this one

@@ -70,8 +70,8 @@ fn the_reference_table_is_met_to_its_printed_digits() {
 #[test]
 fn the_laws_without_a_column_follow_from_those_with_one() {
     let walton = Walton::default();
-    let same = Law::new(ChatterjeeRuina { restitution: walton.restitution.clone() });
-    let walton = Law::new(walton);
+    let same = Law::from(ChatterjeeRuina { restitution: walton.restitution.clone() });
+    let walton = Law::from(walton);
     for (alpha, _) in TABLE {
         let alpha = exact(alpha);
         assert_eq!(k_by_id("garwin", &alpha), Some((-Rational::one()).into()));

@@ -5,6 +5,9 @@ mod counterexamples;
 mod dollars;
 mod inequalities;
 mod linear;
+#[path = "../../../../tests/shared/many.rs"]
+#[expect(dead_code, reason = "here are no random statements")]
+mod many;
 mod memo;
 mod small_places;
 mod summands;

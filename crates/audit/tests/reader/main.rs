@@ -1,6 +1,9 @@
 //! What the reader makes of documents, good and bad.
 
 mod hostile;
+#[path = "../../../../tests/shared/many.rs"]
+#[expect(dead_code, reason = "here are no random statements")]
+mod many;
 
 use kane_algebra::syntax::{Notation, Scope, parse_sentence};
 use kane_audit::{Body, Content, Diagnostic, MAX_FILE_BYTES, MAX_STATEMENTS, Verdict, read};

@@ -24,11 +24,11 @@ pub enum Mechanics {
 }
 
 /// Coulomb friction on rigid bodies, Newton's restitution: slide, then stick.
-pub(super) static COULOMB: LazyLock<Law> = LazyLock::new(|| Law::new(RouthNewton));
+pub(super) static COULOMB: LazyLock<Law> = LazyLock::new(|| Law::from(RouthNewton));
 /// The same with Stronge's energetic restitution.
-pub(super) static ENERGETIC: LazyLock<Law> = LazyLock::new(|| Law::new(Stronge1990));
+pub(super) static ENERGETIC: LazyLock<Law> = LazyLock::new(|| Law::from(Stronge1990));
 /// The same where sticking gives a share of the slip back.
-pub(super) static GRIP: LazyLock<Law> = LazyLock::new(|| Law::new(Walton::default()));
+pub(super) static GRIP: LazyLock<Law> = LazyLock::new(|| Law::from(Walton::default()));
 
 /// The names that laws had here when they had two.
 const FORMER: [(&str, &str); 4] = [

@@ -67,13 +67,13 @@ pub(super) fn rows(laws: &[Law], rows: &mut Vec<Row>) {
             rows.push(Row { case: "kink, error of k", pushed, to, method, error });
         };
         let beside = |place: Rational| place + tiny;
-        let half = k_error(&Law::new(RouthNewton), &beside(ratio(1, 2)));
+        let half = k_error(&Law::from(RouthNewton), &beside(ratio(1, 2)));
         push("alpha from 1/2 by", "routh-newton/f64", half);
         // with a share of 1/2 given back sliding ends at (1 + 1/2)/2
         let walton = Walton { restitution: ratio(1, 2) };
-        let at_end = k_error(&Law::new(walton), &beside(ratio(3, 4)));
+        let at_end = k_error(&Law::from(walton), &beside(ratio(3, 4)));
         push("alpha from 3/4 by", "walton/f64", at_end);
-        let turned = k_error(&Law::new(WangSuLi), &beside(integer(1)));
+        let turned = k_error(&Law::from(WangSuLi), &beside(integer(1)));
         push("alpha from 1 by", "wang-su-li/f64", turned);
         push("alpha from a kink by", "all laws, worst", Some(worst.errors[n]));
     }
@@ -85,8 +85,8 @@ mod tests {
 
     #[test]
     fn the_kinks_of_laws_are_where_their_formulas_meet() {
-        assert_eq!(kinks(&Law::new(RouthNewton)), [ratio(1, 2)], "k = 1 - 2*alpha meets 0");
-        assert_eq!(kinks(&Law::new(Walton { restitution: ratio(1, 2) })), [ratio(3, 4)]);
-        assert!(kinks(&Law::new(WangSuLi)).is_empty(), "one formula for all alpha");
+        assert_eq!(kinks(&Law::from(RouthNewton)), [ratio(1, 2)], "k = 1 - 2*alpha meets 0");
+        assert_eq!(kinks(&Law::from(Walton { restitution: ratio(1, 2) })), [ratio(3, 4)]);
+        assert!(kinks(&Law::from(WangSuLi)).is_empty(), "one formula for all alpha");
     }
 }

@@ -73,7 +73,7 @@ fn grazing() -> Contrast {
     world.bodies[0].position[1] = ratio(1001, 1000);
     let before = world.bodies[0].kinetic_energy();
     let budget = Budget::default();
-    let end = run(&world, &Law::new(RouthNewton), &Until::Impacts(1), budget, &mut |_| {}).ok();
+    let end = run(&world, &Law::from(RouthNewton), &Until::Impacts(1), budget, &mut |_| {}).ok();
     let after = end.map_or_else(|| before.clone(), |end| end.bodies[0].kinetic_energy());
     Contrast {
         name: "grazing",

@@ -15,7 +15,7 @@ fn an_impact_is_that_of_the_bodies_of_the_laws() {
         above_floor(vec![ball("2", "1/10", ["0", "1/10"], ["3", "-2", "7"])], "10", "1/5", "3/4");
     let mut seen = Vec::new();
     let observer = &mut |bounce: &kane_scene::simulate::Bounce<Rational>| seen.push(bounce.clone());
-    run(&world, &Law::new(WangSuLi), &Until::Impacts(1), Budget::default(), observer).unwrap();
+    run(&world, &Law::from(WangSuLi), &Until::Impacts(1), Budget::default(), observer).unwrap();
 
     let ball = &world.bodies[0];
     let body = PlanarBody {
@@ -52,7 +52,7 @@ fn two_bodies_part_as_the_laws_say_and_keep_their_momentum() {
     let mut world = world;
     world.bodies[1].motion.vx = n("1/3");
     let end =
-        run(&world, &Law::new(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
+        run(&world, &Law::from(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
             .unwrap();
     let planar = |body: &kane_scene::Round<Rational>, arm: Rational| PlanarBody {
         mass: body.mass.clone(),
@@ -111,9 +111,14 @@ fn every_side_of_a_room_is_the_floor_turned() {
             friction: n("1/5"),
             restitution: n("3/4"),
         };
-        let end =
-            run(&world, &Law::new(RouthNewton), &Until::Impacts(1), Budget::default(), &mut |_| {})
-                .unwrap();
+        let end = run(
+            &world,
+            &Law::from(RouthNewton),
+            &Until::Impacts(1),
+            Budget::default(),
+            &mut |_| {},
+        )
+        .unwrap();
         let motion = &end.bodies[0].motion;
         let vt = integer(xt) * &motion.vx + integer(yt) * &motion.vy;
         let vn = integer(xn) * &motion.vx + integer(yn) * &motion.vy;
@@ -135,7 +140,7 @@ fn the_end_of_infinitely_many_impacts_does_not_depend_on_where_the_sum_begins() 
         );
         let rest = |shown| {
             let budget = Budget { shown, ..Budget::default() };
-            run(&world, &Law::new(RouthNewton), &Until::Rest, budget, &mut |_| {}).unwrap()
+            run(&world, &Law::from(RouthNewton), &Until::Rest, budget, &mut |_| {}).unwrap()
         };
         let (early, late) = (rest(1), rest(30));
         assert!(early.impacts < late.impacts);
@@ -145,9 +150,14 @@ fn the_end_of_infinitely_many_impacts_does_not_depend_on_where_the_sum_begins() 
         assert_eq!(early.time, n("1/2") + n("3"));
         // the 200th impact is within e^200 of it
         let until = Until::Impacts(200);
-        let far =
-            run(&of::<f64>(&world), &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {})
-                .unwrap();
+        let far = run(
+            &of::<f64>(&world),
+            &Law::from(RouthNewton),
+            &until,
+            Budget::default(),
+            &mut |_| {},
+        )
+        .unwrap();
         assert!((far.time - 3.5).abs() < 1e-12);
         assert!((far.bodies[0].position[0] - early.bodies[0].position[0].to_f64()).abs() < 1e-12);
         assert!((far.bodies[0].motion.omega - early.bodies[0].motion.omega.to_f64()).abs() < 1e-9);
@@ -160,7 +170,7 @@ fn a_ball_that_rests_slides_on_until_it_rolls() {
         above_floor(vec![ball("1", "1/10", ["0", "27/20"], ["2", "0", "0"])], "10", "1/100", "3/4");
     let at = |time: &str| {
         let until = Until::Duration(n(time));
-        run(&world, &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap().bodies
+        run(&world, &Law::from(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap().bodies
             [0]
         .clone()
     };
@@ -181,7 +191,7 @@ fn the_ledger_and_the_work_of_gravity_are_all_that_changes_the_energy() {
         above_floor(vec![ball("3", "1/10", ["0", "27/20"], ["2", "0", "9"])], "10", "1/5", "3/4");
     let mut sum = energy(&world.bodies);
     let mut last = world.bodies[0].clone();
-    run(&world, &Law::new(WangSuLi), &Until::Impacts(5), Budget::default(), &mut |bounce| {
+    run(&world, &Law::from(WangSuLi), &Until::Impacts(5), Budget::default(), &mut |bounce| {
         sum = sum.clone() + bounce.ledger.total() + &bounce.gravity;
         last = bounce.after.0.clone();
         assert_eq!(sum, last.kinetic_energy());
@@ -198,7 +208,7 @@ fn intervals_hold_the_exact_motion() {
         "3/4",
     );
     let until = Until::Impacts(9);
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let exact = run(&world, &law, &until, Budget::default(), &mut |_| {}).unwrap();
     let until = Until::Impacts(9);
     let enclosed =
@@ -324,8 +334,8 @@ fn sliding_all_the_time_is_coulomb_friction_while_it_slides() {
     );
     let until = Until::Impacts(10);
     let slid =
-        run(&world, &Law::new(WhittakerUncapped), &until, Budget::default(), &mut |_| {}).unwrap();
+        run(&world, &Law::from(WhittakerUncapped), &until, Budget::default(), &mut |_| {}).unwrap();
     let coulomb =
-        run(&world, &Law::new(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap();
+        run(&world, &Law::from(RouthNewton), &until, Budget::default(), &mut |_| {}).unwrap();
     assert_eq!(slid, coulomb);
 }

@@ -42,11 +42,11 @@ fn the_sum_of_a_model_is_what_its_impacts_come_to_one_by_one() {
         loss: None,
         finer: 1,
     };
-    let walton = |share: &str| Law::new(Walton { restitution: n(share) });
+    let walton = |share: &str| Law::from(Walton { restitution: n(share) });
     let models: [(&str, Box<dyn Resolver<f64>>); 6] = [
         ("no friction", Box::new(NormalOnly)),
-        ("coulomb", Box::new(Law::new(RouthNewton))),
-        ("in full", Box::new(Law::new(WhittakerUncapped))),
+        ("coulomb", Box::new(Law::from(RouthNewton))),
+        ("in full", Box::new(Law::from(WhittakerUncapped))),
         ("a share of 0.44", Box::new(walton("11/25"))),
         ("a share of 0.74", Box::new(walton("37/50"))),
         ("elastic", Box::new(elastic("14/17"))),
@@ -82,7 +82,7 @@ fn the_sum_of_a_model_is_what_its_impacts_come_to_one_by_one() {
 fn the_sum_of_shares_is_exact_in_exact_numbers() {
     let world =
         above_floor(vec![ball("1", "1/10", ["0", "27/20"], ["1", "0", "3"])], "10", "1", "3/4");
-    let law = Law::new(Walton { restitution: n("11/25") });
+    let law = Law::from(Walton { restitution: n("11/25") });
     let rest = |shown| {
         let budget = Budget { shown, ..Budget::default() };
         run(&world, &law, &Until::Rest, budget, &mut |_| {}).unwrap()
@@ -100,7 +100,7 @@ fn a_law_without_a_sum_is_followed_until_the_ball_lies_still() {
     // what 3,000 impacts in an independent program come to
     let end = run(
         &of::<f64>(&thrown("1/50", "19/20")),
-        &Law::new(WangSuLi),
+        &Law::from(WangSuLi),
         &Until::Rest,
         Budget::default(),
         &mut |_| {},
@@ -111,7 +111,7 @@ fn a_law_without_a_sum_is_followed_until_the_ball_lies_still() {
     assert!((motion.vx - 7.6956).abs() < 5e-5 && (motion.omega + 57.61).abs() < 0.01, "{motion:?}");
     // and what it does while it lies there, the law does not tell
     let world = of::<f64>(&thrown("1/50", "0"));
-    let law = Law::new(WangSuLi);
+    let law = Law::from(WangSuLi);
     let later = run(&world, &law, &Until::Duration(20.0), Budget::default(), &mut |_| {});
     assert_eq!(later.unwrap_err(), Stopped::LiesUntold);
 }

@@ -83,7 +83,7 @@ fn planar_worlds() -> Vec<World<Rational>> {
 fn what_moves_in_the_plane_does_the_same_in_space() {
     let mut answered = 0;
     for planar in planar_worlds() {
-        for law in [Law::new(RouthNewton), Law::new(Walton::default())] {
+        for law in [Law::from(RouthNewton), Law::from(Walton::default())] {
             for until in [Until::Impacts(1), Until::Impacts(2), Until::Duration(n("1/2"))] {
                 let flat = follow::<Rational>(&planar, &law, &until);
                 let space = follow::<Rational>(&lifted(&planar), &law, &until);
@@ -114,7 +114,7 @@ fn a_turned_meeting_is_the_planar_one_turned() {
     for body in &mut turned_world.bodies {
         *body = turned(&turn, body);
     }
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let (there, here) = (
         follow::<Rational>(&turned_world, &law, &Until::Impacts(1)).expect("they meet"),
         follow::<Rational>(&world, &law, &Until::Impacts(1)).expect("they meet"),
@@ -146,7 +146,7 @@ fn every_side_of_a_room_in_space_is_the_floor_turned() {
         let turn = turn.map(|row| row.map(|k| Rational::from_integer(k.into())));
         let mut world = above_floor(vec![turned(&turn, &start)], "0", "1/9", "3/4");
         world.walls = vec![Wall { side, at: Rational::from_integer(at.into()) }];
-        let law = Law::new(RouthNewton);
+        let law = Law::from(RouthNewton);
         let end = follow::<Rational>(&world, &law, &Until::Impacts(1)).expect("it meets the wall");
         // back by the transposed matrix
         let back: Turn = [0, 1, 2].map(|i| [0, 1, 2].map(|k| turn[k][i].clone()));
@@ -163,7 +163,7 @@ fn every_side_of_a_room_in_space_is_the_floor_turned() {
 fn friction_that_suffices_stops_the_slip_in_every_direction() {
     let start = sphere("3", "1/10", ["0", "1", "0"], ["1", "-2", "1"], ["30", "9", "5"]);
     let world = above_floor(vec![start], "0", "1", "1/2");
-    let end = follow::<Rational>(&world, &Law::new(RouthNewton), &Until::Impacts(1))
+    let end = follow::<Rational>(&world, &Law::from(RouthNewton), &Until::Impacts(1))
         .expect("it meets the floor");
     let [_, [vx, _, vz], [omega_x, omega_y, omega]] = vectors(&end.bodies[0]);
     assert_eq!((&vx + &omega * n("1/10"), &vz - &omega_x * n("1/10")), (n("0"), n("0")));
@@ -201,7 +201,7 @@ fn momentum_angular_momentum_and_the_ledger_are_kept() {
         sums
     };
     let mut gained = 0.0;
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let end = run(&world, &law, &Until::Impacts(1), Budget::default(), &mut |bounce| {
         gained += bounce.ledger.total();
         assert!(bounce.slip[0] > 0.0 && bounce.impulse.tangential < 0.0);
@@ -230,7 +230,7 @@ fn intervals_hold_the_motion_in_space() {
     {
         world.walls.push(Wall { side, at: n(at) });
     }
-    let (law, impacts) = (Law::new(RouthNewton), 12);
+    let (law, impacts) = (Law::from(RouthNewton), 12);
     let within = follow::<Interval>(&world, &law, &Until::Impacts(impacts)).expect("they tell");
     let long = follow::<kane_number::DoubleDouble>(&world, &law, &Until::Impacts(impacts));
     let long = long.expect("floats go on");
@@ -262,7 +262,7 @@ fn several_contacts_at_once_are_refused_where_there_is_friction() {
         let start = sphere("1", "1/10", ["1", "1", "1"], ["-1", "-1", "0"], ["0", "0", "0"]);
         let mut world = above_floor(vec![start], "0", friction, "1/2");
         world.walls.push(Wall { side: Side::Left, at: n("0") });
-        follow::<Rational>(&world, &Law::new(RouthNewton), &Until::Impacts(2))
+        follow::<Rational>(&world, &Law::from(RouthNewton), &Until::Impacts(2))
     };
     assert_eq!(corner("0").expect("walls answer one after the other").impacts, 2);
     assert!(matches!(corner("1/5"), Err(Stopped::AtOnce { impact: 1, .. })));
@@ -273,7 +273,7 @@ fn several_contacts_at_once_are_refused_where_there_is_friction() {
         let bodies = vec![at("0", "1"), at("1", "0"), at("6/5", "0")];
         let mut world = above_floor(bodies, "0", friction, "1");
         world.walls.clear();
-        follow::<Rational>(&world, &Law::new(RouthNewton), &Until::Impacts(2))
+        follow::<Rational>(&world, &Law::from(RouthNewton), &Until::Impacts(2))
     };
     assert_eq!(row("0").expect("one hands on to the next").bodies[2].motion.vx, n("1"));
     assert!(matches!(row("1/5"), Err(Stopped::AtOnce { impact: 2, .. })));
@@ -308,7 +308,7 @@ fn a_moving_wall_stands_upright_on_the_plane() {
         let mut world = above_floor(vec![start(velocity)], "0", "1/9", "3/4");
         world.walls.clear();
         world.planes.push(plane(of_wall));
-        follow::<Rational>(&world, &Law::new(RouthNewton), &Until::Impacts(1)).expect("they meet")
+        follow::<Rational>(&world, &Law::from(RouthNewton), &Until::Impacts(1)).expect("they meet")
     };
     let (still, moving) =
         (after(["1", "-2", "1"], ["0", "0"]), after(["4", "-1", "1"], ["3", "1"]));

@@ -79,7 +79,7 @@ fn a_million_bounces_drift_by_no_more_than_their_roundings() {
     let budget = Budget { impacts: 1_000_000, ..Budget::default() };
     let until = Until::Impacts(1_000_000);
     let world = of::<f64>(&world);
-    let end = run(&world, &Law::new(RouthNewton), &until, budget, &mut |_| {}).unwrap();
+    let end = run(&world, &Law::from(RouthNewton), &until, budget, &mut |_| {}).unwrap();
     assert_eq!(energy(&end.bodies), energy(&world.bodies));
 }
 
@@ -150,7 +150,7 @@ fn a_million_bounces_take_little_time() {
     for _ in 0..15 {
         let start = now();
         let until = Until::Impacts(1_000_000);
-        let end = run(&world, &Law::new(RouthNewton), &until, budget, &mut |_| {}).unwrap();
+        let end = run(&world, &Law::from(RouthNewton), &until, budget, &mut |_| {}).unwrap();
         assert_eq!(end.impacts, 1_000_000);
         times.push(now() - start);
     }

@@ -44,7 +44,7 @@ fn level() -> Plane<Rational> {
 fn a_level_plane_is_a_floor() {
     let ball = ball("2", "1/10", ["0", "1"], ["3", "-1", "7"]);
     let floor = of::<Interval>(&above_floor(vec![ball], "10", "1/50", "3/4"));
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let mut plane = floor.clone();
     plane.walls.clear();
     plane.planes.push(level().map(Interval::from_rational));
@@ -89,7 +89,7 @@ fn a_belt_takes_the_ball_along() {
     world.walls.clear();
     let belt = |speed: &str| Plane { velocity: [n(speed), n("0")], ..level() };
     world.planes = vec![belt("2")];
-    let law = Law::new(RouthNewton);
+    let law = Law::from(RouthNewton);
     let (end, _) = followed(&of::<f64>(&world), &law, 1);
     assert_eq!((end.bodies[0].motion.vx, end.bodies[0].motion.omega), (2.0, 0.0));
     // and otherwise it is what the floor does to the ball in the belt's frame
