@@ -69,13 +69,19 @@ impl Solution {
             }
             pivots.push((c, r));
             let pivot = rows[r].clone();
+            let long = pivot.entries.values().chain([&pivot.value]).map(bits).max().unwrap_or(0);
             for other in std::mem::take(&mut places[c]) {
                 if other == r {
                     continue;
                 }
                 let by = rows[other].entries[&c].clone();
+                // lowest terms take the square of the words that numbers have
+                let words = 1 + (long + bits(&by)) / 64;
+                let one = FRACTION.saturating_add(words.saturating_mul(words).saturating_mul(4));
                 let width = pivot.entries.len() as u64;
-                fuel.spend(width).and_then(|()| fuel.spend_beyond(width * FRACTION)).ok()?;
+                fuel.spend(width)
+                    .and_then(|()| fuel.spend_beyond(width.saturating_mul(one)))
+                    .ok()?;
                 for (k, q) in &pivot.entries {
                     let entry = rows[other].entries.entry(*k).or_insert_with(Q::zero);
                     *entry -= &by * q;
@@ -131,4 +137,9 @@ impl Solution {
         }
         out
     }
+}
+
+/// Bits of a fraction.
+fn bits(q: &Q) -> u64 {
+    q.numer().bits() + q.denom().bits()
 }

@@ -94,6 +94,13 @@ impl Gram {
             let mut rows = 0..;
             block.basis.retain(|_| rows.next().is_none_or(|row| !gone.contains(&(b, row))));
         }
+        for contact in question.contacts {
+            for block in &mut gram.blocks {
+                if let Some(degree) = contact.closes(question, &question.products[block.product]) {
+                    block.basis = contact.vanishing(&block.basis, degree);
+                }
+            }
+        }
         gram.blocks.retain(|block| !block.basis.is_empty());
         (gram.columns() <= COLUMNS).then_some(gram)
     }

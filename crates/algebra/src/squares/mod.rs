@@ -5,6 +5,7 @@
 //! positive semidefinite one (Parrilo 2000), rational numbers nearby are tried, and what is returned
 //! is exact: the identity holds as polynomials, or there is no answer.
 
+mod contact;
 mod elimination;
 mod grading;
 mod gram;
@@ -17,6 +18,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
 
+pub use contact::Contact;
 use elimination::Solution;
 use gram::Gram;
 
@@ -34,6 +36,8 @@ pub struct Question<'a> {
     pub equations: &'a [Poly],
     /// the degree that no summand exceeds
     pub degree: u32,
+    /// where the identity leaves no room, as far as that is known
+    pub contacts: &'a [Contact],
 }
 
 /// weight · base² · product, with a positive weight.

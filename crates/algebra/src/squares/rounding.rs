@@ -28,6 +28,8 @@ const NEWTON: usize = 160;
 /// How far from a float a rational number may be, as one part in so many, and its largest denominator: what
 /// people write first, then what points leave whose coordinates are irrational.
 const SIMPLE: [(u32, u32); 2] = [(300, 64), (20_000, 1000)];
+/// Bits of a common denominator of such numbers.
+const LONGEST: u64 = 40;
 /// How far below its margin a rounded matrix may seem to floats, and still be tried exactly.
 const SLACK: f64 = 1e-8;
 /// Eigenvalues, relative to the largest one, that count as zero; tried in this order.
@@ -160,7 +162,7 @@ fn face(
         let basis: Vec<Poly> = (0..block.basis.len())
             .filter(|i| !pivots.contains(i))
             .map(|i| combination(block, i, &pivots, &rows))
-            .collect();
+            .collect::<Option<_>>()?;
         if !basis.is_empty() {
             blocks.push(Block { product: block.product, basis });
         }
@@ -168,15 +170,19 @@ fn face(
     (smaller && !blocks.is_empty()).then(|| Gram { blocks, ..gram.clone() })
 }
 
-/// bᵢ − Σ rowᵢ·b over the pivots, in integers: what is orthogonal to the rows.
-fn combination(block: &Block, i: usize, pivots: &[usize], rows: &[Vec<Q>]) -> Poly {
+/// bᵢ − Σ rowᵢ·b over the pivots, in integers: what is orthogonal to the rows. `None` where so many denominators show that
+/// the rows are none that people would write.
+fn combination(block: &Block, i: usize, pivots: &[usize], rows: &[Vec<Q>]) -> Option<Poly> {
     let common = rows.iter().fold(BigInt::one(), |l, row| l.lcm(row[i].denom()));
+    if common.bits() > LONGEST {
+        return None;
+    }
     let mut out = block.basis[i].scale(&common);
     for (pivot, row) in pivots.iter().zip(rows) {
         let by = (&row[i] * Q::from(common.clone())).to_integer();
         out = out.add(&block.basis[*pivot].scale(&-by));
     }
-    out.primitive().1
+    Some(out.primitive().1)
 }
 
 /// The simplest rational number near a float, if it is simple.

@@ -1,6 +1,6 @@
 //! Sums of squares: known ones are found, and what is found is an identity.
 
-use kane_algebra::squares::{Identity, Question, identity, total_degree};
+use kane_algebra::squares::{Contact, Identity, Question, identity, total_degree};
 use kane_kernel::{Fuel, Poly};
 use num_bigint::BigInt;
 use num_traits::Signed;
@@ -34,7 +34,13 @@ fn is_found(p: &Poly) -> bool {
     let positive = p.neg();
     let products = [Poly::one()];
     let degree = total_degree(p).next_multiple_of(2);
-    let question = Question { positive: &positive, products: &products, equations: &[], degree };
+    let question = Question {
+        positive: &positive,
+        products: &products,
+        equations: &[],
+        degree,
+        contacts: &[],
+    };
     match identity(&question, &Fuel::new(1 << 32)) {
         Some(found) => {
             assert!(total(&question, &found).is_empty(), "{found:?}");
@@ -77,8 +83,13 @@ fn squares_that_vanish_at_irrational_points_alone_are_found() {
     let short = poly(&[(4, &[]), (-1, &[1]), (-1, &[0, 1])]);
     let times = |p: &Poly| short.mul(p, &Fuel::new(1000)).expect("it is short");
     let products = [Poly::one(), times(&x), times(&y), x, y];
-    let question =
-        Question { positive: &positive, products: &products, equations: &[equation], degree: 6 };
+    let question = Question {
+        positive: &positive,
+        products: &products,
+        equations: &[equation],
+        degree: 6,
+        contacts: &[],
+    };
     let found = identity(&question, &Fuel::new(1 << 30)).expect("s ≥ 4");
     assert!(total(&question, &found).is_empty());
     // s ≥ 4.01 does not follow
@@ -101,7 +112,13 @@ fn products_and_equations_serve() {
     let (x, y) = (Poly::var(0), Poly::var(1));
     let positive = x.add(&y).neg();
     let products = [Poly::one(), x.clone(), y.clone()];
-    let question = Question { positive: &positive, products: &products, equations: &[], degree: 2 };
+    let question = Question {
+        positive: &positive,
+        products: &products,
+        equations: &[],
+        degree: 2,
+        contacts: &[],
+    };
     let found = identity(&question, &Fuel::new(1 << 30)).expect("it is linear");
     assert!(total(&question, &found).is_empty());
     // x + y = 2, xy − 2 > 0
@@ -112,7 +129,41 @@ fn products_and_equations_serve() {
         products: &products[..1],
         equations: &equations,
         degree: 2,
+        contacts: &[],
     };
     let found = identity(&question, &Fuel::new(1 << 30)).expect("(x − 1)² = −(y − 1)²");
     assert!(total(&question, &found).is_empty());
+}
+
+/// At a point and in a direction where nothing is left each square is zero, whether that is said before or found.
+#[test]
+fn what_is_known_to_vanish_does_so_in_the_identity() {
+    // (x − 1)²·y² + (x + y − 1)⁴ is 0 at (1, 0) alone, and in no direction
+    let fuel = Fuel::new(1 << 30);
+    let (x, y) = (Poly::var(0), Poly::var(1));
+    let left = x.sub(&Poly::one());
+    let square = left.mul(&y, &fuel).and_then(|p| p.pow(2, &fuel)).expect("there is fuel");
+    let fourth = left.add(&y).pow(4, &fuel).expect("there is fuel");
+    let positive = square.add(&fourth).neg();
+    let at = |x: i64, y: i64| vec![(0, BigInt::from(x).into()), (1, BigInt::from(y).into())];
+    let products = [Poly::one()];
+    let bare = Question {
+        positive: &positive,
+        products: &products,
+        equations: &[],
+        degree: 4,
+        contacts: &[],
+    };
+    let point = Contact::At(at(1, 0));
+    assert!(point.is_of(&bare));
+    assert!(!Contact::At(at(0, 1)).is_of(&bare) && !Contact::Towards(at(1, -1)).is_of(&bare));
+    let found = identity(&Question { contacts: &[point], ..bare.clone() }, &fuel).expect("a sum");
+    assert!(total(&bare, &found).is_empty());
+    let here = |p: &Poly| kane_algebra::point::specialised(p, &at(1, 0));
+    assert!(found.squares.iter().all(|s| here(&s.base).is_empty()));
+    // x⁴ has no room along y
+    let leading = x.pow(4, &fuel).expect("there is fuel").neg();
+    let towards = Question { positive: &leading, ..bare };
+    assert!(Contact::Towards(at(0, 1)).is_of(&towards));
+    assert!(!Contact::Towards(at(1, 1)).is_of(&towards));
 }

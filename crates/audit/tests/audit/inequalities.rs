@@ -160,6 +160,23 @@ fn sums_of_squares_are_found_where_they_vanish_at_irrational_points_alone() {
 }
 
 /// Equal at a, b = 2 ± √2, where b² follows from a premise whose leading coefficient is not a number.
+/// The function of Goldstein and Price (1971) has its least value 3 at (0, −1), and its leading form is zero in two directions.
+#[test]
+fn sums_of_squares_are_found_where_they_vanish_at_a_point_and_in_a_direction() {
+    let least = |sign: &str, bound: &str| {
+        let first = "1 + (x + y + 1)^2*(19 - 14*x + 3*x^2 - 14*y + 6*x*y + 3*y^2)";
+        let second = "30 + (2*x - 3*y)^2*(18 - 32*x + 12*x^2 + 48*y - 36*x*y + 27*y^2)";
+        verdict(&format!("({first})*({second}) {sign} {bound}"))
+    };
+    assert_eq!(least(">=", "3"), Verdict::Proved);
+    assert_eq!(least(">", "3"), Verdict::Refuted);
+    assert_eq!(least(">=", "3001/1000"), Verdict::Refuted);
+    let sum = "a^3/(b + c + e) + b^3/(c + e + a) + c^3/(e + a + b) + e^3/(a + b + c)";
+    let of_products = |bound: &str| format!("{sum} >= {bound} when a*b + b*c + c*e + e*a = 1");
+    assert_eq!(verdict(&of_products("1/3")), Verdict::Proved);
+    assert_eq!(verdict(&of_products("334/1000")), Verdict::Refuted);
+}
+
 #[test]
 fn sides_are_compared_by_squares_that_a_premise_with_a_leading_coefficient_reduces() {
     let claim = |n: &str| format!("a + b >= {n} when b <= a, sqrt(a*b)*(a - b) = a + b");
