@@ -3,6 +3,7 @@
 use kane_algebra::factors::factors;
 use kane_algebra::quotient::exact_quotient;
 use kane_algebra::ring::{common_sign, content_in, gcd};
+use kane_algebra::squares::{Question, identity, total_degree};
 use kane_kernel::{Atom, Fuel, Poly, Sign, State};
 use num_traits::{Signed as _, Zero};
 
@@ -12,6 +13,8 @@ use super::{conics, tactics};
 
 /// Terms of an equation that is factored.
 const EQUATION: usize = 30;
+/// Operations to see that a polynomial of degree two is a sum of squares.
+const QUADRATIC: u64 = 100_000;
 
 /// The factors of degree one in a variable, up to what is free of it, of an equation of degree two in it: as
 /// (k − x)·(k + x) = 0 has two.
@@ -81,6 +84,20 @@ pub(super) fn cannot_vanish(state: &State<'_, '_>, d: &Poly) -> bool {
     common_sign(&rest).is_some() && tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
 }
 
+/// Whether a polynomial of degree two is positive as a sum of squares with a number is.
+fn is_sum_of_squares(p: &Poly, fuel: &Fuel) -> bool {
+    let products = [Poly::one()];
+    let positive = p.neg();
+    let question = Question {
+        positive: &positive,
+        products: &products,
+        equations: &[],
+        degree: 2,
+        contacts: &[],
+    };
+    total_degree(p) == 2 && identity(&question, fuel).is_some()
+}
+
 /// A polynomial of some kind that is said not to vanish, is seen to be positive, and divides a condition.
 pub(super) fn positive_factor(
     state: &State<'_, '_>,
@@ -95,6 +112,7 @@ pub(super) fn positive_factor(
     let positive = |p: &Poly| {
         let trial = state.with(Atom::new(p.neg(), Sign::Positive));
         tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
+            || is_sum_of_squares(p, &state.scope.fuel.within(QUADRATIC))
     };
     let told = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Positive && a.poly == *p);
     let said = state.atoms.iter().filter(|a| a.sign == Sign::NonZero && a.decided().is_none());

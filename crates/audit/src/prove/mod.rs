@@ -67,6 +67,7 @@ mod tactics;
 mod tangents;
 mod touching;
 mod undefined;
+mod valley;
 mod variation;
 mod witness;
 mod written;

@@ -263,7 +263,9 @@ impl<'a> Search<'a> {
         if self.models
             && splits == 0
             && trail.is_empty()
-            && let Some(point) = self.at_places(state, trail, &open_vars(state), BRIEFLY)
+            && let Some(point) = self
+                .at_places(state, trail, &open_vars(state), BRIEFLY)
+                .or_else(|| self.in_valleys(state))
         {
             return Outcome::Model(point);
         }

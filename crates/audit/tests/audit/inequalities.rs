@@ -4,7 +4,7 @@
 use kane_audit::{Budget, Options, Verdict, audit, read};
 
 fn verdict(claim: &str) -> Verdict {
-    verdict_after("var a > 0, b > 0, c > 0, e > 0, x, y", claim, Budget::default())
+    verdict_after("var a > 0, b > 0, c > 0, e > 0, x, y, z", claim, Budget::default())
 }
 
 /// The verdict on a claim behind other statements.
@@ -175,6 +175,26 @@ fn sums_of_squares_are_found_where_they_vanish_at_a_point_and_in_a_direction() {
     let of_products = |bound: &str| format!("{sum} >= {bound} when a*b + b*c + c*e + e*a = 1");
     assert_eq!(verdict(&of_products("1/3")), Verdict::Proved);
     assert_eq!(verdict(&of_products("334/1000")), Verdict::Refuted);
+}
+
+/// Where both sums vanish nothing is simple, and the denominators are known to be positive as sums of squares alone.
+#[test]
+fn quotients_by_sums_of_squares_are_largest_in_their_valleys() {
+    let quotient = |least: &str, bound: &str| {
+        verdict(&format!("(2 - 3*a - b)/({least} + (x - 2*b + a - 4)^2) {bound}"))
+    };
+    assert_eq!(quotient("1", "< 7/2"), Verdict::Proved);
+    assert_eq!(quotient("1", "< 2"), Verdict::Proved);
+    assert_eq!(quotient("1", "< 19/10"), Verdict::Refuted);
+    let valley = |bound: &str| {
+        verdict(&format!(
+            "(2*x + y + z - 2)/(1 + (3*x + y + 4)^2 + (3*y - 2*z - 2*x + 3)^2) <= {bound}"
+        ))
+    };
+    assert_eq!(valley("5"), Verdict::Refuted);
+    let two =
+        "a/((2*b - x - a - 2)^2 + (b - 3)^2 + 10) + x/(25*b^2 + (2*x + b)^2 + 9*x^2 + 2) <= 1";
+    assert_eq!(verdict(two), Verdict::Refuted);
 }
 
 #[test]
