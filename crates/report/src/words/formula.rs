@@ -632,6 +632,11 @@ mod tests {
             }
             assert_eq!([81, 82].map(told), ["about 7.7778e80", "about 7.7778e81"]);
         }
+        // a long number may be broken between its groups of digits
+        let latex = |digits: usize| {
+            formulas(Form::Latex).number(&"7".repeat(digits).parse().expect("a number"))
+        };
+        assert!(!latex(12).contains("\\allowbreak") && latex(13).contains("\\allowbreak"));
         let half = formulas(Form::Html).number(&BigRational::new(1.into(), 2.into()));
         assert!(half.contains("<mfrac"), "{half}");
         assert_eq!(formulas(Form::Html).number(&BigRational::from_integer((-3).into())), "−3");
