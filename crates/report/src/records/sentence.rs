@@ -227,6 +227,7 @@ fn in_percent(share: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use kane_records::check::{Finding, Verdict};
     use kane_records::fit::{Fitted, PairFit};
     use kane_records::reader::Kind;
     use kane_records::restitution::Factor;
@@ -434,5 +435,44 @@ mod tests {
         let undecided = &counts(&Study { checks, ..study })[1];
         let begins = "5 of 10 impacts are undecided, since too few numbers tell whether";
         assert!(undecided.starts_with(begins), "{undecided}");
+    }
+
+    fn finding(residual: f64, scale: f64) -> Finding {
+        Finding { residual, scale, tolerance: 0.5, verdict: Verdict::Fails }
+    }
+
+    #[test]
+    fn what_fails_is_told_with_how_often_and_by_how_much() {
+        let with = |check, failed, arm| {
+            let worst = Some((3, finding(0.25, 2.0)));
+            let checks = vec![Checked { failed, rows: 7, worst, ..Checked::none(check) }];
+            Study { checks, arm, ..of_a_log() }
+        };
+        assert_eq!(energy(&with(Check::Energy, 0, None)), None);
+        let created = "energy is created in 2 of 7 impacts, 12.5 % of it at most (line 3)";
+        assert_eq!(energy(&with(Check::Energy, 2, None)).as_deref(), Some(created));
+        assert_eq!(lever(&with(Check::Moment, 0, Some((0.25, 1.0)))), None);
+        assert_eq!(lever(&with(Check::Moment, 2, None)), None);
+        let missed = "the impulse misses the stated contact point in 2 impacts, the arm being off by 25 % in the median";
+        assert_eq!(lever(&with(Check::Moment, 2, Some((0.25, 1.0)))).as_deref(), Some(missed));
+    }
+
+    #[test]
+    fn a_log_without_a_row_says_whether_there_was_one_to_check() {
+        let study_of = |text: &str| {
+            study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
+        };
+        let head = "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n";
+        assert_eq!(headline(&study_of(head)), "The log has no impacts.");
+        let broken = study_of(&format!("{head}1,1,0.4,0.3,0.5,2,-1,0,x,0.5,-1.125\n"));
+        assert_eq!(headline(&broken), "No row could be checked.");
+        let whole = headline(&Study {
+            restitution: Some(restitution(NormalLaw::Stated)),
+            friction: vec![fit(FrictionLaw::None, [20; 3], true)],
+            checks: Vec::new(),
+            ..of_a_log()
+        });
+        assert!(whole.starts_with("Restitution as stated; friction is absent"), "{whole}");
+        assert!(whole.ends_with('.'), "{whole}");
     }
 }
