@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use kane_algebra::syntax::visible;
+
 use crate::display::{Equation, Numbering};
 use crate::domain::{Domain, customary, stated};
 use crate::name::{Names, Symbol};
@@ -412,7 +414,7 @@ impl Writer<'_> {
     }
 }
 
-/// A text in one line, without what would end a block.
+/// A text in one line, without what would end a block, and with what nobody sees written out, which a block may not have.
 fn one_line(text: &str) -> String {
-    text.replace(['\n', '\r', '~'], " ").replace('`', "'")
+    visible(&text.replace(['\n', '\r', '\t', '~'], " ")).replace('`', "'")
 }

@@ -102,6 +102,24 @@ fn a_refused_statement_is_a_comment_that_nothing_rests_on() {
     assert_eq!(draft.equations.iter().filter(|equation| equation.fault.is_some()).count(), 1);
 }
 
+/// A block with one cannot be read, not even as a comment.
+#[test]
+fn what_nobody_sees_is_written_out_in_a_block() {
+    for hidden in ['\u{feff}', '\u{200b}', '\u{202e}', '\u{1b}'] {
+        for paper in [
+            format!(r"Let \[ a = 1, {hidden} b = 2 \tag{{1}} \] be"),
+            format!(r"Let \[ a = 1 \text{{ if{hidden} so}} \tag{{1}} \] be"),
+            format!(r"Let \[ \operatorname{{a{hidden}b}} = 1 \tag{{1}} \] be"),
+            format!(r"Let \[ a = 1 \tag{{1{hidden}}} \] be"),
+            format!(r"Let \[ a{hidden} = 1 \label{{eq:{hidden}}} \] be"),
+        ] {
+            let found = statements(&paper, Format::Latex);
+            assert!(!found.is_empty(), "{paper:?}");
+            assert!(!found.concat().contains(hidden), "{found:?}");
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn no_paper_speaks_in_statements(text in r"(\\(begin|end)\{(equation|align\*?|cases|document|figure)\}|\\(tag|label|section|title|newcommand)\{|\\\\|[{}`$&%#\n]|```kane\n|~~~ kane\n|claim x: 1 = 2|x = 1| ){0,40}") {

@@ -166,3 +166,59 @@ fn claim(audit: &Audit, (statement, link): (usize, usize)) -> String {
         _ => format!("{label}, link {}", link + 1),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    #[test]
+    fn as_text_each_judge_has_a_line_and_each_answer_that_does_not_agree() {
+        let text_of =
+            b"```kane\nvar x\nclaim a: x^2 >= 0\nclaim b: x^2 + 1 > 0, x^2 + 2 > 1\n```\n";
+        let document = read("judges.md", text_of).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let judge = |name: &str, answers: [Answer; 3]| Judge {
+            name: name.to_owned(),
+            asked: true,
+            answers: [(0, 0), (1, 0), (1, 1)].into_iter().zip(answers).collect(),
+            axioms: Vec::new(),
+        };
+        let no = || Answer::Disagrees("x = 0".to_owned());
+        let late = || Answer::Undecided("late".to_owned());
+        let judges = [
+            judge("z3", [Answer::Agrees, Answer::Agrees, no()]),
+            judge("Coq", [late(), late(), late()]),
+            Judge { name: "third".to_owned(), ..Judge::default() },
+        ];
+        let told = text(&audit, &judges);
+        let lines: Vec<String> =
+            told.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+        assert_eq!(
+            lines,
+            [
+                "z3: 1 DISAGREE, 2 agree",
+                "DISAGREES b, link 2: x = 0",
+                "Coq: 3 undecided",
+                "undecided a: late",
+                "undecided b, link 1: late",
+                "undecided b, link 2: late",
+                "third: NOT CHECKED, it is not installed",
+            ]
+        );
+        // three links of which two fare alike
+        let mixed = judge("z3", [no(), Answer::Agrees, Answer::Agrees]);
+        assert_eq!(on(&mixed, 1, 2), "agrees");
+        let mixed = judge("z3", [no(), Answer::Agrees, late()]);
+        assert_eq!(on(&mixed, 1, 2), "1 agrees, 1 undecided; late");
+        assert_eq!(on(&mixed, 0, 1), "DISAGREES; x = 0");
+        let mut three = judge("z3", [late(), late(), late()]);
+        three.answers.insert((1, 2), Answer::Agrees);
+        assert_eq!(on(&three, 1, 3), "2 undecided, 1 agrees; late");
+        let rows = answers(&audit, &judges);
+        let told: Vec<(&str, usize, &str)> =
+            rows.links.iter().map(|row| (row.label, row.link, row.answers["z3"].answer)).collect();
+        assert_eq!(told, [("a", 1, "agrees"), ("b", 1, "agrees"), ("b", 2, "DISAGREES")]);
+    }
+}

@@ -176,11 +176,14 @@ mod tests {
     #[test]
     fn no_character_of_a_reason_becomes_markup() {
         assert_eq!(escape("a_b * <c> $d$"), r"a\_b \* &lt;c&gt; \$d\$");
+        // what stands for a character in HTML, and a line of its own
+        assert_eq!(escape("&lt;\n# a"), r"&amp;lt; \# a");
     }
 
     #[test]
     fn code_may_contain_backticks() {
         assert_eq!(code("a ` b"), "``a ` b``");
         assert_eq!(code("`a`"), "`` `a` ``");
+        assert_eq!([code("`a"), code("a`")], ["`` `a ``", "`` a` ``"]);
     }
 }

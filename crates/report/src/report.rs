@@ -417,4 +417,93 @@ mod tests {
             assert!(said.iter().any(|said| plain.contains(said)), "{page}");
         }
     }
+
+    fn judged(statements: &str) -> Audit {
+        let text = format!("```kane\n{statements}\n```\n");
+        let document = read("report.md", text.as_bytes()).expect("it is well formed");
+        audit(document, &Options::default(), &mut |_, _| {})
+    }
+
+    #[test]
+    fn what_does_not_end_as_it_is_expected_is_said_not_to() {
+        let audit = judged(
+            "var x\ngiven g: x > 1\nclaim a: x^2 >= 0\nclaim b: x^2 >= 0 expect proved\n\
+             claim c: x^2 >= 0 expect refuted\nclaim d: x > 5\nclaim e: x > 5 expect refuted\n\
+             claim f: x > 5 expect proved",
+        );
+        let report = Report::new(&audit, "kane audit report.md");
+        let told: Vec<(&str, Option<String>)> =
+            report.entries().map(|e| (e.statement.label.as_str(), e.expectation())).collect();
+        let some = |text: &str| Some(text.to_owned());
+        assert_eq!(
+            told,
+            [
+                ("g", None),
+                ("a", None),
+                ("b", None),
+                ("c", some("NOT EXPECTED (should be refuted)")),
+                ("d", None),
+                ("e", some("expected")),
+                ("f", some("NOT EXPECTED (should be proved)")),
+            ]
+        );
+        assert!(!report.as_expected());
+        // these are
+        for shown in [0, 1, 2, 5] {
+            assert!(report.clone().only(&[shown]).as_expected());
+        }
+        for shown in [3, 4, 6] {
+            assert!(!report.clone().only(&[shown]).as_expected());
+        }
+    }
+
+    #[test]
+    fn a_statement_is_refuted_if_one_link_of_it_is_whatever_becomes_of_the_others() {
+        let audit = judged(
+            "var x\nclaim (1): x > 0, x/(x - x) = 1 expect ill-defined\n\
+             claim (2): x/(x - x) = 1 expect ill-defined\nclaim (3): x > 0, x^2 >= 0 expect refuted\n\
+             claim (4): x^2 >= 0",
+        );
+        let refuted: Vec<bool> =
+            Report::new(&audit, "kane audit").entries().map(|e| e.is_refuted()).collect();
+        assert_eq!(audit.judgements[0].verdict, Verdict::IllDefined);
+        assert_eq!(refuted, [true, false, true, false]);
+    }
+
+    #[test]
+    fn a_claim_supposes_something_if_it_has_premises_or_conditions() {
+        let audit = judged(
+            "var x\ngiven g: x > 1\nclaim a: x^2 >= 0\nclaim b: x > 0 when x > 2\n\
+             claim c: x > 0 from g\ngiven h: x < 0\nclaim d: contradiction from g, h\n\
+             claim e: not implied h from g",
+        );
+        let report = Report::new(&audit, "kane audit");
+        let of = |label: &str| {
+            let found = report.entries().find(|e| e.statement.label == label);
+            found.expect("it is there")
+        };
+        assert_eq!(["a", "b", "c", "d"].map(|l| of(l).supposes()), [false, true, true, true]);
+        let contradictions = ["a", "b", "c", "d", "e"].map(|l| of(l).is_contradiction());
+        assert_eq!(contradictions, [false, false, false, true, false]);
+        // what is said not to follow is named, too
+        let (g, h) = (0, 4);
+        assert_eq!(of("e").denied(), Some(h));
+        assert_eq!(of("e").premises(), [g, h]);
+        assert_eq!(of("c").denied(), None);
+        assert_eq!(of("c").premises(), [g]);
+    }
+
+    #[test]
+    fn that_nothing_varies_is_said_where_a_limit_is_not_proved() {
+        let audit = judged(
+            "var x, c\ngiven tied: c < x\nclaim a: c -> 0 as x -> oo from tied expect refuted\n\
+             claim b: c -> c as x -> oo from tied\nclaim d: c -> 0 as x -> oo expect refuted",
+        );
+        let report = Report::new(&audit, "kane audit");
+        let reasons: Vec<String> =
+            report.entries().filter_map(|e| e.decisive_reason(Form::Plain)).collect();
+        let varies =
+            reasons.iter().map(|r| r.contains("nothing in it varies with x: c is a constant"));
+        assert_eq!(varies.collect::<Vec<_>>(), [true, false, false], "{reasons:?}");
+    }
 }

@@ -146,3 +146,47 @@ fn counted(n: usize, noun: &str) -> String {
         n => format!("{n} {noun}s"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    fn of(statements: &str) -> (String, String) {
+        let text = format!("# T\n\n```kane\nvar x\n{statements}```\n");
+        let document = read("summary.md", text.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let summary = Summary::of(&Report::new(&audit, "kane audit summary.md"));
+        (summary.headline(), summary.expectation())
+    }
+
+    #[test]
+    fn a_summary_counts_what_is_claimed_and_names_what_is_a_surprise() {
+        let told = |statements, headline: &str, expectation: &str| {
+            assert_eq!(of(statements), (headline.to_owned(), expectation.to_owned()));
+        };
+        told("", "no claims", "nothing to check: claims stand in blocks tagged kane");
+        told("claim a: x^2 >= 0\n", "1 claim: 1 proved", "every claim is proved");
+        told(
+            "claim (1): x^2 >= 0\nclaim a: x > 0 expect refuted\n",
+            "1 equation, 2 claims: 1 proved, 1 refuted",
+            "every verdict is as expected",
+        );
+        told(
+            "claim (1): x > 0\nclaim (2): x > 1 expect refuted\nclaim c: x^2 >= 0 expect refuted\n",
+            "2 equations, 3 claims: 1 proved, 2 refuted; refuted as printed: (1), (2)",
+            "1 NOT PROVED: (1); 1 NOT AS EXPECTED: c",
+        );
+    }
+
+    #[test]
+    fn of_many_surprises_the_first_are_named_and_the_others_counted() {
+        let labels = |n: usize| (0..n).map(|i| format!("c{i}")).collect::<Vec<_>>();
+        let all = |n: usize| labels(n).join(", ");
+        assert_eq!(named(&labels(1)), "c0");
+        assert_eq!(named(&labels(NAMED)), all(NAMED));
+        assert_eq!(named(&labels(NAMED + 1)), format!("{}, and 1 more", all(NAMED)));
+        assert_eq!(named(&labels(NAMED + 3)), format!("{}, and 3 more", all(NAMED)));
+    }
+}

@@ -137,6 +137,22 @@ mod tests {
     }
 
     #[test]
+    fn a_character_that_is_written_by_a_command_keeps_its_meaning() {
+        let written = [
+            ("1–2—3", "1--2---3"),
+            ("‘a’ “b”…", "`a' ``b''\\dots{}"),
+            ("a′", "a$'$"),
+            ("2×3·4−5", "2$\\times$3$\\cdot$4$-$5"),
+            ("≤≥≠→∞", "$\\le$$\\ge$$\\ne$$\\to$$\\infty$"),
+            ("90°", "90$^\\circ$"),
+            ("m²m³", "m$^2$m$^3$"),
+        ];
+        for (text, wanted) in written {
+            assert_eq!(escape(text), wanted);
+        }
+    }
+
+    #[test]
     fn no_character_of_a_text_becomes_a_command() {
         assert_eq!(escape(r"a_b \x {50%} #1 & $"), r"a\_b \textbackslash{}x \{50\%\} \#1 \& \$");
         assert_eq!(escape("μ ≤ é 漢"), "$\\mu$ $\\le$ é [U+6F22]");

@@ -95,4 +95,5 @@ accepted! {
     theorems: chains::AT_POINTS,
     theorems_about_functions: chains::ALONG,
     theorems_in_ranges: chains::RANGED,
+    theorems_with_definitions: chains::DEFINED,
 }

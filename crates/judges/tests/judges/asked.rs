@@ -1,13 +1,14 @@
 //! The judges themselves, where they are installed: what they are asked, and what becomes of their answers.
 
+use std::fs;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use kane_judges::coq::file;
+use kane_judges::coq::{THEORY, file};
 use kane_judges::{
-    ALLOWED_AXIOMS, Answer, Claims, Judge, Limits, Theory, ask_coq, ask_z3, is_installed,
+    ALLOWED_AXIOMS, Answer, Claims, Judge, Limits, NotAsked, Theory, ask_coq, ask_z3, is_installed,
 };
 use kane_kernel::Finding;
 
@@ -90,4 +91,21 @@ fn coq_is_asked_about_a_file_with_its_theory_or_beside_it() {
     assert!(judge.answers.values().all(|a| matches!(a, Answer::Undecided(_))), "{judge:?}");
     // a theory that is not compiled in time
     assert!(Theory::new(&none).is_err());
+}
+
+#[test]
+fn a_theory_that_coq_does_not_compile_is_none() {
+    if !installed("coqc") {
+        return;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("not-compiled");
+    // where Coq would write which names it has met
+    let taken = format!("{THEORY}.glob");
+    fs::create_dir_all(folder.join(&taken)).expect("the build directory is writable");
+    match Theory::within(folder, &Limits::default()) {
+        Err(NotAsked::Failed(why)) => {
+            assert!(why.starts_with("coqc: ") && why.contains(&taken), "{why}");
+        }
+        other => unreachable!("{other:?}"),
+    }
 }

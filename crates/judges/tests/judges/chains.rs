@@ -269,6 +269,41 @@ pub(crate) const RANGED: Said = (
     ],
 );
 
+/// A definition of which a given speaks, and a claim that rests on that given and does not mention it.
+pub(crate) const DEFINED: Said = (
+    "var x, a, b\n\
+     var f(x)\n\
+     let top := a + 1\n\
+     given tends: f -> top as x -> oo\n\
+     given above: f > b\n\
+     claim order: a + 1 >= b from tends, above\n\
+     claim later: a + 2 > b from order\n\
+     claim ahead: (a + 1)*x >= b*x when x > 0 from tends, above\n\
+     claim beyond: (a + 1)*x + 1 > b*x when x > 0 from ahead",
+    &[
+        (
+            "later",
+            "forall (a b : R) (f : R -> R) (domain : R -> Prop), (forall epsilon : R, epsilon > 0 \
+                 -> exists bound : R, forall x : R, x > bound -> Rabs (f x - (a + 1)) < epsilon) -> \
+                 (exists bound : R, forall x : R, x > bound -> domain x) -> (forall x : R, domain x \
+                 -> f x > b) -> forall x : R, domain x -> a + 2 > b",
+        ),
+        // the condition of what is cited holds at the point
+        (
+            "beyond",
+            "forall (a b : R) (f : R -> R) (domain : R -> Prop), (forall epsilon : R, epsilon > 0 \
+                 -> exists bound : R, forall x : R, x > bound -> Rabs (f x - (a + 1)) < epsilon) -> \
+                 (exists bound : R, forall x : R, x > bound -> domain x) -> (forall x : R, domain x \
+                 -> f x > b) -> forall x : R, domain x -> x > 0 -> (a + 1) * x + 1 > b * x",
+        ),
+    ],
+);
+
+#[test]
+fn a_theorem_writes_out_what_its_givens_mention_and_its_claim_does_not() {
+    assert_theorems(&DEFINED);
+}
+
 #[test]
 fn theorems_say_what_follows_from_the_givens_on_which_a_claim_rests() {
     assert_theorems(&AT_POINTS);

@@ -1,6 +1,7 @@
 //! Lemmas about functions of a variable say what limits, and claims that rest on limits, say.
 
-use crate::lemmas::{Said, assert_lemmas};
+use crate::document::judged;
+use crate::lemmas::{Said, assert_lemmas, coq};
 
 /// Limits, one side after the other, with what holds of constants before what holds on the set.
 pub(crate) const LIMITS: Said = (
@@ -123,7 +124,7 @@ fn a_claim_that_rests_on_limits_is_said_at_each_point() {
 /// What functions of the variable refute: the premises are denied to lead there.
 pub(crate) const REFUTED: Said = (
     "var x, a, b\n\
-     var f(x), g(x) > 0\n\
+     var f(x), g(x) > 0, k(x)\n\
      given pos: a > 0\n\
      given ahead: x > 0\n\
      given law: f = a + 1/x\n\
@@ -133,7 +134,10 @@ pub(crate) const REFUTED: Said = (
      claim wrong: f -> a + 1 as x -> oo from law, ahead expect refuted\n\
      claim apart: f = a from tends, law, ahead expect refuted\n\
      claim (m): f -> 2 as x -> oo expect refuted\n\
-     claim free: not implied m from law, ahead",
+     claim free: not implied m from law, ahead\n\
+     given line: k = x\n\
+     claim grown: k -> 1 as x -> oo from line expect refuted\n\
+     claim fallen: -k -> 1 as x -> oo from line expect refuted",
     &[
         (
             "wrong",
@@ -145,6 +149,17 @@ pub(crate) const REFUTED: Said = (
             "m",
             "~ ( forall (f : R -> R), forall epsilon : R, epsilon > 0 -> exists bound : R, forall \
                  x : R, x > bound -> Rabs (f x - 2) < epsilon)",
+        ),
+        // what is infinite is no number either
+        (
+            "grown",
+            "~ ( forall (k : R -> R), (forall x : R, k x = x) -> forall epsilon : R, epsilon > 0 \
+                 -> exists bound : R, forall x : R, x > bound -> Rabs (k x - 1) < epsilon)",
+        ),
+        (
+            "fallen",
+            "~ ( forall (k : R -> R), (forall x : R, k x = x) -> forall epsilon : R, epsilon > 0 \
+                 -> exists bound : R, forall x : R, x > bound -> Rabs (- k x - 1) < epsilon)",
         ),
         (
             "free",
@@ -163,7 +178,7 @@ fn what_functions_refute_is_denied_where_the_variable_may_be() {
 /// Where nothing depends on the variable any value in its range will do, on whichever side it has an end.
 pub(crate) const RANGES: Said = (
     "var x, 2 < t < 3, 3 < u, v < -3, a, b, 0 < m < 1\n\
-     var f(x), g(t), h(u), k(v), 0 < p(x) < 1\n\
+     var f(x), g(t), h(u), k(v), 0 < p(x) < 1, r(x), 0 < q(u) < 1\n\
      given gx: f -> a as x -> oo\n\
      given gt: g -> a as t -> 2+\n\
      given gu: h -> a as u -> oo\n\
@@ -174,7 +189,11 @@ pub(crate) const RANGES: Said = (
      claim (u): a > 1 from gu expect refuted\n\
      claim (v): a > 1 from gv expect refuted\n\
      claim (p): p > 1/2 from gp expect refuted\n\
-     claim (when): f > a when x > 1 from gx expect refuted",
+     claim (when): f > a when x > 1 from gx expect refuted\n\
+     given gr: r -> a as x -> 0\n\
+     claim (both): a > 1 from gr expect refuted\n\
+     given gq: q -> 0 as u -> oo\n\
+     claim (q): q > 1/2 from gq expect refuted",
     &[
         (
             "x",
@@ -205,6 +224,13 @@ pub(crate) const RANGES: Said = (
                  -> exists bound : R, forall x : R, x > bound -> Rabs (p x - m) < epsilon) -> (forall \
                  x : R, p x > 0 /\\ p x < 1) -> forall x : R, p x > 1 / 2)",
         ),
+        // a function that is positive and falls to 0 is below 1 by the range of its variable
+        (
+            "q",
+            "~ ( forall (q : R -> R), (forall epsilon : R, epsilon > 0 -> exists bound : R, forall \
+                 u : R, u > bound -> Rabs (q u - 0) < epsilon) -> (forall u : R, u > 3 -> q u > 0 /\\ \
+                 q u < 1) -> forall u : R, u > 3 -> q u > 1 / 2)",
+        ),
         (
             "when",
             "~ ( forall (a : R) (f : R -> R), (forall epsilon : R, epsilon > 0 -> exists bound : \
@@ -217,4 +243,18 @@ pub(crate) const RANGES: Said = (
 #[test]
 fn a_point_at_which_functions_refute_lies_in_the_range_of_the_variable() {
     assert_lemmas(&RANGES);
+}
+
+#[test]
+fn each_side_of_a_limit_is_shown_once_to_lie_in_the_domain() {
+    let shown = |near: &str| {
+        let text = coq(&judged(&format!(
+            "var x, a, b\nvar f(x), g(x)\ngiven one: f -> a as x -> {near}\n\
+             given other: g -> b as x -> {near}\nclaim c: a > b from one, other expect refuted"
+        )));
+        let text = &text.lemmas[0].text;
+        [true, false]
+            .map(|above| text.matches(&format!("((Side (Some (q_ 0 1)) {above}), Within ")).count())
+    };
+    assert_eq!([shown("0"), shown("0+"), shown("0-")], [[1, 1], [1, 0], [0, 1]]);
 }

@@ -129,6 +129,26 @@ fn a_claim_without_a_theorem_says_why() {
              claim c: f -> a as x -> oo from s, h"),
         none("it is about limits")
     );
+    // beside what rests on limits there are no roots and no derivatives
+    for (own, reason) in [
+        ("sqrt(a - b + 1) >= 1", "a square root along a limit"),
+        ("(a - b)*d(b^2, b)^2 >= 0", "it is about limits"),
+    ] {
+        assert_eq!(
+            why(&format!(
+                "var x, a, b\nvar f(x)\ngiven tends: f -> a as x -> oo\ngiven above: f > b\n\
+                 claim order: a >= b from tends, above\nclaim c: {own} from order"
+            )),
+            none(reason)
+        );
+    }
+    // a set of values of x has no points of t
+    assert_eq!(
+        why("var x, t, a, b\nvar f(x), g(t)\ngiven tends: f -> a as x -> oo\ngiven above: f > b\n\
+             claim order: a >= b from tends, above\ngiven law: g = a + t\n\
+             given after: t > 0\nclaim c: g + t -> a as t -> 0+ from law, after, order"),
+        none("it is about limits")
+    );
 }
 
 #[test]

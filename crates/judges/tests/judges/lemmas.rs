@@ -142,7 +142,8 @@ pub(crate) const CONDITIONS: Said = (
          claim open: cases { 1/x < 2: x } > 1 from s\n\
          claim root: sqrt(x) > 0 from s\n\
          claim roots: sqrt(x + sqrt(y)) > sqrt(x) from s\n\
-     claim deep: sqrt(x*y + 1) > 1 from s",
+     claim deep: sqrt(x*y + 1) > 1 from s\n\
+     claim sums: sqrt(x + y) > sqrt(x) from s",
     &[
         (
             "powers",
@@ -189,6 +190,12 @@ pub(crate) const CONDITIONS: Said = (
                  (0 <= x -> 0 <= root'' /\\ root'' * root'' = x) -> \
                  (0 <= x + root' -> 0 <= root /\\ root * root = x + root') -> \
                  (x > 1 /\\ y > 1) -> 0 <= y /\\ 0 <= x + root' /\\ 0 <= x /\\ root > root''",
+        ),
+        (
+            "sums",
+            "forall x y root' root : R, (0 <= x -> 0 <= root' /\\ root' * root' = x) -> \
+                 (0 <= x + y -> 0 <= root /\\ root * root = x + y) -> \
+                 (x > 1 /\\ y > 1) -> 0 <= x + y /\\ 0 <= x /\\ root > root'",
         ),
     ],
 );
@@ -297,12 +304,20 @@ pub(crate) const NUMBERS: Said = (
      claim (tower): y^2 < 1.2 from two, cube, ahead expect refuted\n\
      claim (free): not implied ahead from two\n\
      given behind: x < 0\n\
-     claim (odd): x^2 + x > 1 from two, behind expect refuted",
+     claim (odd): x^2 + x > 1 from two, behind expect refuted\n\
+     given three: x^3 - 3*x + 1 = 0\n\
+     given between: 0 < x < 1\n\
+     claim (middle): x^3 > 1/2 from three, between expect refuted",
     &[
         ("sign", "~ ( forall x : R, x ^ 2 = 2 -> x > 0)"),
         ("above", "~ ( forall x : R, x ^ 2 = 2 -> x > 0 -> x < 141421 / 100000)"),
         ("tower", "~ ( forall x y : R, x ^ 2 = 2 -> y ^ 3 = x -> x > 0 -> y ^ 2 < 6 / 5)"),
         ("free", "~ ( forall x : R, x ^ 2 = 2 -> x > 0)"),
+        // where its polynomial falls, the opposite one rises, and that begins with a negative number
+        (
+            "middle",
+            "~ ( forall x : R, x ^ 3 - 3 * x + 1 = 0 -> (0 < x /\\ x < 1) -> x ^ 3 > 1 / 2)",
+        ),
     ],
 );
 
@@ -358,4 +373,27 @@ fn a_number_is_enclosed_until_each_sign_is_seen_and_its_polynomial_rises() {
         let (two, [lo, hi]) = (whole(2), &ends[..]) else { unreachable!("{ends:?}") };
         assert!(lo * lo < two && two < hi * hi && *lo >= q(5857, 4142), "{ends:?}");
     }
+}
+
+#[test]
+fn a_value_in_an_algebraic_number_is_written_over_one_denominator() {
+    let mut audit = judged(
+        "var x\ngiven g: (6*x - 3)^2 = 8\ngiven up: 2*x > 1\n\
+         claim c: 6*x < 5 from g, up expect refuted",
+    );
+    let link = &mut audit.judgements[2].links[0];
+    let mut accepted = (**link.accepted.as_ref().expect("it is refuted")).clone();
+    // the same number as 1/2 + θ/3 with θ² = 2
+    let root = Root { poly: [-2, 0, 1].map(Into::into).to_vec(), lo: whole(1), hi: whole(2) };
+    let values = vec![(0, vec![q(1, 2), q(1, 3)])];
+    let point = Point { generator: Some(root), values };
+    accepted.certificate.evidence = Evidence::Model(Model::Point(point));
+    link.accepted = Some(Rc::new(accepted));
+    let text = coq(&audit).lemmas[0].text.clone();
+    let (_, value) = text.split_once("[c_ [").expect("a value");
+    let (value, _) = value.split_once("]\n").expect("it ends");
+    let (coefficients, denominator) = value.split_once("]%Z ").expect("a denominator");
+    let number = |text: &str| text.trim().parse::<Q>().expect("an integer");
+    let read: Vec<Q> = coefficients.split(';').map(|c| number(c) / number(denominator)).collect();
+    assert_eq!(read, [q(1, 2), q(1, 3)], "{text}");
 }

@@ -1,8 +1,12 @@
 //! What a lemma cannot say is not emitted, and the file says why.
 
-use kane_judges::coq::NotEmitted;
+use std::rc::Rc;
 
-use crate::document::judged;
+use kane_audit::Audit;
+use kane_judges::coq::NotEmitted;
+use kane_kernel::{Evidence, Failure, Model, Point};
+
+use crate::document::{judged, whole};
 use crate::lemmas::coq;
 
 /// Holds the reasons for which the last claims of statements are not emitted against those they should have; where there
@@ -97,4 +101,48 @@ fn limits_that_are_not_those_of_one_rational_function_each() {
             "functions in a declared range, known on a narrowed domain",
         ),
     ]);
+}
+
+/// Statements of which the last is refuted by functions, with another way in which they do it.
+fn by_functions(statements: &str, change: impl FnOnce(&mut Failure)) -> Audit {
+    let mut audit = judged(statements);
+    let last = audit.judgements.last_mut().expect("a claim");
+    let mut accepted = (**last.links[0].accepted.as_ref().expect("it is judged")).clone();
+    let Evidence::Model(Model::Functions(functions)) = &mut accepted.certificate.evidence else {
+        unreachable!("functions refute it")
+    };
+    change(&mut functions.failure);
+    last.links[0].accepted = Some(Rc::new(accepted));
+    audit
+}
+
+/// The kernel does not accept this one, and no gap in a proof is written for Coq either.
+#[test]
+fn a_limit_of_which_it_is_not_shown_that_the_domain_reaches_it() {
+    let statements = "var x, a\nvar f(x)\ngiven ahead: x > 0\ngiven law: f = a + 1/x\n\
+        claim c: f -> a + 1 as x -> oo from law, ahead expect refuted";
+    let name = |audit: &Audit| coq(audit).lemmas[0].name.clone();
+    assert_eq!(name(&by_functions(statements, |_| {})).as_deref(), Ok("claim_c"));
+    let audit = by_functions(statements, |failure| {
+        let Failure::Limit { proof, .. } = failure else {
+            unreachable!("its limit is another one")
+        };
+        assert_eq!(proof.germ.inside.len(), 1, "one given narrows the domain");
+        proof.germ.inside.clear();
+    });
+    assert_eq!(name(&audit), Err(NotEmitted::Step("a domain that a cited claim narrows")));
+}
+
+/// The relations of it alone would be another sentence.
+#[test]
+fn a_sentence_with_a_limit_that_fails_at_a_point() {
+    let audit = by_functions(
+        "var x\nvar f(x)\ngiven g: f > 0, f -> 1 as x -> oo\ngiven h: f < 0\n\
+         claim c: not implied g from h",
+        |failure| {
+            let values = vec![(0, vec![whole(0)])];
+            *failure = Failure::At(Point { generator: None, values });
+        },
+    );
+    assert_eq!(coq(&audit).lemmas[0].name, Err(NotEmitted::Step("a limit as conclusion")));
 }

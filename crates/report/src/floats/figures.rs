@@ -121,4 +121,39 @@ mod tests {
         assert_eq!(bits_at_least(1e300, Precision::F64), "all");
         assert_eq!(bits_at_most(0.5, Precision::F32), "0.0");
     }
+
+    #[test]
+    fn a_bound_is_told_as_so_many_times_what_was_found() {
+        assert_eq!(ratio(f64::INFINITY, 1.0), "");
+        assert_eq!([ratio(0.0, 0.0), ratio(1.0, 0.0)], ["1", "found 0"]);
+        assert_eq!([ratio(3.0, 2.0), ratio(500.0, 3.0)], ["1.50", "166.67"]);
+        // the logarithm of a power of two may be off by as much as any
+        assert_eq!(bits_at_most(2.0, Precision::F64), "1.1");
+        assert_eq!(bits_at_least(2.0, Precision::F64), "0.9");
+        assert_eq!([ratio(999.5, 1.0), ratio(1000.0, 1.0)], ["999.50", "1.0e3"]);
+        let apart = |bound, found| bits_apart(bound, found, Precision::F32);
+        assert_eq!([apart(8.0, 2.0), apart(2.0, 8.0), apart(8.0, 0.5)], ["2.0", "0.0", "3.0"]);
+        // no more than there are
+        assert_eq!(apart(f64::INFINITY, 1.0), "24.0");
+    }
+
+    #[test]
+    fn the_shortest_decimal_of_a_float_names_it_in_its_format() {
+        for precision in [Precision::F32, Precision::F64] {
+            assert_eq!([0.0, 0.5, 3.0].map(|x| shortest(x, precision)), ["0", "5e-1", "3e0"]);
+        }
+        let tenth = f64::from(0.1_f32);
+        assert_eq!(shortest(tenth, Precision::F32), "1e-1");
+        assert_eq!(shortest(tenth, Precision::F64), "1.0000000149011612e-1");
+    }
+
+    #[test]
+    fn a_carry_goes_on_to_the_next_power_of_ten() {
+        // in both directions, next to 10 and next to 1
+        assert_eq!(at_most(9.995_000_1), "1.00e1");
+        assert_eq!(at_most(9.990_000_1), "1.00e1");
+        assert_eq!(at_least(0.999_999), "9.99e-1");
+        assert_eq!((at_most(1.2345e-7), at_least(1.2345e-7)), ("1.24e-7".into(), "1.23e-7".into()));
+        assert_eq!((at_most(1.2399e7), at_least(1.2399e7)), ("1.24e7".into(), "1.23e7".into()));
+    }
 }

@@ -224,3 +224,255 @@ fn lever(study: &Study) -> Option<String> {
 fn in_percent(share: f64) -> String {
     format!("{} %", brief(percent(share)))
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_records::check::{Finding, Verdict};
+    use kane_records::fit::{Fitted, PairFit};
+    use kane_records::reader::Kind;
+    use kane_records::restitution::Factor;
+    use kane_records::study::{Options, study};
+    use kane_records::tally::Checked;
+
+    use super::*;
+
+    /// The study of a log of ten impacts that lose their slip, of which a test changes what it is about.
+    fn of_a_log() -> Study {
+        let head =
+            "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
+        let row = "1,1,0.4,0.3,0.5,2,-1,0,1.55,0.5,-1.125";
+        let text = format!("{head}\n{}", format!("{row}\n").repeat(10));
+        study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
+    }
+
+    fn restitution(law: NormalLaw) -> Restitution {
+        Restitution {
+            law,
+            rows: 10,
+            stated: 9,
+            consistent: 6,
+            close: 4,
+            observed: [0.25, 0.5, 0.75],
+            offset: 0.0,
+            worst: (0.125, 3),
+            depends: Vec::new(),
+            above_one: 0,
+        }
+    }
+
+    #[test]
+    fn restitution_is_said_to_be_as_stated_where_it_is() {
+        let told = |restitution| normal(&Study { restitution, laws: Vec::new(), ..of_a_log() });
+        let of = |law| told(Some(restitution(law)));
+        assert_eq!(told(None), "nothing approaches");
+        assert_eq!(of(NormalLaw::Stated), "restitution as stated");
+        // nine are stated, and three of them are off
+        assert_eq!(
+            of(NormalLaw::Close),
+            "restitution as stated to 0.01, off beyond rounding in 3 of 9 impacts by up to 0.125"
+        );
+        assert_eq!(of(NormalLaw::Constant), "restitution is 0.5 whatever is stated");
+        let depends = |factors: &[Factor]| {
+            let depends = factors.iter().map(|factor| (*factor, 0.5)).collect();
+            told(Some(Restitution { depends, ..restitution(NormalLaw::Depends) }))
+        };
+        let off = "restitution is not as stated in 5 of 9 impacts: e is 0.25 to 0.75";
+        assert_eq!(depends(&[]), off);
+        assert_eq!(depends(&[Factor::Slip]), format!("{off}, depending on the slip"));
+        assert_eq!(
+            depends(&[Factor::Slip, Factor::Step, Factor::Speed]),
+            format!("{off}, depending on the slip, the time step and the approach speed")
+        );
+        let unstated = restitution(NormalLaw::Unstated);
+        let one = Restitution { observed: [0.5; 3], ..unstated.clone() };
+        assert_eq!(told(Some(one)), "restitution is 0.5");
+        let range = "restitution, which is not stated, is 0.25 to 0.75";
+        assert_eq!(told(Some(unstated)), range);
+    }
+
+    #[test]
+    fn a_threshold_is_told_with_the_side_on_which_restitution_is_not_as_stated() {
+        let told = |misses_below| {
+            at_threshold(&Threshold {
+                factor: Factor::Speed,
+                between: (0.5, 1.0),
+                misses_below,
+                instead: 0.0,
+            })
+        };
+        let what = "restitution is 0 instead of the stated one where the approach speed is";
+        assert_eq!(told(true), format!("{what} below a threshold between 0.5 and 1"));
+        assert_eq!(told(false), format!("{what} above a threshold between 0.5 and 1"));
+    }
+
+    /// A law with the numbers of impacts, of twenty, that it gives within tolerance, to 0.01 and to 0.05.
+    fn fit(law: FrictionLaw, [consistent, close, rough]: [usize; 3], tied: bool) -> FrictionFit {
+        let (worst, median, worst_line) = (0.0, 0.0, 0);
+        FrictionFit { law, rows: 20, consistent, close, rough, worst, median, worst_line, tied }
+    }
+
+    #[test]
+    fn friction_is_told_as_exactly_as_the_nearest_law_gives_it() {
+        let told = |friction: Vec<FrictionFit>| {
+            tangential(&Study { friction, fits: Vec::new(), ..of_a_log() })
+        };
+        let of = |counts| {
+            let smith = fit(FrictionLaw::Smith, [1, 2, 3], true);
+            let other = fit(FrictionLaw::WangSuLi, [0; 3], false);
+            told(vec![fit(FrictionLaw::Coulomb, counts, true), smith, other])
+                .expect("a law is nearest")
+        };
+        let coulomb = "is Coulomb's, which stops the slip";
+        let smith = "or is Smith's mean of the slips before and after";
+        let wanted = [
+            ([20, 20, 20], format!("friction {coulomb}, {smith}, which fits every impact as well")),
+            ([19, 20, 20], format!("friction {coulomb}, to 0.01 of k, {smith}, in 2")),
+            (
+                [0, 18, 20],
+                format!("friction {coulomb}, to 0.01 of k in 18 of 20 impacts, {smith}, in 2"),
+            ),
+            (
+                [0, 17, 20],
+                format!(
+                    "friction {coulomb}, to 0.05 of k in all impacts, {smith}, in 3 and to 0.01 in 17"
+                ),
+            ),
+            (
+                [0, 5, 18],
+                format!(
+                    "friction {coulomb}, to 0.05 of k in 18 of 20 impacts, {smith}, in 3 and to 0.01 in 5"
+                ),
+            ),
+            (
+                [0, 10, 17],
+                format!(
+                    "friction {coulomb}, to 0.01 of k in 10 of 20 impacts, {smith}, in 2 (the nearest; no law \
+                     that is known here gives all)"
+                ),
+            ),
+            (
+                [0, 9, 17],
+                format!(
+                    "friction follows no law that is known here (the nearest {coulomb}, in 9 of 20 impacts, \
+                     {smith}, in 2)"
+                ),
+            ),
+        ];
+        for (counts, wanted) in wanted {
+            assert_eq!(of(counts), wanted);
+        }
+        let all = |law, tied| fit(law, [20; 3], tied);
+        let (a, b, c) = (FrictionLaw::Coulomb, FrictionLaw::Smith, FrictionLaw::WangSuLi);
+        let alone = told(vec![all(a, true), all(b, false)]);
+        assert_eq!(alone, Some(format!("friction {coulomb}")));
+        let three = told(vec![all(a, true), all(b, true), all(c, true)]).expect("a law");
+        assert!(three.ends_with(", which fit every impact as well"), "{three}");
+        assert_eq!(told(Vec::new()), None);
+    }
+
+    #[test]
+    fn without_a_stated_friction_it_is_told_how_large_it_is_where_contacts_slide() {
+        let told = |bounds: &[(f64, f64)]| {
+            let pair = |(low, high): (f64, f64)| PairFit {
+                pair: 0,
+                stated: [None; 2],
+                rows: 1,
+                restitution: None,
+                friction: Some(Fitted { low, high, rows: 1, one_value: true }),
+                rebound: None,
+            };
+            let fits = bounds.iter().copied().map(pair).collect();
+            let friction = vec![fit(FrictionLaw::None, [0; 3], true)];
+            tangential(&Study { friction, fits, ..of_a_log() }).expect("a sentence")
+        };
+        let not_told = "friction's law is not told without a stated mu";
+        assert_eq!(told(&[]), not_told);
+        // without an upper bound
+        assert_eq!(told(&[(0.5, f64::INFINITY)]), not_told);
+        assert_eq!(
+            told(&[(0.5, 0.5), (0.5, 0.5)]),
+            format!("{not_told} (it is 0.5*p_n where contacts slide on)")
+        );
+        assert_eq!(
+            told(&[(0.5, 0.75), (0.25, 0.5)]),
+            format!("{not_told} (it is 0.25 to 0.75 of p_n where contacts slide on)")
+        );
+    }
+
+    #[test]
+    fn what_is_odd_is_counted_and_what_is_not_is_passed_over() {
+        let plain = || {
+            let friction = vec![fit(FrictionLaw::Coulomb, [20; 3], true)];
+            Study { rows: 10, friction, checks: Vec::new(), ..of_a_log() }
+        };
+        let sticks = |failed| {
+            let checks = vec![Checked { failed, rows: 7, ..Checked::none(Check::Sticks) }];
+            Study { checks, ..plain() }
+        };
+        assert_eq!(below_the_cone(&sticks(0)), None);
+        let below = Some("3 of 7 impacts slide below the cone".to_owned());
+        assert_eq!(below_the_cone(&sticks(3)), below);
+        // laws that say so of themselves
+        let smith = vec![fit(FrictionLaw::Smith, [20; 3], true)];
+        assert_eq!(below_the_cone(&Study { friction: smith, ..sticks(3) }), None);
+
+        let mut study = plain();
+        (study.energy.frictionless, study.energy.bouncy) = (0, 0);
+        assert_eq!(counts(&study), Vec::<String>::new());
+        study.energy.frictionless = 2;
+        assert_eq!(counts(&study), ["2 of 10 impacts slide without any friction"]);
+        study.energy.bouncy = 4;
+        assert_eq!(
+            counts(&study)[1],
+            "e is above 1 in 4 of 10 impacts without a gain of energy, which mechanics allows"
+        );
+        study.friction = vec![fit(FrictionLaw::None, [20; 3], true)];
+        assert_eq!(counts(&study).len(), 1, "where friction is absent that is no news");
+        let checks = vec![
+            Checked { undecided: 5, ..Checked::none(Check::Cone) },
+            Checked { undecided: 3, ..Checked::none(Check::Energy) },
+        ];
+        let undecided = &counts(&Study { checks, ..study })[1];
+        let begins = "5 of 10 impacts are undecided, since too few numbers tell whether";
+        assert!(undecided.starts_with(begins), "{undecided}");
+    }
+
+    fn finding(residual: f64, scale: f64) -> Finding {
+        Finding { residual, scale, tolerance: 0.5, verdict: Verdict::Fails }
+    }
+
+    #[test]
+    fn what_fails_is_told_with_how_often_and_by_how_much() {
+        let with = |check, failed, arm| {
+            let worst = Some((3, finding(0.25, 2.0)));
+            let checks = vec![Checked { failed, rows: 7, worst, ..Checked::none(check) }];
+            Study { checks, arm, ..of_a_log() }
+        };
+        assert_eq!(energy(&with(Check::Energy, 0, None)), None);
+        let created = "energy is created in 2 of 7 impacts, 12.5 % of it at most (line 3)";
+        assert_eq!(energy(&with(Check::Energy, 2, None)).as_deref(), Some(created));
+        assert_eq!(lever(&with(Check::Moment, 0, Some((0.25, 1.0)))), None);
+        assert_eq!(lever(&with(Check::Moment, 2, None)), None);
+        let missed = "the impulse misses the stated contact point in 2 impacts, the arm being off by 25 % in the median";
+        assert_eq!(lever(&with(Check::Moment, 2, Some((0.25, 1.0)))).as_deref(), Some(missed));
+    }
+
+    #[test]
+    fn a_log_without_a_row_says_whether_there_was_one_to_check() {
+        let study_of = |text: &str| {
+            study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
+        };
+        let head = "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n";
+        assert_eq!(headline(&study_of(head)), "The log has no impacts.");
+        let broken = study_of(&format!("{head}1,1,0.4,0.3,0.5,2,-1,0,x,0.5,-1.125\n"));
+        assert_eq!(headline(&broken), "No row could be checked.");
+        let whole = headline(&Study {
+            restitution: Some(restitution(NormalLaw::Stated)),
+            friction: vec![fit(FrictionLaw::None, [20; 3], true)],
+            checks: Vec::new(),
+            ..of_a_log()
+        });
+        assert!(whole.starts_with("Restitution as stated; friction is absent"), "{whole}");
+        assert!(whole.ends_with('.'), "{whole}");
+    }
+}

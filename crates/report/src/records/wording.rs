@@ -350,3 +350,88 @@ pub fn schema() -> String {
     );
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use kane_records::check::Verdict;
+
+    use super::*;
+
+    fn checked(rows: u64, failed: u64, undecided: u64, excused: Option<&'static str>) -> Checked {
+        let finding =
+            Finding { residual: 0.25, scale: 1.0, tolerance: 0.125, verdict: Verdict::Fails };
+        let worst = Some((3, finding));
+        Checked { rows, failed, undecided, excused, worst, ..Checked::none(Check::Reaction) }
+    }
+
+    #[test]
+    fn a_check_holds_or_fails_or_is_undecided_or_was_not_asked() {
+        let of = |rows, failed, undecided, law| verdict(&checked(rows, failed, undecided, law));
+        assert_eq!(of(0, 0, 0, None), "not asked");
+        assert_eq!(of(5, 0, 0, None), "holds");
+        assert_eq!(of(5, 0, 2, None), "undecided in 2");
+        assert_eq!(of(5, 1, 0, None), "FAILS in 1");
+        assert_eq!(of(5, 1, 2, None), "FAILS in 1, undecided in 2");
+        assert_eq!(of(5, 1, 2, Some("routh")), "fails in 1, as routh has it");
+        let said = |failed, undecided| told(&checked(5, failed, undecided, None)).1;
+        assert_eq!(said(0, 0), "holds in 5 rows");
+        let worst = format!(", the worst 0.25 of 0.125 {}", Check::Reaction.unit());
+        assert_eq!(said(2, 0), format!("FAILS in 2 of 5 rows{worst}"));
+        assert_eq!(said(0, 2), format!("undecided in 2 of 5 rows{worst}"));
+        assert_eq!(said(1, 1), format!("FAILS in 1, undecided in 1 of 5 rows{worst}"));
+    }
+
+    #[test]
+    fn each_check_asks_something_else() {
+        let all = [
+            Check::Reaction,
+            Check::Moment,
+            Check::Pull,
+            Check::Penetration,
+            Check::Cone,
+            Check::Opposes,
+            Check::Sticks,
+            Check::Energy,
+            Check::Restitution,
+            Check::Order,
+        ];
+        for words in [all.map(asks), all.map(asks_briefly)] {
+            assert!(words.iter().all(|words| words.len() > 5), "{words:?}");
+            assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), all.len());
+        }
+    }
+
+    #[test]
+    fn an_interval_says_whether_it_has_an_end_and_is_one_value() {
+        let of = |low, high, one_value| interval(&Fitted { low, high, rows: 1, one_value });
+        assert_eq!(of(0.25, f64::INFINITY, true), "at least 0.25");
+        assert_eq!(of(0.25, 0.25, true), "0.25");
+        assert_eq!(of(0.25, 0.5, true), "0.25 to 0.5");
+        assert_eq!(of(0.25, 0.5, false), "0.25 to 0.5, not one value");
+    }
+
+    #[test]
+    fn floats_are_told_in_few_digits() {
+        let told =
+            [0.0, 0.5, -0.25, 1.0, 0.123_456, 99_999.5, 1e5, 0.001, 0.000_94, -2e-7].map(brief);
+        let wanted =
+            ["0", "0.5", "-0.25", "1", "0.1235", "99999.5", "1.0e5", "0.001", "9.4e-4", "-2.0e-7"];
+        assert_eq!(told, wanted);
+    }
+
+    #[test]
+    fn each_law_of_friction_has_words_and_a_name_of_its_own() {
+        use FrictionLaw::{Compression, Coulomb, None, Share, Smith, Uncapped, Walton, WangSuLi};
+        let all = [None, Coulomb, Compression, Share(0.75), Walton(0.5), Smith, WangSuLi, Uncapped];
+        for words in [all.map(friction), all.map(friction_name)] {
+            assert!(words.iter().all(|words| words.len() >= 4), "{words:?}");
+            assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), all.len());
+        }
+        assert!(friction(Share(0.75)).contains("0.75*mu*p_n"));
+        assert!(friction(Walton(0.5)).ends_with("beta0 = 0.5"));
+        assert_eq!([0, 7].map(at_line), [String::new(), " (line 7)".to_owned()]);
+        assert_eq!([0, 7].map(before), [String::new(), "line 7: ".to_owned()]);
+    }
+}

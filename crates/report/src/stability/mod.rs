@@ -191,3 +191,89 @@ pub(crate) fn interval(range: &Range) -> String {
     }
     format!("[{from}, {to}]")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(value: f64) -> Point {
+        Point { place: 0, value, text: format!("{value:e}") }
+    }
+
+    fn range(from: f64, to: f64) -> Range {
+        Range {
+            fault: Fault::Lost,
+            from: point(from),
+            to: point(to),
+            open: (false, false),
+            worst: point(from),
+            lost: 0,
+            computed: String::new(),
+            exact: String::new(),
+            cause: String::new(),
+            better: None,
+        }
+    }
+
+    #[test]
+    fn bits_are_rounded_down_to_a_tenth() {
+        let told = [0, 9, 10, 99, 100, 123, 199, 5307].map(bits);
+        assert_eq!(told, ["0.0", "0.0", "0.1", "0.9", "1.0", "1.2", "1.9", "53.0"]);
+    }
+
+    #[test]
+    fn powers_of_two_are_told_as_such_and_others_to_four_digits() {
+        let told = |value: f64| short(&point(value));
+        for power in [-1074, -1073, -1023, -1022, -149, -1, 0, 1, 127, 1023] {
+            let value = 2.0_f64.powi(power.max(-1022)) * 2.0_f64.powi((power + 1022).min(0));
+            assert_eq!(told(value), format!("2^{power}"));
+            assert_eq!(told(-value), format!("-2^{power}"));
+        }
+        assert_eq!(told(0.0), "0");
+        assert_eq!([f64::MAX, -f64::MAX, f32::MAX.into()].map(told), ["max", "-max", "max"]);
+        assert_eq!([0.1, -1234.56, 3.0].map(told), ["1.000e-1", "-1.235e3", "3.000e0"]);
+        // no power of two, below the least normal number
+        assert_eq!(told(3.0 * f64::from_bits(1)), "1.482e-323");
+    }
+
+    #[test]
+    fn a_range_is_told_by_its_ends_and_in_full_where_four_digits_do_not_tell_them_apart() {
+        assert_eq!(interval(&range(0.1, 0.1)), "at 1.000e-1");
+        assert_eq!(interval(&range(0.5, 3.0)), "[2^-1, 3.000e0]");
+        assert_eq!(interval(&range(0.1, 0.100_001)), "[1e-1, 1.00001e-1]");
+    }
+
+    fn examined(
+        format: &'static str,
+        lost: i64,
+        profile: &[(i64, i64, Option<Fault>)],
+    ) -> Examined {
+        Examined {
+            formula: 0,
+            format,
+            precision: 53,
+            negative: false,
+            domain: (point(0.5), point(2.0)),
+            ranges: Vec::new(),
+            worst: (point(1.0), lost),
+            profile: profile.to_vec(),
+            tried: 3,
+        }
+    }
+
+    #[test]
+    fn a_profile_keeps_where_it_changes_and_what_was_before() {
+        let lost = Some(Fault::Lost);
+        let flat: Vec<_> = (0..6).map(|n| (n, 100, None)).collect();
+        assert_eq!(thinned(&examined("f64", 0, &flat)), [(0, 100, None), (5, 100, None)]);
+        let of = |profile: &[(i64, i64, Option<Fault>)]| thinned(&examined("f64", 0, profile));
+        // half a bit is a change, and less is none
+        let less = [(0, 100, None), (1, 149, None), (2, 149, None)];
+        assert_eq!(of(&less), [less[0], less[2]]);
+        let half = [(0, 100, None), (1, 100, None), (2, 150, None), (3, 100, None)];
+        assert_eq!(of(&half), half);
+        let faults = [(0, 100, None), (1, 100, None), (2, 100, lost), (3, 100, lost)];
+        assert_eq!(of(&faults), faults);
+        assert_eq!(of(&[]), []);
+    }
+}

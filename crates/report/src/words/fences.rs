@@ -63,6 +63,9 @@ mod tests {
             format!("{OPEN}{OPEN}{a}{CLOSE}<mfrac>{a}{a}</mfrac>{CLOSE}{a}{OPEN}{a}{CLOSE}");
         let set = format!("{OPEN}{}<mfrac>{a}{a}</mfrac>{CLOSE}{a}{}", low(a), low(a));
         assert_eq!(tight(&nested), set);
+        let inner = format!("{OPEN}{OPEN}{a}{CLOSE}{a}{OPEN}{a}{CLOSE}{CLOSE}{a}");
+        let set = format!("{}{a}", low(&format!("{}{a}{}", low(a), low(a))));
+        assert_eq!(tight(&inner), set);
         for broken in ["<mo>(</mo>x", "x<mo>)</mo>", "<mo>)</mo><mo>(</mo>"] {
             assert_eq!(tight(broken), broken);
         }

@@ -15,6 +15,8 @@ mod reason;
 mod shape;
 mod step;
 mod teller;
+#[cfg(test)]
+mod told;
 mod value;
 
 use kane_algebra::syntax::Notation as _;
@@ -187,6 +189,42 @@ mod tests {
         assert!(html.starts_with(&at), "{html}");
         let latex = &reasons(ARTICLE, Form::Latex)[1];
         assert!(latex.starts_with(&format!("{standing}$a = {value}$:")), "{latex}");
+    }
+
+    #[test]
+    fn what_fails_for_one_number_in_the_place_of_an_index_says_for_which() {
+        let counted = "var n in N\nlet s(0) := 0, s(n + 1) := s(n) + 2\n\
+            claim c: s(n) > 1 for n >= 0 expect refuted";
+        for (form, index) in [(Form::Plain, "n = 0"), (Form::Html, "n = 0"), (Form::Latex, "$n=0$")]
+        {
+            let told = &reasons(counted, form)[0];
+            assert!(told.contains(&format!("for {index}, ")), "{told}");
+        }
+    }
+
+    #[test]
+    fn a_witness_that_was_found_is_told_and_one_that_is_named_is_not() {
+        let told = |claim: &str, form: Form| {
+            let text = format!("```kane\nvar x\nclaim c: {claim}\n```\n");
+            let document = read("words.md", text.as_bytes()).expect("it is well formed");
+            let audit = audit(document, &Options::default(), &mut |_, _| {});
+            let claims = audit.document.statements.iter().filter_map(|s| match &s.body {
+                kane_audit::Body::Claim(claim) => Some(claim),
+                _ => None,
+            });
+            claims.map(|claim| found(claim, &audit.document.context, form)).collect::<Vec<_>>()
+        };
+        let sum = "exists y: x + y = 3";
+        let [Some(plain)] = &told(sum, Form::Plain)[..] else { unreachable!("one is found") };
+        let value = plain.strip_prefix("for y = ").expect("a name and a value");
+        let value = value.strip_suffix(", which was found: ").expect("it ends so");
+        // put in for y, it makes the claim true
+        let put_in = format!("```kane\nvar x\nclaim c: x + ({value}) = 3\n```\n");
+        let document = read("words.md", put_in.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        assert_eq!(audit.judgements[0].verdict, kane_audit::Verdict::Proved);
+        assert_eq!(told("exists y: x + y = 3 by y := 3 - x", Form::Plain), [None]);
+        assert_eq!(told("x^2 >= 0", Form::Plain), [None]);
     }
 
     #[test]

@@ -76,3 +76,19 @@ fn readable(text: &str) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_d_that_stands_alone_is_a_symbol_and_one_in_a_name_is_a_letter() {
+        for (text, read) in [("d", "d_"), ("2*d + 1", "2*d_ + 1"), ("(d)", "(d_)"), ("e*d", "e*d_")]
+        {
+            assert_eq!(readable(text), read);
+        }
+        for name in ["dv", "ad", "v_d", "d_0", "d'", "adv", "d1", "e"] {
+            assert_eq!(readable(name), name);
+        }
+    }
+}

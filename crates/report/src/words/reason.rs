@@ -201,3 +201,138 @@ pub(super) fn unreached(
     };
     format!("{what} was not shown to be able to hold as {near}")
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_kernel::{Approach, Conclusion, Poly, Side};
+    use num_bigint::BigInt;
+
+    use super::*;
+
+    fn goal() -> Goal {
+        let document = kane_audit::read("r.md", b"```kane\nvar a, b, c\n```\n").expect("symbols");
+        let (hypotheses, behind, when) = (Vec::new(), Vec::new(), Vec::new());
+        let context = document.context;
+        Goal { context, hypotheses, behind, when, conclusion: Conclusion::Contradiction }
+    }
+
+    fn told(reason: &Reason) -> String {
+        sentence(&goal(), reason, Form::Plain)
+    }
+
+    fn means(finding: Finding, substituted: Vec<Variable>) -> Reason {
+        let (limits, tables, sums, signs) = (false, Vec::new(), false, false);
+        Reason::Contradiction(Means { finding, limits, substituted, tables, sums, signs })
+    }
+
+    #[test]
+    fn what_a_contradiction_shows_is_told_by_its_finding() {
+        let directly = |finding| told(&means(finding, Vec::new()));
+        assert_eq!(directly(Finding::Proved), "directly");
+        assert_eq!(directly(Finding::Vacuous), "the hypotheses contradict each other, directly");
+        // that something does not follow is refuted where it does
+        assert_eq!(directly(Finding::Refuted), "it does follow, directly");
+    }
+
+    #[test]
+    fn up_to_four_substituted_variables_are_named_and_more_are_counted() {
+        let (a, z) = (Variable::Symbol(0), |i| Variable::Unnamed(i));
+        let by = |all: Vec<Variable>| told(&means(Finding::Proved, all));
+        // a further variable has its own name whatever stands before it
+        assert_eq!(by(vec![a.clone(), z(7), z(9)]), "by substituting a, z7, z9");
+        assert_eq!(by(vec![z(7), a.clone(), z(8), z(9)]), "by substituting z7, a, z8, z9");
+        assert_eq!(by(vec![a; 5]), "by substituting 5 solved premises");
+    }
+
+    #[test]
+    fn a_limit_says_by_the_signs_of_what_it_is_parted_and_whether_it_is_a_bound() {
+        let of = |polys: Vec<Poly>| told(&Reason::LimitByCases(polys));
+        assert_eq!(of(vec![Poly::var(0)]), "by the sign of a");
+        assert_eq!(of(vec![Poly::var(0), Poly::var(1)]), "by the signs of a, b");
+        let limit = |sense, num: Poly| {
+            told(&Reason::Limit {
+                side: Side { var: 0, at: None, above: true },
+                power: 1,
+                sense,
+                quotient: (num, Poly::one()),
+                variables: [0, 1, 2]
+                    .map(Variable::Symbol)
+                    .into_iter()
+                    .chain([Variable::Germ])
+                    .collect(),
+            })
+        };
+        let b = Poly::var(1);
+        assert_eq!(limit(Ordering::Equal, b.clone()), "a = 1/t gives b");
+        assert_eq!(limit(Ordering::Less, b.clone()), "a = 1/t gives at most b");
+        assert_eq!(limit(Ordering::Greater, b), "a = 1/t gives at least b");
+        // sixty letters are told
+        let long = |digits: u32| Poly::constant(BigInt::from(10).pow(digits - 1));
+        assert_eq!(limit(Ordering::Equal, long(60)), format!("a = 1/t gives 1{}", "0".repeat(59)));
+        let more = "a = 1/t gives a quotient of polynomials in t";
+        assert_eq!(limit(Ordering::Equal, long(61)), more);
+    }
+
+    #[test]
+    fn of_a_point_eight_symbols_are_named() {
+        let at = |count: usize| {
+            let one = kane_audit::Assignment {
+                symbol: 0,
+                value: kane_audit::Value::Number(num_rational::BigRational::new(
+                    1.into(),
+                    1.into(),
+                )),
+            };
+            told(&Reason::Point { values: vec![one; count], claim: None })
+        };
+        assert_eq!(at(0), "everywhere");
+        assert_eq!(at(8), format!("at {}", ["a = 1"; 8].join(", ")));
+        assert_eq!(at(9), format!("{}, …", at(8)));
+        assert_eq!(at(10), at(9));
+    }
+
+    #[test]
+    fn where_nothing_varies_the_constants_are_named() {
+        let context = goal().context;
+        let told = |constants: &[usize]| nothing_varies(constants, 2, &context, Form::Plain);
+        assert_eq!(
+            told(&[0]),
+            "nothing in it varies with c: a is a constant as declared, and would be a function as a(c)"
+        );
+        assert_eq!(
+            told(&[1, 0]),
+            "nothing in it varies with c: b, a are constants as declared, and would be a function as b(c)"
+        );
+    }
+
+    #[test]
+    fn a_given_that_was_not_reached_is_named_with_the_claim_that_rests_on_it() {
+        let context = goal().context;
+        let told = |given, through| {
+            let unreached_at = Unreached { given, through, var: 0, at: Approach::PlusInf };
+            let label = |i: usize| format!("({i})");
+            unreached(&unreached_at, &context, &label, Form::Plain)
+        };
+        let ends = "was not shown to be able to hold as a -> oo";
+        assert_eq!(told(Some(3), None), format!("(3) {ends}"));
+        assert_eq!(told(Some(3), Some(5)), format!("(5) rests on (3), which {ends}"));
+        assert_eq!(told(None, None), format!("a premise {ends}"));
+    }
+
+    #[test]
+    fn up_to_three_givens_that_fail_are_named_and_more_are_counted() {
+        let told = |failing: Vec<usize>| {
+            let standing_of = Some(Standing::Unmet(failing));
+            let link = LinkJudgement {
+                verdict: Verdict::Refuted,
+                standing: standing_of,
+                ..LinkJudgement::default()
+            };
+            standing(&link, "at a = 1", &|i| format!("({i})"), Form::Plain)
+        };
+        let lead = "does not follow from what is cited, at a = 1";
+        assert_eq!(told(vec![1]), format!("{lead} ((1) fails there)"));
+        assert_eq!(told(vec![1, 2, 3]), format!("{lead} ((1), (2), (3) fail there)"));
+        assert_eq!(told(vec![1, 2, 3, 4, 5]), format!("{lead} ((1), (2), (3), 2 more fail there)"));
+    }
+}

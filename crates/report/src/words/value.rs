@@ -252,4 +252,100 @@ mod tests {
         let wide = Root { hi: q("3/2"), ..root_of_two() };
         assert_eq!(decimals(&Value::Root(wide)), None);
     }
+
+    /// The formulas of a document with the symbol m.
+    fn formulas(form: super::super::Form) -> Formulas {
+        let document = kane_audit::read("m.md", b"```kane\nvar m, r\n```\n").expect("it is read");
+        Formulas::new(form, &document.context, &[])
+    }
+
+    fn plain() -> Formulas {
+        formulas(super::super::Form::Plain)
+    }
+
+    #[test]
+    fn a_value_in_a_root_is_told_over_one_denominator_with_a_letter_that_is_free() {
+        // 1/2 + √2/3, and r is a symbol
+        let coefficients = vec![q("1/2"), q("1/3")];
+        let told = value(&plain(), &Value::InRoot { coefficients, root: root_of_two() });
+        let (sum, of) = told.split_once(" with ").expect("a letter");
+        assert!(["(3 + 2*q)/6", "(2*q + 3)/6"].contains(&sum), "{told}");
+        assert!(of.starts_with("q = the root of ") && of.ends_with(" near 1.4142"), "{told}");
+        let whole = vec![q("0"), q("3")];
+        let told = value(&plain(), &Value::InRoot { coefficients: whole, root: root_of_two() });
+        assert!(told.starts_with("3*q with q = "), "{told}");
+    }
+
+    #[test]
+    fn a_long_value_in_a_sentence_is_told_by_its_decimals() {
+        let told = |value: Value| {
+            assigned_briefly(&plain(), &[kane_audit::Assignment { symbol: 0, value }]).concat()
+        };
+        let digits = |count: usize| "7".repeat(count);
+        assert_eq!(told(Value::Number(q(&digits(40)))), format!("m = {}", digits(40)));
+        assert_eq!(told(Value::Number(q(&digits(41)))), "m near 7.7778e40");
+        assert_eq!(told(Value::Number(q("1/3"))), "m = 1/3");
+        // a short polynomial is told, and one with long numbers is not
+        let long = BigInt::from(10).pow(39);
+        let poly = vec![-&long * 2, 0.into(), long];
+        assert!(told(Value::Root(root_of_two())).starts_with("m = the root of "));
+        assert_eq!(told(Value::Root(Root { poly, ..root_of_two() })), "m near 1.4142");
+        let coefficients = vec![q(&format!("1/{}", digits(40))), q("1")];
+        let sum = Value::InRoot { coefficients, root: root_of_two() };
+        assert_eq!(told(sum), "m near 1.4142");
+    }
+
+    #[test]
+    fn what_is_near_a_number_is_not_said_to_be_it() {
+        let (formulas, near) = (plain(), |text: &str| Measured::Near(q(text)));
+        let both = |left, right| comparison(&formulas, &Comparison::Sides(left, right));
+        let exact = |text: &str| Measured::Exact(q(text));
+        assert_eq!(both(near("14142/10000"), exact("1")), "left side about 1.4142, right side 1");
+        // to as many digits as tell them apart
+        assert_eq!(
+            both(near("14142135/10000000"), near("14142136/10000000")),
+            "left side about 1.4142135, right side about 1.4142136"
+        );
+        let third = |zeros: usize| format!("1{}/3", "0".repeat(zeros));
+        let (long, short) = (third(38), third(37));
+        assert_eq!((long.len(), short.len()), (41, 40));
+        assert_eq!(both(exact(&long), exact("1")), "left side about 3.3333e37, right side 1");
+        assert_eq!(both(exact(&short), exact("1")), format!("left side {short}, right side 1"));
+        let none = Measured::None;
+        assert_eq!(
+            both(none(NoValue::DivisionByZero), none(NoValue::TooLarge)),
+            "left side undefined (division by zero), right side not computed (too large to compute)"
+        );
+    }
+
+    #[test]
+    fn numbers_that_do_not_compare_as_a_relation_says_are_said_not_to() {
+        let formulas = plain();
+        let is = |rel| Relation { lhs: Expr::Var(0), rel, rhs: Expr::Var(1) };
+        let told = |rel, left: &str, right: &str| {
+            let sides = Comparison::Sides(Measured::Exact(q(left)), Measured::Exact(q(right)));
+            in_numbers(&formulas, &is(rel), &sides)
+        };
+        use kane_kernel::Rel::{Eq, Ge, Gt, Le, Lt, Ne};
+        for (rel, sign) in [(Eq, "="), (Ne, "!="), (Lt, "<"), (Le, "<="), (Gt, ">"), (Ge, ">=")] {
+            for (left, right) in [("1", "2"), ("2", "2"), ("2", "1")] {
+                let (l, r): (i32, i32) =
+                    (left.parse().expect("a digit"), right.parse().expect("a digit"));
+                let holds = match sign {
+                    "=" => l == r,
+                    "!=" => l != r,
+                    "<" => l < r,
+                    "<=" => l <= r,
+                    ">" => l > r,
+                    _ => l >= r,
+                };
+                let is_false = if holds { "" } else { " is false" };
+                assert_eq!(told(rel, left, right), format!("{left} {sign} {right}{is_false}"));
+            }
+        }
+        let nothing = Comparison::Undefined(is(Eq), NoValue::DivisionByZero, Some(Expr::Var(0)));
+        assert_eq!(in_numbers(&formulas, &is(Eq), &nothing), "undefined (division by zero: m = 0)");
+        assert_eq!(comparison(&formulas, &Comparison::Truth(true)), "it is true");
+        assert_eq!(comparison(&formulas, &Comparison::Truth(false)), "it is false");
+    }
 }
