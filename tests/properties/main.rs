@@ -25,6 +25,7 @@ mod frames;
 mod long_run;
 /// How much a test does.
 #[path = "../shared/many.rs"]
+#[expect(dead_code, reason = "all here is random")]
 mod many;
 /// The matrix of laws and properties, against contacts drawn at random, planted faults and mutations.
 mod matrix;
