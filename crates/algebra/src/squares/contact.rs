@@ -39,19 +39,20 @@ impl Contact {
         (matches!(self, Self::At(_)) || room.is_multiple_of(2)).then_some(room)
     }
 
-    /// Whether the question has no room here.
+    /// Whether the question has no room here. What has few terms is looked at first.
     #[must_use]
     pub fn is_of(&self, question: &Question<'_>) -> bool {
-        let own = |p: &Poly| self.value(p, total_degree(p));
-        let reaches =
-            matches!(self, Self::At(_)) || total_degree(question.positive) == question.degree;
-        reaches
-            && own(question.positive).is_zero()
-            && question.equations.iter().all(|e| own(e).is_zero())
-            && question
-                .products
-                .iter()
-                .all(|p| self.room(question, p).is_none() || !own(p).is_negative())
+        if matches!(self, Self::Towards(_)) && total_degree(question.positive) != question.degree {
+            return false;
+        }
+        let products = question.products.iter().filter(|p| self.room(question, p).is_some());
+        let mut all: Vec<(&Poly, bool)> = products.map(|p| (p, false)).collect();
+        all.extend(question.equations.iter().chain([question.positive]).map(|p| (p, true)));
+        all.sort_by_key(|(p, _)| p.len());
+        all.into_iter().all(|(p, is_zero)| {
+            let value = self.value(p, total_degree(p));
+            if is_zero { value.is_zero() } else { !value.is_negative() }
+        })
     }
 
     /// The degree of squares that are zero here, of a product that is positive.
