@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use crate::many::share;
+use crate::many::{all, share};
 use kane_audit::{Audit, Budget, Memo, Options, Verdict, audit, audit_again, read};
 
 /// Edits of one document.
@@ -154,7 +154,8 @@ fn what_is_known_is_what_a_fresh_audit_says_after_any_edits() {
     });
     let (audits, judged, known) = (a.0 + b.0, a.1 + b.1, a.2 + b.2);
     println!("{audits} audits; {judged} claims judged and {known} known");
-    assert!(audits > 80 && known > 80, "{audits} audits, {known} known");
+    let least = if all() { 100 } else { 80 };
+    assert!(audits > least && known > least.into(), "{audits} audits, {known} known");
 }
 
 /// The verdicts after each of these texts, one memo for all of them.
