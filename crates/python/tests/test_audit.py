@@ -97,7 +97,6 @@ def test_a_notebook_is_sent_no_markup_of_the_document():
     [
         "```kane\nvar x\nclaim a: y = 1\n```\n",
         "```kane\nvar x\nclaim a: (x = 1\n```\n",
-        "```kane\nclaim a: 1/0 = 1\n```\n",
         "```kane\nvar x\nclaim a: x = 1 from b\n```\n",
         "```kane\n\x00\n```\n",
         "```kane\nvar x\nclaim a: " + "(" * 5000 + "x\n```\n",
@@ -106,6 +105,12 @@ def test_a_notebook_is_sent_no_markup_of_the_document():
 def test_bad_documents_are_errors_with_a_place(text):
     with pytest.raises(ValueError, match="document.md:"):
         kane.audit(text)
+
+
+def test_a_written_zero_below_is_judged_as_any_other():
+    for below in ("0", "(3 - 3)"):
+        (claim,) = kane.audit(f"```kane\nclaim a: 1/{below} = 1\n```\n").claims
+        assert claim.verdict == "refuted"
 
 
 def test_bad_arguments_are_errors():
