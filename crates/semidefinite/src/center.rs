@@ -125,8 +125,9 @@ impl<'a> Path<'a> {
             gradient[i] = RIDGE * self.y[i] - trace(&inverses, direction);
             // the upper triangle alone
             hessian[i][k] = -trace(&squares, direction);
+            let between = between(&inverses, direction);
             for (entry, other) in hessian[i][i..k].iter_mut().zip(&pencil.directions[i..]) {
-                *entry = trace_of_both(&inverses, direction, other);
+                *entry = trace(&between, other);
             }
             hessian[i][i] += RIDGE;
         }
@@ -145,9 +146,10 @@ fn squared(m: &Matrix) -> Matrix {
     m.iter().map(|row| m.iter().map(|other| dot(row, other)).collect()).collect()
 }
 
-/// tr(V·G)
+/// tr(V·G), where a block of V without rows is zero
 fn trace(v: &[Matrix], g: &[Entry]) -> f64 {
     g.iter()
+        .filter(|e| !v[e.block].is_empty())
         .map(|e| {
             let twice = if e.row == e.column { 1.0 } else { 2.0 };
             twice * e.value * v[e.block][e.row][e.column]
@@ -155,24 +157,35 @@ fn trace(v: &[Matrix], g: &[Entry]) -> f64 {
         .sum()
 }
 
-/// tr(V·G·V·H)
-fn trace_of_both(v: &[Matrix], g: &[Entry], h: &[Entry]) -> f64 {
-    let mut sum = 0.0;
-    for a in g {
-        for b in h.iter().filter(|b| b.block == a.block) {
-            let v = &v[a.block];
-            // V is symmetric: of the four pairs of places two and two agree.
-            let straight = v[a.column][b.row] * v[b.column][a.row];
-            let crossed = v[a.column][b.column] * v[b.row][a.row];
-            let pairs = match (a.row == a.column, b.row == b.column) {
-                (true, true) => straight,
-                (true, false) | (false, true) => straight + crossed,
-                (false, false) => 2.0 * (straight + crossed),
-            };
-            sum += a.value * b.value * pairs;
+/// V·G·V, whose product with H has the trace tr(V·G·V·H); without rows for a block in which G is zero.
+fn between(v: &[Matrix], g: &[Entry]) -> Vec<Matrix> {
+    let mut halves: Vec<Matrix> = vec![Matrix::new(); v.len()];
+    for e in g {
+        let n = v[e.block].len();
+        let half = &mut halves[e.block];
+        half.resize_with(n, || vec![0.0; n]);
+        add(&mut half[e.row], e.value, &v[e.block][e.column]);
+        if e.row != e.column {
+            add(&mut half[e.column], e.value, &v[e.block][e.row]);
         }
     }
-    sum
+    let whole = |(half, v): (&Matrix, &Matrix)| -> Matrix {
+        // rows of G that are empty stay so
+        let full: Vec<usize> =
+            (0..half.len()).filter(|&k| half[k].iter().any(|x| *x != 0.0)).collect();
+        let product = |row: &Vec<f64>| {
+            let mut out = vec![0.0; row.len()];
+            full.iter().for_each(|&k| add(&mut out, row[k], &half[k]));
+            out
+        };
+        if half.is_empty() { Matrix::new() } else { v.iter().map(product).collect() }
+    };
+    halves.iter().zip(v).map(whole).collect()
+}
+
+/// Adds a multiple of a row.
+fn add(sum: &mut [f64], by: f64, row: &[f64]) {
+    sum.iter_mut().zip(row).for_each(|(sum, x)| *sum += by * x);
 }
 
 #[cfg(test)]

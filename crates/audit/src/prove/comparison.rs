@@ -3,6 +3,7 @@
 
 use kane_kernel::{Atom, Poly, Power, State};
 use num_bigint::BigInt;
+use num_traits::Signed as _;
 
 use super::conjugates::{TERMS, roots, sides};
 use super::hints::is_told;
@@ -16,6 +17,7 @@ pub(super) fn telling(state: &State<'_, '_>, rules: &[Rule]) -> Option<Poly> {
     unsigned(state, &roots)
         .or_else(|| vanishing(state, &roots))
         .or_else(|| unordered(state, &roots))
+        .or_else(|| mixed(state, &sole(state)))
 }
 
 /// Which of the roots have odd powers in a monomial.
@@ -64,5 +66,36 @@ fn unordered(state: &State<'_, '_>, roots: &[usize]) -> Option<Poly> {
         let pairs = greater.iter().flat_map(|p| lesser.iter().map(move |q| (p, q)));
         let mut apart = pairs.filter(|(p, q)| p.0 != q.0).map(|(p, q)| p.1.sub(&q.1).primitive().1);
         apart.find(|difference| !is_told(state, difference))
+    })
+}
+
+/// Variables that an equation says to be the root of the rest of it; in s² + t² = 1 neither is.
+fn sole(state: &State<'_, '_>) -> Vec<usize> {
+    let mut of = roots(state);
+    of.retain(|&(i, v)| {
+        let p = &state.atoms[i].poly;
+        let square = |w: usize| {
+            let is_pure = p.degree(w) == 2 && p.coefficient(w, 1).is_empty();
+            is_pure.then(|| p.coefficient(w, 2).as_constant().map(|c| c.is_positive())).flatten()
+        };
+        let own = square(v);
+        own.is_some() && p.vars().into_iter().all(|w| w == v || square(w) != own)
+    });
+    of.into_iter().map(|root| root.1).collect()
+}
+
+/// What stands beside a product of roots whose sign is known, where nothing tells its own: only where it is of one sign
+/// can both be squared.
+fn mixed(state: &State<'_, '_>, roots: &[usize]) -> Option<Poly> {
+    short(state).find_map(|p| {
+        let (with, without): (Vec<_>, Vec<_>) =
+            p.terms().partition(|(m, _)| !odd_roots(m, roots).is_empty());
+        let [term] = with[..] else { return None };
+        let beside = Poly::sum(without.iter().map(|(m, c)| (m.to_vec(), (*c).clone())));
+        let beside = beside.primitive().1;
+        is_lesser(state, term)?;
+        let signs: Vec<Option<bool>> = without.iter().map(|t| is_lesser(state, *t)).collect();
+        let is_mixed = signs.contains(&None) || signs.windows(2).any(|pair| pair[0] != pair[1]);
+        (beside.len() > 1 && is_mixed && !is_told(state, &beside)).then_some(beside)
     })
 }

@@ -114,7 +114,11 @@ pub(super) fn positive_factor(
         tactics::wrong_sign(&trial, trial.atoms.len() - 1).is_some()
             || is_sum_of_squares(p, &state.scope.fuel.within(QUADRATIC))
     };
-    let told = |p: &Poly| state.atoms.iter().any(|a| a.sign == Sign::Positive && a.poly == *p);
+    // nor in the case in which it is negative, which is to be closed
+    let told = |p: &Poly| {
+        let mut strict = state.atoms.iter().filter(|a| a.sign == Sign::Positive);
+        strict.any(|a| a.poly == *p || a.poly == p.neg())
+    };
     let said = state.atoms.iter().filter(|a| a.sign == Sign::NonZero && a.decided().is_none());
     let parts = said.map(|a| a.poly.primitive().1).filter(|p| is_meant(p) && divides(p));
     parts.flat_map(|p| [p.neg(), p]).find(|p| !told(p) && positive(p))

@@ -1,12 +1,13 @@
 //! Roots on one side: A > N, where N is not negative, says that A² > N², in which the roots are squared that stood
 //! alone on their side.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Poly, Power, Sign, State, Term, exponent};
+use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term, exponent};
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
+use num_integer::Integer as _;
+use num_traits::{One, Signed, Zero as _};
 
 use super::elimination::Factors;
 use super::factors::squared_factor;
@@ -128,7 +129,9 @@ impl Search<'_> {
 pub(super) fn isolated(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled> {
     strict(state).find_map(|i| {
         let p = &state.atoms[i].poly;
-        sides(state, p, rules).into_iter().find_map(|side| squared(state, i, &side, rules))
+        let sides = lesser(state, p, rules).into_iter();
+        let squares = sides.filter_map(|side| squared(state, i, &side, rules));
+        squares.min_by_key(|found| products(&found.poly, rules).len())
     })
 }
 
@@ -151,34 +154,97 @@ fn products(p: &Poly, rules: &[Rule]) -> BTreeSet<Vec<usize>> {
     p.terms().map(|(m, _)| odd(m, rules)).filter(|product| !product.is_empty()).collect()
 }
 
-/// What may stand on the lesser side: of what is taken away the terms with roots, all, or those without.
-fn sides(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Vec<Poly> {
-    let taken = |of: &dyn Fn(&[Power]) -> bool| {
-        let lesser =
-            |&(m, c): &(&[Power], &BigInt)| is_lesser(state, (m, c)).unwrap_or(c.is_negative());
-        let terms = p.terms().filter(|term| lesser(term) && of(term.0));
+/// What may stand on the lesser side of a condition, and twice that as terms that are not negative.
+struct Lesser {
+    side: Poly,
+    twice: Vec<Term>,
+}
+
+/// Of what is taken away the terms with roots, all, or those without; and what a condition says of either part.
+fn lesser(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Vec<Lesser> {
+    let part = |of: &dyn Fn(&[Power], &BigInt) -> bool| {
+        let terms = p.terms().filter(|(m, c)| of(m, c));
         Poly::sum(terms.map(|(m, c)| (m.to_vec(), -c)))
     };
+    let taken = |m: &[Power], c: &BigInt| is_lesser(state, (m, c)).unwrap_or(c.is_negative());
     let has_root = |m: &[Power]| !odd(m, rules).is_empty();
-    let mut out = vec![taken(&has_root), taken(&|_| true), taken(&|m| !has_root(m))];
-    out.dedup();
-    out.retain(|n| !n.is_empty());
+    let mut sides = vec![
+        part(&|m, c| taken(m, c) && has_root(m)),
+        part(&taken),
+        part(&|m, c| taken(m, c) && !has_root(m)),
+    ];
+    sides.dedup();
+    let termwise = sides.into_iter().filter_map(|side| {
+        let twice = |(m, c): (&[Power], &BigInt)| Some(Known::of(state, m)?.term(&(c * 2)));
+        let twice = side.terms().map(twice).collect::<Option<_>>()?;
+        Some(Lesser { side, twice })
+    });
+    let said = [None, Some(true), Some(false)];
+    let said = said.into_iter().map(|rooted| by_parts(state, p, rules, rooted));
+    let mut out: Vec<Lesser> = Vec::new();
+    for found in termwise.chain(said) {
+        if !found.side.is_empty() && out.iter().all(|known| known.side != found.side) {
+            out.push(found);
+        }
+    }
     out
 }
 
+/// Of what is taken away the parts that belong to a product of roots, with or without one or both, as far as conditions
+/// tell their signs: the coefficient of a root may be 1 − t, of which a condition says that it is not negative.
+fn by_parts(state: &State<'_, '_>, p: &Poly, rules: &[Rule], rooted: Option<bool>) -> Lesser {
+    let mut parts: BTreeMap<Vec<usize>, Vec<(&[Power], &BigInt)>> = BTreeMap::new();
+    for term in p.terms() {
+        parts.entry(odd(term.0, rules)).or_default().push(term);
+    }
+    let mut found = Lesser { side: Poly::default(), twice: Vec::new() };
+    for (roots, terms) in
+        parts.iter().filter(|(roots, _)| rooted.is_none_or(|r| r != roots.is_empty()))
+    {
+        let side = Poly::sum(terms.iter().map(|(m, c)| (m.to_vec(), -*c)));
+        let twice = |(m, c): (&[Power], &BigInt)| {
+            let is_lesser = is_lesser(state, (m, c)) == Some(false);
+            is_lesser.then(|| Some(Known::of(state, m)?.term(&(c * 2)))).flatten()
+        };
+        let termwise: Option<Vec<Term>> = side.terms().map(twice).collect();
+        if let Some(twice) = termwise.or_else(|| said(state, &side, roots).map(|term| vec![term])) {
+            found.side = found.side.add(&side);
+            found.twice.extend(twice);
+        }
+    }
+    found
+}
+
+/// Twice a product of roots and a polynomial, of which a condition says that it is not negative.
+fn said(state: &State<'_, '_>, side: &Poly, roots: &[usize]) -> Option<Term> {
+    let mut roots: Monomial = roots.iter().map(|&v| (v, 1)).collect();
+    roots.sort_unstable();
+    let before =
+        exact_quotient(side, &Poly::term(roots.clone(), BigInt::one()), &state.scope.fuel)?;
+    let (content, before) = before.primitive();
+    let (atom, size) = state.atoms.iter().enumerate().find_map(|(k, a)| {
+        let (size, poly) = a.poly.primitive();
+        (a.sign.is_order() && before.len() > 1 && poly == before).then_some((k, size))
+    })?;
+    let (_, mut factors) = known(state, &roots)?;
+    factors.push((atom, 1));
+    factors.sort_unstable();
+    let (weight, rest) = (content * BigInt::from(2)).div_rem(&size);
+    rest.is_zero().then(|| Term { weight, square: Poly::one(), factors })
+}
+
 /// The squares of the sides of condition i.
-fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Option<Settled> {
+fn squared(state: &State<'_, '_>, i: usize, lesser: &Lesser, rules: &[Rule]) -> Option<Settled> {
     let fuel = &state.scope.fuel;
     let p = &state.atoms[i].poly;
-    let twice = |(m, c): (&[Power], &BigInt)| Some(Known::of(state, m)?.term(&(c * 2)));
-    let of_lesser: Vec<Term> = lesser.terms().map(twice).collect::<Option<_>>()?;
-    let square = p.pow(2, fuel).ok()?.add(&p.mul(&lesser.scale(&2.into()), fuel).ok()?);
+    let square = p.pow(2, fuel).ok()?.add(&p.mul(&lesser.side.scale(&2.into()), fuel).ok()?);
     if square.len() > SQUARE {
         return None;
     }
     let rest = Divided::of(state, &square, rules)?;
     let (content, poly) = rest.left.primitive();
     if products(&poly, rules).len() >= products(p, rules).len()
+        || is_told(state, &poly)
         || is_told(state, &reduced(state, &poly))
     {
         return None;
@@ -194,7 +260,8 @@ fn squared(state: &State<'_, '_>, i: usize, lesser: &Poly, rules: &[Rule]) -> Op
         factors.sort_unstable();
         Term { weight: term.weight * &rest.scale, factors, ..term }
     };
-    let mut terms: Vec<Term> = std::iter::once(whole).chain(of_lesser).map(times_p).collect();
+    let mut terms: Vec<Term> =
+        std::iter::once(whole).chain(lesser.twice.iter().cloned()).map(times_p).collect();
     let fresh = state.atoms.len();
     let premises: Vec<(usize, Poly)> = rest.cofactors.iter().map(|(j, c)| (*j, c.neg())).collect();
     let by_zero = [&premises[..], &[(fresh, Poly::constant(-&content))]].concat();

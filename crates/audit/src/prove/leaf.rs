@@ -175,6 +175,7 @@ impl Search<'_> {
                 .or_else(|| squares(Reach::Atoms))
                 .or_else(|| means::means(state))
                 .or_else(|| squares(Reach::Pairs))
+                .or_else(|| squares(Reach::Signed))
                 .or_else(|| means::multiplied(state))
                 .or_else(|| products(2))
                 .or_else(|| pairs::by_sign(state, &vars))

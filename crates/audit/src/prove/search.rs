@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use kane_kernel::{Atom, Fuel, Point, Poly, Sign, State};
+use kane_kernel::{Atom, Conclusion, Fuel, Link, Point, Poly, Rel, Sign, State};
 
 use super::attempt::Attempt;
 use super::elimination::{Elimination, Factors, open_vars};
@@ -268,6 +268,15 @@ impl<'a> Search<'a> {
                 .or_else(|| self.in_valleys(state))
         {
             return Outcome::Model(point);
+        }
+        // the two sides of a difference are told apart where nothing else helped
+        if self.far
+            && self.proofs
+            && splits == 0
+            && trail.is_empty()
+            && let Some(difference) = denied(state)
+        {
+            return self.split(state, difference, trail, 1);
         }
         // before anything is multiplied out
         if splits == 0
@@ -538,6 +547,14 @@ impl<'a> Search<'a> {
             open.unwrap_or_else(|| d.primitive().1)
         })
     }
+}
+
+/// The difference that is not zero where a claimed equation fails.
+fn denied(state: &State<'_, '_>) -> Option<Poly> {
+    let Conclusion::Link(Link::Relation(relation)) = &state.goal.conclusion else { return None };
+    let open = |a: &&Atom| a.sign == Sign::NonZero && a.decided().is_none();
+    let last = state.atoms.iter().rfind(open)?;
+    (relation.rel == Rel::Eq).then(|| last.poly.primitive().1)
 }
 
 /// Whether a root stands in a polynomial.

@@ -13,6 +13,8 @@ use crate::argument::{Argument, Rules};
 const ATOMS: usize = 12;
 /// The largest degree of an identity.
 const DEGREE: u32 = 12;
+/// Symbols with a sign that are taken in pairs beside a condition.
+const SYMBOLS: usize = 4;
 /// Positive products that are tried.
 const TARGETS: usize = 10;
 
@@ -43,7 +45,9 @@ pub(crate) enum Reach {
     Atoms,
     /// products of two atoms, too
     Pairs,
-    /// those, and a higher degree
+    /// those, and products of an atom and two symbols
+    Signed,
+    /// those of two atoms, and a higher degree
     Higher,
 }
 
@@ -86,6 +90,17 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
                 products.push(pair(j, i)?);
             }
         }
+        let more = if reach == Reach::Signed { signed(state, &helpful) } else { Vec::new() };
+        if reach == Reach::Signed && more.is_empty() {
+            return None;
+        }
+        for factors in more {
+            let mut poly = Poly::one();
+            for &(i, _) in &factors {
+                poly = poly.mul(&state.atoms[i].poly, fuel).ok()?;
+            }
+            products.push(Product { factors, poly });
+        }
         for (n, &i) in positive.iter().enumerate() {
             for &j in &positive[n..] {
                 targets.push(pair(i.min(j), i.max(j))?);
@@ -126,6 +141,25 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
         }
     }
     None
+}
+
+/// Conditions times two symbols that have a sign.
+fn signed(state: &State<'_, '_>, ordered: &[usize]) -> Vec<Factors> {
+    let is_symbol =
+        |i: &usize| state.atoms[*i].poly.len() == 1 && total_degree(&state.atoms[*i].poly) == 1;
+    let (symbols, others): (Vec<usize>, Vec<usize>) = ordered.iter().partition(|i| is_symbol(i));
+    let mut out = Vec::new();
+    for (n, &i) in symbols.iter().enumerate().take(SYMBOLS) {
+        for &j in symbols[n + 1..].iter().take(SYMBOLS) {
+            let product = |k: usize| {
+                let mut factors = vec![(i, 1), (j, 1), (k, 1)];
+                factors.sort_unstable();
+                factors
+            };
+            out.extend(others.iter().map(|&k| product(k)));
+        }
+    }
+    out
 }
 
 /// What is contradicted, and the degree of the identity.

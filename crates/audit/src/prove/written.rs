@@ -52,11 +52,6 @@ fn parts(e: &Expr, out: &mut Vec<Expr>) {
         }
         Expr::Neg(a) => parts(a, out),
         Expr::Mul(a, b) if matches!(**a, Expr::Num(_)) => parts(b, out),
-        // a claim is multiplied by its denominators
-        Expr::Div(a, b) if adds_square(b) => {
-            parts(a, out);
-            parts(b, out);
-        }
         Expr::Num(_) => {}
         _ if out.len() > SUMMANDS || out.contains(e) => {}
         _ => out.push(e.clone()),
@@ -70,14 +65,6 @@ fn has_square(e: &Expr) -> bool {
         Expr::Neg(a) => has_square(a),
         Expr::Pow(a, n) => *n >= 2 && is_sum(a) || has_square(a),
         _ => false,
-    }
-}
-
-/// Whether one of the summands of a sum has.
-fn adds_square(e: &Expr) -> bool {
-    match e {
-        Expr::Add(a, b) | Expr::Sub(a, b) => adds_square(a) || adds_square(b),
-        _ => has_square(e),
     }
 }
 
