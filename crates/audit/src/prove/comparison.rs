@@ -1,11 +1,12 @@
 //! What has to be told before conditions with roots can be squared: signs of what stands before roots, roots that may be
 //! zero, and which of two terms is the greater.
 
-use kane_kernel::{Atom, Poly, Power, State};
+use kane_kernel::{Atom, Poly, Power, Sign, State, exponent};
 use num_bigint::BigInt;
 use num_traits::Signed as _;
 
 use super::conjugates::{TERMS, roots, sides};
+use super::factors::cannot_vanish;
 use super::hints::is_told;
 use super::isolated::Rule;
 use super::monomial::{is_lesser, sign};
@@ -14,10 +15,39 @@ use super::monomial::{is_lesser, sign};
 pub(super) fn telling(state: &State<'_, '_>, rules: &[Rule]) -> Option<Poly> {
     let mut roots: Vec<usize> = roots(state).into_iter().map(|root| root.1).collect();
     roots.extend(rules.iter().filter(|rule| rule.is_root).map(|rule| rule.v));
-    unsigned(state, &roots)
+    led(state)
+        .or_else(|| unsigned(state, &roots))
         .or_else(|| vanishing(state, &roots))
         .or_else(|| unordered(state, &roots))
-        .or_else(|| mixed(state, &sole(state)))
+        .or_else(|| mixed(state, &sole(state, rules)))
+}
+
+/// What stands before the squares of variables that are not negative, where nothing tells its sign: of each equation that
+/// has none before one of them, for it would reduce what is said of another.
+pub(super) fn leads(state: &State<'_, '_>) -> Vec<Poly> {
+    let mut out = Vec::new();
+    for atom in state.atoms.iter().filter(|a| a.sign == Sign::Zero && a.decided().is_none()) {
+        let p = &atom.poly;
+        let is_pure = |v: &usize| p.degree(*v) == 2 && p.coefficient(*v, 1).is_empty();
+        let is_used = |v| short(state).any(|q| q.terms().any(|(m, _)| exponent(m, v) % 2 == 1));
+        let is_root = |v: &usize| is_pure(v) && sign(state, *v).is_some() && is_used(*v);
+        let roots = p.vars().into_iter().rev().filter(is_root);
+        let leads: Vec<Poly> = roots.map(|v| p.coefficient(v, 2).primitive().1).collect();
+        if leads.iter().all(|lead| !lead.is_constant() && !is_told(state, lead)) {
+            out.extend(leads);
+        }
+    }
+    out
+}
+
+/// One of those that cannot vanish, or have terms of one sign.
+fn led(state: &State<'_, '_>) -> Option<Poly> {
+    let signed = |lead: &Poly| {
+        let mut signs = lead.terms().map(|t| is_lesser(state, t));
+        let first = signs.next().flatten();
+        first.is_some() && signs.all(|sign| sign == first)
+    };
+    leads(state).into_iter().find(|lead| signed(lead) || cannot_vanish(state, lead))
 }
 
 /// Which of the roots have odd powers in a monomial.
@@ -70,7 +100,7 @@ fn unordered(state: &State<'_, '_>, roots: &[usize]) -> Option<Poly> {
 }
 
 /// Variables that an equation says to be the root of the rest of it; in s² + t² = 1 neither is.
-fn sole(state: &State<'_, '_>) -> Vec<usize> {
+fn sole(state: &State<'_, '_>, rules: &[Rule]) -> Vec<usize> {
     let mut of = roots(state);
     of.retain(|&(i, v)| {
         let p = &state.atoms[i].poly;
@@ -81,21 +111,25 @@ fn sole(state: &State<'_, '_>) -> Vec<usize> {
         let own = square(v);
         own.is_some() && p.vars().into_iter().all(|w| w == v || square(w) != own)
     });
-    of.into_iter().map(|root| root.1).collect()
+    let led = rules.iter().filter(|rule| rule.is_root).map(|rule| rule.v);
+    of.into_iter().map(|root| root.1).chain(led).collect()
 }
 
-/// What stands beside a product of roots whose sign is known, where nothing tells its own: only where it is of one sign
-/// can both be squared.
+/// What stands in several variables beside a product of roots of which the sign is known, where nothing tells its own: only
+/// where it is of one sign can both be squared.
 fn mixed(state: &State<'_, '_>, roots: &[usize]) -> Option<Poly> {
     short(state).find_map(|p| {
         let (with, without): (Vec<_>, Vec<_>) =
             p.terms().partition(|(m, _)| !odd_roots(m, roots).is_empty());
-        let [term] = with[..] else { return None };
+        let kinds: Vec<_> =
+            with.iter().map(|t| (odd_roots(t.0, roots), is_lesser(state, *t))).collect();
+        if !kinds.windows(2).all(|pair| pair[0] == pair[1]) || kinds.first()?.1.is_none() {
+            return None;
+        }
         let beside = Poly::sum(without.iter().map(|(m, c)| (m.to_vec(), (*c).clone())));
         let beside = beside.primitive().1;
-        is_lesser(state, term)?;
         let signs: Vec<Option<bool>> = without.iter().map(|t| is_lesser(state, *t)).collect();
         let is_mixed = signs.contains(&None) || signs.windows(2).any(|pair| pair[0] != pair[1]);
-        (beside.len() > 1 && is_mixed && !is_told(state, &beside)).then_some(beside)
+        (beside.vars().len() > 1 && is_mixed && !is_told(state, &beside)).then_some(beside)
     })
 }

@@ -11,6 +11,7 @@ use super::elimination::Factors;
 use super::factors::leading;
 use super::hints::is_told;
 use super::isolated::reduced;
+use super::search::Outcome;
 use crate::argument::{Argument, Rules as _};
 
 /// Terms of a quadratic, and of its discriminant.
@@ -24,6 +25,24 @@ pub(super) struct Discriminant {
     pub(super) zero: Option<Argument>,
     /// why it is not negative
     pub(super) negative: Argument,
+}
+
+impl Discriminant {
+    /// The split on its sign, if both cases that are left are closed; how one of them ends otherwise.
+    pub(super) fn split(self, case: &dyn Fn(Atom) -> Outcome) -> Outcome {
+        let Self { poly, zero, negative } = self;
+        let positive = match case(Atom::new(poly.clone(), Sign::Positive)) {
+            Outcome::Closed(proof) => proof,
+            other => return other,
+        };
+        let at_zero = || case(Atom::new(poly.clone(), Sign::Zero));
+        let zero = match zero.map_or_else(at_zero, Outcome::Closed) {
+            Outcome::Closed(proof) => proof,
+            other => return other,
+        };
+        let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
+        Outcome::Closed(Argument::Split { poly, zero, positive, negative })
+    }
 }
 
 /// The discriminant of a condition in a variable that no simpler condition has. Its leading coefficient is no number:

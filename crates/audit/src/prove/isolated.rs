@@ -1,21 +1,22 @@
 //! Roots on one side: A > N, where N is not negative, says that A² > N², in which the roots are squared that stood
 //! alone on their side.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Monomial, Poly, Power, Sign, State, Term, exponent};
+use kane_kernel::{Atom, Poly, Power, Sign, State, Term, exponent};
 use num_bigint::BigInt;
-use num_integer::Integer as _;
-use num_traits::{One, Signed, Zero as _};
+use num_traits::One;
 
+use super::discriminant::Discriminant;
 use super::elimination::Factors;
 use super::factors::squared_factor;
 use super::hints::is_told;
-use super::monomial::{Known, is_lesser, known};
+use super::lesser::{Lesser, lesser};
+use super::monomial::known;
 use super::search::{MAX_SPLITS, Outcome, Search, has_root};
 use super::settled::Settled;
-use crate::argument::Argument;
+use crate::argument::{Argument, Rules as _};
 
 /// Terms of a condition that is squared, and of its square.
 const TERMS: usize = 16;
@@ -128,20 +129,40 @@ impl Search<'_> {
 /// A > N with squares that have fewer roots than the condition has: A² − N² is positive.
 pub(super) fn isolated(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled> {
     strict(state).find_map(|i| {
-        let p = &state.atoms[i].poly;
-        let sides = lesser(state, p, rules).into_iter();
-        let squares = sides.filter_map(|side| squared(state, i, &side, rules));
-        squares.min_by_key(|found| products(&found.poly, rules).len())
+        let Squared { poly, zero, negative } = fewest(state, i, rules)?;
+        Settled::positive(state, poly, zero, negative)
     })
+}
+
+/// A ≥ N with such squares: A² − N² is not negative.
+pub(super) fn isolated_weakly(state: &State<'_, '_>, rules: &[Rule]) -> Option<Discriminant> {
+    short(state, Sign::NonNegative).find_map(|i| {
+        let Squared { poly, negative, .. } = fewest(state, i, rules)?;
+        let case = state.with(Atom::new(poly.neg(), Sign::Positive));
+        let found = Discriminant { poly, zero: None, negative };
+        case.closes(&found.negative).is_ok().then_some(found)
+    })
+}
+
+/// The squares of condition i with the fewest products of roots.
+fn fewest(state: &State<'_, '_>, i: usize, rules: &[Rule]) -> Option<Squared> {
+    let sides = lesser(state, &state.atoms[i].poly, rules).into_iter();
+    let squares = sides.filter_map(|side| squared(state, i, &side, rules));
+    squares.min_by_key(|found| products(&found.poly, rules).len())
 }
 
 /// Short conditions that something is positive, the last ones first.
 pub(super) fn strict(state: &State<'_, '_>) -> impl Iterator<Item = usize> {
-    let strict = |i: &usize| {
+    short(state, Sign::Positive)
+}
+
+/// Short conditions with a sign, the last ones first.
+fn short(state: &State<'_, '_>, sign: Sign) -> impl Iterator<Item = usize> {
+    let short = move |i: &usize| {
         let atom = &state.atoms[*i];
-        atom.sign == Sign::Positive && atom.decided().is_none() && atom.poly.len() <= TERMS
+        atom.sign == sign && atom.decided().is_none() && atom.poly.len() <= TERMS
     };
-    (0..state.atoms.len()).rev().filter(strict)
+    (0..state.atoms.len()).rev().filter(short)
 }
 
 /// Which roots a monomial has in odd powers.
@@ -154,87 +175,15 @@ fn products(p: &Poly, rules: &[Rule]) -> BTreeSet<Vec<usize>> {
     p.terms().map(|(m, _)| odd(m, rules)).filter(|product| !product.is_empty()).collect()
 }
 
-/// What may stand on the lesser side of a condition, and twice that as terms that are not negative.
-struct Lesser {
-    side: Poly,
-    twice: Vec<Term>,
-}
-
-/// Of what is taken away the terms with roots, all, or those without; and what a condition says of either part.
-fn lesser(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Vec<Lesser> {
-    let part = |of: &dyn Fn(&[Power], &BigInt) -> bool| {
-        let terms = p.terms().filter(|(m, c)| of(m, c));
-        Poly::sum(terms.map(|(m, c)| (m.to_vec(), -c)))
-    };
-    let taken = |m: &[Power], c: &BigInt| is_lesser(state, (m, c)).unwrap_or(c.is_negative());
-    let has_root = |m: &[Power]| !odd(m, rules).is_empty();
-    let mut sides = vec![
-        part(&|m, c| taken(m, c) && has_root(m)),
-        part(&taken),
-        part(&|m, c| taken(m, c) && !has_root(m)),
-    ];
-    sides.dedup();
-    let termwise = sides.into_iter().filter_map(|side| {
-        let twice = |(m, c): (&[Power], &BigInt)| Some(Known::of(state, m)?.term(&(c * 2)));
-        let twice = side.terms().map(twice).collect::<Option<_>>()?;
-        Some(Lesser { side, twice })
-    });
-    let said = [None, Some(true), Some(false)];
-    let said = said.into_iter().map(|rooted| by_parts(state, p, rules, rooted));
-    let mut out: Vec<Lesser> = Vec::new();
-    for found in termwise.chain(said) {
-        if !found.side.is_empty() && out.iter().all(|known| known.side != found.side) {
-            out.push(found);
-        }
-    }
-    out
-}
-
-/// Of what is taken away the parts that belong to a product of roots, with or without one or both, as far as conditions
-/// tell their signs: the coefficient of a root may be 1 − t, of which a condition says that it is not negative.
-fn by_parts(state: &State<'_, '_>, p: &Poly, rules: &[Rule], rooted: Option<bool>) -> Lesser {
-    let mut parts: BTreeMap<Vec<usize>, Vec<(&[Power], &BigInt)>> = BTreeMap::new();
-    for term in p.terms() {
-        parts.entry(odd(term.0, rules)).or_default().push(term);
-    }
-    let mut found = Lesser { side: Poly::default(), twice: Vec::new() };
-    for (roots, terms) in
-        parts.iter().filter(|(roots, _)| rooted.is_none_or(|r| r != roots.is_empty()))
-    {
-        let side = Poly::sum(terms.iter().map(|(m, c)| (m.to_vec(), -*c)));
-        let twice = |(m, c): (&[Power], &BigInt)| {
-            let is_lesser = is_lesser(state, (m, c)) == Some(false);
-            is_lesser.then(|| Some(Known::of(state, m)?.term(&(c * 2)))).flatten()
-        };
-        let termwise: Option<Vec<Term>> = side.terms().map(twice).collect();
-        if let Some(twice) = termwise.or_else(|| said(state, &side, roots).map(|term| vec![term])) {
-            found.side = found.side.add(&side);
-            found.twice.extend(twice);
-        }
-    }
-    found
-}
-
-/// Twice a product of roots and a polynomial, of which a condition says that it is not negative.
-fn said(state: &State<'_, '_>, side: &Poly, roots: &[usize]) -> Option<Term> {
-    let mut roots: Monomial = roots.iter().map(|&v| (v, 1)).collect();
-    roots.sort_unstable();
-    let before =
-        exact_quotient(side, &Poly::term(roots.clone(), BigInt::one()), &state.scope.fuel)?;
-    let (content, before) = before.primitive();
-    let (atom, size) = state.atoms.iter().enumerate().find_map(|(k, a)| {
-        let (size, poly) = a.poly.primitive();
-        (a.sign.is_order() && before.len() > 1 && poly == before).then_some((k, size))
-    })?;
-    let (_, mut factors) = known(state, &roots)?;
-    factors.push((atom, 1));
-    factors.sort_unstable();
-    let (weight, rest) = (content * BigInt::from(2)).div_rem(&size);
-    rest.is_zero().then(|| Term { weight, square: Poly::one(), factors })
+/// What the squares of two sides differ by, why it is not zero if the condition is strict, and why it is not negative.
+struct Squared {
+    poly: Poly,
+    zero: Argument,
+    negative: Argument,
 }
 
 /// The squares of the sides of condition i.
-fn squared(state: &State<'_, '_>, i: usize, lesser: &Lesser, rules: &[Rule]) -> Option<Settled> {
+fn squared(state: &State<'_, '_>, i: usize, lesser: &Lesser, rules: &[Rule]) -> Option<Squared> {
     let fuel = &state.scope.fuel;
     let p = &state.atoms[i].poly;
     let square = p.pow(2, fuel).ok()?.add(&p.mul(&lesser.side.scale(&2.into()), fuel).ok()?);
@@ -243,9 +192,11 @@ fn squared(state: &State<'_, '_>, i: usize, lesser: &Lesser, rules: &[Rule]) -> 
     }
     let rest = Divided::of(state, &square, rules)?;
     let (content, poly) = rest.left.primitive();
+    // a number is told by nothing, and decides
+    let is_known = |p: &Poly| !p.is_constant() && is_told(state, p);
     if products(&poly, rules).len() >= products(p, rules).len()
-        || is_told(state, &poly)
-        || is_told(state, &reduced(state, &poly))
+        || is_known(&poly)
+        || is_known(&reduced(state, &poly))
     {
         return None;
     }
@@ -268,7 +219,7 @@ fn squared(state: &State<'_, '_>, i: usize, lesser: &Lesser, rules: &[Rule]) -> 
     let zero = Argument::Positive { terms: terms.clone(), cofactors: by_zero };
     terms.push(Term { weight: content, square: Poly::one(), factors: vec![(fresh, 1)] });
     let negative = Argument::Positive { terms, cofactors: premises };
-    Settled::positive(state, poly, zero, negative)
+    Some(Squared { poly, zero, negative })
 }
 
 /// A polynomial without the factors that conditions say not to vanish, as the search cancels them.

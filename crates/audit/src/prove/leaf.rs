@@ -10,7 +10,7 @@ use super::elimination::{Elimination, open_vars};
 use super::factors::{common_factor, positive_factor};
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::idle::without_idle;
-use super::isolated::{Rule, isolated};
+use super::isolated::{Rule, isolated, isolated_weakly};
 use super::linear::{combination, is_linear_in_all, solution};
 use super::search::{BRIEFLY, MAX_SPLITS, Outcome, Search, since};
 use super::settled::Settled;
@@ -159,12 +159,18 @@ impl Search<'_> {
                 if let Some(found) = discriminant(state) {
                     return self.by_discriminant(state, found, trail, splits + 1);
                 }
+                if let Some(found) = isolated_weakly(state, &rules) {
+                    return self.by_squares(state, found, trail, splits + 1);
+                }
                 let telling = || {
                     self.squares.spend(ORDER).ok()?;
                     comparison::telling(state, &rules).or_else(|| conjugates::telling(state))
                 };
                 if let Some(poly) = telling() {
                     return self.split(state, poly, trail, splits + 1);
+                }
+                if let Some(settled) = self.lead_by_itself(state, splits) {
+                    return self.by_settled(state, settled, trail, splits + 1);
                 }
             }
             let proof = combined
@@ -254,21 +260,29 @@ impl Search<'_> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        let Discriminant { poly, zero, negative } = found;
-        let case = |sign| {
-            let next = state.with(Atom::new(poly.clone(), sign));
+        let case = |case: Atom| {
+            let next = state.with(case);
             self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
         };
-        let positive = match case(Sign::Positive) {
-            Outcome::Closed(proof) => proof,
-            other => return other,
+        found.split(&case)
+    }
+
+    /// What is left once the squares of two sides are known to differ by no negative number: by itself, if that is enough.
+    fn by_squares(
+        &self,
+        state: &State<'_, '_>,
+        found: Discriminant,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let case = |case: Atom| {
+            if let Some(alone) = self.case_alone(state, case.clone(), splits) {
+                return Outcome::Closed(alone);
+            }
+            let next = state.with(case);
+            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
         };
-        let zero = match zero.map_or_else(|| case(Sign::Zero), Outcome::Closed) {
-            Outcome::Closed(proof) => proof,
-            other => return other,
-        };
-        let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
-        Outcome::Closed(Argument::Split { poly, zero, positive, negative })
+        found.split(&case)
     }
 
     /// A proof by the hints as they stand, before cases are told.

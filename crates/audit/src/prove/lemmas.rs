@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use kane_kernel::{Atom, Expr, Poly, Sign, State, Term};
 
 use super::combination::{Size, Summand, combined, summand};
+use super::comparison::leads;
 use super::elimination::Factors;
 use super::hints::Hint;
 use super::idle::nothing;
@@ -134,6 +135,17 @@ impl Search<'_> {
         if places.is_empty() { None } else { told.closed(subsets) }
     }
 
+    /// What stands before a square, if it is shown by itself to be positive.
+    pub(super) fn lead_by_itself(&self, state: &State<'_, '_>, splits: u32) -> Option<Settled> {
+        if splits > FEW || self.brief || !self.proofs {
+            return None;
+        }
+        leads(state).into_iter().flat_map(|lead| [lead.neg(), lead]).find_map(|lead| {
+            let Lemma { poly, zero, negative } = self.lemma(state, &lead, true, &[])?;
+            Settled::positive(state, poly, zero?, negative)
+        })
+    }
+
     /// Why a polynomial is not negative, and not zero if that is asked.
     fn lemma(
         &self,
@@ -161,11 +173,22 @@ impl Search<'_> {
         splits: u32,
     ) -> Option<Argument> {
         let others = || state.atoms.iter().any(|a| has_root(state, &a.poly));
-        let is_tried = splits <= FEW && !self.brief && self.proofs;
-        if !is_tried || has_root(state, &settled.poly) || !others() {
+        if has_root(state, &settled.poly) || !others() {
             return None;
         }
-        self.closed_aside(&about(&state.with(settled.atom()), &settled.poly, &[]))
+        self.case_alone(state, settled.atom(), splits)
+    }
+
+    /// Why a case contradicts itself, by the conditions that speak of its variables alone.
+    pub(super) fn case_alone(
+        &self,
+        state: &State<'_, '_>,
+        case: Atom,
+        splits: u32,
+    ) -> Option<Argument> {
+        let is_tried = splits <= FEW && !self.brief && self.proofs;
+        let poly = case.poly.clone();
+        is_tried.then(|| self.closed_aside(&about(&state.with(case), &poly, &[])))?
     }
 
     /// A contradiction in a state by a small search.

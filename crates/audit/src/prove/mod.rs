@@ -37,6 +37,7 @@ mod idle;
 mod isolated;
 mod leaf;
 mod lemmas;
+mod lesser;
 mod limits;
 mod line;
 mod linear;

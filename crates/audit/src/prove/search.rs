@@ -496,11 +496,19 @@ impl<'a> Search<'a> {
         out
     }
 
-    /// The same for equations in a square, where other atoms have it too; only sure leads.
+    /// The same for equations in a square, where other atoms have it too; only sure leads, and none of an equation that
+    /// already reduces a power: it would reduce what says so of another.
     fn quadratic(&self, state: &State<'_, '_>) -> Vec<(usize, usize, Poly, usize)> {
         let mut out = Vec::new();
         for (i, a) in state.atoms.iter().enumerate() {
             if a.sign != Sign::Zero || a.poly.is_constant() {
+                continue;
+            }
+            let reduces = |v: usize| {
+                let top = a.poly.coefficients(v).pop().filter(|_| a.poly.degree(v) > 1);
+                top.is_some_and(|d| leading(state, &d).is_some())
+            };
+            if a.poly.vars().into_iter().any(reduces) {
                 continue;
             }
             for v in a.poly.vars() {

@@ -90,16 +90,21 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
                 products.push(pair(j, i)?);
             }
         }
-        let more = if reach == Reach::Signed { signed(state, &helpful) } else { Vec::new() };
-        if reach == Reach::Signed && more.is_empty() {
-            return None;
-        }
-        for factors in more {
-            let mut poly = Poly::one();
-            for &(i, _) in &factors {
-                poly = poly.mul(&state.atoms[i].poly, fuel).ok()?;
+        if reach == Reach::Signed {
+            let (more, strict) = (signed(state, &helpful), corners(state, &positive));
+            if more.is_empty() && strict.is_empty() {
+                return None;
             }
-            products.push(Product { factors, poly });
+            let product = |factors: Factors| {
+                let mut poly = Poly::one();
+                for &(i, _) in &factors {
+                    poly = poly.mul(&state.atoms[i].poly, fuel).ok()?;
+                }
+                Some(Product { factors, poly })
+            };
+            products.extend(more.into_iter().map(product).collect::<Option<Vec<_>>>()?);
+            let strict = strict.into_iter().map(product).collect::<Option<Vec<_>>>()?;
+            targets.splice(0..0, strict);
         }
         for (n, &i) in positive.iter().enumerate() {
             for &j in &positive[n..] {
@@ -143,20 +148,35 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
     None
 }
 
-/// Conditions times two symbols that have a sign.
+/// Conditions of degree two or more times two symbols that have a sign.
 fn signed(state: &State<'_, '_>, ordered: &[usize]) -> Vec<Factors> {
-    let is_symbol =
-        |i: &usize| state.atoms[*i].poly.len() == 1 && total_degree(&state.atoms[*i].poly) == 1;
-    let (symbols, others): (Vec<usize>, Vec<usize>) = ordered.iter().partition(|i| is_symbol(i));
+    let degree = |i: usize| total_degree(&state.atoms[i].poly);
+    let is_symbol = |i: &usize| state.atoms[*i].poly.len() == 1 && degree(*i) == 1;
+    let symbols: Vec<usize> = ordered.iter().copied().filter(is_symbol).take(SYMBOLS).collect();
+    let curved: Vec<usize> = ordered.iter().copied().filter(|&i| degree(i) > 1).collect();
     let mut out = Vec::new();
-    for (n, &i) in symbols.iter().enumerate().take(SYMBOLS) {
-        for &j in symbols[n + 1..].iter().take(SYMBOLS) {
-            let product = |k: usize| {
+    for (n, &i) in symbols.iter().enumerate() {
+        for &j in &symbols[n + 1..] {
+            for &k in &curved {
                 let mut factors = vec![(i, 1), (j, 1), (k, 1)];
                 factors.sort_unstable();
-                factors
-            };
-            out.extend(others.iter().map(|&k| product(k)));
+                out.push(factors);
+            }
+        }
+    }
+    out
+}
+
+/// Products of three bounds: positive, and zero where a claim touches at the corners of what they bound.
+fn corners(state: &State<'_, '_>, positive: &[usize]) -> Vec<Factors> {
+    let mut bounds: Vec<usize> = positive.to_vec();
+    bounds.retain(|&i| total_degree(&state.atoms[i].poly) == 1);
+    bounds.sort_unstable();
+    bounds.truncate(SYMBOLS);
+    let mut out = Vec::new();
+    for (n, &i) in bounds.iter().enumerate() {
+        for (m, &j) in bounds.iter().enumerate().skip(n + 1) {
+            out.extend(bounds[m + 1..].iter().map(|&k| vec![(i, 1), (j, 1), (k, 1)]));
         }
     }
     out

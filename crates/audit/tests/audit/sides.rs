@@ -63,3 +63,29 @@ fn the_sign_of_a_square_is_asked_for_once() {
     let claim = format!("x < 45/8 when 1 + 2*x >= 0, {square} != 0, 4*x^2/{square} < 2*x + 9");
     holds_but_not(&claim, ("45/8", "44/8"));
 }
+
+/// From 1/x + 1/y + 1/z = 2 (Iran 1998). What stands before the square of a root is a polynomial, of which nothing says that
+/// it is positive; and the other side has terms of both signs.
+#[test]
+fn a_root_is_isolated_whatever_positive_stands_before_its_square() {
+    let given = "p > 1, q > 1, r > 1, 1/p + 1/q + 1/r = 2";
+    let claim = format!("sqrt(p - 1) + sqrt(q - 1) + sqrt(r - 1) <= sqrt(p + q + r) when {given}");
+    holds_but_not(&claim, ("<= sqrt(", "<= 9/10*sqrt("));
+    let given = "p > 0, q > 0, r > 0, 2*p^2*q^2*r^2 + p^2*q^2 + q^2*r^2 + r^2*p^2 = 1";
+    holds_but_not(&format!("p*q + q*r + r*p <= 3/2 when {given}"), ("3/2", "5/4"));
+}
+
+/// With p = 1/sqrt(1 + 8·a) and so on this is the second problem of the olympiad of 2001.
+#[test]
+fn what_stands_before_a_square_is_shown_by_itself_to_be_positive() {
+    let range = "0 < p, p < 1, 0 < q, q < 1, 0 < r, r < 1";
+    let given = "(1 - p^2)*(1 - q^2)*(1 - r^2) = 512*p^2*q^2*r^2";
+    holds_but_not(&format!("p + q + r >= 1 when {range}, {given}"), (">= 1", ">= 11/10"));
+}
+
+/// It touches zero at (1, 0), (0, 1) and (1, 1), none of which is in the open triangle.
+#[test]
+fn a_strict_claim_may_touch_at_the_corners_of_what_it_is_about() {
+    let claim = "1 - x^2*y^2 > (2 - x - y)^2*(2*x^2*y^2 + x^2 + y^2)";
+    holds_but_not(&format!("{claim} when x > 0, y > 0, x + y < 2"), ("y > 0", "y >= 0"));
+}
