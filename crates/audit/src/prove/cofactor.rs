@@ -7,8 +7,9 @@ use num_traits::One as _;
 
 use super::elimination::Factors;
 use super::hints::is_told;
-use super::isolated::{Rule, odd, reduced, strict};
+use super::isolated::{reduced, strict};
 use super::monomial::{Known, is_lesser, known};
+use super::rule::{Rule, odd};
 use super::settled::Settled;
 use crate::argument::Argument;
 

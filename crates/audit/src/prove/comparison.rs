@@ -8,8 +8,8 @@ use num_traits::Signed as _;
 use super::conjugates::{TERMS, roots, sides};
 use super::factors::cannot_vanish;
 use super::hints::is_told;
-use super::isolated::Rule;
 use super::monomial::{is_lesser, sign};
+use super::rule::Rule;
 
 /// A polynomial whose sign has to be told first, if no condition tells it.
 pub(super) fn telling(state: &State<'_, '_>, rules: &[Rule]) -> Option<Poly> {

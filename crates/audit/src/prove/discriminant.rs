@@ -11,43 +11,16 @@ use super::elimination::Factors;
 use super::factors::leading;
 use super::hints::is_told;
 use super::isolated::reduced;
-use super::search::Outcome;
+use super::settled::NotNegative;
 use crate::argument::{Argument, Rules as _};
 
 /// Terms of a quadratic, and of its discriminant.
 const TERMS: usize = 24;
 const WIDEST: usize = 60;
 
-/// A polynomial that is positive, or at least not negative.
-pub(super) struct Discriminant {
-    pub(super) poly: Poly,
-    /// why it is not zero, if that is known
-    pub(super) zero: Option<Argument>,
-    /// why it is not negative
-    pub(super) negative: Argument,
-}
-
-impl Discriminant {
-    /// The split on its sign, if both cases that are left are closed; how one of them ends otherwise.
-    pub(super) fn split(self, case: &dyn Fn(Atom) -> Outcome) -> Outcome {
-        let Self { poly, zero, negative } = self;
-        let positive = match case(Atom::new(poly.clone(), Sign::Positive)) {
-            Outcome::Closed(proof) => proof,
-            other => return other,
-        };
-        let at_zero = || case(Atom::new(poly.clone(), Sign::Zero));
-        let zero = match zero.map_or_else(at_zero, Outcome::Closed) {
-            Outcome::Closed(proof) => proof,
-            other => return other,
-        };
-        let [zero, positive, negative] = [zero, positive, negative].map(Box::new);
-        Outcome::Closed(Argument::Split { poly, zero, positive, negative })
-    }
-}
-
 /// The discriminant of a condition in a variable that no simpler condition has. Its leading coefficient is no number:
 /// of those sums of squares know more.
-pub(super) fn discriminant(state: &State<'_, '_>) -> Option<Discriminant> {
+pub(super) fn discriminant(state: &State<'_, '_>) -> Option<NotNegative> {
     let short = |i: &usize| {
         let atom = &state.atoms[*i];
         atom.sign != Sign::NonZero && atom.decided().is_none() && atom.poly.len() <= TERMS
@@ -71,7 +44,7 @@ fn is_last(state: &State<'_, '_>, i: usize, v: usize) -> bool {
 }
 
 /// That of condition i in v.
-fn of(state: &State<'_, '_>, i: usize, v: usize) -> Option<Discriminant> {
+fn of(state: &State<'_, '_>, i: usize, v: usize) -> Option<NotNegative> {
     let fuel = &state.scope.fuel;
     let Atom { poly: p, sign } = &state.atoms[i];
     if p.degree(v) != 2 {
@@ -104,7 +77,7 @@ fn of(state: &State<'_, '_>, i: usize, v: usize) -> Option<Discriminant> {
         state.with(Atom::new(poly, sign)).closes(proof).is_ok()
     };
     let zero = (*sign == Sign::Positive && closes(Sign::Zero, poly.clone(), &zero)).then_some(zero);
-    closes(Sign::Positive, poly.neg(), &negative).then_some(Discriminant { poly, zero, negative })
+    closes(Sign::Positive, poly.neg(), &negative).then_some(NotNegative { poly, zero, negative })
 }
 
 /// A negative polynomial, no number, as −scale·a = weight·Π conditions that are positive: the conditions, scale and

@@ -5,15 +5,15 @@ use kane_kernel::{Atom, Point, Poly, Sign, State, exponent};
 
 use super::cofactor::cofactor;
 use super::differences::differences;
-use super::discriminant::{Discriminant, discriminant};
+use super::discriminant::discriminant;
 use super::elimination::{Elimination, open_vars};
 use super::factors::{common_factor, positive_factor};
 use super::hints::{Hint, Wealth, hinted, untold};
 use super::idle::without_idle;
-use super::isolated::{Rule, isolated, isolated_weakly};
+use super::isolated::{isolated, isolated_weakly};
 use super::linear::{combination, is_linear_in_all, solution};
+use super::rule::Rule;
 use super::search::{BRIEFLY, MAX_SPLITS, Outcome, Search, since};
-use super::settled::Settled;
 use super::squares::{Reach, squares};
 use super::{
     cases, colon, comparison, conjugates, expansion, ideal, line, means, pairs, products, tactics,
@@ -234,55 +234,6 @@ impl Search<'_> {
         }
         self.by_approach(state, trail, vars, STARTS)
             .or_else(|| self.on_boundary(state, trail, splits))
-    }
-
-    /// What is left once a sign is known.
-    pub(super) fn by_settled(
-        &self,
-        state: &State<'_, '_>,
-        settled: Settled,
-        trail: &[Elimination],
-        splits: u32,
-    ) -> Outcome {
-        let next = state.with(settled.atom());
-        let fresh = since(&next, state.atoms.len());
-        match self.run(&next, &fresh, Vec::new(), trail, splits) {
-            Outcome::Closed(left) => Outcome::Closed(settled.split(left)),
-            other => other,
-        }
-    }
-
-    /// What is left once a polynomial is known not to be negative.
-    fn by_discriminant(
-        &self,
-        state: &State<'_, '_>,
-        found: Discriminant,
-        trail: &[Elimination],
-        splits: u32,
-    ) -> Outcome {
-        let case = |case: Atom| {
-            let next = state.with(case);
-            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
-        };
-        found.split(&case)
-    }
-
-    /// What is left once the squares of two sides are known to differ by no negative number: by itself, if that is enough.
-    fn by_squares(
-        &self,
-        state: &State<'_, '_>,
-        found: Discriminant,
-        trail: &[Elimination],
-        splits: u32,
-    ) -> Outcome {
-        let case = |case: Atom| {
-            if let Some(alone) = self.case_alone(state, case.clone(), splits) {
-                return Outcome::Closed(alone);
-            }
-            let next = state.with(case);
-            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
-        };
-        found.split(&case)
     }
 
     /// A proof by the hints as they stand, before cases are told.

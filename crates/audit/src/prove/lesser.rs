@@ -8,8 +8,8 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, Zero as _};
 
-use super::isolated::{Rule, odd};
 use super::monomial::{Known, is_lesser, known};
+use super::rule::{Rule, odd};
 
 /// What may stand on the lesser side of a condition, and twice that as terms that are not negative.
 pub(super) struct Lesser {

@@ -44,3 +44,12 @@ impl Settled {
         Argument::Split { poly, zero, positive, negative }
     }
 }
+
+/// A polynomial that is positive, or at least not negative.
+pub(super) struct NotNegative {
+    pub(super) poly: Poly,
+    /// why it is not zero, if that is known
+    pub(super) zero: Option<Argument>,
+    /// why it is not negative
+    pub(super) negative: Argument,
+}
