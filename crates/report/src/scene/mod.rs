@@ -9,6 +9,8 @@ mod ledger_picture;
 mod motion_picture;
 mod sheet;
 mod stress_picture;
+#[cfg(test)]
+mod tests;
 
 pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};
