@@ -3,6 +3,8 @@
 mod compare_picture;
 mod contact_picture;
 mod csv;
+#[cfg(test)]
+mod drawn;
 mod impulse_picture;
 mod json;
 mod ledger_picture;

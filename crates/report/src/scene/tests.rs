@@ -18,11 +18,11 @@ use super::json::stated_rows;
 use super::*;
 
 /// A number and its text, which is another one, so that neither stands for the other.
-fn shown(n: i32) -> Shown {
+pub(super) fn shown(n: i32) -> Shown {
     Shown { value: f64::from(n), text: format!("{n}/1") }
 }
 
-fn round(n: i32) -> Round<Shown> {
+pub(super) fn round(n: i32) -> Round<Shown> {
     Round {
         mass: shown(n),
         inertia: shown(n + 1),
@@ -43,7 +43,7 @@ fn in_space(n: i32) -> Round<Shown> {
     Round { off_plane: Some(off), ..round(n) }
 }
 
-fn world(bodies: Vec<Round<Shown>>) -> World<Shown> {
+pub(super) fn world(bodies: Vec<Round<Shown>>) -> World<Shown> {
     World {
         gravity: shown(3),
         air: None,
@@ -58,7 +58,11 @@ fn world(bodies: Vec<Round<Shown>>) -> World<Shown> {
     }
 }
 
-fn bounce(encounter: Encounter, after: Round<Shown>, other: Option<Round<Shown>>) -> Bounce<Shown> {
+pub(super) fn bounce(
+    encounter: Encounter,
+    after: Round<Shown>,
+    other: Option<Round<Shown>>,
+) -> Bounce<Shown> {
     Bounce {
         time: shown(101),
         encounter,
@@ -80,12 +84,12 @@ fn end(bodies: Vec<Round<Shown>>) -> End<Shown> {
     End { time: shown(200), bodies, impacts: 7, ending: Ending::Duration, turned: None }
 }
 
-fn model(system: System) -> Model {
+pub(super) fn model(system: System) -> Model {
     Model { mechanics: Mechanics::NormalOnly, system }
 }
 
 /// An answer by normal impulses in fractions.
-fn answer(world: World<Shown>) -> Answer {
+pub(super) fn answer(world: World<Shown>) -> Answer {
     Answer {
         sha256: "5ce0".to_owned(),
         stated: Setup::Bodies(world),
@@ -104,7 +108,7 @@ fn answer(world: World<Shown>) -> Answer {
     }
 }
 
-fn report(answer: &Answer) -> SceneReport<'_> {
+pub(super) fn report(answer: &Answer) -> SceneReport<'_> {
     SceneReport {
         answer,
         title: "Made up".to_owned(),
@@ -117,7 +121,7 @@ fn told(answer: &Answer) -> Value {
     serde_json::from_str(&super::json(&report(answer))).expect("JSON")
 }
 
-fn judged(verdict: Verdict) -> Judged {
+pub(super) fn judged(verdict: Verdict) -> Judged {
     Judged { model: model(System::Rational), cost: 5, errors: Vec::new(), ratio: None, verdict }
 }
 
