@@ -275,3 +275,57 @@ fn a_kernel_over_columns_is_one_method_as_good_as_at_its_worst() {
     assert_eq!(told, [(System::F64, 3, 1530), (System::F32, 1, 1560)]);
     assert_eq!(said(&all)[0].0, "f64, in columns: 15.3 digits in 5.00 ns for all 3 quantities");
 }
+
+#[test]
+fn a_method_stands_at_its_time_and_its_digits_and_the_best_have_names() {
+    let mut all = all();
+    all.truncate(3);
+    // worse than the first in both
+    all.push(timed_at(40_000, form(System::DoubleDouble, 900)));
+    let svg = picture(&report(&all));
+    let seen = crate::picture::seen::Seen::of(&svg);
+    // the numbers at the left are words; 0 is "wrong" and 38 is "exact"
+    let y = |words: &str| seen.place(words).expect(words).1;
+    let (zero, exact) = (y("wrong"), y("exact"));
+    let x = |words: &str| seen.place(words).expect(words).0;
+    let (one, thousand) = (x("1"), x("1000"));
+    let of = |picoseconds: f64, digits: f64| {
+        let along = one + (picoseconds / 1000.0).log10() / 3.0 * (thousand - one);
+        (along, zero + digits / 38.0 * (exact - zero) - 0.36 * 12.0)
+    };
+    let is_at =
+        |(x, y): (f64, f64), (a, b): (f64, f64)| (x - a).abs() < 0.03 && (y - b).abs() < 0.03;
+    // after those of the legend: two discs, and a ring for the exact one
+    let circles: Vec<_> = seen.circles().iter().skip(2).map(|circle| circle.at).collect();
+    let expected = [of(2_000.0, 12.1), of(20_000.0, 15.9), of(900_000.0, 38.0)];
+    assert_eq!(circles.len(), 3);
+    for (seen, expected) in circles.iter().zip(expected) {
+        assert!(is_at(*seen, expected), "{seen:?}, {expected:?}");
+    }
+    // the staircase of what nothing beats, on to the right end
+    let stairs =
+        seen.lines().iter().filter(|line| line.class == "c6 line" && line.points.len() > 4);
+    let stairs = &{ stairs }.next_back().expect("a staircase").points;
+    let steps = [
+        of(2_000.0, 12.1),
+        of(20_000.0, 12.1),
+        of(20_000.0, 15.9),
+        of(900_000.0, 15.9),
+        of(900_000.0, 38.0),
+        of(1_800_000.0, 38.0),
+    ];
+    assert_eq!(stairs.len(), steps.len(), "{stairs:?}");
+    for (seen, expected) in stairs.iter().zip(steps) {
+        assert!(is_at(*seen, expected), "{seen:?}, {expected:?}");
+    }
+    assert!(seen.place("the law's code").is_some());
+    let named = "(1) 1 - alpha, proved: 3 ulp to 2^9";
+    assert!(seen.place(named).is_some(), "{svg}");
+    // a bar from the first to the third quartile
+    let bar = seen.lines().iter().find(|line| {
+        line.points.len() == 2
+            && is_at(line.points[0], of(19_900.0, 15.9))
+            && is_at(line.points[1], of(20_300.0, 15.9))
+    });
+    assert!(bar.is_some(), "{svg}");
+}

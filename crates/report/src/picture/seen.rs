@@ -113,21 +113,24 @@ impl Seen {
         &self.lines
     }
 
-    /// The scales of the only plot: numbers at the left end there, those below have their middle there.
+    /// The scales of the plot that was drawn first: numbers at the left end there, those below have their middle there.
     pub(crate) fn scales(&self, [is_x_logarithmic, is_y_logarithmic]: [bool; 2]) -> Scales {
-        let ends = |class: &str, along: fn(&Point) -> f64, is_logarithmic| {
-            let mut found = self.words.iter().filter(|(of, ..)| of == class);
-            let mut all = found
-                .by_ref()
-                .filter_map(|(_, at, text)| Some((text.parse::<f64>().ok()?, along(at))));
-            let first = all.next().expect("a number at an axis");
-            let last = all.last().expect("another number at an axis");
-            let (numbers, pixels) = ([first.0, last.0], [first.1, last.1]);
+        let across = |(x, y): Point| (x, y - 0.36 * super::NUMBERS);
+        let ends = |class: &str, turned: fn(Point) -> Point, is_logarithmic| {
+            let of_class = self.words.iter().filter(|(of, ..)| of == class);
+            let numbers = of_class
+                .filter_map(|(_, at, text)| Some((text.parse::<f64>().ok()?, turned(across(*at)))));
+            let all: Vec<(f64, Point)> = numbers.collect();
+            let first = all.first().expect("a number at an axis");
+            // in one row, or one column
+            let last = all.iter().rfind(|(_, at)| at.1 == first.1.1).expect("the first is one");
+            let (numbers, pixels) = ([first.0, last.0], [first.1.0, last.1.0]);
+            assert!(pixels[0] != pixels[1], "two numbers at an axis");
             Scale { numbers, pixels, is_logarithmic }
         };
         Scales {
-            x: ends("middle", |at| at.0, is_x_logarithmic),
-            y: ends("end", |at| at.1 - 0.36 * super::NUMBERS, is_y_logarithmic),
+            x: ends("middle", |at| at, is_x_logarithmic),
+            y: ends("end", |(x, y)| (y, x), is_y_logarithmic),
         }
     }
 }

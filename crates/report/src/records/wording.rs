@@ -470,7 +470,7 @@ mod tests {
     fn a_pair_is_called_by_its_materials_and_what_is_stated_of_it() {
         let study = Study { pairs: vec!["steel on ice".to_owned()], ..of_a_log() };
         let of = |of_pair, stated| {
-            let fit = PairFit { pair: of_pair, stated, ..study.fits[0].clone() };
+            let fit = PairFit { pair: of_pair, stated, ..study.fits[0] };
             pair(&fit, &study)
         };
         assert_eq!(of(0, [Some(0.25), Some(0.5)]), "steel on ice, mu = 0.25, e = 0.5");

@@ -410,3 +410,50 @@ fn the_axis_is_squeezed_alike_on_both_sides_of_one() {
     let sum = 2.0 * beyond(4.0) + beyond(12.0);
     assert!((sum - 0.5).abs() < 1e-15, "{sum}");
 }
+
+#[test]
+fn a_plane_has_a_box_where_it_fails() {
+    let mut all = made_up();
+    all.lines.clear();
+    all.planes[0].cells = vec![
+        cell(0, 0, None),
+        cell(0, 4, None),
+        cell(8, 0, Some(Fault::Lost)),
+        cell(8, 4, Some(Fault::Nan)),
+        cell(16, 0, Some(Fault::Lost)),
+        cell(16, 4, None),
+    ];
+    let svg = picture(&StabilityReport { command: String::new(), ..report(&all) });
+    let seen = crate::picture::seen::Seen::of(&svg);
+    let scales = seen.scales([false, false]);
+    // boxes by their inks, as those of the legend have them
+    let boxes = |ink: &str| -> Vec<[(String, String); 2]> {
+        seen.lines()
+            .iter()
+            .filter(|line| line.points.len() == 4 && line.class == ink)
+            .map(|line| [scales.told(line.points[0]), scales.told(line.points[2])])
+            .filter(|[from, _]| from.1.parse::<f64>().is_ok_and(|y| (0.0..=8.0).contains(&y)))
+            .collect()
+    };
+    let at = |x: &str, y: &str| (x.to_owned(), y.to_owned());
+    // a cell reaches to the next: 8 of one input, 4 of the other; neighbours of one fault are one box
+    assert_eq!(boxes("c4"), [[at("8", "4"), at("24", "0")]]);
+    assert_eq!(boxes(""), [[at("8", "8"), at("16", "4")]]);
+    assert_eq!(seen.place("log2 x").map(|(x, _)| x > 0.0), Some(true));
+}
+
+#[test]
+fn strips_of_a_formula_are_named_by_what_it_is_and_the_sign_of_its_input() {
+    let mut all = made_up();
+    let mut below = line(0, "f64", -2.0, 1300);
+    below.negative = true;
+    below.ranges = vec![range(Fault::Lost, -4.0, -2.0, 100)];
+    all.lines.push(below);
+    let svg = picture(&report(&all));
+    let seen = crate::picture::seen::Seen::of(&svg);
+    let name = "(1)  d = x + 1 with (2), (3)";
+    assert!(seen.place(name).is_some(), "{svg}");
+    assert!(seen.place(&format!("{name}, x &lt; 0")).is_some(), "{svg}");
+    // what does not fail has no strip
+    assert!(!svg.contains("1 + x"), "{svg}");
+}
