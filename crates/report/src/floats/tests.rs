@@ -154,7 +154,9 @@ fn half_lost_of(core: &Core, found: &Certified) -> String {
 }
 
 fn jump() -> Account {
-    let core = core("(FPCore (x) :name \"jump\" :pre (<= 0 x 1) (if (< (* 1/8 x) 1/16) 0 1))");
+    let text = "(FPCore (x) :name \"jump\" :cite (someone) :pre (and (<= 0 x 1) (< (* x x) 2)) \
+                (if (< (* 1/8 x) 1/16) 0 1))";
+    let core = core(text);
     let decision = decision::decisions(&core).remove(0);
     assert_eq!(decision.rel, Rel::Lt);
     let of = |wrong, wrong_near, holds| Decided {
@@ -344,6 +346,9 @@ fn a_comparison_is_told_for_programs_with_both_its_sides() {
     let mut first = decisions[0].clone();
     let side = |text: &Value| core(text.as_str().expect("a text")).text();
     assert_eq!([side(&first["left"]), side(&first["right"])], ["0.125*x", "0.0625"]);
+    // a side is no more than itself over its ranges
+    let left = first["left"].as_str().unwrap_or_default();
+    assert!(!["jump", "someone", "(* x x)"].iter().any(|more| left.contains(more)), "{left}");
     first["left"].take();
     first["right"].take();
     assert_eq!(

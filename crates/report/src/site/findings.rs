@@ -410,4 +410,40 @@ mod tests {
         );
         assert_eq!(told(&[]), None);
     }
+
+    #[test]
+    fn what_digits_cost_is_told_apart_from_what_is_wrong() {
+        use crate::chart::{ChartReport, readings, timed};
+        use kane_measure::chart::{Accuracy, Measured, Time, registry};
+        let measured = |worst, picoseconds| {
+            let mut method = registry().remove(0);
+            (method.law, method.name, method.text) = ("law", "law", "1");
+            method.system = kane_number::System::F64;
+            let (median, quartiles) = (picoseconds, (picoseconds, picoseconds));
+            Measured {
+                method,
+                accuracy: Accuracy {
+                    worst,
+                    median: worst,
+                    at: 0.5,
+                    ulps: None,
+                    greatest: 1.0,
+                    tried: 9,
+                },
+                cost: None,
+                proved: None,
+                time: Some(Time { median, quartiles, rounds: 3 }),
+            }
+        };
+        let told = |all: &[Measured]| {
+            let chart = ChartReport { all, machine: String::new(), command: String::new() };
+            let readings = readings(&timed(&chart));
+            [speed(&readings), rewriting(&readings)].map(|words| words.plain())
+        };
+        let right = "The price of a digit: f64, the law's code: 15.9 digits in 3.00 ns.";
+        let wrong = "The same k by another formula: f64, rewritten, the law's code: no digit is right, in 1.00 ns.";
+        assert_eq!(told(&[measured(1590, 3_000), measured(0, 1_000)]), [right, wrong]);
+        assert_eq!(told(&[measured(1590, 3_000)]), [right, ""]);
+        assert_eq!(told(&[measured(0, 1_000)]), ["", wrong]);
+    }
 }
