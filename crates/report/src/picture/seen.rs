@@ -122,8 +122,11 @@ impl Seen {
                 .filter_map(|(_, at, text)| Some((text.parse::<f64>().ok()?, turned(across(*at)))));
             let all: Vec<(f64, Point)> = numbers.collect();
             let first = all.first().expect("a number at an axis");
-            // in one row, or one column
-            let last = all.iter().rfind(|(_, at)| at.1 == first.1.1).expect("the first is one");
+            // in one row, or one column, and on in one direction: then another plot begins
+            let axis = all.iter().filter(|(_, at)| at.1 == first.1.1).collect::<Vec<_>>();
+            let way = |pair: &[&(f64, Point)]| pair[1].1.0 > pair[0].1.0;
+            let on = axis.windows(2).take_while(|pair| way(pair) == way(&axis[..2])).count();
+            let last = axis[on];
             let (numbers, pixels) = ([first.0, last.0], [first.1.0, last.1.0]);
             assert!(pixels[0] != pixels[1], "two numbers at an axis");
             Scale { numbers, pixels, is_logarithmic }

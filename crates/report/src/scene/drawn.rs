@@ -222,8 +222,10 @@ fn of_many_bodies_the_first_and_the_last_position_are_drawn() {
         frame.bodies = (0..5).map(moved).collect();
     }
     many.radii = vec![0.1; 5];
-    many.paths = vec![vec![[0.0, 1.0]]; 5];
-    assert_eq!(Seen::of(&drawn_motion(&many)).circles().len(), 10);
+    many.paths = vec![vec![[0.0, 1.0], [6.0, 1.0]]; 5];
+    let seen = Seen::of(&drawn_motion(&many));
+    let of_first = [&seen.circles()[0], &seen.circles()[5]].map(|circle| circle.at);
+    assert_eq!((metres(&seen, of_first[0], of_first[1]), seen.circles().len()), ((2.0, 0.0), 10));
     many.radii.truncate(4);
     assert_eq!(Seen::of(&drawn_motion(&many)).circles().len(), 12);
 }
@@ -248,6 +250,8 @@ fn a_caption_says_what_is_drawn() {
     says(&leaving, "The impact, at the start. Arrows: velocities after the last impact.");
     let many = Strobe { radii: vec![0.5; 5], ..strobe() };
     says(&many, "First and last position (full), and the ways between.");
+    let four = Strobe { radii: vec![0.5; 4], ..strobe() };
+    says(&four, &format!("Every 0.25 s, {later}"));
 }
 
 #[test]
@@ -335,4 +339,98 @@ fn each_model_with_an_error_stands_at_its_cost() {
     assert!(!svg.contains("estimated"));
     answer.known = Some(Known::Estimated);
     assert!(compare_picture(&report(&answer)).contains("worst error by its tolerance, estimated"));
+}
+
+#[test]
+fn velocities_and_forces_stand_at_their_time_in_microseconds() {
+    use kane_scene::simulate::{ContactTime, Moment};
+    let moment = |time: f64, velocities: [f64; 2], force: f64| Moment {
+        time,
+        velocities: velocities.to_vec(),
+        forces: vec![force],
+    };
+    let contact = ContactTime {
+        moments: vec![
+            moment(0.0, [2.0, 0.0], 0.0),
+            moment(1e-5, [1.0, 1.5], 4000.0),
+            moment(2e-5, [-0.5, 2.5], 0.0),
+        ],
+    };
+    let answer = answer(world(vec![round(20)]));
+    let svg = contact_picture::contact_picture(&report(&answer), &contact);
+    let seen = Seen::of(&svg);
+    // the upper panel, whose axes were drawn first
+    let scales = seen.scales([false, false]);
+    let dots: Vec<(String, String)> =
+        seen.circles().iter().take(6).map(|dot| scales.told(dot.at)).collect();
+    let pair = |x: &str, y: &str| (x.to_owned(), y.to_owned());
+    assert_eq!(
+        dots,
+        [
+            pair("0", "2"),
+            pair("10", "1"),
+            pair("20", "-0.5"),
+            pair("0", "0"),
+            pair("10", "1.5"),
+            pair("20", "2.5"),
+        ]
+    );
+    let names = ["sphere 1", "sphere 2", "1 on 2", "time since the first touch, µs"];
+    assert!(names.iter().all(|name| seen.place(name).is_some()), "{svg}");
+    // the force has the colour of the sphere that is pushed, and is at its greatest in the middle
+    let classes: Vec<&str> = seen.circles().iter().map(|dot| dot.class.as_str()).collect();
+    assert_eq!((classes[3], classes.len()), (classes[6], 9));
+    let heights: Vec<f64> = seen.circles()[6..].iter().map(|dot| dot.at.1).collect();
+    assert!(heights[1] < heights[0] && heights[0] == heights[2], "{heights:?}");
+}
+
+#[test]
+fn an_impulse_stands_in_its_plane_and_what_is_beside_the_sheet_is_named() {
+    use kane_scene::{Event, ImpulsePlane, PlaneLine};
+    let plane = ImpulsePlane {
+        frame: [[-2.0, -1.0], [2.0, 3.0]],
+        lines: vec![
+            (PlaneLine::Cone, [[0.0, 0.0], [1.5, 3.0]]),
+            (PlaneLine::Stick, [[-1.0, 3.0], [1.0, -1.0]]),
+        ],
+        path: vec![
+            (Event::Start, [0.0, 0.0]),
+            (Event::Stick, [-0.5, 1.0]),
+            (Event::End, [0.5, 2.0]),
+        ],
+        equal_energy: vec![[0.0, 0.0], [1.0, 1.0], [0.0, 2.0]],
+        ends: vec![(vec!["near"], [1.0, 2.5]), (vec!["far", "away"], [1.0, 3.5])],
+    };
+    let svg = drawn_impulse("Made up", "kane", &plane);
+    assert!(svg.contains("Outside of the sheet: far, away."), "{svg}");
+    let seen = Seen::of(&svg);
+    let scales = seen.scales([false, false]);
+    let pair = |x: &str, y: &str| (x.to_owned(), y.to_owned());
+    // the events, and the ring where the law ends; one ring is in the legend
+    let dots: Vec<_> = seen.circles().iter().skip(1).map(|dot| scales.told(dot.at)).collect();
+    assert_eq!(dots, [pair("0", "0"), pair("-0.5", "1"), pair("0.5", "2"), pair("1", "2.5")]);
+    let lines: Vec<Vec<_>> = seen
+        .lines()
+        .iter()
+        .map(|line| line.points.iter().map(|at| scales.told(*at)).collect())
+        .collect();
+    let has = |ends: &[(&str, &str)]| {
+        let wanted: Vec<_> = ends.iter().map(|(x, y)| pair(x, y)).collect();
+        assert!(lines.contains(&wanted), "{ends:?}: {lines:#?}");
+    };
+    has(&[("0", "0"), ("1.5", "3")]);
+    has(&[("-1", "3"), ("1", "-1")]);
+    has(&[("0", "0"), ("-0.5", "1"), ("0.5", "2")]);
+    has(&[("0", "0"), ("1", "1"), ("0", "2")]);
+    // words stand away from the axis of the cone
+    let beside = |words: &str| seen.place(words).map(|(x, _)| x).expect(words);
+    let at = |index: usize| seen.circles()[index].at.0;
+    assert!(beside("sticks") < at(2) && beside("impulse") > at(3), "{svg}");
+    let quiet = ImpulsePlane { path: vec![], ends: vec![], ..plane };
+    let svg = drawn_impulse("Made up", "kane", &quiet);
+    let seen = Seen::of(&svg);
+    assert!(
+        seen.place("the impulse as it grows").is_none() && seen.place("where laws end").is_none()
+    );
+    assert!(!svg.contains("Outside of the sheet"), "{svg}");
 }

@@ -684,3 +684,17 @@ fn how_a_motion_ends_is_told_with_its_time_and_its_impacts() {
         assert!(text.contains(&expected), "{text}");
     }
 }
+
+#[test]
+fn an_exact_answer_is_told_as_it_is_unless_it_is_long() {
+    let text = |exact: &str| {
+        let mut answer = answer(world(vec![round(20)]));
+        answer.lines = vec![Line { exact: Some(exact.to_owned()), ..line(Kind::K, 0) }];
+        answer.judged = vec![judged(Verdict::Meets)];
+        sheet(&report(&answer)).text(crate::sheet::Page::default())
+    };
+    let long = |digits: usize| format!("1/{}", "4".repeat(digits));
+    assert!(text(&long(22)).contains(&long(22)));
+    let told = text(&long(23));
+    assert!(!told.contains("1/4") && told.contains(" 0.25 "), "{told}");
+}
