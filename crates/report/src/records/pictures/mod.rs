@@ -144,6 +144,40 @@ mod tests {
     }
 
     #[test]
+    fn a_law_that_asks_e_has_a_curve_for_each_and_others_have_one() {
+        use kane_records::friction::{FrictionFit, FrictionLaw};
+        let stated = |e: f64, alpha: f64| Spot { stated: Some(e), ..spot(alpha, 0.5) };
+        let names = |law| {
+            let fit = FrictionFit {
+                law,
+                rows: 10,
+                consistent: 10,
+                close: 10,
+                rough: 10,
+                worst: 0.0,
+                median: 0.0,
+                worst_line: 0,
+                tied: false,
+            };
+            let study = of(vec![stated(0.5, 0.5), stated(0.9, 2.0)]);
+            let svg = ratio(&Study { friction: vec![fit], ..study }).expect("a picture");
+            let seen = Seen::of(&svg);
+            let all = [
+                "Coulomb, stops the slip",
+                "mu*p_n/(1 + e), e = 0.5",
+                "mu*p_n/(1 + e), e = 0.9",
+                "Walton, beta0 = 0.25",
+            ];
+            all.into_iter().filter(|name| seen.place(name).is_some()).collect::<Vec<_>>()
+        };
+        let coulomb = "Coulomb, stops the slip";
+        let of_e = ["mu*p_n/(1 + e), e = 0.5", "mu*p_n/(1 + e), e = 0.9"];
+        assert_eq!(names(FrictionLaw::Compression), [coulomb, of_e[0], of_e[1]]);
+        assert_eq!(names(FrictionLaw::Walton(0.25)), [coulomb, "Walton, beta0 = 0.25"]);
+        assert_eq!(names(FrictionLaw::Coulomb), [coulomb]);
+    }
+
+    #[test]
     fn a_disc_is_where_energy_is_created_and_a_ring_where_it_is_not() {
         let gain = |alpha: f64, gain: f64, gains: bool| Spot { gain, gains, ..spot(alpha, 0.0) };
         let spots = vec![
