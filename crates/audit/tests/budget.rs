@@ -47,6 +47,7 @@ fn hostile() -> Vec<String> {
             .to_owned(),
         "var x, y\nclaim a: x^10000 + y^10000 > 3*x^5001*y^4999 when x^9999 > 7*y".to_owned(),
         "var x, y, z\nclaim a: (x + y + z + 1)^60 != (x - y + 2*z)^61".to_owned(),
+        format!("var m > {0}2{0}\nclaim a: m > 2", "|".repeat(100)),
     ]
 }
 

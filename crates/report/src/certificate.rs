@@ -457,3 +457,135 @@ fn sign(sign: Sign) -> &'static str {
 fn rational(q: &BigRational) -> String {
     q.to_string()
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    /// The claims of the file of a document of these statements.
+    fn told(statements: &str) -> Vec<Value> {
+        let text = format!("# T\n\n```kane\n{statements}```\n");
+        let document = read("made-up.md", text.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let file = certificates(&Report::new(&audit, "kane audit made-up.md"));
+        let file: Value = serde_json::from_str(&file).expect("JSON");
+        assert_eq!(
+            [&file["document"], &file["sha256"]],
+            [&json!("made-up.md"), &json!(audit.document.sha256())]
+        );
+        file["claims"].as_array().expect("a list").clone()
+    }
+
+    fn number(text: &Value) -> BigRational {
+        text.as_str().and_then(|text| text.parse().ok()).expect("a fraction")
+    }
+
+    #[test]
+    fn each_claim_has_its_label_and_its_verdict_and_each_link_its_finding() {
+        let claims = told(
+            "var x\ngiven (g): x > 1\nclaim (1): x^2 >= 0\nclaim b: x > 2\nclaim c: 1 < x <= 0 from g\n\
+             claim e: 1/(x - x) = 0\nclaim f: x^2 >= 0, x^2 + 1 > 0\n",
+        );
+        let told: Vec<Value> = claims
+            .iter()
+            .map(|claim| {
+                let links = claim["links"].as_array().expect("a list");
+                let findings: Vec<&Value> = links.iter().map(|link| &link["finding"]).collect();
+                json!([claim["label"], claim["verdict"], findings])
+            })
+            .collect();
+        assert_eq!(
+            told,
+            [
+                json!(["1", "proved", ["proved"]]),
+                json!(["b", "refuted", ["refuted"]]),
+                json!(["c", "refuted", ["proved", "refuted"]]),
+                json!(["e", "ill-defined", ["ill-defined"]]),
+                json!(["f", "proved", ["proved", "proved"]]),
+            ]
+        );
+        // only what is sought has a witness
+        assert!(claims.iter().all(|claim| claim.get("witness").is_none()), "{claims:?}");
+    }
+
+    #[test]
+    fn what_was_found_for_what_is_sought_stands_in_the_file() {
+        let claims = told("var x, y\nclaim a: exists m: m = 2*x\n");
+        let witness = claims[0]["witness"].as_object().expect("an object");
+        assert_eq!(witness.keys().collect::<Vec<_>>(), ["m"]);
+        assert_eq!(witness["m"].as_str().map(|text| text.replace(' ', "")), Some("2*x".to_owned()));
+    }
+
+    #[test]
+    fn a_counterexample_is_a_point_at_which_the_claim_fails() {
+        let claims = told("var x\ngiven (g): x > 1\nclaim a: x > 2 from g\n");
+        let link = &claims[0]["links"][0];
+        let point = &link["evidence"]["point"];
+        assert_eq!(point["theta"], Value::Null);
+        let [value] = point["values"]["x"].as_array().expect("a list").as_slice() else {
+            panic!("one coefficient: {point}")
+        };
+        let [one, two] = [1, 2].map(|n| BigRational::from_integer(n.into()));
+        assert!(one < number(value) && number(value) <= two, "{point}");
+    }
+
+    #[test]
+    fn an_irrational_counterexample_is_told_by_its_polynomial_and_where_its_root_is() {
+        let claims = told("var x > 0\nclaim a: x^2 != 2\n");
+        let point = &claims[0]["links"][0]["evidence"]["point"];
+        let theta = &point["theta"];
+        let poly: Vec<BigRational> =
+            theta["poly"].as_array().expect("a list").iter().map(number).collect();
+        let [constant, linear, square] = poly.as_slice() else { panic!("degree two: {theta}") };
+        let two = BigRational::from_integer(2.into());
+        // t² − 2, or a multiple of it
+        assert_eq!((*constant == -square * &two, linear.to_string()), (true, "0".to_owned()));
+        let [from, to] = ["from", "to"].map(|end| number(&theta[end]));
+        let squares = [&from * &from, &to * &to];
+        assert!(squares.iter().min() < Some(&two) && Some(&two) < squares.iter().max(), "{theta}");
+        // x is the root or its opposite: no coefficient after the last that is not 0
+        let x = point["values"]["x"].as_array().expect("a list");
+        let expected = if from.numer().sign() == num_bigint::Sign::Minus { "-1" } else { "1" };
+        assert_eq!(x, &[json!("0"), json!(expected)]);
+    }
+
+    #[test]
+    fn roots_are_listed_and_named_by_their_places() {
+        let claims = told("var x, y\nclaim a: sqrt(x^2 + 1) + sqrt(y^2 + 2) > 0\n");
+        let link = &claims[0]["links"][0];
+        let mut roots: Vec<String> = link["roots"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|root| root.as_str().unwrap_or_default().replace(' ', ""))
+            .collect();
+        roots.sort();
+        assert_eq!(roots, ["sqrt(x^2+1)", "sqrt(y^2+2)"]);
+        let evidence = link["evidence"].to_string();
+        let names = evidence.split("\"sqrt:").skip(1).filter_map(|rest| rest.split('"').next());
+        let places: Vec<usize> = names.filter_map(|place| place.parse().ok()).collect();
+        assert!(!places.is_empty() && places.iter().all(|place| *place < 2), "{evidence}");
+        assert!(!evidence.contains("lim:") && !evidence.contains("\"t:\""), "{evidence}");
+    }
+
+    #[test]
+    fn premises_are_those_that_are_cited_where_these_are_enough() {
+        let claims = told(
+            "var x, y\ngiven g: y > 1\nclaim b: y^2 > 1 from g\ngiven h: x > y^2\nclaim c: x > 1 from b, h\n",
+        );
+        for claim in &claims {
+            assert_eq!(claim["links"][0]["premises"], "cited", "{claim}");
+        }
+        assert_eq!(claims.len(), 2);
+    }
+
+    #[test]
+    fn signs_and_fractions_are_told_as_the_checkers_read_them() {
+        let signs = [Sign::Zero, Sign::NonZero, Sign::NonNegative, Sign::Positive].map(sign);
+        assert_eq!(signs, ["=0", "!=0", ">=0", ">0"]);
+        let half = BigRational::new((-1).into(), 2.into());
+        assert_eq!([rational(&half), rational(&half.floor())], ["-1/2", "-1"]);
+    }
+}

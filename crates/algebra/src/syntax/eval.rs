@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use kane_kernel::{Context, Expr, Rel, Relation};
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed as _, Zero as _};
 
 use super::jet::Jet;
 use super::no_value::{NoValue, both};
@@ -163,6 +163,11 @@ impl<'a> Evaluator<'a> {
     }
 
     fn magnitude(&mut self, a: &Expr) -> Result<Jet, NoValue> {
+        if self.moved.is_empty() {
+            // looked at once: twice would double the work for each magnitude in another
+            let a = self.jet(a)?;
+            return Ok(if a.real().is_negative() { a.neg() } else { a });
+        }
         let order = self.compare(a, &Expr::int(0))?;
         let a = self.jet(a)?;
         Ok(if order.is_lt() { a.neg() } else { a })

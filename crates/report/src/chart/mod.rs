@@ -4,6 +4,8 @@ mod data;
 mod overview;
 mod picture;
 mod sheet;
+#[cfg(test)]
+mod tests;
 
 use kane_measure::chart::{DOMAIN, Measured, Method, Proved, Time, contradictions};
 use kane_number::Rational;

@@ -4,6 +4,8 @@
 mod figures;
 mod json;
 mod source;
+#[cfg(test)]
+mod tests;
 
 use kane_floats::rigor::{Bounded, Pole};
 use kane_floats::text::{decimal, infix};

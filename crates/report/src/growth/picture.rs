@@ -229,3 +229,195 @@ fn digits(canvas: &mut Canvas, frame: Frame, chain: &Chain) {
     }
     panel.named(canvas, &lines);
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_measure::chart::Time;
+    use kane_measure::growth::{Batch, Bounce, Digits, Rows, Way};
+
+    use super::*;
+    use crate::picture::seen::Seen;
+
+    const AT: Frame = Frame { at: (0.0, 0.0), size: PANEL, head: 30.0, beside: NAMES };
+
+    fn bounce(n: usize) -> Bounce {
+        Bounce { n, bits: None, digits: Vec::new(), times: Vec::new() }
+    }
+
+    fn growth() -> Growth {
+        let rows = |rows, median| Rows {
+            rows,
+            time: Time { median, quartiles: (median, median), rounds: 3 },
+        };
+        let first = Bounce {
+            bits: Some(700),
+            times: vec![(System::F64, 4_000), (System::Rational, 123_456_000)],
+            digits: vec![
+                (System::F64, Digits { right: Some(1500), certain: None }),
+                (System::Interval, Digits { right: Some(i64::MAX), certain: Some(1400) }),
+            ],
+            ..bounce(1)
+        };
+        let second = Bounce { bits: Some(1_400), ..bounce(2) };
+        let last = Bounce {
+            times: vec![(System::F64, 5_000)],
+            digits: vec![(System::F64, Digits { right: Some(50), certain: None })],
+            ..bounce(100)
+        };
+        let other =
+            Bounce { times: vec![(System::F64, 9), (System::Rational, 7_000)], ..bounce(1) };
+        let asked = |size, verdict, steps, time| Asked { size, verdict, link: None, steps, time };
+        Growth {
+            batches: vec![Batch {
+                name: "kernel",
+                way: Way::Columns,
+                points: vec![rows(10, 2_500), rows(1_000_000, 750)],
+            }],
+            chains: vec![
+                Chain { law: "first", bounces: vec![first, second, last], ended: Vec::new() },
+                Chain { law: "second", bounces: vec![other], ended: Vec::new() },
+            ],
+            families: vec![Family {
+                name: "sums",
+                grows: "variables",
+                asked: vec![
+                    asked(2, Verdict::Proved, 30, Some(4_000_000)),
+                    asked(8, Verdict::Undecided, 500, None),
+                ],
+            }],
+        }
+    }
+
+    fn report(growth: &Growth) -> GrowthReport<'_> {
+        GrowthReport { growth, machine: "a machine".to_owned(), command: "kane growth".to_owned() }
+    }
+
+    fn told(plot: &Plot) -> Vec<(&str, &[Point])> {
+        plot.curves.iter().map(|curve| (curve.name.as_str(), curve.points.as_slice())).collect()
+    }
+
+    #[test]
+    fn times_of_a_row_are_in_nanoseconds_and_those_of_a_claim_in_microseconds() {
+        let growth = growth();
+        let report = report(&growth);
+        assert_eq!(told(&batches(&report)), [("kernel", &[(10.0, 2.5), (1e6, 0.75)][..])]);
+        let [size, time] = chains(&report);
+        assert_eq!((size.y, time.y), ("bits", "ns"));
+        assert_eq!(told(&size), [("first", &[(1.0, 700.0), (2.0, 1400.0)][..])]);
+        // all systems of the first law, and the exact one of the others
+        assert_eq!(
+            told(&time),
+            [
+                ("first, rational", &[(1.0, 123_456.0)][..]),
+                ("first, f64", &[(1.0, 4.0), (100.0, 5.0)][..]),
+                ("second, rational", &[(1.0, 7.0)][..]),
+            ]
+        );
+        let [steps, time] = audits(&report);
+        assert_eq!((steps.y, time.y), ("steps", "us"));
+        assert_eq!(told(&steps), [("sums", &[(2.0, 30.0), (8.0, 500.0)][..])]);
+        assert_eq!(told(&time), [("sums", &[(2.0, 4.0)][..])]);
+        assert_eq!(steps.curves[0].undecided, Some((8.0, 500.0)));
+        assert_eq!(time.curves[0].undecided, None);
+    }
+
+    #[test]
+    fn a_large_number_is_the_same_as_a_float() {
+        let told = [0, 7, 999, 1_000, 1_001, 4_294_967_295_999, 123_456_789_012].map(float);
+        let expected = [0.0, 7.0, 999.0, 1_000.0, 1_001.0, 4_294_967_295_999.0, 123_456_789_012.0];
+        assert_eq!(told, expected);
+    }
+
+    /// What the dots say: places of them by the numbers at the axes.
+    fn dots(canvas: Canvas, logarithmic: [bool; 2]) -> Vec<(String, String)> {
+        let seen = Seen::of(&canvas.finish());
+        let scales = seen.scales(logarithmic);
+        seen.circles().iter().map(|dot| scales.told(dot.at)).collect()
+    }
+
+    fn pair(x: &str, y: &str) -> (String, String) {
+        (x.to_owned(), y.to_owned())
+    }
+
+    #[test]
+    fn a_curve_goes_through_its_points_and_a_cross_is_where_it_is_undecided() {
+        let mut canvas = Canvas::new(PANEL, "", &[]);
+        let points = vec![(2.0, 30.0), (20.0, 500.0), (200.0, 50.0)];
+        let mut of = curve(0, "a curve", points);
+        of.undecided = Some((20.0, 500.0));
+        let plot = plot("A plot", "size", "steps", [of].into_iter());
+        log_log(&mut canvas, AT, &plot);
+        let seen = Seen::of(&canvas.finish());
+        let scales = seen.scales([true, true]);
+        let dots: Vec<_> = seen.circles().iter().map(|dot| scales.told(dot.at)).collect();
+        assert_eq!(dots, [pair("2", "30"), pair("20", "500"), pair("200", "50")]);
+        let centre = seen.circles()[1].at;
+        let crossing: Vec<[Point; 2]> = seen
+            .lines()
+            .iter()
+            .rev()
+            .take(2)
+            .map(|line| {
+                [0, 1].map(|end| (line.points[end].0 - centre.0, line.points[end].1 - centre.1))
+            })
+            .map(|ends| ends.map(|(x, y)| ((x * 10.0).round() / 10.0, (y * 10.0).round() / 10.0)))
+            .collect();
+        assert_eq!(crossing, [[(-6.0, 6.0), (6.0, -6.0)], [(-6.0, -6.0), (6.0, 6.0)]]);
+        assert!(seen.place("a curve").is_some() && seen.place("A plot").is_some());
+    }
+
+    #[test]
+    fn digits_of_a_chain_stand_at_their_bounce() {
+        let growth = growth();
+        let mut canvas = Canvas::new(PANEL, "", &[]);
+        digits(&mut canvas, AT, &growth.chains[0]);
+        // f64, then what is right and what is certain of the interval; what has no error is drawn at 38
+        let expected = [pair("1", "15"), pair("100", "0.5"), pair("1", "38"), pair("1", "14")];
+        assert_eq!(dots(canvas, [true, false]), expected);
+    }
+
+    #[test]
+    fn a_picture_has_a_panel_for_each_curve_that_was_measured() {
+        let growth = growth();
+        let captions = |question| {
+            let svg = picture(&report(&growth), question).expect("a picture");
+            let seen = Seen::of(&svg);
+            let all = [
+                "Rows in a batch",
+                "An exact chain of bounces: its size",
+                "A chain of bounces: time of one",
+                "first: digits of the slip",
+                "second: digits of the slip",
+                "The audit: steps of search",
+                "The audit: time",
+            ];
+            let found = all.into_iter().filter_map(|caption| Some((caption, seen.place(caption)?)));
+            found.map(|(caption, (x, y))| (caption, x > PANEL.0, y > PANEL.1)).collect::<Vec<_>>()
+        };
+        assert_eq!(captions(Question::Batch), [("Rows in a batch", false, false)]);
+        assert_eq!(
+            captions(Question::Chain),
+            [
+                ("An exact chain of bounces: its size", false, false),
+                ("A chain of bounces: time of one", true, false),
+                ("first: digits of the slip", false, true),
+                ("second: digits of the slip", true, true),
+            ]
+        );
+        let audit =
+            [("The audit: steps of search", false, false), ("The audit: time", true, false)];
+        assert_eq!(captions(Question::Audit), audit);
+        let nothing = Growth { batches: vec![], chains: vec![], families: vec![] };
+        for question in [Question::Batch, Question::Chain, Question::Audit] {
+            assert!(picture(&report(&nothing), question).is_none());
+            assert!(question.text().ends_with('?'));
+        }
+        let unasked = Growth {
+            batches: vec![Batch { points: vec![], ..growth.batches[0].clone() }],
+            families: vec![Family { asked: vec![], ..growth.families[0].clone() }],
+            chains: vec![],
+        };
+        assert!(picture(&report(&unasked), Question::Batch).is_none());
+        assert!(picture(&report(&unasked), Question::Audit).is_none());
+    }
+}

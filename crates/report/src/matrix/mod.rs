@@ -93,3 +93,67 @@ pub(crate) fn parameters(row: &Row) -> String {
     let pairs = row.law.parameters().into_iter().map(|(name, value)| format!("{name} = {value}"));
     pairs.collect::<Vec<_>>().join(", ")
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_impact::{law, laws};
+    use kane_matrix::{Cell, PROPERTIES};
+
+    use super::*;
+
+    fn row(id: &str, findings: &[Finding]) -> Row {
+        let cell = |finding: &Finding| Cell {
+            finding: *finding,
+            reason: String::new(),
+            parts: Vec::new(),
+            witness: Vec::new(),
+        };
+        Row {
+            law: law(id).expect("it is known").clone(),
+            cells: findings.iter().map(cell).collect(),
+        }
+    }
+
+    #[test]
+    fn a_cell_says_yes_only_where_something_is_proved() {
+        assert_eq!(FINDINGS.map(mark), ["yes", "no", "-", "?"]);
+        assert_eq!(FINDINGS.map(word), ["proved", "refuted", "not applicable", "undecided"]);
+    }
+
+    #[test]
+    fn the_headline_counts_laws_properties_and_findings() {
+        use Finding::{NotApplicable, Proved, Refuted, Undecided};
+        let headline = |rows: Vec<Row>| {
+            let columns = rows.first().map_or(0, |row| row.cells.len());
+            let matrix = Matrix { properties: PROPERTIES.iter().take(columns).collect(), rows };
+            MatrixReport { matrix: &matrix, command: String::new() }.headline()
+        };
+        assert_eq!(headline(vec![row("walton", &[Proved])]), "1 law, 1 property: 1 proved");
+        assert_eq!(
+            headline(vec![
+                row("walton", &[Proved, Undecided, Refuted]),
+                row("garwin", &[Proved, NotApplicable, Refuted]),
+            ]),
+            "2 laws, 3 properties: 2 proved, 2 refuted, 1 not applicable, 1 undecided"
+        );
+    }
+
+    #[test]
+    fn what_must_not_be_missed_of_a_law_is_marked_and_told() {
+        let (with, without): (Vec<_>, Vec<_>) =
+            laws().iter().partition(|law| law.info.caveat.is_some());
+        let (with, without) = (with[0].info.id, without[0].info.id);
+        assert_eq!(marked(&row(with, &[])), format!("{with}†"));
+        assert_eq!(marked(&row(without, &[])), without);
+        let matrix =
+            Matrix { properties: Vec::new(), rows: vec![row(without, &[]), row(with, &[])] };
+        let caveat = law(with).and_then(|law| law.info.caveat).expect("it has one");
+        assert_eq!(caveats(&matrix), [format!("† {with}: {caveat}.")]);
+    }
+
+    #[test]
+    fn a_law_is_told_with_its_own_parameters() {
+        assert_eq!(parameters(&row("routh-newton", &[])), "");
+        assert!(parameters(&row("walton", &[])).starts_with("beta0 = "));
+    }
+}

@@ -161,3 +161,70 @@ fn cells(canvas: &mut Canvas, finding: Finding, places: &[Point]) {
         canvas.ring(at, 9.0, Pen::new(ink, 1.0));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_impact::laws;
+    use kane_matrix::{Cell, Matrix, PROPERTIES, Row};
+
+    use super::*;
+
+    /// Rows of cells by letters: `y` proved, `n` refuted, `-` not applicable.
+    fn matrix(rows: &[&str]) -> Matrix {
+        let cell = |letter: char| Cell {
+            finding: match letter {
+                'y' => Finding::Proved,
+                'n' => Finding::Refuted,
+                _ => Finding::NotApplicable,
+            },
+            reason: String::new(),
+            parts: Vec::new(),
+            witness: Vec::new(),
+        };
+        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
+            law: law.clone(),
+            cells: letters.chars().map(cell).collect(),
+        };
+        let count = rows.first().map_or(0, |row| row.len());
+        Matrix {
+            properties: PROPERTIES.iter().take(count).collect(),
+            rows: laws().iter().zip(rows).map(row).collect(),
+        }
+    }
+
+    #[test]
+    fn what_every_law_has_is_said_in_words_and_what_one_lacks_is_drawn() {
+        let told = |rows: &[&str]| {
+            let matrix = matrix(rows);
+            let (drawn, all) = columns(&MatrixReport { matrix: &matrix, command: String::new() });
+            let drawn: Vec<usize> = drawn.iter().map(|column| column.index).collect();
+            (drawn, all)
+        };
+        let id = |index: usize| PROPERTIES[index].id;
+        assert_eq!(told(&["yny", "yyy"]), (vec![1], vec![id(0), id(2)]));
+        // what has no meaning for a law is not had by it
+        assert_eq!(told(&["y-", "yy"]), (vec![1], vec![id(0)]));
+        // unless nothing would be left
+        assert_eq!(told(&["yy", "yy"]), (vec![0, 1], vec![]));
+        assert_eq!(told(&["nn", "yn"]), (vec![0, 1], vec![]));
+    }
+
+    #[test]
+    fn columns_of_one_group_stand_together() {
+        let width = PROPERTIES.len();
+        let matrix = matrix(&["n".repeat(width).as_str()]);
+        let (drawn, _) = columns(&MatrixReport { matrix: &matrix, command: String::new() });
+        let groups: Vec<&str> = drawn.iter().map(|column| column.property.group).collect();
+        let mut runs = groups.clone();
+        runs.dedup();
+        let mut names = groups.clone();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!((groups.len(), runs.len()), (width, names.len()));
+        for pair in drawn.windows(2) {
+            let apart = pair[1].left - pair[0].left;
+            let same = pair[0].property.group == pair[1].property.group;
+            assert_eq!(apart, if same { CELL.0 } else { CELL.0 + APART });
+        }
+    }
+}

@@ -12,6 +12,8 @@ mod clip;
 mod legend;
 mod palette;
 mod panel;
+#[cfg(test)]
+pub(crate) mod seen;
 mod strip;
 mod trace;
 

@@ -62,3 +62,59 @@ pub(crate) fn strips(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::seen::Seen;
+    use super::*;
+
+    #[test]
+    fn a_bar_lies_beside_its_name_over_its_part_of_the_axis() {
+        let bar = |domain, parts| Bar { domain, parts };
+        let all = [
+            Strip {
+                name: "first".to_owned(),
+                bars: vec![
+                    bar((0.0, 0.5), vec![((0.25, 0.5), Ink::BLUE)]),
+                    bar((0.5, 1.0), vec![((0.5, 0.75), Ink::GREEN), ((2.0, 3.0), Ink::BLUE)]),
+                ],
+            },
+            Strip {
+                name: "second".to_owned(),
+                bars: vec![bar((-1.0, 1.0), vec![((0.1, 0.1), Ink::BLUE)])],
+            },
+        ];
+        let ticks = [(0.0, "0".to_owned()), (0.5, "1/2".to_owned())];
+        let mut canvas = Canvas::new((300.0, 200.0), "", &[]);
+        strips(&mut canvas, (40.0, 100.0, 200.0), &all, ("size", &ticks, (0.25, 0.75)));
+        let seen = Seen::of(&canvas.finish());
+        let corners: Vec<(f64, f64, f64, f64)> = seen
+            .lines()
+            .iter()
+            .filter(|line| line.points.len() == 4)
+            .map(|line| (line.points[0].0, line.points[0].1, line.points[2].0, line.points[2].1))
+            .collect();
+        // the band over both rows of 25 pixels; a row of two bars of 9 pixels each, with one between them
+        let expected = [
+            (125.0, 40.0, 175.0, 90.0),
+            (125.0, 43.0, 150.0, 51.0),
+            (150.0, 52.0, 175.0, 60.0),
+            // beyond the axis at its end, and what has no width as narrow as can be seen
+            (199.0, 52.0, 201.0, 60.0),
+            (109.0, 68.0, 111.0, 85.0),
+        ];
+        assert_eq!(corners, expected);
+        let flat: Vec<(f64, f64, f64)> = seen
+            .lines()
+            .iter()
+            .filter(|line| line.class == "q line")
+            .map(|line| (line.points[0].0, line.points[1].0, line.points[0].1))
+            .collect();
+        assert_eq!(flat, [(100.0, 150.0, 47.0), (150.0, 200.0, 56.0), (100.0, 200.0, 76.5)]);
+        let at = |words: &str| seen.place(words).map(|(x, y)| (x, (y - 0.36 * NUMBERS).round()));
+        assert_eq!([at("first"), at("second")], [Some((90.0, 53.0)), Some((90.0, 78.0))]);
+        assert_eq!([at("0"), at("1/2")], [Some((100.0, 102.0)), Some((150.0, 102.0))]);
+        assert_eq!(seen.place("size").map(|(x, _)| x), Some(150.0));
+        assert_eq!(height_of(&all), 96.0);
+    }
+}

@@ -2,6 +2,8 @@
 
 mod data;
 mod picture;
+#[cfg(test)]
+mod tests;
 
 use kane_measure::prices::{Prices, Way};
 

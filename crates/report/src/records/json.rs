@@ -205,3 +205,16 @@ fn interval(fitted: &Fitted) -> Value {
         "one_value": fitted.one_value,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_that_is_not_known_is_none_and_an_interval_has_its_ends() {
+        assert_eq!([known(0), known(1), known(7)], [None, Some(1), Some(7)]);
+        let fitted = Fitted { low: 0.25, high: 0.5, rows: 3, one_value: false };
+        let expected = json!({ "low": 0.25, "high": 0.5, "rows": 3, "one_value": false });
+        assert_eq!(interval(&fitted), expected);
+    }
+}

@@ -291,6 +291,45 @@ mod tests {
     }
 
     #[test]
+    fn restitution_by_another_hypothesis_than_newton_s_is_told_with_its_law() {
+        use kane_impact::Restitution as Hypothesis;
+        use kane_records::rigid::LawFit;
+        let fit = |hypothesis, consistent| {
+            let law = kane_impact::laws().iter().find(|law| law.info.restitution == hypothesis);
+            let law = law.expect("there is one").clone();
+            let (rows, silent) = (10, 0);
+            LawFit {
+                law,
+                fitted: false,
+                rows,
+                silent,
+                consistent,
+                worst: 0.0,
+                median: 0.0,
+                worst_line: 0,
+            }
+        };
+        let told = |law, fit: &LawFit| {
+            let restitution = Some(restitution(law));
+            normal(&Study { restitution, laws: vec![fit.clone()], ..of_a_log() })
+        };
+        for (hypothesis, words) in [
+            (Hypothesis::Poisson, "Poisson's hypothesis"),
+            (Hypothesis::Energetic, "the energetic hypothesis"),
+        ] {
+            let gives = fit(hypothesis, 10);
+            let expected = format!("restitution as stated by {words} ({})", gives.law.info.id);
+            assert_eq!(told(NormalLaw::Constant, &gives), expected);
+            assert_eq!(told(NormalLaw::Close, &gives), expected);
+            // where e is as stated, no other hypothesis is needed
+            assert_eq!(told(NormalLaw::Stated, &gives), "restitution as stated");
+            // nine of ten rows are not all
+            let misses = fit(hypothesis, 9);
+            assert_eq!(told(NormalLaw::Constant, &misses), "restitution is 0.5 whatever is stated");
+        }
+    }
+
+    #[test]
     fn a_threshold_is_told_with_the_side_on_which_restitution_is_not_as_stated() {
         let told = |misses_below| {
             at_threshold(&Threshold {

@@ -434,4 +434,175 @@ mod tests {
         assert_eq!([0, 7].map(at_line), [String::new(), " (line 7)".to_owned()]);
         assert_eq!([0, 7].map(before), [String::new(), "line 7: ".to_owned()]);
     }
+
+    /// A log of ten impacts that lose their slip.
+    fn of_a_log() -> Study {
+        use kane_records::reader::Kind;
+        use kane_records::study::{Options, study};
+        let head =
+            "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
+        let row = "1,1,0.4,0.3,0.5,2,-1,0,1.55,0.5,-1.125";
+        let text = format!("{head}\n{}", format!("{row}\n").repeat(10));
+        study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
+    }
+
+    #[test]
+    fn a_suspicion_says_by_how_much_and_what_to_do() {
+        assert_eq!(
+            suspicion(&Suspicion::Degrees),
+            "spins look like degrees a second: J*dw is 57.3 times r x p; convert them to rad/s"
+        );
+        assert_eq!(
+            suspicion(&Suspicion::Revolutions),
+            "spins look like revolutions a minute: J*dw is 9.55 times r x p; convert them to rad/s"
+        );
+        assert!(suspicion(&Suspicion::Turned).starts_with("spins count the other way"));
+        assert_eq!(
+            suspicion(&Suspicion::Lever(2.5)),
+            "J*dw is 2.5 times r x p in most rows: an arm, a radius, a mass or an inertia is off by that much"
+        );
+        assert!(
+            suspicion(&Suspicion::Down).starts_with("most bodies move apart before they collide")
+        );
+    }
+
+    #[test]
+    fn a_pair_is_called_by_its_materials_and_what_is_stated_of_it() {
+        let study = Study { pairs: vec!["steel on ice".to_owned()], ..of_a_log() };
+        let of = |of_pair, stated| {
+            let fit = PairFit { pair: of_pair, stated, ..study.fits[0] };
+            pair(&fit, &study)
+        };
+        assert_eq!(of(0, [Some(0.25), Some(0.5)]), "steel on ice, mu = 0.25, e = 0.5");
+        assert_eq!(of(0, [None, Some(0.5)]), "steel on ice, e = 0.5");
+        // the log has one pair
+        assert_eq!(of(1, [Some(0.25), None]), "mu = 0.25");
+        assert_eq!(of(1, [None, None]), "nothing stated");
+    }
+
+    #[test]
+    fn a_law_is_told_with_what_was_fitted_of_it_alone() {
+        let of = |id: &str, fitted| {
+            let law = kane_impact::law(id).expect("it is known").clone();
+            let counts = (10, 0, 10);
+            let (rows, silent, consistent) = counts;
+            super::law(&LawFit {
+                law,
+                fitted,
+                rows,
+                silent,
+                consistent,
+                worst: 0.0,
+                median: 0.0,
+                worst_line: 0,
+            })
+        };
+        assert_eq!([of("routh-newton", true), of("walton", false)], ["routh-newton", "walton"]);
+        let fitted = of("walton", true);
+        assert!(fitted.starts_with("walton, beta0 = "), "{fitted}");
+    }
+
+    #[test]
+    fn what_a_log_leaves_open_is_told_with_what_it_is_about() {
+        let same = |factor| {
+            let open = Untold::Same(factor);
+            format!("{}: {}", untold_label(&open), untold(&open))
+        };
+        let seen = "cannot be seen";
+        assert_eq!(
+            same(Factor::Speed),
+            format!("speed: all impacts have one approach speed: a threshold of speed {seen}")
+        );
+        assert_eq!(same(Factor::Slip), "slip: one slip");
+        assert_eq!(same(Factor::Stated), "e: one stated e, or none");
+        let on = format!("what depends on it {seen}");
+        assert_eq!(same(Factor::Phase), format!("phase: one phase within the step, or none: {on}"));
+        assert_eq!(same(Factor::Step), format!("time step: one time step, or none: {on}"));
+        let constant = Untold::ConstantRestitution(0.2);
+        assert_eq!(untold_label(&constant), "mu");
+        assert!(untold(&constant).ends_with("another friction coefficient, mu = 0.2"));
+        assert_eq!(untold_label(&Untold::NothingSlides), "mu");
+        assert_eq!(
+            untold(&Untold::NothingSlides),
+            "no impact slides on: mu has a lower bound alone"
+        );
+        assert_eq!(untold_label(&Untold::NothingSticks), "slip");
+        assert!(untold(&Untold::NothingSticks).starts_with("every impact slides on: "));
+        let laws = Untold::SameFriction(vec![FrictionLaw::Smith, FrictionLaw::Walton(0.25)]);
+        assert_eq!(untold_label(&laws), "friction");
+        assert_eq!(untold(&laws), "these give the same impulses here: Smith; Walton, beta0 = 0.25");
+        assert_eq!(untold_label(&Untold::Round), "laws");
+        assert!(untold(&Untold::Round).starts_with("no row couples normal and tangent"));
+        assert_eq!(untold_label(&Untold::NoCoefficients), "mu and e");
+        assert!(untold(&Untold::NoCoefficients).starts_with("mu or e is not stated"));
+        let mut told = of_a_log().precision.told;
+        (told.format, told.or) = (Format::Decimals(3), Some(Format::Binary32));
+        let open = Untold::Format(told);
+        assert_eq!(untold_label(&open), "numbers");
+        let expected = format!(
+            "the numbers may have been rounded to {}, and may be {}: ",
+            Format::Decimals(3).name(),
+            Format::Binary32.name()
+        );
+        assert!(untold(&open).starts_with(&expected), "{}", untold(&open));
+    }
+
+    #[test]
+    fn what_a_log_is_says_how_much_of_it_was_read_and_how_its_format_is_known() {
+        let mut study = of_a_log();
+        study.precision.told.format = Format::Binary64;
+        study.precision.told.or = None;
+        study.precision.told.own.fill(None);
+        (study.rows, study.sampled) = (10, 10);
+        let facts = |study: &Study| log_facts(&RecordsReport { study, log: "log", command: "" });
+        let name = Format::Binary64.name();
+        let head = format!("10 rows checked, numbers in {name}");
+        assert_eq!(facts(&study), format!("{head} (as the numbers tell)"));
+        study.sampled = 7;
+        let of_them = "; laws are named on 7 of them";
+        assert_eq!(facts(&study), format!("{head} (as the numbers tell){of_them}"));
+        study.precision.told.or = Some(Format::Binary32);
+        let or = Format::Binary32.name();
+        assert_eq!(facts(&study), format!("{head} (or {or}, which too few tell){of_them}"));
+        study.format_stated = true;
+        assert_eq!(facts(&study), format!("{head} (as stated){of_them}"));
+        (study.rows, study.sampled) = (0, 0);
+        assert_eq!(facts(&study), format!("0 rows checked, numbers in {name} (as stated)"));
+        study.format_stated = false;
+        assert_eq!(facts(&study), "0 rows checked");
+    }
+
+    #[test]
+    fn a_worst_row_has_its_name_and_a_command_that_shows_it_again() {
+        let of = |line, id: &str, replay| Worst {
+            line,
+            id: id.to_owned(),
+            check: Check::Cone,
+            finding: Finding {
+                residual: 0.25,
+                scale: 1.0,
+                tolerance: 0.125,
+                verdict: Verdict::Fails,
+            },
+            replay,
+        };
+        let flags = || Replay::Flags("--alpha 1/2".to_owned());
+        assert_eq!(name(&of(7, "first", flags())), "line 7 (first)");
+        assert_eq!([name(&of(7, "", flags())), name(&of(0, "", flags()))], ["line 7", "a row"]);
+        let file = || Replay::File("title".to_owned());
+        let told = |worst: &Worst| replayed(worst, "log.csv");
+        assert_eq!(told(&of(0, "", flags())), "kane collide --alpha 1/2");
+        assert_eq!(
+            told(&of(7, "", file())),
+            "kane check log.csv --row 7 > row-7.toml; kane collide row-7.toml"
+        );
+        assert_eq!(
+            told(&of(0, "", file())),
+            "kane collide FILE, with the collision that is in the JSON"
+        );
+        assert_eq!(
+            residual(Check::Cone, &of(7, "", file()).finding),
+            format!("0.25 of 0.125 {}", Check::Cone.unit())
+        );
+    }
 }

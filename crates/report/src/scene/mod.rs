@@ -3,12 +3,16 @@
 mod compare_picture;
 mod contact_picture;
 mod csv;
+#[cfg(test)]
+mod drawn;
 mod impulse_picture;
 mod json;
 mod ledger_picture;
 mod motion_picture;
 mod sheet;
 mod stress_picture;
+#[cfg(test)]
+mod tests;
 
 pub use compare_picture::compare_picture;
 pub use csv::{models_csv, states_csv, stress_csv};

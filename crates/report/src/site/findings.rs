@@ -99,9 +99,12 @@ fn others(site: &Site<'_>) -> Words {
         0 => "every verdict is as expected".to_owned(),
         n => format!("{n} are NOT as expected"),
     };
-    let documents = format!("{} other derivations", others.len());
+    let (documents, have) = match others.len() {
+        1 => ("1 other derivation".to_owned(), "has"),
+        n => (format!("{n} other derivations"), "have"),
+    };
     Words::link(documents, "index.html#derivations")
-        + format!(" have {claims} claims: {}; {expected}.", fared(&verdicts))
+        + format!(" {have} {claims} claims: {}; {expected}.", fared(&verdicts))
 }
 
 /// Which laws create energy on some planar contact, in which friction alone does, and in how many Kane's pendulum gains
@@ -194,4 +197,253 @@ fn experiment(fits: &[Fit]) -> Words {
     Words::from("Of rigid laws with their default parameters beside ")
         + Words::link("measured spheres", "figures.html#slip-over-alpha")
         + off
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Audit, Options, audit, read};
+    use kane_impact::laws;
+    use kane_matrix::{Cell, Matrix, PROPERTIES};
+    use kane_measure::growth::Growth;
+    use kane_measure::{Stability, Subject};
+
+    use super::*;
+    use crate::chart::ChartReport;
+    use crate::figures::{Axis, Figure, Panel};
+    use crate::growth::GrowthReport;
+    use crate::matrix::MatrixReport;
+    use crate::stability::StabilityReport;
+
+    fn judged(statements: &str) -> Audit {
+        let text = format!("# T\n\n```kane\nvar x\n{statements}```\n");
+        let document = read("made-up.md", text.as_bytes()).expect("it is well formed");
+        audit(document, &Options::default(), &mut |_, _| {})
+    }
+
+    /// A matrix of these properties, a law a row: `y` proved, `n` refuted, `-` not applicable.
+    fn matrix(ids: &[&str], rows: &[&str]) -> Matrix {
+        let cell = |letter: char| Cell {
+            finding: match letter {
+                'y' => Finding::Proved,
+                'n' => Finding::Refuted,
+                _ => Finding::NotApplicable,
+            },
+            reason: String::new(),
+            parts: Vec::new(),
+            witness: Vec::new(),
+        };
+        let property =
+            |id: &&str| PROPERTIES.iter().find(|p| p.id == *id).expect("there is one of this id");
+        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
+            law: law.clone(),
+            cells: letters.chars().map(cell).collect(),
+        };
+        Matrix {
+            properties: ids.iter().map(property).collect(),
+            rows: laws().iter().zip(rows).map(row).collect(),
+        }
+    }
+
+    fn id(law: usize) -> &'static str {
+        laws()[law].info.id
+    }
+
+    fn axis() -> Axis {
+        let label = String::new();
+        Axis { symbol: "x", label, range: (0.0, 1.0), ticks: Vec::new(), is_logarithmic: false }
+    }
+
+    fn figure(content: Content) -> Figure {
+        let (title, notes) = (String::new(), Vec::new());
+        Figure { stem: "energy-map", title, notes, x: axis(), y: axis(), content }
+    }
+
+    fn map(cases: &[[&str; 2]]) -> Figure {
+        let panel = |case: &[&str; 2]| Panel {
+            case: case.map(str::to_owned),
+            stretches: Vec::new(),
+            marks: Vec::new(),
+            is_marked: false,
+        };
+        figure(Content::Map(cases.iter().map(panel).collect()))
+    }
+
+    /// What is said of a site of these parts, under what it is about.
+    fn told(
+        audits: &[Audit],
+        matrix: &Matrix,
+        figures: &[Figure],
+        fits: &[Fit],
+    ) -> Vec<(&'static str, String)> {
+        let stability = Stability {
+            name: String::new(),
+            title: None,
+            subject: Subject {
+                formulas: Vec::new(),
+                examined: 0,
+                own: 0,
+                left_out: Vec::new(),
+                equal: Vec::new(),
+            },
+            lines: Vec::new(),
+            planes: Vec::new(),
+            searches: Vec::new(),
+        };
+        let growth = Growth { batches: Vec::new(), chains: Vec::new(), families: Vec::new() };
+        let command = String::new;
+        let audits = audits.iter().enumerate();
+        let site = Site {
+            audits: audits.map(|(n, a)| (format!("paper-{n}"), Report::new(a, ""))).collect(),
+            matrix: MatrixReport { matrix, command: command() },
+            laws: "",
+            chart: ChartReport { all: &[], machine: command(), command: command() },
+            stability: StabilityReport { stability: &stability, accounts: &[], command: command() },
+            growth: GrowthReport { growth: &growth, machine: command(), command: command() },
+            figures,
+            fits,
+            collisions: Vec::new(),
+            scenes: Vec::new(),
+            command: command(),
+        };
+        findings(&site).into_iter().map(|(head, words)| (head, words.plain())).collect()
+    }
+
+    fn of(head: &str, all: &[(&'static str, String)]) -> Option<String> {
+        all.iter().find(|(known, _)| *known == head).map(|(_, words)| words.clone())
+    }
+
+    #[test]
+    fn of_the_first_paper_and_of_the_others_the_verdicts_are_counted() {
+        let paper =
+            judged("claim (1): x^2 >= 0\nclaim (2): x > 0 expect refuted\nclaim a: x > 1\n");
+        let second = judged("claim (1): x^2 >= 0\nclaim (2): x > 0\n");
+        let third = judged("claim b: x^2 + 1 > 0\nclaim c: x > 0 expect refuted\nclaim e: x > 3\n");
+        let nothing = matrix(&[], &[]);
+        let all = told(&[paper, second, third], &nothing, &[], &[]);
+        assert_eq!(
+            of("The paper", &all).as_deref(),
+            Some("The paper: of 3 claims 1 proved and 2 refuted; 1 NOT PROVED: a.")
+        );
+        assert_eq!(
+            of("As printed", &all).as_deref(),
+            Some("Of its 2 numbered equations 1 is refuted as printed: (2).")
+        );
+        // (2) of the second, and e, are not as expected
+        assert_eq!(
+            of("Derivations", &all).as_deref(),
+            Some(
+                "2 other derivations have 5 claims: 2 proved and 3 refuted; 2 are NOT as expected."
+            )
+        );
+        let sound = || judged("claim (1): x^2 >= 0\nclaim (2): x^2 + 1 > 0\n");
+        let all = told(&[sound(), sound()], &nothing, &[], &[]);
+        assert_eq!(
+            of("The paper", &all).as_deref(),
+            Some("The paper: of 2 claims 2 proved; every claim is proved.")
+        );
+        assert_eq!(
+            of("As printed", &all).as_deref(),
+            Some("None of its 2 numbered equations is refuted.")
+        );
+        assert_eq!(
+            of("Derivations", &all).as_deref(),
+            Some("1 other derivation has 2 claims: 2 proved; every verdict is as expected.")
+        );
+        let wrong = judged("claim (1): x > 0\nclaim (2): x > 2\nclaim (3): x > 1\n");
+        let all = told(&[wrong], &nothing, &[], &[]);
+        assert_eq!(
+            of("As printed", &all).as_deref(),
+            Some("Of its 3 numbered equations 3 are refuted as printed: (1), (2) and (3).")
+        );
+        assert_eq!(of("Derivations", &all), None);
+    }
+
+    #[test]
+    fn laws_that_create_energy_are_told_from_those_in_which_friction_alone_does() {
+        let ids = ["energy-sphere", "energy", "energy-tangential"];
+        let of_rows = |rows: &[&str], figures: &[Figure]| {
+            of("Energy", &told(&[], &matrix(&ids, rows), figures, &[]))
+        };
+        let rows = ["yyn", "ynn", "n--", "yyy", "y-n"];
+        let expected = format!(
+            "2 of 5 laws create energy on some planar contact: {} and {}; in {} friction does, though the collision as a \
+             whole does not.",
+            id(1),
+            id(2),
+            id(0)
+        );
+        assert_eq!(of_rows(&rows, &[]), Some(expected));
+        assert_eq!(
+            of_rows(&["yyy", "yy-"], &[]).as_deref(),
+            Some("0 of 2 laws create energy on some planar contact: none.")
+        );
+        let cases = [["double pendulum", "a"], ["rod tip", "a"], ["double pendulum", "b"]];
+        let curves = figure(Content::Curves { series: Vec::new(), zones: Vec::new() });
+        let figures = [curves, map(&cases)];
+        assert_eq!(
+            of_rows(&["yyy"], &figures).as_deref(),
+            Some(
+                "0 of 1 laws create energy on some planar contact: none; in Kane's double pendulum 2 laws gain energy at \
+                 some friction and restitution."
+            )
+        );
+        // where nothing was asked of energy nothing is said of it
+        let other = matrix(&["momentum"], &["n"]);
+        assert_eq!(of("Energy", &told(&[], &other, &figures, &[])), None);
+    }
+
+    #[test]
+    fn the_nearest_law_is_told_and_how_far_the_paper_s_is() {
+        let fit = |laws: &[&'static str], median| Fit { laws: laws.to_vec(), median };
+        let nothing = matrix(&[], &[]);
+        let told = |fits: &[Fit]| of("Experiment", &told(&[], &nothing, &[], fits));
+        let head = "Of rigid laws with their default parameters beside measured spheres ";
+        let tail = ". docs/verdict.md measures one series of them by the root of the mean square.";
+        let by = "nearest by the median distance of k over all points, ";
+        assert_eq!(
+            told(&[fit(&["a", "b"], 0.123), fit(&["wang-su-li"], 0.456)]),
+            Some(format!("{head}a and b is {by}0.12; the paper's law is 0.46 off{tail}"))
+        );
+        assert_eq!(
+            told(&[fit(&["wang-su-li"], 0.2), fit(&["a"], 0.3)]),
+            Some(format!("{head}wang-su-li is {by}0.20{tail}"))
+        );
+        assert_eq!(told(&[]), None);
+    }
+
+    #[test]
+    fn what_digits_cost_is_told_apart_from_what_is_wrong() {
+        use crate::chart::{ChartReport, readings, timed};
+        use kane_measure::chart::{Accuracy, Measured, Time, registry};
+        let measured = |worst, picoseconds| {
+            let mut method = registry().remove(0);
+            (method.law, method.name, method.text) = ("law", "law", "1");
+            method.system = kane_number::System::F64;
+            let (median, quartiles) = (picoseconds, (picoseconds, picoseconds));
+            Measured {
+                method,
+                accuracy: Accuracy {
+                    worst,
+                    median: worst,
+                    at: 0.5,
+                    ulps: None,
+                    greatest: 1.0,
+                    tried: 9,
+                },
+                cost: None,
+                proved: None,
+                time: Some(Time { median, quartiles, rounds: 3 }),
+            }
+        };
+        let told = |all: &[Measured]| {
+            let chart = ChartReport { all, machine: String::new(), command: String::new() };
+            let readings = readings(&timed(&chart));
+            [speed(&readings), rewriting(&readings)].map(|words| words.plain())
+        };
+        let right = "The price of a digit: f64, the law's code: 15.9 digits in 3.00 ns.";
+        let wrong = "The same k by another formula: f64, rewritten, the law's code: no digit is right, in 1.00 ns.";
+        assert_eq!(told(&[measured(1590, 3_000), measured(0, 1_000)]), [right, wrong]);
+        assert_eq!(told(&[measured(1590, 3_000)]), [right, ""]);
+        assert_eq!(told(&[measured(0, 1_000)]), ["", wrong]);
+    }
 }

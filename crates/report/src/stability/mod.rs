@@ -2,6 +2,8 @@
 
 mod csv;
 mod json;
+#[cfg(test)]
+mod made_up;
 mod picture;
 mod sheet;
 mod strips_picture;

@@ -175,3 +175,74 @@ fn draw_plane(canvas: &mut Canvas, at: Point, entry: &Entry<'_>, plane: &Plane) 
         canvas.boxes(&boxes, ink(fault), strength);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kane_measure::{Point, Range};
+
+    use super::*;
+
+    fn line(format: &'static str, negative: bool, from: f64, to: f64) -> Examined {
+        let point = |value: f64| Point { place: 0, value, text: String::new() };
+        let range = Range {
+            fault: Fault::Lost,
+            from: point(from),
+            to: point(to),
+            open: (false, false),
+            worst: point(from),
+            lost: 0,
+            computed: String::new(),
+            exact: String::new(),
+            cause: String::new(),
+            better: None,
+        };
+        Examined {
+            formula: 0,
+            format,
+            precision: 53,
+            negative,
+            domain: (point(from), point(to)),
+            ranges: vec![range],
+            worst: (point(from), 0),
+            profile: Vec::new(),
+            tried: 1,
+        }
+    }
+
+    #[test]
+    fn a_strip_has_the_bars_of_its_own_formats_and_sign() {
+        let document = "```kane\nvar x\nlet w := x + 1\n```\n";
+        let document =
+            kane_audit::read("made-up.md", document.as_bytes()).expect("it is well formed");
+        let formula = kane_measure::formulas(&document).formulas.remove(0);
+        // in another order than they are drawn in
+        let lines = [
+            line("f64", true, -1e3, -1.0),
+            line("f32", true, -1e-3, 0.0),
+            line("f64", false, 1.0, 1e30),
+            line("f32", false, 1e-30, 1.0),
+        ];
+        let entry = |lines: &[Examined]| {
+            let lines: Vec<&Examined> = lines.iter().collect();
+            let entry =
+                Entry { formula: &formula, is_own: true, lines, planes: vec![], searches: vec![] };
+            let told = |strip: Strip| {
+                let parts = strip.bars.iter().map(|bar| bar.parts[0].0);
+                (strip.name, parts.collect::<Vec<_>>())
+            };
+            rows(&entry).into_iter().map(told).collect::<Vec<_>>()
+        };
+        let (one, name) = (along(0.0), "w = x + 1");
+        assert_eq!(
+            entry(&lines),
+            [
+                (name.to_owned(), vec![(along(-30.0), one), (one, along(30.0))]),
+                (format!("{name}, x < 0"), vec![(0.0, along(-3.0)), (one, along(3.0))]),
+            ]
+        );
+        let mut sound = lines;
+        sound[0].ranges.clear();
+        sound[1].ranges.clear();
+        assert_eq!(entry(&sound).len(), 1);
+    }
+}

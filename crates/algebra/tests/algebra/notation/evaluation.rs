@@ -29,6 +29,14 @@ fn values_are_exact() {
     }
 }
 
+/// Two looks at each would be 2^100 at the innermost.
+#[test]
+fn magnitudes_within_each_other_are_looked_at_once() {
+    let text = format!("{}x{}", "|".repeat(100), " + 1|".repeat(100));
+    // |-7 + 1|, and then one more each time
+    assert_eq!(at(-7, &text), Ok(ratio(105, 1)));
+}
+
 #[test]
 fn each_reason_for_no_value_is_told() {
     for (x, text, reason) in [
