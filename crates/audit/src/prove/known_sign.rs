@@ -16,9 +16,7 @@ impl Search<'_> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        let next = state.with(settled.atom());
-        let fresh = since(&next, state.atoms.len());
-        match self.run(&next, &fresh, Vec::new(), trail, splits) {
+        match self.in_case(state, settled.atom(), trail, splits) {
             Outcome::Closed(left) => Outcome::Closed(settled.split(left)),
             other => other,
         }
@@ -32,11 +30,7 @@ impl Search<'_> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        let case = |case: Atom| {
-            let next = state.with(case);
-            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
-        };
-        by_sign(found, &case)
+        by_sign(found, &|case| self.in_case(state, case, trail, splits))
     }
 
     /// What is left once the squares of two sides are known to differ by no negative number: by itself, if that is enough.
@@ -47,14 +41,21 @@ impl Search<'_> {
         trail: &[Elimination],
         splits: u32,
     ) -> Outcome {
-        let case = |case: Atom| {
-            if let Some(alone) = self.case_alone(state, case.clone(), splits) {
-                return Outcome::Closed(alone);
-            }
-            let next = state.with(case);
-            self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
-        };
-        by_sign(found, &case)
+        by_sign(found, &|case: Atom| {
+            let alone = self.case_alone(state, case.clone(), splits);
+            alone.map_or_else(|| self.in_case(state, case, trail, splits), Outcome::Closed)
+        })
+    }
+
+    fn in_case(
+        &self,
+        state: &State<'_, '_>,
+        case: Atom,
+        trail: &[Elimination],
+        splits: u32,
+    ) -> Outcome {
+        let next = state.with(case);
+        self.run(&next, &since(&next, state.atoms.len()), Vec::new(), trail, splits)
     }
 }
 

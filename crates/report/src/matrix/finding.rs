@@ -82,34 +82,8 @@ pub(crate) fn conflicts(matrix: &Matrix) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use kane_impact::laws;
-    use kane_matrix::{Cell, PROPERTIES};
-
+    use super::super::made_up::matrix;
     use super::*;
-
-    /// Rows of cells by letters: `y` proved, `n` refuted, `-` not applicable, `?` undecided.
-    fn matrix(rows: &[&str]) -> Matrix {
-        let cell = |letter: char| Cell {
-            finding: match letter {
-                'y' => Finding::Proved,
-                'n' => Finding::Refuted,
-                '?' => Finding::Undecided,
-                _ => Finding::NotApplicable,
-            },
-            reason: String::new(),
-            parts: Vec::new(),
-            witness: Vec::new(),
-        };
-        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
-            law: law.clone(),
-            cells: letters.chars().map(cell).collect(),
-        };
-        let columns = rows.first().map_or(0, |row| row.len());
-        Matrix {
-            properties: PROPERTIES.iter().take(columns).collect(),
-            rows: laws().iter().zip(rows).map(row).collect(),
-        }
-    }
 
     #[test]
     fn a_pair_that_no_law_has_is_found_and_a_property_that_none_has_is_no_pair() {

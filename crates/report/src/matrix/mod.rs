@@ -5,6 +5,8 @@ mod explain;
 mod finding;
 mod html;
 mod json;
+#[cfg(test)]
+pub(crate) mod made_up;
 mod picture;
 mod sheet;
 

@@ -164,33 +164,10 @@ fn cells(canvas: &mut Canvas, finding: Finding, places: &[Point]) {
 
 #[cfg(test)]
 mod tests {
-    use kane_impact::laws;
-    use kane_matrix::{Cell, Matrix, PROPERTIES, Row};
+    use kane_matrix::PROPERTIES;
 
+    use super::super::made_up::matrix;
     use super::*;
-
-    /// Rows of cells by letters: `y` proved, `n` refuted, `-` not applicable.
-    fn matrix(rows: &[&str]) -> Matrix {
-        let cell = |letter: char| Cell {
-            finding: match letter {
-                'y' => Finding::Proved,
-                'n' => Finding::Refuted,
-                _ => Finding::NotApplicable,
-            },
-            reason: String::new(),
-            parts: Vec::new(),
-            witness: Vec::new(),
-        };
-        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
-            law: law.clone(),
-            cells: letters.chars().map(cell).collect(),
-        };
-        let count = rows.first().map_or(0, |row| row.len());
-        Matrix {
-            properties: PROPERTIES.iter().take(count).collect(),
-            rows: laws().iter().zip(rows).map(row).collect(),
-        }
-    }
 
     #[test]
     fn what_every_law_has_is_said_in_words_and_what_one_lacks_is_drawn() {

@@ -203,7 +203,7 @@ fn experiment(fits: &[Fit]) -> Words {
 mod tests {
     use kane_audit::{Audit, Options, audit, read};
     use kane_impact::laws;
-    use kane_matrix::{Cell, Matrix, PROPERTIES};
+    use kane_matrix::{Matrix, PROPERTIES};
     use kane_measure::growth::Growth;
     use kane_measure::{Stability, Subject};
 
@@ -212,36 +212,20 @@ mod tests {
     use crate::figures::{Axis, Figure, Panel};
     use crate::growth::GrowthReport;
     use crate::matrix::MatrixReport;
+    use crate::matrix::made_up::matrix_of;
     use crate::stability::StabilityReport;
+
+    /// A matrix of properties with these ids.
+    fn matrix(ids: &[&str], rows: &[&str]) -> Matrix {
+        let property =
+            |id: &&str| PROPERTIES.iter().find(|p| p.id == *id).expect("there is one of this id");
+        matrix_of(ids.iter().map(property).collect(), rows)
+    }
 
     fn judged(statements: &str) -> Audit {
         let text = format!("# T\n\n```kane\nvar x\n{statements}```\n");
         let document = read("made-up.md", text.as_bytes()).expect("it is well formed");
         audit(document, &Options::default(), &mut |_, _| {})
-    }
-
-    /// A matrix of these properties, a law a row: `y` proved, `n` refuted, `-` not applicable.
-    fn matrix(ids: &[&str], rows: &[&str]) -> Matrix {
-        let cell = |letter: char| Cell {
-            finding: match letter {
-                'y' => Finding::Proved,
-                'n' => Finding::Refuted,
-                _ => Finding::NotApplicable,
-            },
-            reason: String::new(),
-            parts: Vec::new(),
-            witness: Vec::new(),
-        };
-        let property =
-            |id: &&str| PROPERTIES.iter().find(|p| p.id == *id).expect("there is one of this id");
-        let row = |(law, letters): (&kane_impact::Law, &&str)| Row {
-            law: law.clone(),
-            cells: letters.chars().map(cell).collect(),
-        };
-        Matrix {
-            properties: ids.iter().map(property).collect(),
-            rows: laws().iter().zip(rows).map(row).collect(),
-        }
     }
 
     fn id(law: usize) -> &'static str {
