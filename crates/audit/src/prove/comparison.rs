@@ -1,5 +1,5 @@
-//! What has to be told before conditions with roots can be squared: signs of what stands before roots, roots that may be
-//! zero, and which of two terms is the greater.
+//! What has to be told before conditions with roots can be squared: signs of what stands before roots, before their squares
+//! and beside them, roots that may be zero, and which of two terms is the greater.
 
 use kane_kernel::{Atom, Poly, Power, Sign, State, exponent};
 use num_bigint::BigInt;
