@@ -8,8 +8,8 @@ use num_traits::Signed as _;
 use super::conjugates::{TERMS, roots, sides};
 use super::factors::cannot_vanish;
 use super::hints::is_told;
-use super::monomial::{is_lesser, sign};
-use super::rule::Rule;
+use super::monomial::{are_lesser, is_lesser, sign};
+use super::rule::{Rule, is_pure};
 
 /// A polynomial whose sign has to be told first, if no condition tells it.
 pub(super) fn telling(state: &State<'_, '_>, rules: &[Rule]) -> Option<Poly> {
@@ -28,9 +28,8 @@ pub(super) fn leads(state: &State<'_, '_>) -> Vec<Poly> {
     let mut out = Vec::new();
     for atom in state.atoms.iter().filter(|a| a.sign == Sign::Zero && a.decided().is_none()) {
         let p = &atom.poly;
-        let is_pure = |v: &usize| p.degree(*v) == 2 && p.coefficient(*v, 1).is_empty();
         let is_used = |v| short(state).any(|q| q.terms().any(|(m, _)| exponent(m, v) % 2 == 1));
-        let is_root = |v: &usize| is_pure(v) && sign(state, *v).is_some() && is_used(*v);
+        let is_root = |v: &usize| is_pure(p, *v) && sign(state, *v).is_some() && is_used(*v);
         let roots = p.vars().into_iter().rev().filter(is_root);
         let leads: Vec<Poly> = roots.map(|v| p.coefficient(v, 2).primitive().1).collect();
         if leads.iter().all(|lead| !lead.is_constant() && !is_told(state, lead)) {
@@ -42,12 +41,8 @@ pub(super) fn leads(state: &State<'_, '_>) -> Vec<Poly> {
 
 /// One of those that cannot vanish, or have terms of one sign.
 fn led(state: &State<'_, '_>) -> Option<Poly> {
-    let signed = |lead: &Poly| {
-        let mut signs = lead.terms().map(|t| is_lesser(state, t));
-        let first = signs.next().flatten();
-        first.is_some() && signs.all(|sign| sign == first)
-    };
-    leads(state).into_iter().find(|lead| signed(lead) || cannot_vanish(state, lead))
+    let is_signed = |lead: &Poly| are_lesser(state, lead).is_some();
+    leads(state).into_iter().find(|lead| is_signed(lead) || cannot_vanish(state, lead))
 }
 
 /// Which of the roots have odd powers in a monomial.
@@ -105,8 +100,7 @@ fn sole(state: &State<'_, '_>, rules: &[Rule]) -> Vec<usize> {
     of.retain(|&(i, v)| {
         let p = &state.atoms[i].poly;
         let square = |w: usize| {
-            let is_pure = p.degree(w) == 2 && p.coefficient(w, 1).is_empty();
-            is_pure.then(|| p.coefficient(w, 2).as_constant().map(|c| c.is_positive())).flatten()
+            is_pure(p, w).then(|| p.coefficient(w, 2).as_constant().map(|c| c.is_positive()))?
         };
         let own = square(v);
         own.is_some() && p.vars().into_iter().all(|w| w == v || square(w) != own)
@@ -128,8 +122,7 @@ fn mixed(state: &State<'_, '_>, roots: &[usize]) -> Option<Poly> {
         }
         let beside = Poly::sum(without.iter().map(|(m, c)| (m.to_vec(), (*c).clone())));
         let beside = beside.primitive().1;
-        let signs: Vec<Option<bool>> = without.iter().map(|t| is_lesser(state, *t)).collect();
-        let is_mixed = signs.contains(&None) || signs.windows(2).any(|pair| pair[0] != pair[1]);
+        let is_mixed = are_lesser(state, &beside).is_none();
         (beside.vars().len() > 1 && is_mixed && !is_told(state, &beside)).then_some(beside)
     })
 }

@@ -32,8 +32,7 @@ pub(super) fn lesser(state: &State<'_, '_>, p: &Poly, rules: &[Rule]) -> Vec<Les
     ];
     sides.dedup();
     let termwise = sides.into_iter().filter_map(|side| {
-        let twice = |(m, c): (&[Power], &BigInt)| Some(Known::of(state, m)?.term(&(c * 2)));
-        let twice = side.terms().map(twice).collect::<Option<_>>()?;
+        let twice = twice(state, &side)?;
         Some(Lesser { side, twice })
     });
     let said = [None, Some(true), Some(false)];
@@ -59,17 +58,22 @@ fn by_parts(state: &State<'_, '_>, p: &Poly, rules: &[Rule], rooted: Option<bool
         parts.iter().filter(|(roots, _)| rooted.is_none_or(|r| r != roots.is_empty()))
     {
         let side = Poly::sum(terms.iter().map(|(m, c)| (m.to_vec(), -*c)));
-        let twice = |(m, c): (&[Power], &BigInt)| {
-            let is_lesser = is_lesser(state, (m, c)) == Some(false);
-            is_lesser.then(|| Some(Known::of(state, m)?.term(&(c * 2)))).flatten()
-        };
-        let termwise: Option<Vec<Term>> = side.terms().map(twice).collect();
-        if let Some(twice) = termwise.or_else(|| said(state, &side, roots).map(|term| vec![term])) {
+        let said = || said(state, &side, roots).map(|term| vec![term]);
+        if let Some(twice) = twice(state, &side).or_else(said) {
             found.side = found.side.add(&side);
             found.twice.extend(twice);
         }
     }
     found
+}
+
+/// Twice a polynomial of which each term is known not to be negative.
+fn twice(state: &State<'_, '_>, side: &Poly) -> Option<Vec<Term>> {
+    let twice = |(m, c): (&[Power], &BigInt)| {
+        let is_lesser = is_lesser(state, (m, c))?;
+        if is_lesser { None } else { Some(Known::of(state, m)?.term(&(c * 2))) }
+    };
+    side.terms().map(twice).collect()
 }
 
 /// Twice a product of roots and a polynomial, of which a condition says that it is not negative.

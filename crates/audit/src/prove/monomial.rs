@@ -58,3 +58,10 @@ pub(super) fn known(state: &State<'_, '_>, m: &[Power]) -> Option<(Monomial, Fac
 pub(super) fn is_lesser(state: &State<'_, '_>, (m, c): (&[Power], &BigInt)) -> Option<bool> {
     Some(Known::of(state, m)?.is_opposite != c.is_negative())
 }
+
+/// Whether all terms of a polynomial are known not to be positive, or all not to be negative; `None` if neither is known.
+pub(super) fn are_lesser(state: &State<'_, '_>, p: &Poly) -> Option<bool> {
+    let mut signs = p.terms().map(|term| is_lesser(state, term));
+    let first = signs.next()??;
+    signs.all(|sign| sign == Some(first)).then_some(first)
+}

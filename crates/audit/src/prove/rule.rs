@@ -67,10 +67,9 @@ impl Rule {
             let (atom, power, is_up) = lead(state, &a)?;
             (Some((atom, power)), is_up)
         };
-        let pure = degree == 2 && p.coefficient(v, 1).is_empty();
         // a cosine beside a sine is none
         let is_named = lead.is_some() || state.scope.root(v).is_some();
-        let is_root = pure && is_named && known(state, &[(v, 1)]).is_some();
+        let is_root = is_pure(p, v) && is_named && known(state, &[(v, 1)]).is_some();
         Some(Self { v, equation, degree, lead, is_root, is_up })
     }
 }
@@ -78,4 +77,9 @@ impl Rule {
 /// Which roots a monomial has in odd powers.
 pub(super) fn odd(m: &[Power], rules: &[Rule]) -> Vec<usize> {
     rules.iter().filter(|r| r.is_root).map(|r| r.v).filter(|&v| exponent(m, v) % 2 == 1).collect()
+}
+
+/// Whether a polynomial is a·v² + b.
+pub(super) fn is_pure(p: &Poly, v: usize) -> bool {
+    p.degree(v) == 2 && p.coefficient(v, 1).is_empty()
 }
