@@ -13,6 +13,7 @@ mod limit;
 mod model;
 mod normal;
 mod poly;
+mod power;
 mod proof;
 mod rejection;
 mod state;

@@ -20,8 +20,8 @@ pub struct Fuel {
     whole: Option<Rc<Self>>,
 }
 
-/// Terms and powers of one product, of each factor multiplied.
-const WIDEST: usize = 8_000_000;
+/// Terms and powers of one product, of each factor multiplied; words and powers of one power of two terms.
+pub(crate) const WIDEST: usize = 8_000_000;
 
 impl Fuel {
     /// A budget of this many word-sized coefficient operations.
@@ -299,24 +299,6 @@ impl Poly {
         Ok(sum(product))
     }
 
-    /// Power by repeated squaring.
-    ///
-    /// # Errors
-    /// [`Rejection::Budget`].
-    pub fn pow(&self, mut n: u32, fuel: &Fuel) -> Checked<Self> {
-        let (mut power, mut base) = (Self::one(), self.clone());
-        while n > 0 {
-            if n & 1 == 1 {
-                power = power.mul(&base, fuel)?;
-            }
-            n >>= 1;
-            if n > 0 {
-                base = base.mul(&base, fuel)?;
-            }
-        }
-        Ok(power)
-    }
-
     /// Coefficients of the powers of v, from v⁰ up; each free of v.
     #[must_use]
     pub fn coefficients(&self, v: usize) -> Vec<Self> {
@@ -408,7 +390,7 @@ pub fn exponent(m: &[Power], v: usize) -> u32 {
 }
 
 /// Puts the powers of a product of monomials at the end.
-fn times<'a>(mut a: &'a [Power], mut b: &'a [Power], out: &mut Vec<Power>) -> Checked {
+pub(crate) fn times<'a>(mut a: &'a [Power], mut b: &'a [Power], out: &mut Vec<Power>) -> Checked {
     while let ([x, rest @ ..], [y, others @ ..]) = (a, b) {
         if x.0 == y.0 {
             out.push((x.0, x.1.checked_add(y.1).ok_or(Rejection::Budget)?));

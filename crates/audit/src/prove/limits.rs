@@ -14,14 +14,17 @@ use std::cmp::Ordering;
 use super::asymptote;
 use super::bounds;
 use super::germs::{Germs, Memory};
+use super::reciprocal::is_long;
 use super::search::{Outcome, Search};
-use super::squeeze;
+use super::squeeze::{self, between};
 use super::symbols::without_squares;
 use super::variation::{substituted, varies};
 use crate::argument::{LimitArgument, Passage, SideArgument};
 
 /// Case distinctions on constants inside each other.
 const SPLITS: u32 = 3;
+/// Terms of a polynomial along a germ that is compared with a long one.
+const LONGEST: usize = 20_000;
 
 /// What an expression tends to from one side: num/den at t = 0, or ±∞ of order > 0.
 #[derive(Clone, Debug)]
@@ -212,28 +215,25 @@ fn along(
 ) -> Option<SideArgument> {
     let parts = (&found.num, &found.den, found.order);
     let at_zero = bounds::at_zero(state, limit, side, parts, steps)?;
-    let wrong = differs(
-        state.scope,
-        &limit.compared(state.scope),
-        (&found.num, &found.den),
-        Ordering::Equal,
-    )
-    .ok()?;
-    let along = state.along_unproved(&germ).ok()?.with_cases(wrong);
-    let may = varies(state, side.var);
-    let Outcome::Closed(along) = Search::new(steps, &may, false).solve(&along) else {
-        return None;
+    // no square of what is long is formed to say that it is not zero
+    let is_long = [&found.num, &found.den].into_iter().any(is_long);
+    let compared = |sense: Ordering| {
+        let ends = (&found.num, &found.den);
+        let wrong = differs(state.scope, &limit.compared(state.scope), ends, sense).ok()?;
+        let along = state.along_unproved(&germ).ok()?.with_cases(wrong);
+        let may = varies(state, side.var);
+        let mut search = Search::new(steps, &may, false);
+        if is_long {
+            search.widest = LONGEST;
+        }
+        let Outcome::Closed(along) = search.solve(&along) else {
+            return None;
+        };
+        let Found { num, den, order } = found.clone();
+        let (germ, at_zero) = (germ.clone(), at_zero.clone());
+        Some(SideArgument { germ, num, den, order, sense, along, at_zero, upper: None })
     };
-    Some(SideArgument {
-        germ,
-        num: found.num.clone(),
-        den: found.den.clone(),
-        order: found.order,
-        sense: Ordering::Equal,
-        along,
-        at_zero,
-        upper: None,
-    })
+    if is_long { between(&limit.to, &compared) } else { compared(Ordering::Equal) }
 }
 
 /// A proof of a limit from all sides as it is.

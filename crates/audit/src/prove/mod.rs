@@ -54,6 +54,7 @@ mod products;
 mod radicals;
 mod radicand;
 mod ranges;
+mod reciprocal;
 mod retelling;
 mod rule;
 mod sample;

@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::line;
+use super::{line, reciprocal};
 use crate::argument::{Argument, Rules};
 
 type Q = BigRational;
@@ -26,9 +26,12 @@ pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argum
         return Some(Argument::Absurd(i));
     }
     let undecided = |i: &usize| fresh[*i] && state.atoms[*i].decided().is_none();
-    conflict(state, fresh).or_else(|| multiple_of_equation(state, fresh)).or_else(|| {
-        (0..state.atoms.len()).rev().filter(undecided).find_map(|i| wrong_sign(state, i))
-    })
+    conflict(state, fresh)
+        .or_else(|| reciprocal::multiple(state, fresh))
+        .or_else(|| multiple_of_equation(state, fresh))
+        .or_else(|| {
+            (0..state.atoms.len()).rev().filter(undecided).find_map(|i| wrong_sign(state, i))
+        })
 }
 
 /// Two or three atoms about the same polynomial that cannot all hold.
@@ -100,6 +103,7 @@ fn multiple_of_equation(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argumen
             if !(fresh[i] || fresh[j])
                 || !matches!(a.sign, Sign::Positive | Sign::NonZero)
                 || a.poly.is_constant()
+                || reciprocal::is_long(&a.poly)
             {
                 continue;
             }

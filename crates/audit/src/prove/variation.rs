@@ -31,6 +31,18 @@ pub(crate) fn varies(state: &State<'_, '_>, x: usize) -> impl Fn(usize, &Poly) -
 /// dⁿ·p(v := −e/d) for n the degree of p in v.
 fn homogeneous(p: &Poly, v: usize, (d, e): (&Poly, &Poly), fuel: &Fuel) -> Result<Poly, Rejection> {
     let minus_e = e.neg();
+    if d.len() == 1 && e.len() == 1 {
+        // each coefficient is multiplied by one term, and no sum by it again and again
+        let n = p.degree(v);
+        let coefficients = (0..).zip(p.coefficients(v)).filter(|(_, c)| !c.is_empty());
+        let moved = coefficients.map(|(k, c)| {
+            let by = minus_e.pow(k, fuel)?.mul(&d.pow(n - k, fuel)?, fuel)?;
+            c.mul(&by, fuel)
+        });
+        let moved = moved.collect::<Result<Vec<Poly>, Rejection>>()?;
+        let terms = moved.iter().flat_map(Poly::terms);
+        return Ok(Poly::sum(terms.map(|(m, c)| (m.to_vec(), c.clone()))));
+    }
     let (mut sum, mut power) = (Poly::default(), Poly::one());
     for c in p.coefficients(v).iter().rev() {
         sum = sum.mul(&minus_e, fuel)?.add(&c.mul(&power, fuel)?);

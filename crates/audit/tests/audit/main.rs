@@ -9,6 +9,7 @@ mod linear;
 #[expect(dead_code, reason = "here are no random statements")]
 mod many;
 mod memo;
+mod powers;
 mod sides;
 mod small_places;
 mod summands;

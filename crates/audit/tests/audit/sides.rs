@@ -11,7 +11,7 @@ fn verdict(claim: &str) -> Verdict {
 }
 
 /// Proves a claim, and refutes what becomes of it by a change.
-fn holds_but_not(claim: &str, (is, would_be): (&str, &str)) {
+pub(crate) fn holds_but_not(claim: &str, (is, would_be): (&str, &str)) {
     assert!(claim.contains(is), "{claim}");
     assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     let changed = claim.replacen(is, would_be, 1);

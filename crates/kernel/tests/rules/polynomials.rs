@@ -118,7 +118,7 @@ fn descartes_pays_for_the_length_of_the_numbers_that_it_makes() {
 fn a_power_is_a_repeated_product() {
     for a in polynomials() {
         let mut product = n(1);
-        for exponent in 0..8 {
+        for exponent in 0..12 {
             assert_eq!(a.pow(exponent, &plenty()), Ok(product.clone()), "{a:?}^{exponent}");
             product = times(&product, &a);
         }
@@ -251,8 +251,29 @@ fn the_content_is_positive_and_divides() {
 }
 
 #[test]
+fn a_power_of_two_terms_pays_for_each_coefficient_and_for_its_powers() {
+    // 301 coefficients of at most 2·300 bits, two powers each: 300·8·(9 + 1 + 2)
+    let p = x().scale(&2.into()).sub(&y());
+    assert_eq!(p.pow(300, &Fuel::new(28_799)), Err(Rejection::Budget));
+    let power = p.pow(300, &Fuel::new(28_800)).expect("as much as it takes");
+    assert_eq!(
+        times(&p.pow(100, &plenty()).expect("plenty"), &p.pow(200, &plenty()).expect("plenty")),
+        power
+    );
+    // 1,970·(62 + 3,998) words and powers are held; of one power more are too many, whatever is left
+    let long = long(0, 3_998).add(&n(1));
+    assert!(long.pow(1_970, &Fuel::new(u64::MAX)).is_ok());
+    assert_eq!(long.pow(1_971, &Fuel::new(u64::MAX)), Err(Rejection::Budget));
+}
+
+#[test]
 fn powers_beyond_their_range_are_refused() {
     let top = Poly::power(0, u32::MAX);
+    for beyond in
+        [top.add(&n(1)), Poly::power(0, 1 << 31).add(&x()), Poly::power(0, 1 << 29).add(&n(-3))]
+    {
+        assert_eq!(beyond.pow(8, &plenty()), Err(Rejection::Budget));
+    }
     assert_eq!(top.mul(&x(), &plenty()), Err(Rejection::Budget));
     assert!(top.mul(&y(), &plenty()).is_ok());
 }
