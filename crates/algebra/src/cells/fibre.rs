@@ -92,7 +92,7 @@ impl<'a> Fibre<'a> {
                 cuts.push(found);
             }
         }
-        Some(Self { base, v, table: SignTable::new(&cuts, fuel).ok()? })
+        Some(Self { base, v, table: SignTable::at_roots(&cuts, fuel).ok()? })
     }
 
     /// The cells, those with simple values first.
@@ -164,7 +164,7 @@ fn joined(
             slope = slope.derivative();
         }
         let sums = norm(m, &coefficients, fuel)?;
-        let table = SignTable::new(&[sums], fuel).ok()?;
+        let table = SignTable::at_roots(&[sums], fuel).ok()?;
         // Intervals of x and y that leave one root for θ.
         let (mut x, mut y) = (x.clone(), y.clone());
         let mut found = None;

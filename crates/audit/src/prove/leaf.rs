@@ -219,6 +219,7 @@ impl Search<'_> {
         let tries = if linear || self.brief { (2, 12) } else { (5, 200) };
         let near = self
             .at_places(state, trail, vars, if self.brief { BRIEFLY } else { PLACES })
+            .or_else(|| self.between_bounds(state, trail, vars, (2, 12)))
             .or_else(|| self.sample(state, trail, vars, tries))
             .or_else(|| self.linear_point(state, trail, vars));
         if self.brief {

@@ -2,7 +2,7 @@
 
 use kane_algebra::ring::univariate;
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Sign, State};
+use kane_kernel::{Fuel, Rejection, Sign, State};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -58,20 +58,31 @@ pub(crate) fn is_empty(state: &State<'_, '_>, v: usize) -> bool {
     low > high || (strict && low == high)
 }
 
-/// Atoms in the variable v alone: the sign table of the line, with the atoms' indices.
-pub(crate) fn table(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<usize>)> {
-    let mut polys = Vec::new();
-    let mut indices = Vec::new();
+/// Atoms in the variable v alone: the line cut at their roots, with the atoms' indices.
+pub(crate) fn cut(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<usize>)> {
+    table(state, v, &SignTable::at_roots)
+}
+
+/// The sign table of these atoms.
+fn table(
+    state: &State<'_, '_>,
+    v: usize,
+    cut: &dyn Fn(&[Vec<BigInt>], &Fuel) -> Result<SignTable, Rejection>,
+) -> Option<(SignTable, Vec<usize>)> {
+    let (mut polys, mut contents, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for (i, a) in state.atoms.iter().enumerate() {
         if a.poly.vars() == [v] {
-            polys.push(univariate(&a.poly, v)?);
+            let (content, primitive) = a.poly.primitive();
+            polys.push(univariate(&primitive, v)?);
+            contents.push(content);
             indices.push(i);
         }
     }
     if polys.is_empty() {
         return None;
     }
-    let table = SignTable::new(&polys, &state.scope.fuel).ok()?;
+    let mut table = cut(&polys, &state.scope.fuel).ok()?;
+    table.factored.iter_mut().zip(contents).for_each(|((constant, _), c)| *constant *= c);
     Some((table, indices))
 }
 
@@ -100,7 +111,7 @@ fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
 
 /// The sign table of v as a proof, if no cell is open.
 pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
-    let (table, indices) = table(state, v)?;
+    let (table, indices) = table(state, v, &SignTable::new)?;
     if !open_cells(state, &table, &indices).is_empty() {
         return None;
     }

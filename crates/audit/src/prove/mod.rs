@@ -4,6 +4,7 @@
 mod approach;
 mod asymptote;
 mod attempt;
+mod between;
 mod bounds;
 mod boxes;
 mod budget;

@@ -112,7 +112,7 @@ impl Search<'_> {
                     continue;
                 }
                 let mut partial = Partial::default();
-                match line::table(&special, last) {
+                match line::cut(&special, last) {
                     None => {
                         let Some(simple) = candidates(&special, last).into_iter().next() else {
                             continue;
@@ -211,12 +211,17 @@ pub(super) fn candidates(state: &State<'_, '_>, v: usize) -> Vec<Q> {
         }
     }
     if out.is_empty()
-        && let Some((table, indices)) = line::table(state, v)
+        && let Some((table, indices)) = line::cut(state, v)
     {
-        out.extend(open_cells(state, &table, &indices).iter().filter_map(|cell| {
+        let cells = open_cells(state, &table, &indices);
+        out.extend(cells.iter().filter_map(|cell| {
             let is_rational = !matches!(cell, LineCell::Root(i) if !table.roots[*i].is_exact());
             is_rational.then(|| table.sample(*cell))
         }));
+        // what other conditions leave of a piece may lie at its end
+        if let Some(LineCell::Gap(i)) = cells.iter().find(|cell| matches!(cell, LineCell::Gap(_))) {
+            out.extend(table.near_ends(*i, &state.scope.fuel).unwrap_or_default());
+        }
     }
     out
 }
