@@ -18,7 +18,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
 
-pub use contact::Contact;
+pub use contact::{Contact, Place, Surd};
 use elimination::Solution;
 use gram::Gram;
 

@@ -1,6 +1,6 @@
 //! Sums of squares: known ones are found, and what is found is an identity.
 
-use kane_algebra::squares::{Contact, Identity, Question, identity, total_degree};
+use kane_algebra::squares::{Contact, Identity, Place, Question, identity, total_degree};
 use kane_kernel::{Fuel, Poly};
 use num_bigint::BigInt;
 use num_traits::Signed;
@@ -154,9 +154,12 @@ fn what_is_known_to_vanish_does_so_in_the_identity() {
         degree: 4,
         contacts: &[],
     };
-    let point = Contact::At(at(1, 0));
+    let point = Contact::At(Place::rational(at(1, 0)));
     assert!(point.is_of(&bare));
-    assert!(!Contact::At(at(0, 1)).is_of(&bare) && !Contact::Towards(at(1, -1)).is_of(&bare));
+    assert!(
+        !Contact::At(Place::rational(at(0, 1))).is_of(&bare)
+            && !Contact::Towards(Place::rational(at(1, -1))).is_of(&bare)
+    );
     let found = identity(&Question { contacts: &[point], ..bare.clone() }, &fuel).expect("a sum");
     assert!(total(&bare, &found).is_empty());
     let here = |p: &Poly| kane_algebra::point::specialised(p, &at(1, 0));
@@ -164,6 +167,44 @@ fn what_is_known_to_vanish_does_so_in_the_identity() {
     // x⁴ has no room along y
     let leading = x.pow(4, &fuel).expect("there is fuel").neg();
     let towards = Question { positive: &leading, ..bare };
-    assert!(Contact::Towards(at(0, 1)).is_of(&towards));
-    assert!(!Contact::Towards(at(1, 1)).is_of(&towards));
+    assert!(Contact::Towards(Place::rational(at(0, 1))).is_of(&towards));
+    assert!(!Contact::Towards(Place::rational(at(1, 1))).is_of(&towards));
+}
+
+#[test]
+fn places_with_a_root_are_those_where_a_claim_touches_and_does_not_cross() {
+    // −(x² − 2·y²)² along (√2, 1), and x² − 2·y², which changes its sign there
+    let fuel = Fuel::new(1 << 30);
+    let (x, y) = (Poly::var(0), Poly::var(1));
+    let square = |p: &Poly| p.pow(2, &fuel).expect("there is fuel");
+    let cone = square(&x).sub(&square(&y).scale(&2.into()));
+    let whole = |n: i64| BigInt::from(n).into();
+    let values = |a: i64| vec![(0, [whole(0), whole(a)]), (1, [whole(1), whole(0)])];
+    let at = |a: i64| Contact::At(Place { radicand: whole(2), values: values(a) });
+    let question = |positive: &Poly, products: &[Poly]| -> [bool; 3] {
+        let asked = Question { positive, products, equations: &[], degree: 4, contacts: &[] };
+        [at(1).is_of(&asked), at(1).is_flat(&asked, &fuel), at(2).is_of(&asked)]
+    };
+    let fourth = square(&cone).neg();
+    assert_eq!(question(&fourth, &[Poly::one()]), [true, true, false]);
+    assert_eq!(question(&cone, &[Poly::one()]), [true, false, false]);
+    // what else is zero there, and rises along the same slope, does not keep it from crossing; what rises along another may
+    assert_eq!(question(&cone, &[Poly::one(), cone.clone()]), [true, false, false]);
+    let beside = square(&x).scale(&2.into()).sub(&square(&y).scale(&4.into())).add(&square(&cone));
+    assert_eq!(question(&cone, &[Poly::one(), beside]), [true, false, false]);
+    let line = y.sub(&Poly::one());
+    assert_eq!(question(&cone, &[Poly::one(), line]), [true, true, false]);
+    assert!(at(1).is_irrational());
+    let products = [Poly::one()];
+    let contacts = [at(1)];
+    let asked = Question {
+        positive: &fourth,
+        products: &products,
+        equations: &[],
+        degree: 4,
+        contacts: &contacts,
+    };
+    let found = identity(&asked, &fuel).expect("a square");
+    assert!(total(&asked, &found).is_empty());
+    assert_eq!(found.squares.len(), 1, "of x² − 2·y² alone");
 }

@@ -19,6 +19,7 @@ mod comparison;
 mod components;
 mod conics;
 mod conjugates;
+mod contacts;
 mod differences;
 mod discriminant;
 mod dominance;

@@ -13,6 +13,8 @@ use super::search::Search;
 
 /// Places at which all symbols are equal.
 const EQUAL: usize = 8;
+/// Places with 0, 1 and −1 alone that are tried after all others.
+const CORNERS: usize = 81;
 /// Roots below which a sample of all variables is as good.
 const FEWEST: usize = 2;
 
@@ -37,7 +39,14 @@ impl Search<'_> {
         // first where all are equal, as are most that hold an equation by their sum
         let shared = lists[0].iter().filter(|q| lists.iter().all(|list| list.contains(q)));
         let equal = shared.take(EQUAL).map(|q| vec![q.clone(); lists.len()]);
-        let places: Vec<_> = equal.chain(diagonal(&lists, tries)).collect();
+        let mut places: Vec<_> = equal.chain(diagonal(&lists, tries)).collect();
+        let units: Vec<Vec<BigRational>> = lists.iter().map(|list| units(list)).collect();
+        let corners: usize = units.iter().map(Vec::len).product();
+        if !self.brief && corners <= CORNERS {
+            let mut corners = diagonal(&units, corners);
+            corners.retain(|at| !places.contains(at));
+            places.extend(corners);
+        }
         places.into_iter().map_while(|values| self.step(state).then_some(values)).find_map(
             |values| {
                 let mut place: Vec<(usize, BigRational)> =
@@ -67,6 +76,12 @@ impl Search<'_> {
             },
         )
     }
+}
+
+/// Of some values those that are 0, 1 or −1.
+fn units(values: &[BigRational]) -> Vec<BigRational> {
+    let is_unit = |q: &&BigRational| q.is_integer() && q.numer().bits() <= 1;
+    values.iter().filter(is_unit).cloned().collect()
 }
 
 /// Symbols that equations without roots give from the others, and those equations: each after those whose symbols it has.

@@ -3,9 +3,8 @@
 use kane_algebra::ring::common_sign;
 use kane_algebra::squares::{Contact, Identity, Question, identity, total_degree};
 use kane_kernel::{Fuel, Poly, Sign, State, Term};
-use num_rational::BigRational;
-use num_traits::{One as _, Zero as _};
 
+use super::contacts::{contacts, only_root};
 use super::elimination::Factors;
 use crate::argument::{Argument, Rules};
 
@@ -17,26 +16,6 @@ const DEGREE: u32 = 12;
 const SYMBOLS: usize = 4;
 /// Positive products that are tried.
 const TARGETS: usize = 10;
-
-/// Coordinates that are tried, the simplest first, and how many of them by the number of variables.
-const VALUES: [(i64, i64); 13] = [
-    (0, 1),
-    (1, 1),
-    (-1, 1),
-    (2, 1),
-    (1, 2),
-    (-2, 1),
-    (-1, 2),
-    (3, 1),
-    (1, 3),
-    (-3, 1),
-    (3, 2),
-    (2, 3),
-    (-1, 3),
-];
-const COORDINATES: [usize; 4] = [13, 13, 9, 5];
-/// Places that are kept.
-const CONTACTS: usize = 12;
 
 /// How much is tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,7 +119,12 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
         let all = few.len() == products.len() && equal.len() == equations.len();
         let first =
             (n == 0 && reach == Reach::Atoms && !all).then(|| among.proof(&few, &equal, fuel));
-        let found = first.flatten().or_else(|| among.proof(&products, &equations, fuel));
+        let found = first.flatten().or_else(|| {
+            let is_first = n == 0 && reach == Reach::Atoms;
+            let bare = is_first && products.len() > 1 && only_root(state).is_some();
+            bare.then(|| among.touching(&products[..1], fuel)).flatten()
+        });
+        let found = found.or_else(|| among.proof(&products, &equations, fuel));
         if found.is_some() {
             return found;
         }
@@ -192,6 +176,21 @@ struct Among<'a> {
 impl Among<'_> {
     /// A contradiction by squares times some products, and multiples of some equations.
     fn proof(&self, products: &[Product], equations: &[usize], fuel: &Fuel) -> Option<Argument> {
+        self.where_it(&|_| true, products, equations, fuel)
+    }
+
+    /// The same of what touches at irrational places: conditions may hide some of them.
+    fn touching(&self, products: &[Product], fuel: &Fuel) -> Option<Argument> {
+        self.where_it(&|contacts| contacts.iter().any(Contact::is_irrational), products, &[], fuel)
+    }
+
+    fn where_it(
+        &self,
+        touches: &dyn Fn(&[Contact]) -> bool,
+        products: &[Product],
+        equations: &[usize],
+        fuel: &Fuel,
+    ) -> Option<Argument> {
         let polys: Vec<Poly> = products.iter().map(|p| p.poly.clone()).collect();
         let equated: Vec<Poly> =
             equations.iter().map(|&i| self.state.atoms[i].poly.clone()).collect();
@@ -202,38 +201,15 @@ impl Among<'_> {
             degree: self.degree,
             contacts: &[],
         };
-        let contacts = if self.degree >= 4 { contacts(&question, fuel) } else { Vec::new() };
+        let contacts =
+            if self.degree >= 4 { contacts(self.state, &question, fuel) } else { Vec::new() };
+        if !touches(&contacts) {
+            return None;
+        }
         let question = Question { contacts: &contacts, ..question };
         let proof = argument(self.target, products, equations, identity(&question, fuel)?);
         self.state.closes(&proof).is_ok().then_some(proof)
     }
-}
-
-/// Places with simple coordinates where a question has no room: a claim may touch there.
-fn contacts(question: &Question<'_>, fuel: &Fuel) -> Vec<Contact> {
-    let polys =
-        || [question.positive].into_iter().chain(question.products).chain(question.equations);
-    let mut vars: Vec<usize> = polys().flat_map(Poly::vars).collect();
-    vars.sort_unstable();
-    vars.dedup();
-    let Some(&count) = COORDINATES.get(vars.len().wrapping_sub(1)) else { return Vec::new() };
-    let cost = question.positive.len() as u64;
-    let coordinate = |index: usize, k: u32| {
-        let (n, d) = VALUES[index / count.pow(k) % count];
-        BigRational::new(n.into(), d.into())
-    };
-    let n = u32::try_from(vars.len()).unwrap_or(u32::MAX);
-    let points = (0..count.pow(n)).map(|index| -> Vec<(usize, BigRational)> {
-        (0..).zip(&vars).map(|(k, v)| (*v, coordinate(index, k))).collect()
-    });
-    // a direction has no length, and its last coordinate that is not 0 is 1
-    let direction = |at: &Vec<(usize, BigRational)>| {
-        at.iter().rev().find(|(_, q)| !q.is_zero()).is_some_and(|(_, q)| q.is_one())
-    };
-    let at = points.clone().map(Contact::At);
-    let towards = points.filter(direction).map(Contact::Towards);
-    let paid = |_: &Contact| fuel.spend(cost).is_ok();
-    at.chain(towards).take_while(paid).filter(|c| c.is_of(question)).take(CONTACTS).collect()
 }
 
 /// Whether an atom says no more than that its variables are not negative, which other atoms say.

@@ -1,6 +1,7 @@
 //! What the audit makes of documents: one program, so that both cores have something to do until the end; what is held to a
 //! time or to room is alone in `budget` and `reader`.
 
+mod contacts;
 mod counterexamples;
 mod dollars;
 mod inequalities;

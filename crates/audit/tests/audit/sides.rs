@@ -3,7 +3,7 @@
 use kane_audit::{Options, Verdict, audit, read};
 
 /// The verdict on a claim, judged in a document.
-fn verdict(claim: &str) -> Verdict {
+pub(crate) fn verdict(claim: &str) -> Verdict {
     let text = format!("```kane\nvar a, b, c, p, q, r, s, t, u, v, x, y\nclaim k: {claim}\n```\n");
     let document = read("sides.md", text.as_bytes()).expect("it can be read");
     let judged = audit(document, &Options::default(), &mut |_, _| {}).judgements.pop();
