@@ -166,7 +166,7 @@ fn root_bound(p: &[BigInt]) -> BigInt {
     let lower = (1i64..).zip(p.iter().rev().skip(1)).filter(|(_, c)| !c.is_zero());
     // |aₙ₋ₖ| < 2^bits, and |aₙ| ≥ 2^(lead − 1)
     let exponent = lower.map(|(k, c)| (bits(c) - lead + 1).div_euclid(k) + 1).max();
-    BigInt::one() << exponent.unwrap_or(0).max(0) + 1
+    BigInt::one() << (exponent.unwrap_or(0).max(0) + 1)
 }
 
 fn isolate(base: &[BigInt], out: &mut Vec<Root>, fuel: &Fuel) -> Result<(), Rejection> {

@@ -10,8 +10,9 @@ use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::diagonal::diagonal;
 use super::elimination::Elimination;
-use super::sample::{candidates, complete, diagonal};
+use super::sample::{candidates, complete};
 use super::search::Search;
 
 type Q = BigRational;
@@ -59,7 +60,7 @@ impl Search<'_> {
         let slopes: Vec<Vec<Poly>> = live.iter().map(slopes).collect::<Option<_>>()?;
         let lists: Vec<Vec<Q>> = vars.iter().map(|&v| candidates(state, v)).collect();
         let near = Near { atoms: &live, slopes: &slopes, vars, fuel };
-        diagonal(&lists, starts).into_iter().find_map(|start| {
+        diagonal(&lists, starts).find_map(|start| {
             MARGINS.iter().find_map(|m| {
                 let found = near.from(&start, *m)?;
                 complete(state, near.solved(&found, equations)?, trail)

@@ -6,8 +6,9 @@ use kane_algebra::point::specialised;
 use kane_kernel::{Atom, Point, State};
 use num_rational::BigRational;
 
+use super::diagonal::diagonal;
 use super::elimination::Elimination;
-use super::sample::{candidates, complete, diagonal};
+use super::sample::{candidates, complete};
 use super::search::Search;
 
 type Q = BigRational;

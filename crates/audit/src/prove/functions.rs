@@ -81,7 +81,7 @@ pub(crate) fn model(
         if of_x { [roots(&rest, *v, x), simple].concat() } else { admitted(&known, *v, simple) }
     };
     let lists: Vec<Vec<Rc<Expr>>> = free.iter().map(candidates).collect();
-    let tries = super::sample::diagonal(&lists, effort.candidates);
+    let tries = super::diagonal::diagonal(&lists, effort.candidates);
     for choice in tries {
         let mut values: Vec<(usize, Expr)> = by.to_vec();
         values.extend(free.iter().copied().zip(choice.iter().map(|e| Expr::clone(e))));

@@ -60,15 +60,14 @@ pub(crate) fn is_empty(state: &State<'_, '_>, v: usize) -> bool {
 
 /// Atoms in the variable v alone: the line cut at their roots, with the atoms' indices.
 pub(crate) fn cut(state: &State<'_, '_>, v: usize) -> Option<(SignTable, Vec<usize>)> {
-    table(state, v, &SignTable::at_roots)
+    table(state, v, SignTable::at_roots)
 }
 
+/// How a line is cut.
+type Cut = fn(&[Vec<BigInt>], &Fuel) -> Result<SignTable, Rejection>;
+
 /// The sign table of these atoms.
-fn table(
-    state: &State<'_, '_>,
-    v: usize,
-    cut: &dyn Fn(&[Vec<BigInt>], &Fuel) -> Result<SignTable, Rejection>,
-) -> Option<(SignTable, Vec<usize>)> {
+fn table(state: &State<'_, '_>, v: usize, cut: Cut) -> Option<(SignTable, Vec<usize>)> {
     let (mut polys, mut contents, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for (i, a) in state.atoms.iter().enumerate() {
         if a.poly.vars() == [v] {
@@ -111,7 +110,7 @@ fn weight(q: &Q, kind: u8) -> (u8, BigInt, u8) {
 
 /// The sign table of v as a proof, if no cell is open.
 pub(crate) fn sign_table(state: &State<'_, '_>, v: usize) -> Option<Argument> {
-    let (table, indices) = table(state, v, &SignTable::new)?;
+    let (table, indices) = table(state, v, SignTable::new)?;
     if !open_cells(state, &table, &indices).is_empty() {
         return None;
     }

@@ -10,8 +10,9 @@ use kane_kernel::{Atom, Fuel, Point, Poly, Power, Sign, State, Term};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::diagonal::diagonal;
 use super::elimination::Elimination;
-use super::sample::{candidates, complete, diagonal};
+use super::sample::{candidates, complete};
 use super::search::Search;
 use super::tactics;
 use crate::argument::{Argument, Rules};
@@ -204,7 +205,7 @@ impl Search<'_> {
         }
         let free: Vec<usize> = vars.iter().copied().filter(|v| !fixed.contains(v)).collect();
         let lists: Vec<Vec<Q>> = fixed.iter().map(|&v| candidates(state, v)).collect();
-        diagonal(&lists, FIXED.1).into_iter().find_map(|values| {
+        diagonal(&lists, FIXED.1).find_map(|values| {
             if !self.step(state) {
                 return None;
             }

@@ -20,6 +20,7 @@ mod components;
 mod conics;
 mod conjugates;
 mod contacts;
+mod diagonal;
 mod differences;
 mod discriminant;
 mod dominance;

@@ -5,10 +5,11 @@ use kane_kernel::{Atom, Point, Poly, Sign, State};
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
+use super::diagonal::diagonal;
 use super::elimination::{Elimination, open_vars};
 use super::line;
 use super::radicals::Radicals;
-use super::sample::{candidates, diagonal};
+use super::sample::candidates;
 use super::search::Search;
 
 /// Places at which all symbols are equal.
@@ -43,7 +44,7 @@ impl Search<'_> {
         let units: Vec<Vec<BigRational>> = lists.iter().map(|list| units(list)).collect();
         let corners: usize = units.iter().map(Vec::len).product();
         if !self.brief && corners <= CORNERS {
-            let mut corners = diagonal(&units, corners);
+            let mut corners: Vec<_> = diagonal(&units, corners).collect();
             corners.retain(|at| !places.contains(at));
             places.extend(corners);
         }

@@ -9,9 +9,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
+use super::diagonal::diagonal;
 use super::elimination::{Elimination, open_vars};
 use super::radicals::{Radical, Radicals, Reduced, contradiction};
-use super::sample::{candidates, complete, diagonal};
+use super::sample::{candidates, complete};
 use super::search::{Outcome, Search};
 
 type Q = BigRational;
@@ -55,7 +56,7 @@ fn values(state: &State<'_, '_>, radicals: &Radicals) -> Option<Vec<(usize, Q)>>
         return None;
     }
     let lists: Vec<Vec<Q>> = others.iter().map(|v| candidates(state, *v)).collect();
-    diagonal(&lists, TRIES).into_iter().find_map(|values| {
+    diagonal(&lists, TRIES).find_map(|values| {
         let values: Vec<(usize, Q)> = others.iter().copied().zip(values).collect();
         let holds = |a: &Atom| {
             let sign = radicals.seen(&specialised(&a.poly, &values), &state.scope.fuel);

@@ -13,8 +13,8 @@ use kane_kernel::{
 };
 use num_rational::BigRational as Q;
 
+use super::diagonal::diagonal;
 use super::elimination::Elimination;
-use super::sample::diagonal;
 use super::search::{Outcome, Search};
 use super::variation::{determined, varies};
 use crate::argument::expand;
@@ -41,8 +41,8 @@ pub(super) fn inside(state: &State<'_, '_>, germ: &Germ, given: &Sentence) -> Op
     let choices = diagonal(&lists, TRIES);
     let solved = Solved::of(&state.goal.context, given, &functions);
     let boundaries = boundaries(&state.goal.context, given, &functions);
-    for choice in &choices {
-        let chosen: Values = functions.iter().copied().zip(choice.iter().cloned()).collect();
+    for choice in choices {
+        let chosen: Values = functions.iter().copied().zip(choice).collect();
         let on = |bounds: &[(usize, Expr)]| {
             let mut values = chosen.clone();
             for (f, at) in bounds {

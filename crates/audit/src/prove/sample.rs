@@ -10,6 +10,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::conics::conics;
+use super::diagonal::diagonal;
 use super::elimination::{Elimination, open_vars};
 use super::line::{self, open_cells};
 use super::parameter::Parametrised;
@@ -232,50 +233,6 @@ fn beyond(bound: &Q, sense: i64) -> Vec<Q> {
     let at = |k: i64| &whole + Q::from_integer((k * sense).into());
     let twice = &whole + bound.abs() * Q::from_integer(sense.into());
     vec![at(1), at(2), twice, bound.clone(), at(100)]
-}
-
-/// Choices of one value a list, small positions first, at most `most` of them.
-pub(crate) fn diagonal<T: Clone>(lists: &[Vec<T>], most: usize) -> Vec<Vec<T>> {
-    if lists.is_empty() {
-        return vec![Vec::new()];
-    }
-    if lists.iter().any(Vec::is_empty) {
-        return Vec::new();
-    }
-    let mut out = Vec::new();
-    let deepest: usize = lists.iter().map(|l| l.len() - 1).sum();
-    for sum in 0..=deepest {
-        fill(lists, sum, &mut Vec::new(), &mut out, most);
-        if out.len() >= most {
-            break;
-        }
-    }
-    out
-}
-
-fn fill<T: Clone>(
-    lists: &[Vec<T>],
-    sum: usize,
-    chosen: &mut Vec<T>,
-    out: &mut Vec<Vec<T>>,
-    most: usize,
-) {
-    if out.len() >= most {
-        return;
-    }
-    let Some((list, rest)) = lists.split_first() else {
-        if sum == 0 {
-            out.push(chosen.clone());
-        }
-        return;
-    };
-    let room: usize = rest.iter().map(|l| l.len() - 1).sum();
-    let first = sum.saturating_sub(room);
-    for (i, item) in list.iter().enumerate().take(sum + 1).skip(first) {
-        chosen.push(item.clone());
-        fill(rest, sum - i, chosen, out, most);
-        chosen.pop();
-    }
 }
 
 /// Gives every other variable a simple value in its range and the eliminated ones theirs.
