@@ -37,7 +37,7 @@ const GROUND: [&str; 4] = ["num-bigint", "num-integer", "num-rational", "num-tra
 
 /// Lines of code in the kernel: it must stay small enough to be read in an evening. The aim is 1,500;
 /// see docs/decisions/0007 for what is between.
-const KERNEL_LINES: usize = 2_330;
+const KERNEL_LINES: usize = 2_350;
 
 fn metadata() -> Metadata {
     MetadataCommand::new()

@@ -13,7 +13,6 @@ mod limit;
 mod model;
 mod normal;
 mod poly;
-mod power;
 mod proof;
 mod rejection;
 mod state;

@@ -21,7 +21,9 @@ pub struct Fuel {
 }
 
 /// Terms and powers of one product, of each factor multiplied; words and powers of one power of two terms.
-pub(crate) const WIDEST: usize = 8_000_000;
+const WIDEST: usize = 8_000_000;
+/// From this exponent on, a sum of two terms is raised by its binomial coefficients.
+const BINOMIAL: u32 = 8;
 
 impl Fuel {
     /// A budget of this many word-sized coefficient operations.
@@ -299,6 +301,47 @@ impl Poly {
         Ok(sum(product))
     }
 
+    /// Power: by repeated squaring, or, of two terms, by the binomial theorem.
+    ///
+    /// # Errors
+    /// [`Rejection::Budget`].
+    pub fn pow(&self, mut n: u32, fuel: &Fuel) -> Checked<Self> {
+        if self.len() == 2 && n >= BINOMIAL {
+            return self.binomial(n, fuel);
+        }
+        let (mut power, mut base) = (Self::one(), self.clone());
+        while n > 0 {
+            if n & 1 == 1 {
+                power = power.mul(&base, fuel)?;
+            }
+            n >>= 1;
+            if n > 0 {
+                base = base.mul(&base, fuel)?;
+            }
+        }
+        Ok(power)
+    }
+
+    /// (a + b)ⁿ = Σ (n over k)·aⁿ⁻ᵏ·bᵏ for two terms a and b.
+    fn binomial(&self, n: u32, fuel: &Fuel) -> Checked<Self> {
+        // a coefficient is below 2^(n·(bits + 1)); each is held with its powers
+        let words = (self.bits() + 1).saturating_mul(n.into()) / 64 + 1;
+        let held = words.saturating_add(self.0.powers.len() as u64).saturating_mul(n.into());
+        if held > WIDEST as u64 {
+            return Err(Rejection::Budget);
+        }
+        fuel.spend(8 * held)?;
+        let parts = self.terms().map(|(m, c)| Self::term(m.to_vec(), c.clone()));
+        let [a, b] = <[Self; 2]>::try_from(parts.collect::<Vec<_>>()).unwrap_or_default();
+        let (mut choices, mut all) = (BigInt::one(), Vec::new());
+        for k in 0..=n {
+            let term = a.pow(n - k, fuel)?.mul(&b.pow(k, fuel)?, fuel)?.scale(&choices);
+            all.extend(term.terms().map(|(m, c)| (m.to_vec(), c.clone())));
+            choices = choices * (n - k) / (k + 1);
+        }
+        Ok(Self::sum(all))
+    }
+
     /// Coefficients of the powers of v, from v⁰ up; each free of v.
     #[must_use]
     pub fn coefficients(&self, v: usize) -> Vec<Self> {
@@ -390,7 +433,7 @@ pub fn exponent(m: &[Power], v: usize) -> u32 {
 }
 
 /// Puts the powers of a product of monomials at the end.
-pub(crate) fn times<'a>(mut a: &'a [Power], mut b: &'a [Power], out: &mut Vec<Power>) -> Checked {
+fn times<'a>(mut a: &'a [Power], mut b: &'a [Power], out: &mut Vec<Power>) -> Checked {
     while let ([x, rest @ ..], [y, others @ ..]) = (a, b) {
         if x.0 == y.0 {
             out.push((x.0, x.1.checked_add(y.1).ok_or(Rejection::Budget)?));

@@ -252,18 +252,18 @@ fn the_content_is_positive_and_divides() {
 
 #[test]
 fn a_power_of_two_terms_pays_for_each_coefficient_and_for_its_powers() {
-    // 301 coefficients of at most 2·300 bits, two powers each: 300·8·(9 + 1 + 2)
+    // coefficients of at most 3·300 bits and two powers: 300·8·(14 + 1 + 2), and what the powers of the two terms take
     let p = x().scale(&2.into()).sub(&y());
-    assert_eq!(p.pow(300, &Fuel::new(28_799)), Err(Rejection::Budget));
-    let power = p.pow(300, &Fuel::new(28_800)).expect("as much as it takes");
+    assert_eq!(p.pow(300, &Fuel::new(40_799)), Err(Rejection::Budget));
+    let power = p.pow(300, &Fuel::new(80_000)).expect("as much as it takes");
     assert_eq!(
         times(&p.pow(100, &plenty()).expect("plenty"), &p.pow(200, &plenty()).expect("plenty")),
         power
     );
-    // 1,970·(62 + 3,998) words and powers are held; of one power more are too many, whatever is left
-    let long = long(0, 3_998).add(&n(1));
-    assert!(long.pow(1_970, &Fuel::new(u64::MAX)).is_ok());
-    assert_eq!(long.pow(1_971, &Fuel::new(u64::MAX)), Err(Rejection::Budget));
+    // 15,968·(499 + 1 + 1) words and powers are held; one power more is too many, whatever is left
+    let sum = x().add(&n(1));
+    assert!(sum.pow(15_968, &Fuel::new(u64::MAX)).is_ok());
+    assert_eq!(sum.pow(15_969, &Fuel::new(u64::MAX)), Err(Rejection::Budget));
 }
 
 #[test]
