@@ -1,6 +1,6 @@
 //! Programs over enclosures, and how far a float is from the truth.
 
-use kane_number::{Binary, Integer, Rounding, decode, encode};
+use kane_number::Binary;
 
 use super::Enclosure;
 use crate::machine::{Machine, compares};
@@ -118,16 +118,10 @@ fn told<M: Machine>(exact: Enclosure, error: &Enclosure) -> Compared {
     let precision = i64::from(M::PRECISION);
     let (low, high) = exact.binades();
     let unit = |binade: i64| binade.max(M::LEAST_EXPONENT + precision - 1) - precision + 1;
-    let ulps = in_units(least, unit(high), Rounding::Down);
-    let ulps_at_most = in_units(most, unit(low), Rounding::Up);
+    // by a power of two before it is rounded: an error below the least float is some part of an ulp
+    let (ulps, _) = error.scaled(-unit(high)).ends();
+    let (_, ulps_at_most) = error.scaled(-unit(low)).ends();
     Compared { exact, error: least, error_at_most: most, ulps, ulps_at_most }
-}
-
-/// x/2^unit, rounded in a direction.
-fn in_units(x: f64, unit: i64, rounding: Rounding) -> f64 {
-    let Ok(value) = decode(x) else { return f64::INFINITY };
-    let power = Integer::from(1) << unit.unsigned_abs();
-    encode(&if unit >= 0 { value / power } else { value * power }, rounding)
 }
 
 #[cfg(test)]
