@@ -177,7 +177,8 @@ fn without_friction_the_slip_stays_and_k_is_1() {
 fn every_law_checks_out_whichever_way_the_contact_slips() {
     for law in kane::impact::laws() {
         for vx in ["1/3", "-1/3"] {
-            let arguments = ["collide", "--sphere", "7/2", "--vx", vx, "--vy", "-1", "--mu", "1/10"];
+            let arguments =
+                ["collide", "--sphere", "7/2", "--vx", vx, "--vy", "-1", "--mu", "1/10"];
             let run = kane(&[&arguments[..], &["--e", "1/2", "--law", law.info.id]].concat());
             assert_eq!(run.code, 0, "{}", run.stdout);
             assert!(!run.stdout.contains("DOES NOT HOLD"), "{}", run.stdout);

@@ -142,14 +142,29 @@ mod tests {
         // a root is 2^-498, and an ulp of it 2^-690 or 2^-1266
         assert!(!suffices(&at(nothing, 192), ENOUGH));
         assert!(suffices(&at(nothing, 768), ENOUGH));
-        // and what is told is what all the bits tell
+        // and what is told is what all the bits tell, but for parts of an ulp that nobody sees
         let told_at = |bits: u32| {
             let exact = at(nothing, bits);
             let error = Enclosure::of(0.0).unwrap().sub(&exact, bits).abs();
             let told = told::<f64>(exact, &error);
-            [told.error, told.error_at_most, told.ulps, told.ulps_at_most].map(f64::to_bits)
+            assert!(told.ulps_at_most < 1e-24, "{bits}: {told:?}");
+            [told.error, told.error_at_most, told.ulps].map(f64::to_bits)
         };
         assert_eq!(told_at(768), told_at(MOST));
+    }
+
+    #[test]
+    fn an_error_below_the_least_float_is_so_much_of_an_ulp() {
+        // 3/10 of seven least floats: 2.1 of them, of which the machine returns two
+        let text = "(FPCore (x) :precision binary64 :pre (<= 0 x 1) (* x 0.3))";
+        let core = fpcore::read("t.fpcore", text).unwrap().remove(0);
+        let least = f64::from_bits(1);
+        let found = compared(&core.program, core.root, &[7.0 * least], 2.0 * least).unwrap();
+        assert_eq!((found.error, found.error_at_most), (0.0, least));
+        assert!(
+            (found.ulps - 0.1).abs() < 1e-15 && (found.ulps_at_most - 0.1).abs() < 1e-15,
+            "{found:?}"
+        );
     }
 
     #[test]
