@@ -172,6 +172,19 @@ fn without_friction_the_slip_stays_and_k_is_1() {
     }
 }
 
+/// What is out of the range of f64 is no 0, and is not left out.
+#[test]
+fn what_floats_do_not_reach_is_said() {
+    let arguments = ["collide", "--body", "sphere", "--vx", "1e-320", "--vy", "-1e300"];
+    let run = kane(&[&arguments[..], &["--mu", "1e5", "--e", "1"]].concat());
+    assert!(run.stdout.contains("alpha beyond f64, T- beyond f64"), "{}", run.stdout);
+    let row = run.stdout.lines().find(|line| line.starts_with("garwin ")).expect("a row");
+    let cells: Vec<&str> = row.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+    assert_eq!(cells[1..4], ["-1.000", "below f64", "0"], "{row}");
+    let row = run.stdout.lines().find(|line| line.starts_with("kane-levinson ")).expect("a row");
+    assert!(row.matches("below f64").count() == 2, "{row}");
+}
+
 /// The slip may point either way: alpha has its sign, and i_x is that of a forward slip.
 #[test]
 fn every_law_checks_out_whichever_way_the_contact_slips() {
