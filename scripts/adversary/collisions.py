@@ -31,7 +31,7 @@ OPEN = "open"  # what the formulas of impacts.py do not tell
 PLAIN = ["1", "2", "1/2", "1/3", "0.1", "3/7", "9.81", "0.01"]
 NASTY = ["0.99999999999999999999", "1e-30", "1e30", "1000000007", "12345678901234567890/98765432109876543211", "1e-40"]
 # where these slide and where they stop at v_t = 0 is not in their formulas
-NO_SLIP = {"whittaker-stop", "garwin-capped", "walton", "smith-1991", "wang-su-li"}
+NO_SLIP = {"whittaker-stop", "garwin-capped", "walton", "smith-1991", "wang-su-li", "tilted-2002", "tilted-2004", "saitoh"}
 # what gives no impulse without approach, which is not in the formulas either
 IDLE = {"wang-su-li", "routh-newton", "keller-1986", "stronge-1990", "djerassi-newton", "djerassi-poisson", "djerassi-stronge"}
 AXES = ["v_x", "v_y", "omega"]
