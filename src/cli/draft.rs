@@ -55,11 +55,15 @@ fn settle(draft: &mut Draft) {
     for _ in 0..ROUNDS {
         let Err(faults) = read("draft.md", draft.document.as_bytes()) else { return };
         // from below, so that lines above keep their numbers
-        let mut lines: Vec<(usize, String)> =
-            faults.into_iter().map(|fault| (fault.line, fault.message)).collect();
-        lines.sort_by_key(|(line, _)| std::cmp::Reverse(*line));
-        lines.dedup_by_key(|(line, _)| *line);
-        let refused = lines.iter().filter(|(line, reason)| draft.refuse(*line, reason)).count();
+        let mut faults = faults;
+        faults.sort_by_key(|fault| std::cmp::Reverse(fault.line));
+        faults.dedup_by_key(|fault| fault.line);
+        // what a claim rests on is a guess: no formula is to blame for it
+        let refuse = |fault: &&Diagnostic| {
+            draft.refuse_citation(fault.line, fault.column, &fault.message)
+                || draft.refuse(fault.line, &fault.message)
+        };
+        let refused = faults.iter().filter(refuse).count();
         if refused == 0 {
             return;
         }

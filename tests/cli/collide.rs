@@ -172,6 +172,33 @@ fn without_friction_the_slip_stays_and_k_is_1() {
     }
 }
 
+/// What is out of the range of f64 is no 0, and is not left out.
+#[test]
+fn what_floats_do_not_reach_is_said() {
+    let arguments = ["collide", "--body", "sphere", "--vx", "1e-320", "--vy", "-1e300"];
+    let run = kane(&[&arguments[..], &["--mu", "1e5", "--e", "1"]].concat());
+    assert!(run.stdout.contains("alpha beyond f64, T- beyond f64"), "{}", run.stdout);
+    let row = run.stdout.lines().find(|line| line.starts_with("garwin ")).expect("a row");
+    let cells: Vec<&str> = row.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+    assert_eq!(cells[1..4], ["-1.000", "below f64", "0"], "{row}");
+    let row = run.stdout.lines().find(|line| line.starts_with("kane-levinson ")).expect("a row");
+    assert!(row.matches("below f64").count() == 2, "{row}");
+}
+
+/// The slip may point either way: alpha has its sign, and i_x is that of a forward slip.
+#[test]
+fn every_law_checks_out_whichever_way_the_contact_slips() {
+    for law in kane::impact::laws() {
+        for vx in ["1/3", "-1/3"] {
+            let arguments =
+                ["collide", "--sphere", "7/2", "--vx", vx, "--vy", "-1", "--mu", "1/10"];
+            let run = kane(&[&arguments[..], &["--e", "1/2", "--law", law.info.id]].concat());
+            assert_eq!(run.code, 0, "{}", run.stdout);
+            assert!(!run.stdout.contains("DOES NOT HOLD"), "{}", run.stdout);
+        }
+    }
+}
+
 /// In JSON an exact value is a fraction in full, near the float beside it; what has a root in it has
 /// digits alone.
 #[test]
@@ -301,6 +328,8 @@ fn json_has_every_law_and_is_documented() {
         let run = run(&arguments);
         let report: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
         assert_eq!(report["schema"]["name"], "kane-collide");
+        let version = format!("`version` is `{}`", report["schema"]["version"]);
+        assert!(schema.contains(&version), "{version}");
         assert_eq!(report["laws"].as_array().map(Vec::len), Some(law.map_or(18, |_| 1)));
         fields(&report, &mut |field| {
             if !schema.contains(&format!("`{field}`")) {

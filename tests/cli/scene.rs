@@ -39,11 +39,12 @@ fn a_scene_is_answered_and_written_in_every_form() {
 fn the_headline_of_one_model_that_was_asked_for_is_about_that_model() {
     for (model, said) in [
         ("whittaker-uncapped", "whittaker-uncapped/f64, the model asked for, is not good enough\n"),
-        ("routh-newton/interval", "the model asked for, is not known to be good enough\n"),
+        ("routh-newton/interval", "is not judged: its answers are the middles of intervals\n"),
     ] {
         let run = kane(&["scene", "backspin", "--model", model]);
         assert_eq!(run.code, 1, "{}", run.stderr);
         assert!(run.stdout.contains(said) && !run.stdout.contains("no model"), "{}", run.stdout);
+        assert!(!run.stdout.contains("no answer"), "it is shown: {}", run.stdout);
     }
     let help = kane(&["scene", "--help"]).stdout;
     assert!(help.contains("interval"), "what is accepted is told: {help}");

@@ -155,6 +155,21 @@ fn no_answer_to_a_random_scene_is_further_off_than_it_says() {
     }
 }
 
+/// So many random collisions are put to all laws, or to one in depth, in the gate.
+const COLLISIONS: usize = 120;
+
+#[test]
+fn nothing_that_is_said_of_a_random_collision_is_wrong() {
+    let count = many(COLLISIONS).to_string();
+    let arguments = [env!("CARGO_BIN_EXE_kane"), &count, "gate"];
+    if let Some(output) = adversary("collisions.py", &arguments) {
+        let printed = succeeded(&output);
+        assert!(printed.contains(" collisions, 0 wrong"), "{printed}");
+        let kinds = ["irrational outcomes: ", "contacts on which energy is created: "];
+        assert!(kinds.iter().all(|kind| printed.contains(kind)), "{printed}");
+    }
+}
+
 /// Every law in both formats, clean twice and with each of six faults.
 const LOGS: usize = 21 * 2 * 8;
 

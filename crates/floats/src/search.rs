@@ -10,7 +10,7 @@ use crate::draw::Random;
 use crate::exact::{Compared, compared};
 use crate::machine::{Machine, Runner, compares};
 use crate::rigor::{Cell, Goal};
-use crate::{Core, Operation, Program};
+use crate::{Core, Operation, Precision, Program};
 
 /// How hard to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,20 @@ impl<M: Machine> Worst<M> {
             Goal::Ulps => self.compared.ulps,
         }
     }
+
+    /// The same, at most.
+    #[must_use]
+    pub fn error_at_most(&self, goal: Goal) -> f64 {
+        match goal {
+            Goal::Absolute => self.compared.error_at_most,
+            Goal::Ulps => self.compared.ulps_at_most,
+        }
+    }
 }
+
+/// Where a pair of doubles has no room for its second one, and its difference from a float is 0: below this errors
+/// are measured instead of estimated.
+const DEEP: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Points whose errors are measured exactly in the end.
 const MEASURED: usize = 24;
@@ -152,6 +165,14 @@ impl<M: Machine> Search<'_, M> {
         };
         if !computed.finite() {
             return Some(f64::MAX);
+        }
+        let size = exact.high().abs();
+        if M::FORMAT == Precision::F64 && size > 0.0 && size < DEEP {
+            let found = compared(&self.core.program, self.core.root, &floats, *computed)?;
+            return Some(match self.goal {
+                Goal::Absolute => found.error_at_most,
+                Goal::Ulps => found.ulps,
+            });
         }
         let error = (DoubleDouble::from(computed.wide()) - exact).high().abs();
         Some(match self.goal {

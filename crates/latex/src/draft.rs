@@ -139,7 +139,7 @@ pub fn draft(text: &str, format: Format) -> Draft {
         premises: Vec::new(),
         unnumbered: 0,
         equations: Vec::new(),
-        defined: BTreeSet::new(),
+        definitions: BTreeSet::new(),
     };
     let mut displays = displays.into_iter();
     for block in &source.blocks {
@@ -160,46 +160,6 @@ pub fn draft(text: &str, format: Format) -> Draft {
     writer.finish(text)
 }
 
-impl Draft {
-    /// Turns the statement in a line of the document, from 1, into a comment with the reason, and takes
-    /// its label from what claims rest on. Whether there is a statement in that line.
-    pub fn refuse(&mut self, line: usize, reason: &str) -> bool {
-        let mut lines: Vec<String> = self.document.lines().map(str::to_owned).collect();
-        let Some(statement) = line.checked_sub(1).and_then(|at| lines.get_mut(at)) else {
-            return false;
-        };
-        let words: Vec<&str> = statement.split(' ').collect();
-        let (kind, label) = match words.as_slice() {
-            [kind @ ("given" | "claim" | "let"), label, ..] => (*kind, label.trim_end_matches(':')),
-            ["var", name, ..] => ("var", *name),
-            _ => return false,
-        };
-        let (kind, label) = (kind.to_owned(), label.to_owned());
-        let reason = one_line(reason);
-        *statement = format!("# not accepted, {reason}: {statement}");
-        if kind != "var" {
-            for statement in &mut lines {
-                if let Some((text, cited)) = statement.clone().split_once(" from ")
-                    && statement.starts_with("claim ")
-                {
-                    let kept: Vec<&str> =
-                        cited.split(", ").filter(|cited| *cited != label).collect();
-                    *statement = match kept.as_slice() {
-                        [] => text.to_owned(),
-                        _ => format!("{text} from {}", kept.join(", ")),
-                    };
-                }
-            }
-            if let Some(outcome) = self.equations.iter_mut().find(|outcome| outcome.label == label)
-            {
-                outcome.fault = Some(Unreadable::NotAccepted(reason));
-            }
-        }
-        self.document = format!("{}\n", lines.join("\n"));
-        true
-    }
-}
-
 struct Writer<'a> {
     source: &'a Source,
     numbering: &'a Numbering,
@@ -212,8 +172,8 @@ struct Writer<'a> {
     premises: Vec<String>,
     unnumbered: usize,
     equations: Vec<Outcome>,
-    /// functions with arguments that have their definition
-    defined: BTreeSet<String>,
+    /// labels of definitions, which are in force everywhere and cited nowhere
+    definitions: BTreeSet<String>,
 }
 
 impl Writer<'_> {
@@ -237,7 +197,8 @@ impl Writer<'_> {
         for part in text.split('(').skip(1) {
             let Some((label, _)) = part.split_once(')') else { continue };
             let label = format!("({label})");
-            if self.taken.contains(&label) && !found.contains(&label) {
+            let is_cited = self.taken.contains(&label) && !self.definitions.contains(&label);
+            if is_cited && !found.contains(&label) {
                 found.push(label);
             }
         }
@@ -297,18 +258,15 @@ impl Writer<'_> {
             let fault = match read {
                 Ok(read) => {
                     let new = self.names.symbols().len() > known.len();
-                    self.statement(&mut statements, &label, &read, new, follows, &named);
-                    None
+                    self.statement(&mut statements, &label, &read, new, follows, &named)
                 }
-                Err(fault) => {
-                    let _ = writeln!(
-                        statements,
-                        "# {label} is not read: {}",
-                        one_line(&fault.to_string())
-                    );
-                    Some(fault)
-                }
+                Err(fault) => Err(fault),
             };
+            let fault = fault.err();
+            if let Some(fault) = &fault {
+                let why = one_line(&fault.to_string());
+                let _ = writeln!(statements, "# {label} is not read: {why}");
+            }
             self.equations.push(Outcome { label, line: equation.line, fault });
         }
         if !statements.is_empty() {
@@ -325,31 +283,33 @@ impl Writer<'_> {
         new: bool,
         follows: Option<bool>,
         named: &[String],
-    ) {
-        self.taken.insert(label.to_owned());
-        if let Some(left_out) = &read.left_out {
-            let _ = writeln!(out, "# {label} has besides: {}", one_line(left_out));
-        }
+    ) -> Result<(), Unreadable> {
         let text = one_line(&read.text());
         if let Some(head) = &read.defines {
             let name = head.split('(').next().unwrap_or_default().to_owned();
-            if self.defined.insert(name) {
-                let _ = writeln!(out, "let {label} {head} := {text}");
-            } else {
-                let _ = writeln!(out, "# {label} defines {head} a second time: {text}");
+            if !self.names.defined.insert(name) {
+                return Err(Unreadable::DefinedTwice(head.clone()));
             }
-            return;
+            let _ = writeln!(out, "let {label} {head} := {text}");
+            self.definitions.insert(label.to_owned());
+            self.taken.insert(label.to_owned());
+            return Ok(());
+        }
+        self.taken.insert(label.to_owned());
+        if let Some(left_out) = &read.left_out {
+            let _ = writeln!(out, "# {label} has besides: {}", one_line(left_out));
         }
         let assumed = new && read.limit.is_none()
             || follows == Some(false) && !self.premises.is_empty() && named.is_empty();
         if self.premises.is_empty() || assumed {
             let _ = writeln!(out, "given {label}: {text}");
             self.premises.push(label.to_owned());
-            return;
+            return Ok(());
         }
         let nearest = &self.premises[self.premises.len().saturating_sub(MOST_CITED)..];
         let cited = if named.is_empty() { nearest } else { named };
         let _ = writeln!(out, "claim {label}: {text} from {}", cited.join(", "));
+        Ok(())
     }
 
     fn finish(self, text: &str) -> Draft {
@@ -415,6 +375,6 @@ impl Writer<'_> {
 }
 
 /// A text in one line, without what would end a block, and with what nobody sees written out, which a block may not have.
-fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     visible(&text.replace(['\n', '\r', '\t', '~'], " ")).replace('`', "'")
 }

@@ -18,6 +18,7 @@ mod macros;
 mod name;
 mod part;
 mod prose;
+mod refusal;
 mod relation;
 mod source;
 mod symbol;

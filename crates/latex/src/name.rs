@@ -41,6 +41,8 @@ pub struct Names {
     spellings: BTreeMap<String, String>,
     /// names that are defined with arguments, `f(x) = …`
     pub(crate) functions: BTreeSet<String>,
+    /// those of them whose definition is read
+    pub(crate) defined: BTreeSet<String>,
     /// what the sums run over that are read
     pub(crate) over: Vec<String>,
     /// parameters of the definition that is read

@@ -132,6 +132,11 @@ fn definition<'a>(all: &'a [Token], names: &Names) -> Option<(String, Vec<String
     if chained || !names.functions.contains(&name) {
         return None;
     }
+    // a function that has its definition has a value at symbols of the paper
+    let known = |name: &String| names.symbols().iter().any(|symbol| symbol.name == *name);
+    if names.defined.contains(&name) && parameters.iter().all(known) {
+        return None;
+    }
     let ([Token::Char('='), body @ ..] | [Token::Char(':'), Token::Char('='), body @ ..]) = rest
     else {
         return None;

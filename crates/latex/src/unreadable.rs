@@ -54,6 +54,9 @@ pub enum Unreadable {
     /// macros that stand for too much
     #[error("macros that stand for more than {0} parts")]
     Macros(usize),
+    /// a function that has a definition already
+    #[error("it defines `{0}` a second time")]
+    DefinedTwice(String),
     /// read, but no statement of the language
     #[error("{0}")]
     NotAccepted(String),

@@ -88,6 +88,36 @@ fn a_function_with_its_argument_is_defined() {
 }
 
 #[test]
+fn a_function_that_has_its_definition_has_values() {
+    let paper = r"Newton's law is \[ v = -e u \] We define \[ f(x) = x^2 \tag{2} \]
+        From (2) it follows that \[ f(v) = e^2 u^2 \tag{3} \] and \[ f(x) = x^3 \tag{4} \]";
+    let draft = draft(paper, Format::Latex);
+    // a definition is in force everywhere, and says nothing by itself
+    assert!(draft.document.contains("claim (3): f(v) = e^2*u^2 from (u1)\n"), "{}", draft.document);
+    assert!(draft.document.contains("# (4) is not read: it defines 'f(x)' a second time\n"));
+    let faults: Vec<_> = draft.equations.iter().filter_map(|one| one.fault.as_ref()).collect();
+    assert_eq!(faults.len(), 1, "{faults:?}");
+}
+
+/// A guess is no part of the formula that stands beside it.
+#[test]
+fn what_a_claim_must_not_rest_on_leaves_the_claim() {
+    let paper = r"Let \[ a = 1 \tag{1} \] and \[ b = 2 \tag{2} \] hence \[ a = b \tag{3} \]";
+    let mut draft = draft(paper, Format::Latex);
+    let claim = "claim (3): a = b from (1), (2)";
+    let line = 1 + draft.document.lines().position(|line| line == claim).expect("a claim");
+    let column = claim.find("(2)").expect("it is cited") + 1;
+    assert!(!draft.refuse_citation(line, 12, "a place in the formula"));
+    assert!(!draft.refuse_citation(1, 1, "a heading"));
+    assert!(draft.refuse_citation(line, column, "it says\nnothing"));
+    assert!(draft.refuse_citation(line + 1, column - 5, "nor does it"));
+    let left = "# (3) does not rest on (2), it says nothing\n# (3) does not rest on (1), nor does it\n\
+                claim (3): a = b\n";
+    assert!(draft.document.contains(left), "{}", draft.document);
+    assert!(draft.equations.iter().all(|equation| equation.fault.is_none()));
+}
+
+#[test]
 fn a_refused_statement_is_a_comment_that_nothing_rests_on() {
     let paper = r"Let \[ a = 1 \tag{1} \] and \[ b = 2 \tag{2} \] hence \[ a = b \tag{3} \]";
     let mut draft = draft(paper, Format::Latex);

@@ -48,6 +48,12 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Whether a place is one of them.
+    #[must_use]
+    pub fn holds(&self, place: u64) -> bool {
+        (self.first..=self.last).contains(&place)
+    }
+
     /// The finite floats ≥ 0 between two bounds; `None` if there is none.
     #[must_use]
     pub fn between<F: Format>(lower: Option<&Bound>, upper: Option<&Bound>) -> Option<Self> {
@@ -117,7 +123,7 @@ impl Axis {
             }
             start += width;
         }
-        places.retain(|place| (self.first..=self.last).contains(place));
+        places.retain(|place| self.holds(*place));
         places.sort_unstable();
         places.dedup();
         places

@@ -89,6 +89,18 @@ impl DyadicNumber {
         if self.is_zero() { NONE } else { length(&self.mantissa) - 1 + self.exponent }
     }
 
+    /// The binade of the greatest magnitude that the exact result may have: of √x·√x at x = 2 it is that of 2, though
+    /// what is held is less.
+    #[must_use]
+    pub fn greatest_binade(&self) -> i64 {
+        if self.is_zero() || self.doubt == NONE {
+            return self.binade();
+        }
+        let unit = self.exponent.min(self.doubt);
+        let at = |exponent: i64| Integer::from(1) << (exponent - unit).unsigned_abs();
+        length(&(self.mantissa.abs() * at(self.exponent) + at(self.doubt))) - 1 + unit
+    }
+
     /// log₂|x| in hundredths, rounded down to what its leading 16 bits tell; `None` for 0.
     #[must_use]
     pub fn hundredths_of_log2(&self) -> Option<i64> {
@@ -275,6 +287,18 @@ mod tests {
             .mul(&third, &arithmetic.number(&parse("3").unwrap()))
             .minus(&arithmetic.number(&parse("1").unwrap()));
         assert!(rest.binade() < -198);
+    }
+
+    #[test]
+    fn a_power_of_two_by_way_of_roots_has_its_own_ulp() {
+        let arithmetic = Dyadic { bits: 200 };
+        let two = DyadicNumber::of(2.0).unwrap();
+        let root = arithmetic.sqrt(&two).unwrap();
+        let square = arithmetic.mul(&root, &root);
+        assert_eq!((square.binade(), square.greatest_binade()), (0, 1));
+        assert_eq!((two.greatest_binade(), DyadicNumber::zero().greatest_binade()), (1, NONE));
+        let next = crate::judge(2.0_f64.next_up(), &square);
+        assert_eq!((next.fault, next.lost), (None, 0));
     }
 
     #[test]

@@ -89,7 +89,7 @@ pub fn judge<F: Format>(computed: F, exact: &DyadicNumber) -> Sample {
         return worst(Fault::WrongSign);
     }
     let Some(value) = computed.exactly() else { return worst(Fault::Nan) };
-    let ulp = (exact.binade() - precision + 1).max(F::LEAST_EXPONENT);
+    let ulp = (exact.greatest_binade() - precision + 1).max(F::LEAST_EXPONENT);
     let lost = match value.minus(exact).hundredths_of_log2() {
         None => 0,
         Some(error) => (error - 100 * ulp).clamp(0, all),

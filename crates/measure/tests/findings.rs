@@ -253,6 +253,21 @@ fn a_domain_that_reaches_below_zero_is_examined_on_both_sides() {
     assert_eq!(below.lines[1].domain.1.value, (-1.0_f64).next_down());
 }
 
+/// Of √(x² + 1) − x digits are lost up to 1.3e8 in f64, and less is asked.
+#[test]
+fn a_range_ends_where_what_is_asked_ends() {
+    let found = of("var -1000000 <= x <= 1000000\nlet f := sqrt(x^2 + 1) - x");
+    for line in &found.lines {
+        for range in &line.ranges {
+            let ends = (range.from.value, range.to.value);
+            assert!(line.domain.0.value <= ends.0 && ends.1 <= line.domain.1.value, "{range:?}");
+            assert_eq!(range.open.1, range.to.value == 1e6, "{range:?}");
+        }
+    }
+    let last = ranges(&found.lines[1], Fault::Lost);
+    assert_eq!(last.last().map(|range| range.to.value), Some(1e6));
+}
+
 /// b² − 4·a·c is the textbook's example; the search must find inputs at which nothing is left, and
 /// none at which a sum of squares fails otherwise than by the range of the format.
 #[test]

@@ -48,9 +48,9 @@ pub struct FrictionFit {
     pub rows: usize,
     /// rows within their tolerance
     pub consistent: usize,
-    /// rows whose k it misses by at most [`CLOSE`]
+    /// these, and rows whose k it misses by at most [`CLOSE`]
     pub close: usize,
-    /// rows whose k it misses by at most [`ROUGH`]
+    /// these, and rows whose k it misses by at most [`ROUGH`]
     pub rough: usize,
     /// the greatest miss of k
     pub worst: f64,

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
+use kane_algebra::syntax::visible;
+
 use super::statement::KEYWORDS;
 use super::{Fault, MAX_FAULTS, MAX_STATEMENTS};
 
@@ -44,7 +46,9 @@ pub(super) fn find(text: &str) -> Blocks {
                 title.get_or_insert_default().push_str(&part);
             }
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
-                in_block = info.split([' ', '\t', ',']).next() == Some("kane");
+                let tag = info.split([' ', '\t', ',']).next().unwrap_or_default();
+                in_block = tag == "kane";
+                faults.extend(nearly_tagged(text, tag, &range));
             }
             Event::Text(_) if in_block => pieces.push(range),
             Event::End(TagEnd::CodeBlock) if in_block => {
@@ -67,6 +71,18 @@ pub(super) fn find(text: &str) -> Blocks {
         title: title.filter(|title| !title.trim().is_empty()),
         faults,
     }
+}
+
+/// A tag that is nearly the one of statements: a block that is passed over must not read as one that was judged.
+fn nearly_tagged(text: &str, tag: &str, block: &Range<usize>) -> Option<Fault> {
+    let bare = tag.trim_matches(|c: char| !c.is_alphanumeric());
+    if tag == "kane" || !bare.eq_ignore_ascii_case("kane") {
+        return None;
+    }
+    let fence = text.get(block.clone()).and_then(|block| block.lines().next()).unwrap_or_default();
+    let message = format!("a block tagged `{}` would be passed over", visible(tag));
+    let span = block.start..block.start + fence.len();
+    Some(Fault::new(span, message).with_note("the tag of statements is `kane`, in small letters"))
 }
 
 fn unmask(code: &mut [u8], text: &str, piece: &Range<usize>) {

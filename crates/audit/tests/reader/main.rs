@@ -296,6 +296,19 @@ fn a_mark_of_the_byte_order_is_no_part_of_the_text() {
 }
 
 #[test]
+fn a_block_whose_tag_is_nearly_that_of_statements_is_a_fault() {
+    for tag in ["Kane", "KANE", "{kane}", ".kane", "kane:", "Kane title"] {
+        let text = format!("# T\n\n```{tag}\nclaim (2): 1 = 2\n```\n");
+        let found = read("bad.md", text.as_bytes()).expect_err(tag);
+        assert_eq!((found.len(), found[0].line, found[0].column), (1, 3, 1), "{found:?}");
+        assert!(found[0].message.contains("would be passed over"), "{found:?}");
+    }
+    for tag in ["", "rust", "kane,ignore", "kanex", "arcane", "text kane"] {
+        read("good.md", format!("```{tag}\nvar x\n```\n").as_bytes()).expect(tag);
+    }
+}
+
+#[test]
 fn an_open_block_is_one_fault() {
     let read_faults = |text: &str| read("bad.md", text.as_bytes()).expect_err("an open block");
     let found = read_faults("# T\n\n```kane\nvar x\n\nprose goes on (and on\n");

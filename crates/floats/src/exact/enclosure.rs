@@ -267,6 +267,13 @@ impl Enclosure {
         }
     }
 
+    /// a·2^exponent, which loses nothing.
+    #[must_use]
+    pub fn scaled(&self, exponent: i64) -> Self {
+        let scaled = |end: &Dyadic| Dyadic { m: end.m.clone(), e: end.e + exponent };
+        Self { lower: scaled(&self.lower), upper: scaled(&self.upper) }
+    }
+
     /// The ends as floats, rounded outward.
     #[must_use]
     pub fn ends(&self) -> (f64, f64) {

@@ -1,6 +1,6 @@
 //! Programs over enclosures, and how far a float is from the truth.
 
-use kane_number::{Binary, Integer, Rounding, decode, encode};
+use kane_number::Binary;
 
 use super::Enclosure;
 use crate::machine::{Machine, compares};
@@ -118,16 +118,10 @@ fn told<M: Machine>(exact: Enclosure, error: &Enclosure) -> Compared {
     let precision = i64::from(M::PRECISION);
     let (low, high) = exact.binades();
     let unit = |binade: i64| binade.max(M::LEAST_EXPONENT + precision - 1) - precision + 1;
-    let ulps = in_units(least, unit(high), Rounding::Down);
-    let ulps_at_most = in_units(most, unit(low), Rounding::Up);
+    // by a power of two before it is rounded: an error below the least float is some part of an ulp
+    let (ulps, _) = error.scaled(-unit(high)).ends();
+    let (_, ulps_at_most) = error.scaled(-unit(low)).ends();
     Compared { exact, error: least, error_at_most: most, ulps, ulps_at_most }
-}
-
-/// x/2^unit, rounded in a direction.
-fn in_units(x: f64, unit: i64, rounding: Rounding) -> f64 {
-    let Ok(value) = decode(x) else { return f64::INFINITY };
-    let power = Integer::from(1) << unit.unsigned_abs();
-    encode(&if unit >= 0 { value / power } else { value * power }, rounding)
 }
 
 #[cfg(test)]
@@ -148,14 +142,29 @@ mod tests {
         // a root is 2^-498, and an ulp of it 2^-690 or 2^-1266
         assert!(!suffices(&at(nothing, 192), ENOUGH));
         assert!(suffices(&at(nothing, 768), ENOUGH));
-        // and what is told is what all the bits tell
+        // and what is told is what all the bits tell, but for parts of an ulp that nobody sees
         let told_at = |bits: u32| {
             let exact = at(nothing, bits);
             let error = Enclosure::of(0.0).unwrap().sub(&exact, bits).abs();
             let told = told::<f64>(exact, &error);
-            [told.error, told.error_at_most, told.ulps, told.ulps_at_most].map(f64::to_bits)
+            assert!(told.ulps_at_most < 1e-24, "{bits}: {told:?}");
+            [told.error, told.error_at_most, told.ulps].map(f64::to_bits)
         };
         assert_eq!(told_at(768), told_at(MOST));
+    }
+
+    #[test]
+    fn an_error_below_the_least_float_is_so_much_of_an_ulp() {
+        // 3/10 of seven least floats: 2.1 of them, of which the machine returns two
+        let text = "(FPCore (x) :precision binary64 :pre (<= 0 x 1) (* x 0.3))";
+        let core = fpcore::read("t.fpcore", text).unwrap().remove(0);
+        let least = f64::from_bits(1);
+        let found = compared(&core.program, core.root, &[7.0 * least], 2.0 * least).unwrap();
+        assert_eq!((found.error, found.error_at_most), (0.0, least));
+        assert!(
+            (found.ulps - 0.1).abs() < 1e-15 && (found.ulps_at_most - 0.1).abs() < 1e-15,
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -60,6 +60,8 @@ pub struct Found {
     pub exact: String,
     /// the error, rounded down: absolute, or in ulps
     pub error: f64,
+    /// the same, rounded up
+    pub error_at_most: f64,
 }
 
 /// A formula in one format.
@@ -201,6 +203,7 @@ fn told<M: Machine>(worst: &Worst<M>, goal: Goal) -> Found {
         computed: text(worst.computed),
         exact: text(kane_number::encode(&exact, kane_number::Rounding::NearestEven)),
         error: worst.error(goal),
+        error_at_most: worst.error_at_most(goal),
     }
 }
 

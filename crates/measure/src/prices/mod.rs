@@ -114,7 +114,8 @@ fn forms(account: &Account, work: Work) -> Result<Vec<Form>, String> {
     let form = |(name, core): (String, Core)| {
         let narrow = bounded::<f32>(&core, work.inputs, Goal::Ulps, work.budget)?;
         let wide = bounded::<f64>(&core, work.inputs, Goal::Ulps, work.budget)?;
-        let told = |bound: Bounded| bound.bound.is_finite().then_some(bound);
+        // without a bound where an operation may fail; where the value may be 0 all bits may be lost, which is one
+        let told = |bound: Bounded| bound.pole.is_none().then_some(bound);
         Ok(Form { name, core, bounds: [told(narrow), told(wide)] })
     };
     cores.into_iter().map(form).collect()
@@ -231,6 +232,19 @@ mod tests {
         assert!(front.iter().any(|way| way.system == System::Rational), "exact is on the front");
         let (bound, _) = repair.bound(&found).unwrap();
         assert!(bound.bound < 8.0, "{bound:?}");
+    }
+
+    #[test]
+    fn a_form_that_may_lose_all_is_told_from_one_that_may_fail() {
+        let bound = |formula: &str| {
+            let text = format!("(FPCore (x) :pre (<= 1 x 1000000000) {formula})");
+            let core = fpcore::read("t", &text).unwrap().remove(0);
+            let found = prices("f", &core, Work::brief(), Effort::Quick, &mut |_, _| {}).unwrap();
+            let given = |way: &&Way| way.form == 0 && way.system == System::F64;
+            found.ways.iter().find(given).unwrap().bound(&found).map(|(bound, _)| bound.bound)
+        };
+        assert_eq!(bound("(- (sqrt (+ (* x x) 1)) x)"), Some(f64::INFINITY));
+        assert_eq!(bound("(/ 1 (- x 2))"), None);
     }
 
     /// Fractions have no irrational roots, so that they are no way to evaluate one.

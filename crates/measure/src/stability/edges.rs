@@ -1,6 +1,6 @@
 //! The ranges on which a formula fails, with their edges by bisection on representable numbers.
 
-use crate::{Fault, Format};
+use crate::{Axis, Fault, Format};
 
 use super::scan::{Probe, Tried};
 use super::{Point, Range};
@@ -13,8 +13,12 @@ const TRIES: u64 = 384;
 /// How often an edge is moved out.
 const MOVES: usize = 12;
 
-/// All ranges, by their least input, the worse fault first.
-pub(super) fn ranges<F: Format>(probe: &Probe<'_, F>, samples: &[Tried]) -> Vec<Range> {
+/// All ranges, by their least input, the worse fault first. None leaves the axis.
+pub(super) fn ranges<F: Format>(
+    probe: &Probe<'_, F>,
+    axis: &Axis,
+    samples: &[Tried],
+) -> Vec<Range> {
     let mut ranges = Vec::new();
     for fault in Fault::ALL {
         let mut start: Option<(usize, usize)> = None;
@@ -25,12 +29,12 @@ pub(super) fn ranges<F: Format>(probe: &Probe<'_, F>, samples: &[Tried]) -> Vec<
                 && index - last > GAP
                 && tried.place - samples.get(last).map_or(0, |s| s.place) > near::<F>()
             {
-                ranges.extend(range(probe, samples, fault, first, last));
+                ranges.extend(range(probe, axis, samples, fault, (first, last)));
                 start = None;
             }
         }
         if let Some((first, last)) = start {
-            ranges.extend(range(probe, samples, fault, first, last));
+            ranges.extend(range(probe, axis, samples, fault, (first, last)));
         }
     }
     ranges.sort_by_key(|range| (range.fault, range.from.place));
@@ -61,13 +65,15 @@ fn near<F: Format>() -> u64 {
 
 fn range<F: Format>(
     probe: &Probe<'_, F>,
+    axis: &Axis,
     samples: &[Tried],
     fault: Fault,
-    first: usize,
-    last: usize,
+    (first, last): (usize, usize),
 ) -> Option<Range> {
     let place = |index: usize| samples.get(index).map(|tried| tried.place);
-    let is_bad = |place: u64| probe.ask(place).is_some_and(|t| t.sample.fault == Some(fault));
+    let is_bad = |place: u64| {
+        axis.holds(place) && probe.ask(place).is_some_and(|t| t.sample.fault == Some(fault))
+    };
     let below = first.checked_sub(1).and_then(place);
     let above = place(last + 1);
     let mut tried = vec![];
@@ -84,7 +90,7 @@ fn range<F: Format>(
         fault,
         from: Point::of::<F>(probe.negative, from),
         to: Point::of::<F>(probe.negative, to),
-        open: (below.is_none(), above.is_none()),
+        open: (below.is_none() || from == axis.first, above.is_none() || to == axis.last),
         worst: Point::of::<F>(probe.negative, worst.place),
         lost: worst.sample.lost,
         computed: computed.map_or_else(|| "no value".to_owned(), |float| format!("{float:e}")),

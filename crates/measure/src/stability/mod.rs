@@ -281,7 +281,7 @@ fn line<F: Format>(subject: &Subject, index: usize, negative: bool) -> Option<Ex
     let probe = Probe::<F>::new(subject, index, negative)?;
     let samples = scan::scan(&probe, &axis);
     let (first, last) = (samples.first()?.place, samples.last()?.place);
-    let mut ranges = edges::ranges(&probe, &samples);
+    let mut ranges = edges::ranges(&probe, &axis, &samples);
     for range in &mut ranges {
         range.cause = cause::cause(&probe, range.worst.place, range.fault);
     }

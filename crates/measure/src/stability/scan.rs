@@ -191,7 +191,7 @@ fn around(axis: &Axis, center: u64) -> Vec<u64> {
         let step = 1_u64 << bit;
         places.extend([center.saturating_add(step), center.saturating_sub(step)]);
     }
-    places.retain(|place| (axis.first..=axis.last).contains(place));
+    places.retain(|place| axis.holds(*place));
     places
 }
 
@@ -211,7 +211,7 @@ fn beside(axis: &Axis, center: u64) -> Vec<u64> {
             places.extend([center.saturating_add(step), center.saturating_sub(step)]);
         }
     }
-    places.retain(|place| (axis.first..=axis.last).contains(place));
+    places.retain(|place| axis.holds(*place));
     places
 }
 

@@ -131,7 +131,7 @@ impl Sides {
     }
 
     fn holds(&self, (negative, place): Place) -> bool {
-        self.axes().any(|(n, axis)| n == negative && (axis.first..=axis.last).contains(&place))
+        self.axes().any(|(n, axis)| n == negative && axis.holds(place))
     }
 
     /// A float of either sign, evenly over the binades, near 1 if asked for.
@@ -179,7 +179,7 @@ impl<F: Format> Found<'_, F> {
             for exponent in -REACH..=REACH {
                 // three quarters into the binade, so that powers of two do not meet by design
                 let place = binade::<F>(exponent) + (3 << (F::PRECISION - 3));
-                if !(axis.first..=axis.last).contains(&place) {
+                if !axis.holds(place) {
                     continue;
                 }
                 let Some((_, sign)) = self.try_at(with((negative, place))) else { continue };
@@ -196,7 +196,7 @@ impl<F: Format> Found<'_, F> {
                     }
                     for bit in 0..F::PRECISION - 1 {
                         for at in [high.saturating_add(1 << bit), high.saturating_sub(1 << bit)] {
-                            if (axis.first..=axis.last).contains(&at) {
+                            if axis.holds(at) {
                                 self.try_at(with((negative, at)));
                             }
                         }

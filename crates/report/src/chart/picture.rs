@@ -6,8 +6,8 @@ use kane_number::System;
 
 use super::{ChartReport, reach};
 use crate::picture::{
-    Anchor, Axis, Canvas, Frame, Ink, Key, NUMBERS, Panel, Pen, Point, Shape, count, legend,
-    length, mark, staircase,
+    Axis, Callout, Canvas, Frame, Ink, Key, Panel, Pen, Point, Shape, callouts, count, legend,
+    mark, staircase,
 };
 use crate::shorten::shorten;
 
@@ -156,31 +156,25 @@ fn panel(
     steps.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(steps.last().map(|last| (range.1, last.1)));
     panel.line(canvas, staircase(&steps), FRONT);
-    let mut taken: Vec<(f64, f64, f64)> = Vec::new();
+    let mut marks: Vec<Point> = Vec::new();
     for drawn in group {
-        let Some((x, y)) = panel.at(drawn.at) else { continue };
+        let Some(at) = panel.at(drawn.at) else { continue };
         let system = drawn.system;
-        mark(canvas, (x, y), shape(system), ink(system));
+        mark(canvas, at, shape(system), ink(system));
         if let Some((low, high)) = drawn.bar {
             let ends = [low, high].map(|time| (time, drawn.at.1));
             panel.line(canvas, ends, Pen::new(ink(system), 1.0));
         }
-        taken.push((x - 6.0, x + 6.0, y));
+        marks.push(at);
     }
-    for drawn in group.iter().filter(|drawn| drawn.on_front) {
-        let Some((x, y)) = panel.at(drawn.at) else { continue };
-        let name = drawn.name.as_str();
-        let wide = length(name, NUMBERS);
-        // below the line of the front, inside of the panel; names give way downward
-        let window = panel.window;
-        let left = (x + 4.0).min(window.right - wide).max(window.left + 2.0);
-        let mut at = y + 13.0;
-        while taken.iter().any(|(a, b, c)| left < *b && left + wide > *a && (at - c).abs() < 12.0) {
-            at += 4.0;
-        }
-        taken.push((left, left + wide, at));
-        canvas.words((left, at), name, NUMBERS, Anchor::Start);
-    }
+    // with a line to what is named: of marks close together a name beside them does not tell which is meant
+    let named = |drawn: &Spot| {
+        let lines = vec![drawn.name.clone()];
+        Some(Callout { at: panel.at(drawn.at)?, lines, ink: Ink::Text })
+    };
+    let names: Vec<Callout> = group.iter().filter(|d| d.on_front).filter_map(named).collect();
+    let stairs = panel.places(staircase(&steps));
+    callouts(canvas, &panel.window, (&marks, &[stairs]), &names);
 }
 
 /// Digits, with the precisions of the systems.

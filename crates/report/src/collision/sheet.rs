@@ -41,11 +41,19 @@ fn unbroken(items: &[String]) -> String {
     items.iter().map(|item| item.replace(' ', "\u{a0}")).collect::<Vec<_>>().join(", ")
 }
 
-/// `alpha = 0.87441`, `T- = 7.6050 J`.
+/// `alpha = 0.87441`, `T- = 7.6050 J`; nothing where the quantity has no meaning.
 fn measured(reading: &Reading) -> Option<String> {
-    let value = brief(reading.float?);
+    reading.exact.as_ref()?;
+    let Some(value) = within(reading).map(brief) else {
+        return Some(format!("{} {}", reading.symbol, shown(reading)));
+    };
     let space = if reading.unit.is_empty() { "" } else { " " };
     Some(format!("{} = {value}{space}{}", reading.symbol, reading.unit))
+}
+
+/// The float, if it tells the number: not beyond the range, and no 0 in the place of what is less than any float.
+fn within(reading: &Reading) -> Option<f64> {
+    reading.float.filter(|float| *float != 0.0 || reading.exact.as_deref() == Some("0"))
 }
 
 /// What was there before, for those who look for its exact values; then all laws, a row each; then those that
@@ -88,10 +96,11 @@ fn all(sheet: &mut Sheet<'_>, collision: &Collision) {
 
 /// The value in a table; a dash where the quantity has no meaning.
 fn shown(reading: &Reading) -> String {
-    match (reading.float, &reading.exact) {
-        (Some(float), _) => brief(float),
-        (None, Some(_)) => "beyond f64".to_owned(),
-        (None, None) => "-".to_owned(),
+    match (within(reading), &reading.exact, reading.float) {
+        (_, None, _) => "-".to_owned(),
+        (Some(float), ..) => brief(float),
+        (None, Some(_), Some(_)) => "below f64".to_owned(),
+        (None, Some(_), None) => "beyond f64".to_owned(),
     }
 }
 

@@ -160,12 +160,20 @@ fn rows(core: &Core, found: &Certified) -> Vec<Row> {
     let format = found.precision.name();
     let at = |found: &Option<Found>| found.as_ref().map_or_else(String::new, |f| point(core, f));
     let witness = |found: &Option<Found>| found.as_ref().map_or(0.0, |found| found.error);
+    // an error below the least double is rounded down to 0, and is not 0
+    let worst =
+        found.worst.as_ref().filter(|worst| worst.error == 0.0 && worst.error_at_most > 0.0);
+    let deep = worst.map(|worst| format!("below {}", at_most(worst.error_at_most)));
     let absolute = row![
         format,
         "absolute",
         bound(&found.absolute),
-        at_least(witness(&found.worst)),
-        ratio(found.absolute.bound, witness(&found.worst)),
+        deep.clone().unwrap_or_else(|| at_least(witness(&found.worst))),
+        if deep.is_some() {
+            String::new()
+        } else {
+            ratio(found.absolute.bound, witness(&found.worst))
+        },
         at(&found.worst),
     ];
     let (most, least) = (found.ulps.bound, witness(&found.worst_in_ulps));

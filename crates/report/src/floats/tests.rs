@@ -31,7 +31,13 @@ fn failing(core: &Core, kind: FaultKind, certain: bool) -> Bounded {
 
 fn found(at: [&str; 2], error: f64) -> Option<Found> {
     let at = at.map(str::to_owned).to_vec();
-    Some(Found { at, computed: "5e-1".to_owned(), exact: "2.5e-1".to_owned(), error })
+    Some(Found {
+        at,
+        computed: "5e-1".to_owned(),
+        exact: "2.5e-1".to_owned(),
+        error,
+        error_at_most: error,
+    })
 }
 
 /// Absolute errors up to 3 and found up to 2, and up to 8 and 2 ulps.
@@ -88,6 +94,17 @@ fn where_nothing_was_found_the_error_is_zero_and_has_no_place() {
     let rows = rows(&gap(), &nothing);
     assert_eq!(cells(&rows[0]), ["f64", "absolute", "3.00e0", "0", "found 0", ""]);
     assert_eq!(cells(&rows[1]), ["f64", "bits lost", "3.1", "0.0", "3.0", ""]);
+}
+
+#[test]
+fn an_error_below_the_least_double_is_not_told_as_none() {
+    let least = f64::from_bits(1);
+    let worst = found(["1e0", "1e0"], 0.0).map(|found| Found { error_at_most: least, ..found });
+    let rows = rows(&gap(), &Certified { worst, ..certified(Precision::F64) });
+    assert_eq!(
+        cells(&rows[0]),
+        ["f64", "absolute", "3.00e0", "below 4.95e-324", "", "x = 1e0, y = 1e0"]
+    );
 }
 
 #[test]

@@ -123,6 +123,8 @@ fn tangential(study: &Study) -> Option<String> {
         let named = or_others(study, |fit| format!(", in {}", fit.rough));
         let close = best.close;
         format!("friction {words}, to 0.05 of k in {which} impacts{named} and to 0.01 in {close}")
+    } else if let Some(given) = of_rigid_laws(study) {
+        format!("friction follows no law of friction alone; every impact is given by {given}")
     } else if best.close * 2 >= all {
         format!(
             "friction {words}, to 0.01 of k in {} of {all} impacts{} (the nearest; no law that is known here gives all)",
@@ -136,6 +138,16 @@ fn tangential(study: &Study) -> Option<String> {
             others()
         )
     })
+}
+
+/// The laws of the whole impact that give every row, by their ids.
+fn of_rigid_laws(study: &Study) -> Option<String> {
+    let named = |fit: &kane_records::rigid::LawFit| match fit.fitted {
+        true => format!("{} with fitted parameters", fit.law.info.id),
+        false => fit.law.info.id.to_owned(),
+    };
+    let names: Vec<String> = study.consistent_laws().map(named).collect();
+    (!names.is_empty()).then(|| names.join(" or "))
 }
 
 /// How large friction is where contacts slide on, which is μ if it is Coulomb's.
@@ -327,6 +339,36 @@ mod tests {
             let misses = fit(hypothesis, 9);
             assert_eq!(told(NormalLaw::Constant, &misses), "restitution is 0.5 whatever is stated");
         }
+    }
+
+    #[test]
+    fn a_log_of_a_rigid_law_is_not_told_to_follow_no_law() {
+        use kane_records::rigid::LawFit;
+        let law = kane_impact::law("garwin").expect("it is known").clone();
+        let garwin = |consistent, fitted| {
+            let (rows, silent, worst, median, worst_line) = (10, 0, 0.0, 0.0, 0);
+            let law = law.clone();
+            LawFit { law, fitted, rows, silent, consistent, worst, median, worst_line }
+        };
+        let coulomb = FrictionFit {
+            law: FrictionLaw::Coulomb,
+            rows: 10,
+            consistent: 0,
+            close: 0,
+            rough: 0,
+            worst: 1.5,
+            median: 1.5,
+            worst_line: 2,
+            tied: true,
+        };
+        let told = |fit| {
+            let friction = vec![coulomb.clone()];
+            tangential(&Study { friction, laws: vec![fit], ..of_a_log() }).expect("a sentence")
+        };
+        let given = "friction follows no law of friction alone; every impact is given by garwin";
+        assert_eq!(told(garwin(10, false)), given);
+        assert_eq!(told(garwin(10, true)), format!("{given} with fitted parameters"));
+        assert!(told(garwin(9, false)).starts_with("friction follows no law that is known here"));
     }
 
     #[test]

@@ -119,7 +119,7 @@ fn friction(report: &RecordsReport<'_>) -> Table {
     let columns = vec![
         Column::left("law"),
         Column::right("within tolerance"),
-        Column::right("within 0.01"),
+        Column::right("or within 0.01"),
         Column::right("median"),
         Column::right("worst"),
     ];

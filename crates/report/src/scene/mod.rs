@@ -24,6 +24,7 @@ pub use ledger_picture::ledger_picture;
 pub use sheet::sheet;
 pub use stress_picture::stress_picture;
 
+use kane_number::System;
 use kane_scene::Picture;
 use kane_scene::simulate::Encounter;
 use kane_scene::{Answer, Judged, Known, Line, Place, Spread, Verdict};
@@ -68,6 +69,11 @@ impl SceneReport<'_> {
             (false, None) if answer.wanted.is_some() && !self.is_compared => match verdict {
                 Some(Judged { verdict: Verdict::Misses { .. }, .. }) => {
                     format!("{shown}, the model asked for, is not good enough")
+                }
+                _ if shown.system == System::Interval => {
+                    format!(
+                        "{shown}, the model asked for, is not judged: its answers are the middles of intervals"
+                    )
                 }
                 _ => format!("{shown}, the model asked for, is not known to be good enough"),
             },

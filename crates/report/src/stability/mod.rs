@@ -170,7 +170,8 @@ pub(crate) fn short(point: &Point) -> String {
     let field = i64::try_from(pattern >> 52).unwrap_or(0);
     if pattern == 0 {
         "0".to_owned()
-    } else if point.value == f64::MAX || point.value == f64::from(f32::MAX) {
+    } else if [format!("{:e}", f64::MAX), format!("{:e}", f32::MAX)].contains(&point.text) {
+        // the shortest decimal in the format of the number: the greatest of f32 is one of f64 among others
         "max".to_owned()
     } else if fraction == 0 {
         format!("2^{}", field - 1023)
@@ -232,7 +233,14 @@ mod tests {
             assert_eq!(told(-value), format!("-2^{power}"));
         }
         assert_eq!(told(0.0), "0");
-        assert_eq!([f64::MAX, -f64::MAX, f32::MAX.into()].map(told), ["max", "-max", "max"]);
+        assert_eq!([f64::MAX, -f64::MAX].map(told), ["max", "-max"]);
+        // the greatest float of f32 is none of f64
+        let single = |sign: f32| Point {
+            text: format!("{:e}", sign * f32::MAX),
+            ..point(f64::from(sign * f32::MAX))
+        };
+        assert_eq!([1.0, -1.0].map(|sign| short(&single(sign))), ["max", "-max"]);
+        assert_eq!(told(f32::MAX.into()), "3.403e38");
         assert_eq!([0.1, -1234.56, 3.0].map(told), ["1.000e-1", "-1.235e3", "3.000e0"]);
         // no power of two, below the least normal number
         assert_eq!(told(3.0 * f64::from_bits(1)), "1.482e-323");

@@ -7,7 +7,8 @@ use super::{Entry, StabilityReport, bits, interval, named, picture, short, strip
 use crate::sheet::{Column, Entry as Line, Row, Sheet, Table, Tone, Words, row};
 
 const READING: &str = "A range runs from the first to the last failing input that was found; bits are lost at its worst input. \
-Cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs.";
+Cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs. Inputs are told to four digits, \
+and in the JSON in full.";
 
 const BOUNDS: &str = "No float of the ranges has a larger error than the bound; the error found is exact. \
 Repairs are proved equal by the auditor.";

@@ -69,6 +69,11 @@ pub(super) fn judge(scene: &Scene, reference: &Reference, model: Model) -> Judge
         ratio: None,
         verdict,
     };
+    if model.system == System::Interval {
+        return blank(Verdict::Uncertified(
+            "intervals hold no single answer; their middles are shown",
+        ));
+    }
     let values = match exact_values(scene, model) {
         Ok(values) => values,
         Err(reason) => return blank(Verdict::Fails(reason)),
@@ -288,7 +293,7 @@ fn exact_values(scene: &Scene, model: Model) -> Result<Vec<Rational>, String> {
         System::F32 => of::<f32>(scene, model),
         System::F64 => of::<f64>(scene, model),
         System::DoubleDouble => of::<DoubleDouble>(scene, model),
-        System::Interval => Err("intervals hold no single answer".to_owned()),
+        System::Interval => Err("intervals hold no single value".to_owned()),
         System::Rational => of::<Rational>(scene, model),
     }
 }

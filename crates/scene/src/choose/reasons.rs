@@ -9,7 +9,7 @@ use crate::resolver::COMPLIANT;
 use crate::scene::{Scene, Setup};
 use crate::simulate::Ending;
 use kane_impact::compliant::{Compliance, Loss};
-use kane_number::{Interval, Lane as _, Number as _};
+use kane_number::{Interval, Lane as _, Number as _, System};
 
 /// A short number for prose.
 pub(super) fn short(value: f64) -> String {
@@ -212,6 +212,9 @@ fn of_the_wanted(scene: &Scene, judged: &[Judged], wanted: Model) -> Option<Stri
                 }
                 false => format!("It is not good enough: {off}, more than {}.", short(tolerance)),
             })
+        }
+        Verdict::Uncertified(why) if wanted.system == System::Interval => {
+            Some(format!("It is not judged: {why}."))
         }
         Verdict::Uncertified(_) | Verdict::Fails(_) => {
             Some(format!("It is not known to be good enough: {}.", in_words(&found.verdict)))

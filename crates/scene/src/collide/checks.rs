@@ -59,9 +59,11 @@ pub(super) fn checks<N: NumberSystem>(
     if let (true, Some(alpha), Some(ratios)) = (uncoupled, contact.alpha(), outcome.ratios(contact))
     {
         let one = N::one();
+        // i_x is that of a forward slip, and alpha has the sign of the slip
+        let alpha = if contact.facing() == Some(Facing::Backward) { -alpha } else { alpha };
         let momentum = alpha.double() * &ratios.impulse;
         let holds = equal(&momentum, &(one.clone() - &ratios.k));
-        checks.push(check("without coupling: 2*alpha*i_x = 1 - k", holds));
+        checks.push(check("without coupling: 2*|alpha|*i_x = 1 - k", holds));
         let twice = -(ratios.impulse.clone() * (one + &ratios.k));
         let holds = equal(&ratios.energy.double(), &twice);
         checks.push(check("without coupling: 2*de = -i_x*(1 + k)", holds));

@@ -94,8 +94,8 @@ pub(super) fn at_contact<N: Real>(
         (quantity("v_n+", "m/s", "speed of separation"), Some(outcome.separation.clone())),
         // without friction or approach there is no i_x, but the slip stays
         (column("k", "", "v_t+/v_t"), outcome.slip.checked_div(contact.slip())),
-        (column("i_x", "", "-p_t/(mu*p_n)"), ratio(|r| r.impulse)),
-        (quantity("de", "", "dE_t/(mu*p_n*v_t)"), ratio(|r| r.energy)),
+        (column("i_x", "", "-p_t/(mu*p_n), or p_t/(mu*p_n) if v_t < 0"), ratio(|r| r.impulse)),
+        (quantity("de", "", "dE_t/(mu*p_n*|v_t|)"), ratio(|r| r.energy)),
         (quantity("dE_t", "J", "work of friction"), Some(outcome.work.tangential.clone())),
         (quantity("dE_n", "J", "work of the normal impulse"), Some(outcome.work.normal.clone())),
         (column("dE", "J", "change of kinetic energy"), Some(outcome.work.total())),
