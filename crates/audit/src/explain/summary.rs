@@ -1,6 +1,8 @@
 //! A finding in outline, and the hypotheses that it used: read off the argument as it stands,
 //! without the states that it passes through.
 
+use std::cmp::Ordering;
+
 use kane_kernel::{Conclusion, Finding, Fuel, Goal, Link, Poly, scope, sides};
 
 use super::{FUEL, Means, Reason, Source, Variable, names, witness};
@@ -79,7 +81,11 @@ fn limit(goal: &Goal, argument: &LimitArgument) -> Option<Reason> {
     };
     let (side, argument) = sides(&scope, limit).into_iter().zip(arguments).next()?;
     let quotient = (argument.num.clone(), argument.den.clone());
-    let (power, sense) = (argument.germ.power, argument.sense);
+    // between a quotient and itself it is that quotient
+    let same = |upper: &SideArgument| (&upper.num, &upper.den) == (&argument.num, &argument.den);
+    let is_both = argument.upper.as_deref().is_some_and(same);
+    let sense = if is_both { Ordering::Equal } else { argument.sense };
+    let power = argument.germ.power;
     Some(Reason::Limit { side, power, sense, quotient, variables: names::variables(goal, &scope) })
 }
 

@@ -10,7 +10,7 @@ use crate::argument::Argument;
 /// Summands that are looked at.
 const SUMMANDS: usize = 24;
 /// The linear program of such summands.
-const SIZE: Size = Size { rows: 400, columns: 200, pivots: 200 };
+const SIZE: Size = Size { rows: 2_000, columns: 200, pivots: 200 };
 
 /// The summands of the relations of a goal, if one of them is written as a square of more than a symbol.
 pub(super) fn summands(goal: &Goal) -> Vec<Expr> {

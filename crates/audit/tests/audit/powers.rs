@@ -16,3 +16,9 @@ fn a_long_quotient_of_polynomials_tends_to_that_of_its_leading_terms() {
     let odd = "((x^302 - (x + 1)^302)/x^300) -> oo as x -> -oo";
     holds_but_not(odd, ("oo", "-oo"));
 }
+
+#[test]
+fn a_high_even_power_of_a_sum_is_a_square() {
+    holds_but_not("(x + y)^400 >= 0", ("400", "401"));
+    holds_but_not("(2*x - 3*y)^400 + (x - 1)^600 + 1 > 0", ("+ 1 >", ">"));
+}
