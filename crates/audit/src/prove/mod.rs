@@ -5,6 +5,7 @@ mod approach;
 mod asymptote;
 mod attempt;
 mod between;
+mod bound;
 mod bounds;
 mod boxes;
 mod budget;

@@ -5,6 +5,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 use kane_kernel::{Atom, Conclusion, Fuel, Link, Point, Poly, Rel, Sign, State};
 
 use super::attempt::Attempt;
+use super::bound::bound;
 use super::elimination::{Elimination, Factors, open_vars};
 use super::factors::{
     cancellation, cannot_vanish, content_to_split, leading, pinched, positive_factor,
@@ -288,6 +289,13 @@ impl<'a> Search<'a> {
         {
             return Outcome::Closed(proof);
         }
+        // before a square is replaced that bounds what it is of
+        if self.proofs
+            && splits < MAX_SPLITS
+            && let Some(found) = bound(state)
+        {
+            return self.by_discriminant(state, found, trail, splits);
+        }
         // before equations between roots are solved for some of them
         if let Some(outcome) = self.by_roots(state, trail) {
             return outcome;
@@ -306,7 +314,8 @@ impl<'a> Search<'a> {
             return self.split(state, factor, trail, splits);
         }
         // before what stands under a root is no longer written in symbols
-        if trail.is_empty()
+        let is_number = |e: &Elimination| e.d.is_constant() && e.e.is_constant();
+        if trail.iter().all(is_number)
             && let Some(outcome) = self.by_squaring(state, splits)
         {
             return outcome;

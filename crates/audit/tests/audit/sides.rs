@@ -89,3 +89,14 @@ fn a_strict_claim_may_touch_at_the_corners_of_what_it_is_about() {
     let claim = "1 - x^2*y^2 > (2 - x - y)^2*(2*x^2*y^2 + x^2 + y^2)";
     holds_but_not(&format!("{claim} when x > 0, y > 0, x + y < 2"), ("y > 0", "y >= 0"));
 }
+
+/// They touch at a corner, where two roots are 1 and the third is √5.
+#[test]
+fn a_root_has_the_lower_bound_that_its_square_has() {
+    let roots = "sqrt(4*a + 1) + sqrt(4*b + 1) + sqrt(4*c + 1)";
+    let range = "a >= 0, b >= 0, c >= 0, a + b + c = 1";
+    holds_but_not(&format!("{roots} >= 2 + sqrt(5) when {range}"), ("sqrt(5)", "sqrt(6)"));
+    holds_but_not(&format!("{roots} > 4 when {range}"), ("> 4", "> 17/4"));
+    let squares = "x >= 0, y >= 0, t >= 0, x^2 >= 1, y^2 >= 1, t^2 >= 1, x^2 + y^2 + t^2 = 7";
+    holds_but_not(&format!("x + y + t >= 2 + sqrt(5) when {squares}"), ("= 7", "= 6"));
+}
