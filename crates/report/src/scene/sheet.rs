@@ -18,7 +18,7 @@ const ON_PAGE: usize = 200;
 const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
 
 /// That answers have fewer digits here than the bounds beside them are of.
-const ROUNDED: &str = "Answers are rounded here, to at most eight digits; an error is that of the answer before this, which the JSON has.";
+const ROUNDED: &str = "Answers are rounded here, to at most eight digits; the JSON has more. An error is that of the answer as it was computed.";
 
 /// The report as a sheet.
 #[must_use]
