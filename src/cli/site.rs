@@ -92,7 +92,7 @@ fn made(out: &Path) -> Result<(), Outcome> {
         stability: StabilityReport {
             stability: &stability,
             accounts: &[],
-            command: "kane stability".to_owned(),
+            command: "kane stability --full-line".to_owned(),
         },
         growth: GrowthReport {
             growth: &growth,

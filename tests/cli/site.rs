@@ -53,4 +53,10 @@ fn the_whole_site_is_written_and_every_page_is_listed() {
         let path = dir.join(page["to"].as_str().expect("an address"));
         assert!(path.is_file(), "{}", path.display());
     }
+    // a page tells the command that prints the same
+    let page = fs::read_to_string(dir.join("stability.html")).expect("it was written");
+    assert!(page.contains("kane stability --full-line"));
+    let run = kane(&["stability", "--full-line"]);
+    let headline = run.stdout.lines().nth(1).expect("a headline");
+    assert!(page.contains(headline), "{headline}");
 }

@@ -73,7 +73,7 @@ fn a_site_in_small() {
         stability: StabilityReport {
             stability: &stability,
             accounts: &[],
-            command: "kane stability".to_owned(),
+            command: "kane stability --full-line".to_owned(),
         },
         growth: GrowthReport { growth: &growth, machine: machine(), command: String::new() },
         figures: &figures,

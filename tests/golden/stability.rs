@@ -16,7 +16,7 @@ fn paper() -> Stability {
 #[test]
 fn the_table_of_the_paper() {
     let stability = paper();
-    let command = "kane stability".to_owned();
+    let command = "kane stability --full-line".to_owned();
     let report = StabilityReport { stability: &stability, accounts: &[], command };
     let shown = sheet(&report).text(Page::default());
     for line in shown.lines() {

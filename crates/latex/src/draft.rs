@@ -140,6 +140,7 @@ pub fn draft(text: &str, format: Format) -> Draft {
         unnumbered: 0,
         equations: Vec::new(),
         definitions: BTreeSet::new(),
+        unread: BTreeSet::new(),
     };
     let mut displays = displays.into_iter();
     for block in &source.blocks {
@@ -174,6 +175,8 @@ struct Writer<'a> {
     equations: Vec<Outcome>,
     /// labels of definitions, which are in force everywhere and cited nowhere
     definitions: BTreeSet<String>,
+    /// labels of equations that are no statements, and cannot be cited
+    unread: BTreeSet<String>,
 }
 
 impl Writer<'_> {
@@ -190,15 +193,14 @@ impl Writer<'_> {
         out
     }
 
-    /// The labels above that the text before a display names, in its order.
-    fn named(&self) -> Vec<String> {
+    /// The labels above that the text before a display names, in its order, as far as these fit.
+    fn named(&self, fits: impl Fn(&String) -> bool) -> Vec<String> {
         let text = self.referenced(&self.before);
         let mut found: Vec<String> = Vec::new();
         for part in text.split('(').skip(1) {
             let Some((label, _)) = part.split_once(')') else { continue };
             let label = format!("({label})");
-            let is_cited = self.taken.contains(&label) && !self.definitions.contains(&label);
-            if is_cited && !found.contains(&label) {
+            if fits(&label) && !found.contains(&label) {
                 found.push(label);
             }
         }
@@ -236,7 +238,10 @@ impl Writer<'_> {
     }
 
     fn display(&mut self, equations: Vec<Equation>) {
-        let named = self.named();
+        let named =
+            self.named(|label| self.taken.contains(label) && !self.definitions.contains(label));
+        let dropped =
+            self.named(|label| self.unread.contains(label) && !self.taken.contains(label));
         let follows = self.follows();
         let mut statements = String::new();
         for equation in equations {
@@ -266,8 +271,14 @@ impl Writer<'_> {
             if let Some(fault) = &fault {
                 let why = one_line(&fault.to_string());
                 let _ = writeln!(statements, "# {label} is not read: {why}");
+                self.unread.insert(label.clone());
             }
             self.equations.push(Outcome { label, line: equation.line, fault });
+        }
+        if !dropped.is_empty() {
+            let (list, is) = (dropped.join(", "), if dropped.len() == 1 { "is" } else { "are" });
+            let note = format!("# the text above names {list}, which {is} not read");
+            statements = format!("{note} and cannot be cited\n{statements}");
         }
         if !statements.is_empty() {
             self.body.push_str(&format!("\n```kane\n{statements}```\n\n"));

@@ -4,6 +4,7 @@ use crate::adjacent::Adjacent;
 use crate::command::{Beginning, beginning};
 use crate::name::{Names, letter, part};
 use crate::part::{Level, Part, one, over, power, times};
+use crate::plain::is_empty_group;
 use crate::token::{Token, written};
 use crate::unreadable::Unreadable;
 
@@ -56,12 +57,20 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Passes empty groups, which are printed as nothing.
+    pub(crate) fn pass_empty(&mut self) {
+        while self.tokens.get(self.at..).is_some_and(is_empty_group) {
+            self.at += 2;
+        }
+    }
+
     /// A sum of products.
     pub(crate) fn sum(&mut self) -> Result<Part, Unreadable> {
         self.depth += 1;
         if self.depth > DEPTH {
             return Err(Unreadable::Depth);
         }
+        self.pass_empty();
         let negative = if self.takes_char('-') || self.takes_char('−') {
             true
         } else {
@@ -100,6 +109,12 @@ impl<'a> Reader<'a> {
         let mut out = self.factor()?;
         let mut adjacent = Adjacent::behind(&out, self.passed());
         loop {
+            let before = self.at;
+            self.pass_empty();
+            // printed as a value at what stands in the brackets, and written as something else
+            if self.at > before && matches!(self.peek(), Some(Token::Char('(' | '['))) {
+                return Err(Unreadable::Ambiguous(format!("{}{{}}(…)", out.text)));
+            }
             match self.peek() {
                 Some(Token::Char('*' | '·')) => {
                     self.at += 1;
@@ -179,6 +194,7 @@ impl<'a> Reader<'a> {
         if self.depth > DEPTH {
             return Err(Unreadable::Depth);
         }
+        self.pass_empty();
         let base = self.base()?;
         self.depth -= 1;
         self.powers(base)
@@ -250,7 +266,7 @@ impl<'a> Reader<'a> {
         let Some(token) = self.next() else { return Err(Unreadable::Missing("an expression")) };
         match token {
             Token::Char(c) if c.is_ascii_digit() || *c == '.' => self.number(*c),
-            Token::Char('d') if self.begins_name() => {
+            Token::Char('d') if self.passes_to_name() => {
                 let mut rest = Reader {
                     tokens: self.tokens,
                     at: self.at,
@@ -279,6 +295,12 @@ impl<'a> Reader<'a> {
             Token::Command(name) => self.by_command(name),
             other => Err(out_of_place(other)),
         }
+    }
+
+    /// Whether a name follows, behind empty groups or at once.
+    fn passes_to_name(&mut self) -> bool {
+        self.pass_empty();
+        self.begins_name()
     }
 
     pub(crate) fn begins_name(&self) -> bool {

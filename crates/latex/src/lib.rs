@@ -17,6 +17,7 @@ mod function;
 mod macros;
 mod name;
 mod part;
+mod plain;
 mod prose;
 mod refusal;
 mod relation;

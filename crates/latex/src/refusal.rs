@@ -57,18 +57,7 @@ impl Draft {
         let reason = one_line(reason);
         *statement = format!("# not accepted, {reason}: {statement}");
         if kind != "var" {
-            for statement in &mut lines {
-                if let Some((text, cited)) = statement.clone().split_once(" from ")
-                    && statement.starts_with("claim ")
-                {
-                    let kept: Vec<&str> =
-                        cited.split(", ").filter(|cited| *cited != label).collect();
-                    *statement = match kept.as_slice() {
-                        [] => text.to_owned(),
-                        _ => format!("{text} from {}", kept.join(", ")),
-                    };
-                }
-            }
+            lines = lines.into_iter().flat_map(|line| without(&label, line)).collect();
             if let Some(outcome) = self.equations.iter_mut().find(|outcome| outcome.label == label)
             {
                 outcome.fault = Some(Unreadable::NotAccepted(reason));
@@ -76,5 +65,23 @@ impl Draft {
         }
         self.document = format!("{}\n", lines.join("\n"));
         true
+    }
+}
+
+/// A line of a draft whose claim, if it is one, does not cite this label, with a comment above it that says so.
+fn without(label: &str, line: String) -> Vec<String> {
+    let Some((claim, cited)) = line.split_once(" from ") else { return vec![line] };
+    let name = claim.strip_prefix("claim ").and_then(|rest| rest.split(':').next());
+    let kept: Vec<&str> = cited.split(", ").filter(|cited| *cited != label).collect();
+    match name {
+        Some(name) if kept.len() < cited.split(", ").count() => {
+            let comment = format!("# {name} does not rest on {label}, which is not accepted");
+            let claim = match kept.as_slice() {
+                [] => claim.to_owned(),
+                _ => format!("{claim} from {}", kept.join(", ")),
+            };
+            vec![comment, claim]
+        }
+        _ => vec![line],
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::formula::{Reader, out_of_place, strip};
 use crate::name::Names;
+use crate::plain::fractions;
 use crate::token::{Token, tokens};
 use crate::unreadable::Unreadable;
 
@@ -56,7 +57,7 @@ pub(crate) fn of_tokens(all: &[Token], names: &mut Names) -> Result<Statement, U
     let mark = names.mark();
     // columns line rows up; inside of cases and matrices they part cells
     let mut depth = 0usize;
-    let plain: Vec<Token> = strip(all)
+    let flat: Vec<Token> = strip(all)
         .iter()
         .filter(|token| {
             match token {
@@ -68,7 +69,7 @@ pub(crate) fn of_tokens(all: &[Token], names: &mut Names) -> Result<Statement, U
         })
         .cloned()
         .collect();
-    let read = read(&plain, names);
+    let read = read(&fractions(&flat), names);
     names.parameters.clear();
     if read.is_err() {
         names.back(mark);

@@ -118,6 +118,20 @@ fn what_a_claim_must_not_rest_on_leaves_the_claim() {
 }
 
 #[test]
+fn a_claim_says_what_the_text_names_for_it_that_is_not_read() {
+    let paper = r"Let \[ a = 1 \tag{1} \] and \[ \int a = 2 \tag{2} \] and \[ b \approx 2 \tag{3} \]
+        From (1) and (2) we get \[ 2a = 2 \tag{4} \] from (2) and (3) \[ 3a = 3 \tag{5} \] hence \[ a = a \tag{6} \]";
+    let document = draft(paper, Format::Latex).document;
+    for left in [
+        "# the text above names (2), which is not read and cannot be cited\nclaim (4): 2*a = 2 from (1)\n",
+        "# the text above names (2), (3), which are not read and cannot be cited\nclaim (5): 3*a = 3 from (1)\n",
+        "```kane\nclaim (6): a = a from (1)\n",
+    ] {
+        assert!(document.contains(left), "{document}");
+    }
+}
+
+#[test]
 fn a_refused_statement_is_a_comment_that_nothing_rests_on() {
     let paper = r"Let \[ a = 1 \tag{1} \] and \[ b = 2 \tag{2} \] hence \[ a = b \tag{3} \]";
     let mut draft = draft(paper, Format::Latex);
@@ -128,7 +142,8 @@ fn a_refused_statement_is_a_comment_that_nothing_rests_on() {
     assert!(draft.refuse(at, "no reason\nat all"));
     assert!(!draft.refuse(1, "a heading"));
     assert!(draft.document.contains("# not accepted, no reason at all: given (2): b = 2"));
-    assert!(draft.document.contains("claim (3): a = b from (1)\n"), "{}", draft.document);
+    let claim = "# (3) does not rest on (2), which is not accepted\nclaim (3): a = b from (1)\n";
+    assert!(draft.document.contains(claim), "{}", draft.document);
     assert_eq!(draft.equations.iter().filter(|equation| equation.fault.is_some()).count(), 1);
 }
 

@@ -86,6 +86,49 @@ fn formulas_become_statements() {
 }
 
 #[test]
+fn what_plain_tex_and_careful_hands_write_is_read() {
+    for (latex, text) in [
+        (r"k = {1 - \alpha \over 1 + \alpha}", "k = (1 - alpha)/(1 + alpha)"),
+        (r"E = {1 \over 2} m v^2", "E = 1/2*m*v^2"),
+        (r"x^{1 \over 2} = \sqrt{a \over b}", "sqrt(x) = sqrt(a/b)"),
+        (r"m{dv \over dt} = F", "m*d(v, t) = F"),
+        (r"{{a \over b} \over c} = {a \over bc}", "a/b/c = a/(b*c)"),
+        (r"F = m\cdot{}a", "F = m*a"),
+        (r"\alpha{} \le{} \beta{} + 1", "alpha <= beta + 1"),
+        (r"x ={}& a{}b", "x = a*b"),
+        (r"x = {}-a", "x = -a"),
+        (r"x = m\cdot{}(a + b)", "x = m*(a + b)"),
+    ] {
+        assert_eq!(read(latex).as_deref(), Ok(text), "{latex}");
+    }
+}
+
+#[test]
+fn what_plain_tex_leaves_open_is_refused() {
+    for latex in [
+        // the one divides all that stands before it, the other is two fractions in one
+        r"x = a \over b",
+        r"x = {a \over b \over c}",
+        r"x = {\left( a \over b \right) + c}",
+        r"x = {\left. a \over b \right. + c}",
+        r"x = {\over b}",
+        r"x = 1{1 \over 2}",
+        // an argument that is missing, an index of nothing, a number that is printed with two digits
+        r"x = \frac{}{b}",
+        r"x = \sqrt{}",
+        r"x = a{}^2",
+        r"x = {}_2 a",
+        r"x = 2{}3",
+        r"x = {}",
+        // a value or a product, and a differential
+        r"x = U{}(y)",
+        r"T\, d{}s = d{}u",
+    ] {
+        assert!(read(latex).is_err(), "{latex}: {:?}", read(latex));
+    }
+}
+
+#[test]
 fn what_has_two_readings_or_none_is_refused() {
     for latex in [
         r"x = a/bc",

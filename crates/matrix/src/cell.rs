@@ -129,7 +129,23 @@ impl Cell {
         if !open.is_empty() {
             return Self::undecided(open.join("; "));
         }
-        let reason = format!("{} goals", parts.len());
+        let reason = match parts.len() {
+            0 => "0 goals: the formulas leave nothing to show".to_owned(),
+            1 => "1 goal".to_owned(),
+            n => format!("{n} goals"),
+        };
         Self { finding: Finding::Proved, reason, parts, witness: Vec::new() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_without_goals_says_why_it_is_proved() {
+        let cell = Cell::from_parts(Vec::new(), Vec::new());
+        assert_eq!(cell.finding, Finding::Proved);
+        assert_eq!(cell.reason, "0 goals: the formulas leave nothing to show");
     }
 }

@@ -41,7 +41,7 @@ pub fn strips(root: &Path) -> Result<String, NotMade> {
     let document = kane::audit::read("oblique-collision.md", &bytes)
         .map_err(|_| NotMade::because(name, "it is not well formed"))?;
     let stability = examine(&document, true, &mut |_, _| {});
-    let command = "kane stability".to_owned();
+    let command = "kane stability --full-line".to_owned();
     Ok(strips_picture(&StabilityReport { stability: &stability, accounts: &[], command }))
 }
 

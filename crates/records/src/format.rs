@@ -57,7 +57,9 @@ impl Format {
         match self {
             Self::Binary64 => "binary64".to_owned(),
             Self::Binary32 => "binary32".to_owned(),
+            Self::Decimals(1) => "1 decimal".to_owned(),
             Self::Decimals(digits) => format!("{digits} decimals"),
+            Self::Significant(1) => "1 digit".to_owned(),
             Self::Significant(digits) => format!("{digits} digits"),
         }
     }
@@ -156,8 +158,8 @@ impl FromStr for Format {
         match (text, count, unit) {
             ("f32", ..) => Ok(Self::Binary32),
             ("f64", ..) => Ok(Self::Binary64),
-            (_, Some(count), "decimals") => Ok(Self::Decimals(count)),
-            (_, Some(count @ 1..), "digits") => Ok(Self::Significant(count)),
+            (_, Some(count), "decimals" | "decimal") => Ok(Self::Decimals(count)),
+            (_, Some(count @ 1..), "digits" | "digit") => Ok(Self::Significant(count)),
             _ => Err(NoFormat(text.to_owned())),
         }
     }

@@ -56,6 +56,9 @@ fn write_link(out: &mut String, entry: &Entry<'_>, (number, link): (usize, &Link
     }
 }
 
+/// Verdicts of which it is shown whether the hypotheses can hold: nowhere, or at the point that speaks against the claim.
+const AGAINST: [Verdict; 3] = [Verdict::Vacuous, Verdict::Refuted, Verdict::IllDefined];
+
 /// What the whole rests on: the premises, each as written, and one point at which they hold.
 fn write_ground(out: &mut String, entry: &Entry<'_>) {
     let judgement = entry.judgement;
@@ -72,7 +75,38 @@ fn write_ground(out: &mut String, entry: &Entry<'_>) {
             let at = equations(&example, Form::Plain);
             let _ = writeln!(out, "\nits hypotheses hold, for example, at {at}");
         }
-        None if judgement.verdict == Verdict::Vacuous => {}
+        // and where a point speaks against the claim, it is one at which they do
+        None if AGAINST.contains(&judgement.verdict) => {}
         None => out.push_str("\nno point was found at which all its hypotheses hold\n"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kane_audit::{Options, audit, read};
+
+    use super::*;
+
+    /// The claim of a document, written out, and its verdict.
+    fn explained(statements: &str) -> (Verdict, String) {
+        let text = format!("# T\n\n```kane\n{statements}```\n");
+        let document = read("explain.md", text.as_bytes()).expect("it is well formed");
+        let audit = audit(document, &Options::default(), &mut |_, _| {});
+        let last = audit.judgements.len() - 1;
+        (audit.judgements[last].verdict, explain(&audit, last).expect("it is there"))
+    }
+
+    #[test]
+    fn a_claim_that_a_point_refutes_is_not_said_to_have_hypotheses_that_hold_at_none() {
+        let none = "no point was found at which all its hypotheses hold";
+        let givens = "var x > 0, y\ngiven (1): x^3 + x*y^2 = 2*y + 5\ngiven (2): x^2*y + y^5 = 3\n";
+        let (verdict, told) =
+            explained(&format!("{givens}claim (3): contradiction from (1), (2)\n"));
+        assert_eq!(verdict, Verdict::Refuted);
+        assert!(told.contains("At the point") && !told.contains(none), "{told}");
+        let (verdict, told) =
+            explained("var x\ngiven (1): x^2 < 0\nclaim (2): contradiction from (1)\n");
+        assert_eq!(verdict, Verdict::Proved);
+        assert!(told.contains(none), "{told}");
     }
 }

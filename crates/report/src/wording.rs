@@ -27,3 +27,23 @@ pub(crate) const fn mark(verdict: Verdict) -> &'static str {
         Verdict::Undecided => "?",
     }
 }
+
+/// `0 rows`, `1 row`, `2 rows`.
+pub(crate) fn number_of(n: impl std::fmt::Display, noun: &str) -> String {
+    let n = n.to_string();
+    let plural = if n == "1" { "" } else { "s" };
+    format!("{n} {noun}{plural}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_is_no_plural() {
+        assert_eq!(
+            [0, 1, 2, 11].map(|n| number_of(n, "row")),
+            ["0 rows", "1 row", "2 rows", "11 rows"]
+        );
+    }
+}

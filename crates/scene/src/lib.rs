@@ -50,6 +50,7 @@ pub mod read;
 mod resolver;
 mod rotation;
 mod round;
+pub mod rounded;
 mod scene;
 mod side;
 pub mod simulate;

@@ -13,10 +13,11 @@ use crate::words::{Form, Formulas, Line, Prose, Subject, words};
 pub fn explain(row: &Row, property: &Property, cell: &Cell) -> String {
     let telling = Telling::new(Form::Plain);
     let mut out = String::new();
+    // before the source: behind it they would read as part of what it says
     let with = parameters(row);
     let with = if with.is_empty() { with } else { format!(" with {with}") };
-    let _ = writeln!(out, "{}:{}: {}", row.law.info.id, property.id, word(cell.finding));
-    let _ = writeln!(out, "  {}{with}", row.law.info.source);
+    let _ = writeln!(out, "{}{with}:{}: {}", row.law.info.id, property.id, word(cell.finding));
+    let _ = writeln!(out, "  {}", row.law.info.source);
     let _ = writeln!(out, "\n{}, for {}:", property.name, unmarked(property.domain));
     let _ = writeln!(out, "  {}", property.template);
     let _ = writeln!(out, "  {}", unmarked(property.meaning));

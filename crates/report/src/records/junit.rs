@@ -8,6 +8,7 @@ use super::RecordsReport;
 use super::compared::news;
 use super::sentence::headline;
 use super::wording::{asks, rejected, residual, suspicion, verdict};
+use crate::wording::number_of;
 
 /// What came of a test.
 enum Came {
@@ -39,7 +40,11 @@ pub fn junit(report: &RecordsReport<'_>) -> String {
             let came = match checked.rows {
                 0 => Came::Skipped,
                 _ if checked.as_expected() => Came::Passed,
-                rows => Came::Failed(format!("{} of {rows} rows{worst}", verdict(checked))),
+                rows => Came::Failed(format!(
+                    "{} of {}{worst}",
+                    verdict(checked),
+                    number_of(rows, "row")
+                )),
             };
             Test { name: checked.check.id().to_owned(), asks: asks(checked.check).to_owned(), came }
         })

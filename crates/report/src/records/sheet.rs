@@ -10,6 +10,7 @@ use super::wording::{
     rejected, replayed, residual, suspicion, untold, untold_label, verdict,
 };
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
+use crate::wording::number_of;
 
 /// Laws that are listed though they do not give every row.
 const OTHERS: usize = 5;
@@ -172,7 +173,7 @@ fn coefficients(report: &RecordsReport<'_>) -> Table {
     let row = |fit: &kane_records::fit::PairFit| {
         let cell = |fitted: &Option<kane_records::fit::Fitted>| {
             fitted.as_ref().map_or_else(String::new, |fitted| {
-                format!("{} ({} rows)", interval(fitted), fitted.rows)
+                format!("{} ({})", interval(fitted), number_of(fitted.rows, "row"))
             })
         };
         row![pair(fit, study), cell(&fit.restitution), cell(&fit.friction), cell(&fit.rebound)]

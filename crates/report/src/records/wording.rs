@@ -18,6 +18,7 @@ use kane_records::untold::Untold;
 use kane_records::worst::Worst;
 
 use super::RecordsReport;
+use crate::wording::number_of;
 
 /// A float in few digits.
 pub(super) fn brief(value: f64) -> String {
@@ -100,8 +101,8 @@ pub(crate) fn told(checked: &Checked) -> (&'static str, String) {
         format!(", the worst {}", residual(checked.check, &finding))
     });
     let came = match checked.failed + checked.undecided {
-        0 => format!("holds in {rows} rows"),
-        _ => format!("{} of {rows} rows{worst}", verdict(checked)),
+        0 => format!("holds in {}", number_of(rows, "row")),
+        _ => format!("{} of {}{worst}", verdict(checked), number_of(rows, "row")),
     };
     (asks(checked.check), came)
 }
@@ -274,14 +275,14 @@ pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
         (_, Some(or)) => format!("or {}, which too few tell", or.name()),
         _ => "as the numbers tell".to_owned(),
     };
-    let mut text = format!("{} rows checked", study.rows);
+    let mut text = format!("{} checked", number_of(study.rows, "row"));
     // without a number there is nothing to tell a format from
     if study.rows > 0 || study.format_stated {
         let _ = write!(text, ", numbers in {} ({told})", formats(&precision.told));
     }
     let rejected = study.rejections.total();
     if rejected > 0 {
-        let _ = write!(text, ", {rejected} rows REJECTED");
+        let _ = write!(text, ", {} REJECTED", number_of(rejected, "row"));
     }
     if u64::try_from(study.sampled).is_ok_and(|sampled| sampled < study.rows) {
         let _ = write!(text, "; laws are named on {} of them", study.sampled);
@@ -570,6 +571,20 @@ mod tests {
         assert_eq!(facts(&study), format!("0 rows checked, numbers in {name} (as stated)"));
         study.format_stated = false;
         assert_eq!(facts(&study), "0 rows checked");
+    }
+
+    #[test]
+    fn one_row_and_one_digit_are_no_plurals() {
+        let mut study = of_a_log();
+        study.rows = 1;
+        study.format_stated = true;
+        study.precision.told = kane_records::told::Told::stated(Format::Significant(1));
+        let facts = log_facts(&RecordsReport { study: &study, log: "log", command: "" });
+        assert!(facts.starts_with("1 row checked, numbers in 1 digit (as stated)"), "{facts}");
+        // a name is read back as what it names
+        for format in [Format::Significant(1), Format::Decimals(1)] {
+            assert_eq!(format.name().parse(), Ok(format));
+        }
     }
 
     #[test]

@@ -26,6 +26,7 @@ pub use stress_picture::stress_picture;
 
 use kane_number::System;
 use kane_scene::Picture;
+use kane_scene::rounded::at_most;
 use kane_scene::simulate::Encounter;
 use kane_scene::{Answer, Judged, Known, Line, Place, Spread, Verdict};
 
@@ -167,6 +168,16 @@ pub(crate) fn brief(value: f64) -> String {
     }
 }
 
+/// What was stated, as [`brief`] tells it if nothing is lost, or in full.
+fn in_full(value: f64) -> String {
+    let text = brief(value);
+    match text.parse() == Ok(value) {
+        true => text,
+        false if (1e-3..1e5).contains(&value.abs()) => value.to_string(),
+        false => format!("{value:e}"),
+    }
+}
+
 /// An error to two digits.
 pub(crate) fn small(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
@@ -188,9 +199,11 @@ pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
     match (error, known) {
         (Some(0.0), Some(Known::Exactly | Known::Enclosed)) => "none".to_owned(),
         (Some(error), Some(Known::Exactly | Known::Enclosed)) => {
-            format!("at most {}", brief(error))
+            format!("at most {}", at_most(error, brief))
         }
-        (Some(error), Some(Known::Documented)) => format!("{}, documented", brief(error)),
+        (Some(error), Some(Known::Documented)) => {
+            format!("{}, documented", at_most(error, brief))
+        }
         (Some(error), Some(Known::Estimated)) => format!("{}, estimated", brief(error)),
         _ => "unknown".to_owned(),
     }
@@ -199,7 +212,7 @@ pub(crate) fn error(error: Option<f64>, known: Option<Known>) -> String {
 /// How far the stated uncertainty moves an answer.
 pub(crate) fn moved(spread: Option<Spread>) -> String {
     match spread {
-        Some(Spread { by, enclosed: true, .. }) => format!("within ±{}", brief(by)),
+        Some(Spread { by, enclosed: true, .. }) => format!("within ±{}", at_most(by, brief)),
         Some(Spread { by, enclosed: false, .. }) => format!("±{} at corners", brief(by)),
         None => String::new(),
     }

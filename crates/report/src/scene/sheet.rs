@@ -1,12 +1,12 @@
 //! What was asked, why by this model, the models, and every impact.
 
 use kane_scene::simulate::{Bounce, End, Ending};
-use kane_scene::{Shown, Verdict};
+use kane_scene::{Line, Shown, Verdict};
 
 use super::json::stated_rows;
 use super::{
-    SceneReport, brief, compare_picture, cost, drawn, error, ledger_picture, moved, number,
-    verdict, who,
+    SceneReport, brief, compare_picture, cost, drawn, error, in_full, ledger_picture, moved,
+    number, verdict, who,
 };
 use crate::sheet::{Column, Entry, Row, Sheet, Table, Tone, Words, row};
 
@@ -17,12 +17,18 @@ const ON_PAGE: usize = 200;
 /// What the column of costs is.
 const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
 
+/// That answers have fewer digits here than the bounds beside them are of.
+const ROUNDED: &str = "Answers are rounded here, to at most eight digits; the JSON has more. An error is that of the answer as it was computed.";
+
 /// The report as a sheet.
 #[must_use]
 pub fn sheet<'a>(report: &'a SceneReport<'a>) -> Sheet<'a> {
     let answer = report.answer;
     let mut sheet = Sheet::new("Scene", &report.title, report.headline(), &report.command);
     sheet.table(asked(report));
+    if answer.lines.iter().any(|line| told(line).1) {
+        sheet.prose(ROUNDED);
+    }
     sheet.heading("why", "Why this model");
     sheet.prose(answer.reasons.join(" "));
     if let Some((name, heading)) = drawn(report) {
@@ -82,6 +88,20 @@ fn stated(report: &SceneReport<'_>) -> Table {
     table
 }
 
+/// An answer as it is printed, and whether that is a rounded one.
+fn told(line: &Line) -> (String, bool) {
+    // long fractions are for JSON
+    if let Some(exact) = line.exact.as_ref().filter(|exact| exact.len() <= 24) {
+        return (exact.clone(), false);
+    }
+    let text = number(line.value);
+    let is_all = match (kane_number::parse(&text), kane_number::decode(line.value)) {
+        (Ok(text), Ok(value)) => line.exact.is_none() && text == value,
+        _ => false,
+    };
+    (text, !is_all)
+}
+
 fn asked(report: &SceneReport<'_>) -> Table {
     let answer = report.answer;
     let columns = vec![
@@ -93,14 +113,12 @@ fn asked(report: &SceneReport<'_>) -> Table {
         Column::left("inputs move it by"),
     ];
     let rows = answer.lines.iter().map(|line| {
-        // long fractions are for JSON
-        let exact = line.exact.as_ref().filter(|exact| exact.len() <= 24);
         row![
             Words::code(line.quantity.to_string()),
-            exact.cloned().unwrap_or_else(|| number(line.value)),
+            told(line).0,
             line.quantity.unit(),
             error(line.error, answer.known),
-            brief(line.tolerance),
+            in_full(line.tolerance),
             moved(line.spread),
         ]
     });

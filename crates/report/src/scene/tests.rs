@@ -205,6 +205,38 @@ fn an_error_is_told_as_surely_as_it_is_known() {
 }
 
 #[test]
+fn a_bound_is_never_told_as_less_than_it_is() {
+    // 4.44e-15 is more than 4.4e-15
+    let size = 4.440_892_098_500_626e-15;
+    let told = |known| error(Some(size), Some(known));
+    assert_eq!(told(Known::Enclosed), "at most 4.5e-15");
+    assert_eq!(told(Known::Documented), "4.5e-15, documented");
+    assert_eq!(told(Known::Estimated), "4.4e-15, estimated");
+    let spread = |enclosed| Some(Spread { by: 2.31, at_least: 0.1, enclosed });
+    assert_eq!([moved(spread(true)), moved(spread(false))], ["within ±2.4", "±2.3 at corners"]);
+    // and a tolerance is told as it was stated
+    assert_eq!([0.0, 1e-9, 0.05, 20.0].map(in_full), ["0", "1.0e-9", "0.05", "20"]);
+    assert_eq!([1.25e-7, 0.001_23, 150.25].map(in_full), ["1.25e-7", "0.00123", "150.25"]);
+}
+
+#[test]
+fn answers_that_are_rounded_are_said_to_be() {
+    let said = |value: f64, exact: Option<&str>| {
+        let mut answer = answer(world(vec![round(20)]));
+        let exact = exact.map(str::to_owned);
+        answer.lines = vec![Line { value, exact, ..line(Kind::K, 0) }];
+        let told = sheet(&report(&answer)).text(crate::sheet::Page::default());
+        told.contains("Answers are rounded here")
+    };
+    assert!(said(1.0 / 3.0, None));
+    assert!(said(0.1, None), "the float is not a tenth");
+    assert!(!said(0.25, None));
+    assert!(!said(1.0 / 3.0, Some("1/3")));
+    // a fraction that is too long to be shown
+    assert!(said(0.25, Some("1000000000000/4000000000001")));
+}
+
+#[test]
 fn bodies_are_counted_from_one() {
     let (wall, pair) = (Encounter::Wall(1, Side::Left), Encounter::Pair(0, 2));
     assert_eq!(ids(wall), ["body-2", "left"]);

@@ -20,7 +20,10 @@ impl Teller<'_> {
         }
         let alone = open(&briefs) == 1;
         let head = (!alone).then(|| {
-            let count = format!("one of {} cases.", branches.len());
+            let count = match branches.len() {
+                0 => "in no case.".to_owned(),
+                n => format!("one of {n} cases."),
+            };
             self.source(source).end(":").begun().and(Sentence::of(&count))
         });
         let closed = branches.iter().zip(&briefs);

@@ -6,6 +6,7 @@ use super::judge::{Judged, Place, Verdict};
 use super::model::{Mechanics, Model};
 use super::reference::{Known, Reference};
 use crate::resolver::COMPLIANT;
+use crate::rounded::{at_least, at_most};
 use crate::scene::{Scene, Setup};
 use crate::simulate::Ending;
 use kane_impact::compliant::{Compliance, Loss};
@@ -75,7 +76,7 @@ fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
     let beyond: Vec<String> = moved()
         .filter(|(asked, spread)| spread.exceeds(asked.tolerance.to_f64()))
         .map(|(asked, spread)| {
-            format!("{} by ±{} at least", asked.quantity, short(spread.at_least))
+            format!("{} by ±{} at least", asked.quantity, at_least(spread.at_least, short))
         })
         .collect();
     let open: Vec<String> = moved()
@@ -83,7 +84,7 @@ fn of_the_inputs(scene: &Scene, reference: &Reference) -> Option<String> {
             let tolerance = asked.tolerance.to_f64();
             spread.may_exceed(tolerance) && !spread.exceeds(tolerance)
         })
-        .map(|(asked, spread)| format!("{} within ±{}", asked.quantity, short(spread.by)))
+        .map(|(asked, spread)| format!("{} within ±{}", asked.quantity, at_most(spread.by, short)))
         .collect();
     let mut said = Vec::new();
     if !beyond.is_empty() {
@@ -144,10 +145,13 @@ fn of_the_contact(scene: &Scene, reference: &Reference) -> Option<String> {
             let alpha = found.alpha?;
             let (low, high) = (alpha.lower().abs(), alpha.upper().abs());
             let (middle, half) = (f64::midpoint(low, high), (high - low).abs() / 2.0);
-            let stated = if half > 1e-12 * middle {
-                format!("{} ± {}", short(middle), short(half))
+            let told = short(middle);
+            let rounding = (told.parse().unwrap_or(middle) - middle).abs();
+            // around the middle as it is told; what is less than its digits say is told by these
+            let stated = if half > rounding.max(1e-12 * middle) {
+                format!("{told} ± {}", at_most((half + rounding).next_up(), short))
             } else {
-                short(middle)
+                told
             };
             let what = if reference.mechanics == Mechanics::NormalOnly {
                 "there is no friction"
@@ -254,10 +258,10 @@ fn of_the_choice(
     let error = match (worst, reference.known) {
         (Some(0.0), Known::Exactly | Known::Enclosed) => ", exactly".to_owned(),
         (Some(error), Known::Exactly | Known::Enclosed) => {
-            format!(", with no error above {}", short(error))
+            format!(", with no error above {}", at_most(error, short))
         }
         (Some(error), Known::Documented) => {
-            format!(", with no error above {} as far as it slides", short(error))
+            format!(", with no error above {} as far as it slides", at_most(error, short))
         }
         (Some(error), Known::Estimated) => format!(", with an estimated error of {}", short(error)),
         (None, _) => String::new(),

@@ -170,6 +170,20 @@ fn an_estimate_is_never_called_a_bound() {
 }
 
 #[test]
+fn the_bound_in_the_reasons_is_no_less_than_any_error() {
+    for (name, text, _) in SHIPPED {
+        let (_, answer) = answered(name, text, None);
+        let why = answer.reasons.join(" ");
+        let Some((_, told)) = why.split_once("with no error above ") else { continue };
+        let told = told.split([' ', ';']).next().unwrap_or_default().trim_end_matches('.');
+        let told: f64 = told.parse().expect("a number");
+        for line in &answer.lines {
+            assert!(line.error.is_some_and(|error| error <= told), "{name}: {told} of {line:?}");
+        }
+    }
+}
+
+#[test]
 fn comparing_all_models_changes_no_reason() {
     let (name, text, chosen) = SHIPPED[6];
     let (scene, answer) = answered(name, text, None);
