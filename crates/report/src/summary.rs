@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_audit::Verdict;
 
 use crate::Report;
+use crate::wording::number_of;
 
 /// The verdicts of claims, in the order in which they are told.
 const TOLD: [Verdict; 6] = [
@@ -142,8 +143,7 @@ fn named(labels: &[String]) -> String {
 fn counted(n: usize, noun: &str) -> String {
     match n {
         0 => format!("no {noun}s"),
-        1 => format!("1 {noun}"),
-        n => format!("{n} {noun}s"),
+        n => number_of(n, noun),
     }
 }
 

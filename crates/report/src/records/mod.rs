@@ -3,6 +3,8 @@
 mod compared;
 mod json;
 mod junit;
+#[cfg(test)]
+mod made_up;
 mod pictures;
 mod sentence;
 mod sheet;

@@ -241,21 +241,11 @@ fn in_percent(share: f64) -> String {
 mod tests {
     use kane_records::check::{Finding, Verdict};
     use kane_records::fit::{Fitted, PairFit};
-    use kane_records::reader::Kind;
     use kane_records::restitution::Factor;
-    use kane_records::study::{Options, study};
     use kane_records::tally::Checked;
 
+    use super::super::made_up::{law_fit, of_a_log, study_of};
     use super::*;
-
-    /// The study of a log of ten impacts that lose their slip, of which a test changes what it is about.
-    fn of_a_log() -> Study {
-        let head =
-            "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
-        let row = "1,1,0.4,0.3,0.5,2,-1,0,1.55,0.5,-1.125";
-        let text = format!("{head}\n{}", format!("{row}\n").repeat(10));
-        study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
-    }
 
     fn restitution(law: NormalLaw) -> Restitution {
         Restitution {
@@ -309,18 +299,7 @@ mod tests {
         use kane_records::rigid::LawFit;
         let fit = |hypothesis, consistent| {
             let law = kane_impact::laws().iter().find(|law| law.info.restitution == hypothesis);
-            let law = law.expect("there is one").clone();
-            let (rows, silent) = (10, 0);
-            LawFit {
-                law,
-                fitted: false,
-                rows,
-                silent,
-                consistent,
-                worst: 0.0,
-                median: 0.0,
-                worst_line: 0,
-            }
+            law_fit(law.expect("there is one"), false, consistent)
         };
         let told = |law, fit: &LawFit| {
             let restitution = Some(restitution(law));
@@ -344,13 +323,8 @@ mod tests {
 
     #[test]
     fn a_log_of_a_rigid_law_is_not_told_to_follow_no_law() {
-        use kane_records::rigid::LawFit;
-        let law = kane_impact::law("garwin").expect("it is known").clone();
-        let garwin = |consistent, fitted| {
-            let (rows, silent, worst, median, worst_line) = (10, 0, 0.0, 0.0, 0);
-            let law = law.clone();
-            LawFit { law, fitted, rows, silent, consistent, worst, median, worst_line }
-        };
+        let law = kane_impact::law("garwin").expect("it is known");
+        let garwin = |consistent, fitted| law_fit(law, fitted, consistent);
         let coulomb = FrictionFit {
             law: FrictionLaw::Coulomb,
             rows: 10,
@@ -541,9 +515,6 @@ mod tests {
 
     #[test]
     fn a_log_without_a_row_says_whether_there_was_one_to_check() {
-        let study_of = |text: &str| {
-            study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
-        };
         let head = "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n";
         assert_eq!(headline(&study_of(head)), "The log has no impacts.");
         let broken = study_of(&format!("{head}1,1,0.4,0.3,0.5,2,-1,0,x,0.5,-1.125\n"));

@@ -358,6 +358,7 @@ mod tests {
 
     use kane_records::check::Verdict;
 
+    use super::super::made_up::{law_fit, of_a_log};
     use super::*;
 
     fn checked(rows: u64, failed: u64, undecided: u64, excused: Option<&'static str>) -> Checked {
@@ -436,17 +437,6 @@ mod tests {
         assert_eq!([0, 7].map(before), [String::new(), "line 7: ".to_owned()]);
     }
 
-    /// A log of ten impacts that lose their slip.
-    fn of_a_log() -> Study {
-        use kane_records::reader::Kind;
-        use kane_records::study::{Options, study};
-        let head =
-            "mass,radius,inertia,mu,restitution,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post";
-        let row = "1,1,0.4,0.3,0.5,2,-1,0,1.55,0.5,-1.125";
-        let text = format!("{head}\n{}", format!("{row}\n").repeat(10));
-        study(text.as_bytes(), Kind::Csv, &Options::new(&[])).expect("it can be read")
-    }
-
     #[test]
     fn a_suspicion_says_by_how_much_and_what_to_do() {
         assert_eq!(
@@ -484,19 +474,7 @@ mod tests {
     #[test]
     fn a_law_is_told_with_what_was_fitted_of_it_alone() {
         let of = |id: &str, fitted| {
-            let law = kane_impact::law(id).expect("it is known").clone();
-            let counts = (10, 0, 10);
-            let (rows, silent, consistent) = counts;
-            super::law(&LawFit {
-                law,
-                fitted,
-                rows,
-                silent,
-                consistent,
-                worst: 0.0,
-                median: 0.0,
-                worst_line: 0,
-            })
+            super::law(&law_fit(kane_impact::law(id).expect("it is known"), fitted, 10))
         };
         assert_eq!([of("routh-newton", true), of("walton", false)], ["routh-newton", "walton"]);
         let fitted = of("walton", true);
