@@ -122,9 +122,7 @@ impl SignTable {
             }
         }
     }
-}
 
-impl SignTable {
     /// Simple rationals in the gap before root i, near its ends: within 1/1024 and within 1/8 of its width; none where it
     /// has one end.
     ///
@@ -412,6 +410,11 @@ mod tests {
         [SignTable::new, SignTable::at_roots].map(|cut| cut(polys, &fuel()).unwrap())
     }
 
+    /// 1 + Σ |aₖ| is beyond all roots of integer coefficients (Cauchy 1829: 1 + max |aₖ| is).
+    fn beyond(p: &[BigInt]) -> Q {
+        Q::from_integer(p.iter().map(Signed::abs).sum::<BigInt>() + 1)
+    }
+
     proptest! {
         /// Sturm's count (polycore) knows nothing of Descartes' rule, by which the table is made.
         #[test]
@@ -421,9 +424,7 @@ mod tests {
                 for (i, p) in inputs.iter().enumerate() {
                     let zeros: Vec<_> = table.cells().filter(|c| table.sign(i, *c) == 0).collect();
                     let p = uni(p);
-                    // 1 + max |aₖ| is beyond all roots of integer coefficients (Cauchy 1829)
-                    let bound = inputs[i].iter().map(Signed::abs).sum::<BigInt>() + 1;
-                    let bound = Q::from_integer(bound);
+                    let bound = beyond(&inputs[i]);
                     let count = if p.deg() == 0 { 0 } else { p.sturm(&-&bound, &bound) };
                     prop_assert_eq!(zeros.len(), count);
                     for cell in zeros {
@@ -442,7 +443,7 @@ mod tests {
         #[test]
         fn all_roots_are_below_their_bound(p in poly()) {
             let bound = Q::from_integer(root_bound(&p));
-            let far = Q::from_integer(p.iter().map(Signed::abs).sum::<BigInt>() + 1);
+            let far = beyond(&p);
             let p = uni(&p);
             let count = |end: &Q| if p.deg() == 0 { 0 } else { p.sturm(&-end, end) };
             prop_assert_eq!(count(&bound), count(&far.max(bound.clone())));

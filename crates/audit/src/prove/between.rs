@@ -7,6 +7,7 @@ use num_traits::Signed as _;
 
 use super::elimination::{Elimination, open_vars};
 use super::search::Search;
+use super::variation::homogeneous;
 
 /// Pairs of bounds between which a variable is put.
 const PAIRS: usize = 6;
@@ -42,8 +43,14 @@ impl Search<'_> {
         left: usize,
     ) -> Option<Point> {
         ways.into_iter().find_map(|here| {
-            let atoms = state.atoms.iter().map(|a| Atom::new(moved(&a.poly, &here), a.sign));
-            let there = State { atoms: atoms.collect(), ..state.clone() };
+            // times a power of a number that is positive
+            let parts = (&here.d, &here.e);
+            let moved = |a: &Atom| {
+                let poly = homogeneous(&a.poly, here.var, parts, &state.scope.fuel).ok()?;
+                Some(Atom::new(poly, a.sign))
+            };
+            let atoms = state.atoms.iter().map(moved).collect::<Option<_>>()?;
+            let there = State { atoms, ..state.clone() };
             if !self.step(&there) || there.atoms.iter().any(|a| a.decided() == Some(false)) {
                 return None;
             }
@@ -99,11 +106,4 @@ fn ways(state: &State<'_, '_>, v: usize) -> Option<Vec<Elimination>> {
         ([], upper) => upper.iter().map(|u| beyond(u, (-1).into())).collect(),
         (lower, upper) => lower.iter().flat_map(|l| upper.iter().map(|u| half(l, u))).collect(),
     })
-}
-
-/// d·p where v = −e/d for a number d > 0, and p has no higher power of v than the first.
-fn moved(p: &Poly, Elimination { var, d, e }: &Elimination) -> Poly {
-    let scaled = |p: Poly, by: &Poly| p.scale(&by.as_constant().unwrap_or_default());
-    let [rest, slope] = [0, 1].map(|n| p.coefficient(*var, n));
-    if slope.is_empty() { rest } else { scaled(rest, d).sub(&scaled(e.clone(), &slope)) }
 }

@@ -7,7 +7,7 @@ use num_traits::{One as _, Signed as _, Zero as _};
 
 use super::conics::root;
 use super::settled::NotNegative;
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 
 /// A bound that no condition says as it stands, of what an equation has as a square beside other squares.
 pub(super) fn bound(state: &State<'_, '_>) -> Option<NotNegative> {
@@ -24,7 +24,8 @@ fn of(state: &State<'_, '_>, i: usize) -> Option<NotNegative> {
     // atom = common·(q²·v² − p²) for the bound p/q
     let common = a.gcd(&c);
     let (p, q) = (root(&(-c / &common))?, root(&(a / &common))?);
-    let not_negative = state.atoms.iter().position(|b| b.poly == Poly::var(v) && b.sign.is_order());
+    let not_negative =
+        state.atoms.iter().position(|b| b.poly == Poly::var(v) && b.sign.is_order())?;
     let poly = Poly::in_variable(v, &[-&p, q.clone()]);
     let is_replaced =
         |e: &Atom| e.sign == Sign::Zero && e.poly.degree(v) == 2 && e.poly.vars().len() > 1;
@@ -44,7 +45,7 @@ fn of(state: &State<'_, '_>, i: usize) -> Option<NotNegative> {
     let negative = Argument::Positive {
         terms: vec![
             term(one(), vec![(i, 1)]),
-            term(&common * &q, vec![(not_negative?, 1), (fresh, 1)]),
+            term(&common * &q, vec![(not_negative, 1), (fresh, 1)]),
             term(&common * &p, vec![(fresh, 1)]),
         ],
         cofactors: Vec::new(),
@@ -55,10 +56,5 @@ fn of(state: &State<'_, '_>, i: usize) -> Option<NotNegative> {
         cofactors: vec![(fresh, cofactor)],
     };
     let zero = (atom.sign == Sign::Positive).then_some(zero);
-    let closes = |sign, poly: Poly, argument: &Argument| {
-        state.with(Atom::new(poly, sign)).closes(argument).is_ok()
-    };
-    let sure = closes(Sign::Positive, poly.neg(), &negative)
-        && zero.as_ref().is_none_or(|zero| closes(Sign::Zero, poly.clone(), zero));
-    sure.then_some(NotNegative { poly, zero, negative })
+    NotNegative::new(state, poly, zero, negative)
 }

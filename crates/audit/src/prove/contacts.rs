@@ -34,6 +34,8 @@ const RATIONAL: i64 = 3;
 const ROOT: i64 = 1;
 /// Variables beside √n with such coordinates.
 const BESIDE: usize = 3;
+/// Powers of such a coordinate that are made.
+const MOST: usize = 13;
 /// Terms beyond which such places are not looked for.
 const TERMS: usize = 100;
 
@@ -151,9 +153,6 @@ type Whole = [i128; 2];
 fn powers(at: Whole, n: i64) -> Vec<Whole> {
     std::iter::successors(Some([1, 0]), |p| product(*p, at, n)).take(MOST).collect()
 }
-
-/// Powers of a coordinate that are made.
-const MOST: usize = 13;
 
 fn product([a, b]: Whole, [c, d]: Whole, n: i64) -> Option<Whole> {
     let both = b.checked_mul(d)?.checked_mul(n.into())?;

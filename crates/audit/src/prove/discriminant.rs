@@ -12,7 +12,7 @@ use super::factors::leading;
 use super::hints::is_told;
 use super::isolated::reduced;
 use super::settled::NotNegative;
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 
 /// Terms of a quadratic, and of its discriminant.
 const TERMS: usize = 24;
@@ -73,11 +73,8 @@ fn of(state: &State<'_, '_>, i: usize, v: usize) -> Option<NotNegative> {
     let zero = Argument::Positive { terms: terms.clone(), cofactors };
     terms.push(Term { weight: of_it, square: one, factors: vec![(fresh, 1)] });
     let negative = Argument::Positive { terms, cofactors: Vec::new() };
-    let closes = |sign, poly: Poly, proof: &Argument| {
-        state.with(Atom::new(poly, sign)).closes(proof).is_ok()
-    };
-    let zero = (*sign == Sign::Positive && closes(Sign::Zero, poly.clone(), &zero)).then_some(zero);
-    closes(Sign::Positive, poly.neg(), &negative).then_some(NotNegative { poly, zero, negative })
+    let zero = (*sign == Sign::Positive).then_some(zero);
+    NotNegative::new(state, poly, zero, negative)
 }
 
 /// A negative polynomial, no number, as −scale·a = weight·Π conditions that are positive: the conditions, scale and

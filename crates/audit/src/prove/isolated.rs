@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use kane_algebra::quotient::exact_quotient;
-use kane_kernel::{Atom, Poly, Sign, State, Term};
+use kane_kernel::{Poly, Sign, State, Term};
 use num_bigint::BigInt;
 use num_traits::One;
 
@@ -15,7 +15,7 @@ use super::lesser::{Lesser, lesser};
 use super::rule::{Rule, odd};
 use super::search::{MAX_SPLITS, Outcome, Search, has_root};
 use super::settled::{NotNegative, Settled};
-use crate::argument::{Argument, Rules as _};
+use crate::argument::Argument;
 
 /// Terms of a condition that is squared, and of its square.
 const TERMS: usize = 16;
@@ -67,9 +67,7 @@ pub(super) fn isolated(state: &State<'_, '_>, rules: &[Rule]) -> Option<Settled>
 pub(super) fn isolated_weakly(state: &State<'_, '_>, rules: &[Rule]) -> Option<NotNegative> {
     short(state, Sign::NonNegative).find_map(|i| {
         let Squared { poly, negative, .. } = fewest(state, i, rules)?;
-        let case = state.with(Atom::new(poly.neg(), Sign::Positive));
-        let found = NotNegative { poly, zero: None, negative };
-        case.closes(&found.negative).is_ok().then_some(found)
+        NotNegative::new(state, poly, None, negative)
     })
 }
 

@@ -23,7 +23,7 @@ impl Search<'_> {
     }
 
     /// What is left once a polynomial is known not to be negative.
-    pub(super) fn by_discriminant(
+    pub(super) fn by_not_negative(
         &self,
         state: &State<'_, '_>,
         found: NotNegative,

@@ -157,7 +157,7 @@ impl Search<'_> {
                     return self.by_settled(state, settled, trail, splits + 1);
                 }
                 if let Some(found) = discriminant(state) {
-                    return self.by_discriminant(state, found, trail, splits + 1);
+                    return self.by_not_negative(state, found, trail, splits + 1);
                 }
                 if let Some(found) = isolated_weakly(state, &rules) {
                     return self.by_squares(state, found, trail, splits + 1);

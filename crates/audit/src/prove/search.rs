@@ -294,7 +294,7 @@ impl<'a> Search<'a> {
             && splits < MAX_SPLITS
             && let Some(found) = bound(state)
         {
-            return self.by_discriminant(state, found, trail, splits);
+            return self.by_not_negative(state, found, trail, splits);
         }
         // before equations between roots are solved for some of them
         if let Some(outcome) = self.by_roots(state, trail) {

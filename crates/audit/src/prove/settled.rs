@@ -23,11 +23,8 @@ impl Settled {
         zero: Argument,
         negative: Argument,
     ) -> Option<Self> {
-        let closes = |sign, poly: Poly, argument: &Argument| {
-            state.with(Atom::new(poly, sign)).closes(argument).is_ok()
-        };
-        let sure = closes(Sign::Zero, poly.clone(), &zero)
-            && closes(Sign::Positive, poly.neg(), &negative);
+        let sure = closes(state, Sign::Zero, poly.clone(), &zero)
+            && closes(state, Sign::Positive, poly.neg(), &negative);
         sure.then_some(Self { poly, sign: Sign::Positive, other: zero, negative })
     }
 
@@ -52,4 +49,26 @@ pub(super) struct NotNegative {
     pub(super) zero: Option<Argument>,
     /// why it is not negative
     pub(super) negative: Argument,
+}
+
+impl NotNegative {
+    /// A polynomial that is not negative, if the argument shows it, and not zero, if there is one that shows that.
+    pub(super) fn new(
+        state: &State<'_, '_>,
+        poly: Poly,
+        zero: Option<Argument>,
+        negative: Argument,
+    ) -> Option<Self> {
+        let zero = zero.filter(|zero| closes(state, Sign::Zero, poly.clone(), zero));
+        closes(state, Sign::Positive, poly.neg(), &negative).then_some(Self {
+            poly,
+            zero,
+            negative,
+        })
+    }
+}
+
+/// Whether an argument shows that a polynomial has not this sign.
+fn closes(state: &State<'_, '_>, sign: Sign, poly: Poly, argument: &Argument) -> bool {
+    state.with(Atom::new(poly, sign)).closes(argument).is_ok()
 }

@@ -117,14 +117,16 @@ pub(crate) fn squares(state: &State<'_, '_>, reach: Reach, fuel: &Fuel) -> Optio
         let few: Vec<Product> = products.iter().filter(|p| near(&p.poly)).cloned().collect();
         let equal: Vec<usize> = equations.iter().copied().filter(|&i| near(&poly(i))).collect();
         let all = few.len() == products.len() && equal.len() == equations.len();
-        let first =
-            (n == 0 && reach == Reach::Atoms && !all).then(|| among.proof(&few, &equal, fuel));
-        let found = first.flatten().or_else(|| {
-            let is_first = n == 0 && reach == Reach::Atoms;
-            let bare = is_first && products.len() > 1 && only_root(state).is_some();
-            bare.then(|| among.touching(&products[..1], fuel)).flatten()
-        });
-        let found = found.or_else(|| among.proof(&products, &equations, fuel));
+        let is_first = n == 0 && reach == Reach::Atoms;
+        let first = (is_first && !all).then(|| among.proof(&few, &equal, |_| true, fuel));
+        // conditions may hide some of the irrational places at which it touches without them
+        let has_root = is_first && products.len() > 1 && only_root(state).is_some();
+        let bare = || {
+            let touches = |places: &[Contact]| places.iter().any(Contact::is_irrational);
+            has_root.then(|| among.proof(&products[..1], &[], touches, fuel)).flatten()
+        };
+        let whole = || among.proof(&products, &equations, |_| true, fuel);
+        let found = first.flatten().or_else(bare).or_else(whole);
         if found.is_some() {
             return found;
         }
@@ -174,21 +176,12 @@ struct Among<'a> {
 }
 
 impl Among<'_> {
-    /// A contradiction by squares times some products, and multiples of some equations.
-    fn proof(&self, products: &[Product], equations: &[usize], fuel: &Fuel) -> Option<Argument> {
-        self.where_it(&|_| true, products, equations, fuel)
-    }
-
-    /// The same of what touches at irrational places: conditions may hide some of them.
-    fn touching(&self, products: &[Product], fuel: &Fuel) -> Option<Argument> {
-        self.where_it(&|contacts| contacts.iter().any(Contact::is_irrational), products, &[], fuel)
-    }
-
-    fn where_it(
+    /// A contradiction by squares times some products, and multiples of some equations, if its contacts are worth it.
+    fn proof(
         &self,
-        touches: &dyn Fn(&[Contact]) -> bool,
         products: &[Product],
         equations: &[usize],
+        are_worth_it: fn(&[Contact]) -> bool,
         fuel: &Fuel,
     ) -> Option<Argument> {
         let polys: Vec<Poly> = products.iter().map(|p| p.poly.clone()).collect();
@@ -203,7 +196,7 @@ impl Among<'_> {
         };
         let contacts =
             if self.degree >= 4 { contacts(self.state, &question, fuel) } else { Vec::new() };
-        if !touches(&contacts) {
+        if !are_worth_it(&contacts) {
             return None;
         }
         let question = Question { contacts: &contacts, ..question };

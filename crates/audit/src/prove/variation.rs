@@ -29,7 +29,12 @@ pub(crate) fn varies(state: &State<'_, '_>, x: usize) -> impl Fn(usize, &Poly) -
 }
 
 /// dⁿ·p(v := −e/d) for n the degree of p in v.
-fn homogeneous(p: &Poly, v: usize, (d, e): (&Poly, &Poly), fuel: &Fuel) -> Result<Poly, Rejection> {
+pub(super) fn homogeneous(
+    p: &Poly,
+    v: usize,
+    (d, e): (&Poly, &Poly),
+    fuel: &Fuel,
+) -> Result<Poly, Rejection> {
     let minus_e = e.neg();
     if d.len() == 1 && e.len() == 1 {
         // each coefficient is multiplied by one term, and no sum by it again and again
