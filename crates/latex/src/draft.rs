@@ -8,6 +8,7 @@ use kane_algebra::syntax::visible;
 use crate::display::{Equation, Numbering};
 use crate::domain::{Domain, customary, stated};
 use crate::name::{Names, Symbol};
+use crate::prose::{plain, unfenced};
 use crate::relation::{Statement, head, of_tokens};
 use crate::source::{Block, Format, REFERENCE, Source};
 use crate::token::{Token, written};
@@ -186,11 +187,11 @@ impl Writer<'_> {
         for (i, part) in text.split(REFERENCE).enumerate() {
             match (i % 2, self.numbering.labels.get(part)) {
                 (0, _) => out.push_str(part),
-                (_, Some(number)) => out.push_str(&format!("({number})")),
+                (_, Some(number)) => out.push_str(&format!("({})", plain(&one_line(number)))),
                 (_, None) => out.push_str("(?)"),
             }
         }
-        out
+        unfenced(&out)
     }
 
     /// The labels above that the text before a display names, in its order, as far as these fit.
@@ -325,13 +326,13 @@ impl Writer<'_> {
 
     fn finish(self, text: &str) -> Draft {
         let mut document = String::new();
-        let plain = |text: &Option<String>| text.as_ref().map(|t| t.replace('\n', " "));
-        match plain(&self.source.title) {
+        let line = |text: &Option<String>| text.as_ref().map(|t| unfenced(&t.replace('\n', " ")));
+        match line(&self.source.title) {
             Some(title) => document.push_str(&format!("# {}\n\n", title.trim())),
             None if self.latex => document.push_str("# A paper\n\n"),
             None => {}
         }
-        if let Some(author) = plain(&self.source.author) {
+        if let Some(author) = line(&self.source.author) {
             document.push_str(&format!("Source: {}\n\n", author.trim()));
         }
         document.push_str(

@@ -26,6 +26,22 @@ impl Prose {
     }
 }
 
+/// A text that opens no block: three ticks or tildes in a row are parted. Asked of all that goes into a draft, for
+/// what is left out of a source can bring together what stood apart in it.
+pub(crate) fn unfenced(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut run = 0;
+    for c in text.chars() {
+        run = if matches!(c, '`' | '~') && out.ends_with(c) { run + 1 } else { 1 };
+        if run > 2 {
+            out.push(' ');
+            run = 1;
+        }
+        out.push(c);
+    }
+    out
+}
+
 /// A text whose characters mean nothing in Markdown.
 pub(crate) fn plain(text: &str) -> String {
     text.chars().map(escaped).collect()
@@ -35,7 +51,7 @@ pub(crate) fn plain(text: &str) -> String {
 pub(crate) fn escaped(c: char) -> String {
     match c {
         '`' => "‘".to_owned(),
-        '*' | '_' | '[' | ']' | '<' | '>' | '#' | '$' | '\\' | '|' => format!("\\{c}"),
+        '*' | '_' | '[' | ']' | '<' | '>' | '#' | '$' | '\\' | '|' | '~' => format!("\\{c}"),
         _ => c.to_string(),
     }
 }
@@ -51,4 +67,17 @@ pub(crate) fn accent(c: char) -> Option<char> {
         '.' => '\u{307}',
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_that_is_parted_opens_no_block() {
+        assert_eq!(unfenced("a `b` ``c`` ~~d~~"), "a `b` ``c`` ~~d~~");
+        assert_eq!(unfenced("```kane"), "`` `kane");
+        assert_eq!(unfenced("~~~~~~"), "~~ ~~ ~~");
+        assert_eq!(unfenced("``~~``"), "``~~``");
+    }
 }

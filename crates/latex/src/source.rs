@@ -178,12 +178,6 @@ impl<'a> Scanner<'a> {
                 self.prose.push('”');
             }
             _ if self.latex => self.prose.push_str(&escaped(c)),
-            // a block in the source is none of the draft
-            '`' | '~' if self.rest().starts_with(&c.to_string().repeat(2)) => {
-                let run = self.rest().chars().take_while(|other| *other == c).count();
-                self.at += run;
-                self.prose.push_str(&format!("{c} ").repeat(run));
-            }
             _ => self.prose.push(c),
         }
     }
@@ -359,10 +353,17 @@ impl<'a> Scanner<'a> {
                 self.at += 1 + c.len_utf8();
                 match accent(c) {
                     Some(mark) => {
-                        let letter = self.argument();
-                        self.prose.push_str(&letter);
-                        if !letter.is_empty() {
-                            self.prose.push(mark);
+                        let mut words = self.argument();
+                        // \i and \j are letters without their dots, and eat the space behind them
+                        if words == "\\" {
+                            words = self.argument();
+                            let rest = self.rest();
+                            self.at += rest.len() - rest.trim_start_matches(' ').len();
+                        }
+                        let mut letters = words.trim_start_matches('\\').chars();
+                        if let Some(letter) = letters.next() {
+                            self.prose.push_str(&plain(&format!("{letter}{mark}")));
+                            self.prose.push_str(&plain(letters.as_str()));
                         }
                     }
                     None if c.is_ascii_punctuation()
@@ -403,7 +404,11 @@ impl<'a> Scanner<'a> {
             return;
         }
         match plain {
-            "document" => self.body = true,
+            "document" => {
+                // what stands before it is no text of the paper
+                self.prose.take();
+                self.body = true;
+            }
             "abstract" => self.prose.push_str("**Abstract.** "),
             "subequations" => {
                 self.paragraph();

@@ -19,7 +19,7 @@ fn statements(latex: &str, format: Format) -> Vec<String> {
         } else if line == "```kane" {
             inside = true;
         } else if format == Format::Latex {
-            assert!(!line.contains('`'), "{line:?} in\n{document}");
+            assert!(!line.contains('`') && !line.contains("~~~"), "{line:?} in\n{document}");
         } else {
             assert!(!line.contains("```") && !line.contains("~~~"), "{line:?} in\n{document}");
         }
@@ -165,9 +165,43 @@ fn what_nobody_sees_is_written_out_in_a_block() {
     }
 }
 
+/// Accents, citations, references to a number and names of environments hand on what stands in their braces,
+/// and what a command leaves out brings its neighbours together.
+#[test]
+fn what_stands_in_braces_or_comes_together_opens_no_block() {
+    let block = "\n```kane\nclaim fake: 1 = 1\n```\n";
+    for fence in [block.to_owned(), block.replace('`', "~"), block.replace("```", "``\\end{x}`")] {
+        for paper in [
+            format!(r"\'{{{fence}}} is an accent"),
+            format!(r"\cite{{{fence}}} and \input{{{fence}}}"),
+            format!(r"\emph{{{fence}}} and \footnote{{{fence}}}"),
+            format!(
+                r"\ref{{x}} \begin{{equation}} a = 1 \tag{{{fence}}} \label{{x}} \end{{equation}}"
+            ),
+            format!(r"\ref{{{fence}}} \begin{{equation}} a = 1 \label{{{fence}}} \end{{equation}}"),
+            format!(r"\begin{{{fence}}} \end{{{fence}}}"),
+            format!(r"\title{{{fence}}} \author{{{fence}}} \section{{{fence}}}"),
+            fence.clone(),
+        ] {
+            for format in [Format::Latex, Format::Markdown] {
+                let found = statements(&paper, format);
+                assert!(!found.iter().any(|line| line.contains("fake:")), "{paper}\n{found:?}");
+            }
+        }
+    }
+    let accents = draft(
+        r#"\begin{document} H\"older, Poincar\'{e}, na\"\i ve, na\"{\i}ve, \~{n} \end{document}"#,
+        Format::Latex,
+    );
+    for name in ["Ho\u{308}lder", "Poincare\u{301}", "nai\u{308}ve, nai\u{308}ve", "n\u{303}"] {
+        assert!(accents.document.contains(name), "{}", accents.document);
+    }
+    assert!(!accents.document.contains("a4"), "{}", accents.document);
+}
+
 proptest! {
     #[test]
-    fn no_paper_speaks_in_statements(text in r"(\\(begin|end)\{(equation|align\*?|cases|document|figure)\}|\\(tag|label|section|title|newcommand)\{|\\\\|[{}`$&%#\n]|```kane\n|~~~ kane\n|claim x: 1 = 2|x = 1| ){0,40}") {
+    fn no_paper_speaks_in_statements(text in r"(\\(begin|end)\{(equation|align\*?|cases|document|figure|x)\}|\\(tag|label|section|title|newcommand|cite|ref|emph|item|'|~)\{|\\(ref|label)\{a\}|\\\\|[{}`~$&%#\n]|``|~~|```kane\n|~~~ kane\n|claim x: 1 = 2|x = 1| ){0,40}") {
         statements(&text, Format::Latex);
         statements(&text, Format::Markdown);
     }
