@@ -55,12 +55,12 @@ fn borrowed(lead: &[(Known, u32)]) -> Vec<(&Known, u32)> {
 
 /// lead(rule)ⁿ·p = q·rule + rest: n, q, rest. With `even`, n is even.
 fn division(p: &Poly, v: usize, rule: &Poly, even: bool, fuel: &Fuel) -> Step<(u32, Poly, Poly)> {
-    let lead = rule.coefficients(v).pop().unwrap_or_default();
     let degree = rule.degree(v);
+    let lead = rule.coefficient(v, degree);
     let (mut n, mut q, mut rest) = (0, Poly::default(), p.clone());
     while degree > 0 && rest.degree(v) >= degree {
         let shift = Poly::power(v, rest.degree(v) - degree);
-        let top = rest.coefficients(v).pop().unwrap_or_default().mul(&shift, fuel)?;
+        let top = rest.coefficient(v, rest.degree(v)).mul(&shift, fuel)?;
         rest = rest.mul(&lead, fuel)?.sub(&top.mul(rule, fuel)?);
         q = q.mul(&lead, fuel)?.add(&top);
         n += 1;
@@ -105,7 +105,7 @@ impl<'a> Reducer<'a> {
             whole_lead = whole_lead.mul(&known.atom.poly.pow(*n, fuel)?, fuel)?;
         }
         let (content, want) = whole_lead.primitive();
-        let (own, have) = poly.coefficients(var).pop().unwrap_or_default().primitive();
+        let (own, have) = poly.coefficient(var, poly.degree(var)).primitive();
         let flip = have == want.neg();
         if have.is_empty() || !(flip || have == want) {
             return Err(Rejection::MayVanish.into());

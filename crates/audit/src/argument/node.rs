@@ -178,23 +178,22 @@ impl Sum {
     /// The proof that this sum is, in integers.
     pub(super) fn close(&self) -> Node {
         let weights = || self.terms.iter().map(|t| &t.0);
-        let mut common = weights()
+        let common = weights()
             .chain(self.cofactors.iter().map(|c| &c.0))
             .fold(BigInt::one(), |l, w| l.lcm(w.denom()));
         // Cofactors may have a factor in common with all weights.
-        let whole = |q: &BigRational| (q * BigRational::from(common.clone())).to_integer();
+        let whole = |q: &BigRational| q.numer() * (&common / q.denom());
         let contents = self.cofactors.iter().map(|(w, p, _)| whole(w) * p.primitive().0);
         let gcd = weights().map(whole).chain(contents).fold(BigInt::zero(), |g, w| g.gcd(&w));
         let unit = if gcd.is_zero() { BigInt::one() } else { gcd };
-        let scale = BigRational::new(std::mem::take(&mut common), unit);
         let terms = self.terms.iter().map(|(w, square, factors)| Term {
-            weight: (w * &scale).to_integer(),
+            weight: whole(w) / &unit,
             square: square.clone(),
             factors: factors.clone(),
         });
         let cofactors = self.cofactors.iter().map(|(w, p, fact)| {
             let (content, p) = p.primitive();
-            (*fact, p.scale(&(w * &scale * BigRational::from(content)).to_integer()))
+            (*fact, p.scale(&(whole(w) * content / &unit)))
         });
         let terms: Vec<Term> = terms.collect();
         let cofactors = merged(cofactors);

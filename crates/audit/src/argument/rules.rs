@@ -92,7 +92,7 @@ impl Rules for State<'_, '_> {
         // inequality.
         let nonzero = |sign, _| matches!(sign, Sign::Positive | Sign::NonZero);
         let want = product(self, lead, nonzero)?.primitive().1;
-        let have = eq.poly.coefficients(var).pop().unwrap_or_default().primitive().1;
+        let have = eq.poly.coefficient(var, degree).primitive().1;
         let flip = have == want.neg();
         if !(flip || have == want) {
             return Err(Rejection::MayVanish.into());

@@ -52,7 +52,7 @@ pub(super) fn leading(state: &State<'_, '_>, d: &Poly) -> Option<Vec<(usize, u32
             break;
         }
         let known = matches!(a.sign, Sign::Positive | Sign::NonZero);
-        if !known || a.poly.is_constant() || !may_divide(&a.poly, &rest) {
+        if !known || a.poly.is_constant() {
             continue;
         }
         let mut n = 0;
@@ -105,9 +105,7 @@ pub(super) fn positive_factor(
 ) -> Option<Poly> {
     let divides = |p: &Poly| {
         let mut order = state.atoms.iter().filter(|a| a.sign.is_order());
-        order.any(|a| {
-            may_divide(p, &a.poly) && exact_quotient(&a.poly, p, &state.scope.fuel).is_some()
-        })
+        order.any(|a| exact_quotient(&a.poly, p, &state.scope.fuel).is_some())
     };
     let positive = |p: &Poly| {
         let trial = state.with(Atom::new(p.neg(), Sign::Positive));
@@ -140,9 +138,6 @@ pub(super) fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Pol
         let (mut rest, mut factors) = (atom.poly.clone(), Vec::new());
         for &j in known.iter().filter(|&&j| j != i) {
             let by = &state.atoms[j].poly;
-            if !may_divide(by, &rest) {
-                continue;
-            }
             let mut n = 0;
             let mut before = rest.clone();
             while let Some(q) = exact_quotient(&rest, by, &state.scope.fuel) {
@@ -164,11 +159,6 @@ pub(super) fn cancellation(state: &State<'_, '_>) -> Option<(usize, Factors, Pol
         }
     }
     None
-}
-
-/// Whether every variable of d occurs in p with at least the same degree.
-fn may_divide(d: &Poly, p: &Poly) -> bool {
-    d.terms().all(|(m, _)| m.iter().all(|&(v, e)| p.degree(v) >= e))
 }
 
 /// A polynomial that two atoms allow to be nothing but 0.

@@ -152,10 +152,6 @@ fn mentioned(goal: &Goal) -> Vec<usize> {
     out
 }
 
-fn rational(n: i64, d: i64) -> Expr {
-    Expr::Num(Q::new(n.into(), d.into()))
-}
-
 /// Möbius and quadratic functions of x with small coefficients, constants first.
 fn simple_functions(x: usize) -> Vec<Rc<Expr>> {
     let quadratic = |(a, b, c): Quadratic| Poly::in_variable(x, &[a.into(), b.into(), c.into()]);
@@ -177,8 +173,9 @@ fn candidates(
     }
     let mut out: Vec<Rc<Expr>> = NUMBERS
         .iter()
-        .filter(|(n, d)| inside(&Q::new((*n).into(), (*d).into())))
-        .map(|&(n, d)| rational(n, d).into())
+        .map(|&(n, d)| Q::new_raw(n.into(), d.into()))
+        .filter(inside)
+        .map(|q| Expr::Num(q).into())
         .collect();
     if out.is_empty() {
         let ends = (var.lower.as_ref(), var.upper.as_ref());
@@ -194,7 +191,7 @@ fn candidates(
     out
 }
 
-/// Values for constants, simplest first.
+/// Values for constants in lowest terms, simplest first.
 const NUMBERS: [(i64, i64); 10] =
     [(1, 1), (2, 1), (1, 2), (0, 1), (-1, 1), (3, 1), (1, 3), (-2, 1), (1, 4), (3, 4)];
 
@@ -401,7 +398,7 @@ fn failure(
         return None;
     }
     if let (Finding::Consistent, Conclusion::Link(Link::Limit(l))) = (finding, &goal.conclusion) {
-        let zero = Limit { expr: rational(0, 1), to: Target::Finite(rational(0, 1)), ..l.clone() };
+        let zero = Limit { expr: Expr::int(0), to: Target::Finite(Expr::int(0)), ..l.clone() };
         let outer = scope(goal, effort.fuel()).ok()?;
         let reaches = |side: kane_kernel::Side| {
             let trivial = Limit { at: side.approach(), ..zero.clone() };

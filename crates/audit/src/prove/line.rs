@@ -2,7 +2,7 @@
 
 use kane_algebra::ring::univariate;
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Fuel, Rejection, Sign, State};
+use kane_kernel::{Fuel, Poly, Rejection, Sign, State};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -19,13 +19,7 @@ pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<
         if !a.sign.is_order() || a.poly.len() > 2 {
             continue;
         }
-        let Some([c, k]) = a.poly.univariate(v).and_then(|p| <[BigInt; 2]>::try_from(p).ok())
-        else {
-            continue;
-        };
-        if k.is_zero() {
-            continue;
-        }
+        let Some((c, k)) = of_line(&a.poly, v) else { continue };
         let at = Q::new(-c, k.clone());
         // Of equal bounds the strict one is tighter.
         let strict = a.sign == Sign::Positive;
@@ -40,12 +34,22 @@ pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<
     (lower.map(|b| b.1), upper.map(|b| b.1))
 }
 
+/// c and k of a polynomial c + k·v with k not 0.
+fn of_line(p: &Poly, v: usize) -> Option<(BigInt, &BigInt)> {
+    let (mut c, mut k) = (BigInt::zero(), None);
+    for (m, coefficient) in p.terms() {
+        match m {
+            [] => c = coefficient.clone(),
+            [power] if *power == (v, 1) => k = Some(coefficient),
+            _ => return None,
+        }
+    }
+    Some((c, k?))
+}
+
 /// The value of a bound.
 pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
-    match state.atoms[i].poly.univariate(v).as_deref() {
-        Some([c, k]) => Q::new(-c, k.clone()),
-        _ => Q::zero(),
-    }
+    of_line(&state.atoms[i].poly, v).map_or_else(Q::zero, |(c, k)| Q::new(-c, k.clone()))
 }
 
 /// Whether the bounds of a variable leave it no value.

@@ -83,6 +83,9 @@ fn radicand(state: &State<'_, '_>, i: usize) -> Option<(usize, Poly, i32)> {
     }
     let mut roots = atom.poly.vars().into_iter().rev().filter(|v| state.scope.root(*v).is_some());
     roots.find_map(|v| {
+        if atom.poly.degree(v) != 2 {
+            return None;
+        }
         let [rest, linear, lead] = &atom.poly.coefficients(v)[..] else { return None };
         let lead = lead.as_constant().filter(|c| c.magnitude().is_one())?;
         let turn = if lead.is_negative() { -1 } else { 1 };

@@ -435,8 +435,8 @@ impl<'a> Search<'a> {
             return self.reduction(state);
         };
         let next = state.substitute(equation, var, &lead).ok()?;
-        let mut parts = state.atoms[equation].poly.coefficients(var).into_iter();
-        let (e, d) = (parts.next()?, parts.next()?);
+        let part = |n| state.atoms[equation].poly.coefficient(var, n);
+        let (e, d) = (part(0), part(1));
         let elimination = Elimination { var, d, e };
         Some((Step::Substitute { equation, var, lead }, next, Some(elimination)))
     }
@@ -448,7 +448,7 @@ impl<'a> Search<'a> {
         state: &State<'s, 'g>,
     ) -> Option<(Step, State<'s, 'g>, Option<Elimination>)> {
         let (equation, var, d, _) = self.linear(state).into_iter().min_by_key(|c| c.3)?;
-        let e = state.atoms[equation].poly.coefficients(var).swap_remove(0);
+        let e = state.atoms[equation].poly.coefficient(var, 0);
         let supposed = state.with(Atom::new(d.clone(), Sign::NonZero));
         let lead = vec![(supposed.atoms.len() - 1, 1)];
         let next = supposed.substitute(equation, var, &lead).ok()?;
@@ -473,7 +473,7 @@ impl<'a> Search<'a> {
                 if degree < 2 {
                     continue;
                 }
-                let top = a.poly.coefficients(var).pop()?;
+                let top = a.poly.coefficient(var, degree);
                 let Some(lead) = leading(state, &top) else {
                     continue;
                 };
@@ -496,7 +496,7 @@ impl<'a> Search<'a> {
             }
             for v in a.poly.vars() {
                 if a.poly.degree(v) == 1 && (self.may_eliminate)(v, &a.poly) {
-                    let d = a.poly.coefficients(v).swap_remove(1);
+                    let d = a.poly.coefficient(v, 1);
                     let size = a.poly.len() + 3 * d.len();
                     out.push((i, v, d, size));
                 }
@@ -514,8 +514,8 @@ impl<'a> Search<'a> {
                 continue;
             }
             let reduces = |v: usize| {
-                let top = a.poly.coefficients(v).pop().filter(|_| a.poly.degree(v) > 1);
-                top.is_some_and(|d| leading(state, &d).is_some())
+                let degree = a.poly.degree(v);
+                degree > 1 && leading(state, &a.poly.coefficient(v, degree)).is_some()
             };
             if a.poly.vars().into_iter().any(reduces) {
                 continue;
@@ -530,10 +530,8 @@ impl<'a> Search<'a> {
                 if degree < 2 || !others {
                     continue;
                 }
-                if let Some(d) = a.poly.coefficients(v).pop()
-                    && !d.is_constant()
-                    && cannot_vanish(state, &d)
-                {
+                let d = a.poly.coefficient(v, degree);
+                if !d.is_constant() && cannot_vanish(state, &d) {
                     out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
                 }
             }

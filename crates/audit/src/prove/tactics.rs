@@ -2,6 +2,8 @@
 //!
 //! A tactic only proposes; the kernel's own rules say whether the proposal closes the state.
 
+use std::cell::OnceCell;
+
 use kane_algebra::division::division;
 use kane_algebra::point::specialised;
 use kane_algebra::quotient::exact_quotient;
@@ -36,22 +38,26 @@ pub(crate) fn quick_among(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argum
 
 /// Two or three atoms about the same polynomial that cannot all hold.
 fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
-    let keyed: Vec<(Poly, bool, BigInt, Sign)> = state
-        .atoms
-        .iter()
-        .map(|a| {
+    let cells = vec![OnceCell::new(); state.atoms.len()];
+    let keyed = |i: usize| -> &(Poly, bool, BigInt, Sign) {
+        cells[i].get_or_init(|| {
+            let a = &state.atoms[i];
             let (content, p) = a.poly.primitive();
             let negative = p.terms().next().is_some_and(|(_, c)| c.is_negative());
             (if negative { p.neg() } else { p }, negative, content, a.sign)
         })
-        .collect();
+    };
     let factor = |i: usize, n: u32| (i, n);
-    for (j, b) in keyed.iter().enumerate() {
-        if b.0.is_constant() {
+    for (j, atom) in state.atoms.iter().enumerate() {
+        if atom.poly.is_constant() {
             continue;
         }
-        for (i, a) in keyed[..j].iter().enumerate() {
-            if !(fresh[i] || fresh[j]) || a.0 != b.0 {
+        for (i, other) in state.atoms[..j].iter().enumerate() {
+            if !(fresh[i] || fresh[j]) || other.poly.len() != atom.poly.len() {
+                continue;
+            }
+            let (a, b) = (keyed(i), keyed(j));
+            if a.0 != b.0 {
                 continue;
             }
             let one = Poly::one();
@@ -70,11 +76,13 @@ fn conflict(state: &State<'_, '_>, fresh: &[bool]) -> Option<Argument> {
                         Some(Argument::Positive { terms: opposed, cofactors: Vec::new() })
                     } else {
                         // ≥ and ≤ leave only 0, which a third atom may exclude.
-                        let third = keyed.iter().position(|c| c.0 == b.0 && c.3 == Sign::NonZero);
+                        let excludes =
+                            |&k: &usize| keyed(k).0 == b.0 && keyed(k).3 == Sign::NonZero;
+                        let third = (0..state.atoms.len()).find(excludes);
                         third.map(|k| Argument::Positive {
                             terms: vec![
                                 term(
-                                    &(&keyed[k].2 * &keyed[k].2),
+                                    &(&keyed(k).2 * &keyed(k).2),
                                     vec![factor(i, 1), factor(j, 1)],
                                 ),
                                 term(&(&a.2 * &b.2), vec![factor(k, 2)]),
@@ -250,6 +258,9 @@ fn even_powers(state: &State<'_, '_>, i: usize) -> Option<Argument> {
                 }
             }
             fits = fits && weight.is_positive();
+            if !fits {
+                break;
+            }
             terms.push(Term { weight, square: Poly::term(square, BigInt::one()), factors });
         }
         if !fits {
