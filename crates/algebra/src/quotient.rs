@@ -80,16 +80,11 @@ fn monomial_quotient(p: &Poly, m: &[Power], negative: bool) -> Option<Poly> {
     if !p.terms().all(|(n, _)| divides(n)) {
         return None;
     }
-    let quotient = |(n, c): (&[Power], &BigInt)| {
-        let mut rest = n.to_vec();
-        for &(v, e) in m {
-            let have = rest.iter_mut().find(|x| x.0 == v)?;
-            have.1 = have.1.checked_sub(e)?;
-        }
-        Some((rest, if negative { -c } else { c.clone() }))
-    };
-    let terms: Option<Vec<_>> = p.terms().map(quotient).collect();
-    Some(Poly::sum(terms?).primitive().1)
+    let terms = p.terms().map(|(n, c)| {
+        let rest = n.iter().map(|&(v, e)| (v, e - exponent(m, v)));
+        (rest.collect(), if negative { -c } else { c.clone() })
+    });
+    Some(Poly::sum(terms).primitive().1)
 }
 
 /// p/d of primitive polynomials, highest terms first. By Gauss's lemma the quotient has whole coefficients,

@@ -196,7 +196,14 @@ fn what_stands_in_braces_or_comes_together_opens_no_block() {
     for name in ["Ho\u{308}lder", "Poincare\u{301}", "nai\u{308}ve, nai\u{308}ve", "n\u{303}"] {
         assert!(accents.document.contains(name), "{}", accents.document);
     }
-    assert!(!accents.document.contains("a4"), "{}", accents.document);
+}
+
+#[test]
+fn what_stands_before_the_document_is_none_of_its_text() {
+    let paper = r"\documentclass[12pt]{article} \sloppy head \begin{document} body \end{document}";
+    let found = draft(paper, Format::Latex).document;
+    assert!(found.contains("body") && !found.contains("head"), "{found}");
+    assert!(!found.contains("article"), "{found}");
 }
 
 proptest! {

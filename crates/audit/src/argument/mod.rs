@@ -3,6 +3,7 @@
 //! The kernel knows four rules. An argument has more, and each of its steps stands for a few uses of
 //! those: [`expand`] writes them out. Nothing here is trusted; the kernel checks what comes out.
 
+mod bound;
 mod expand;
 mod identity;
 mod line;
@@ -18,6 +19,7 @@ use kane_kernel::{Atom, Germ, Model, Poly, Root, Term};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+pub(crate) use bound::{bound, zero};
 pub use expand::contradicts_bounds;
 pub(crate) use expand::{contradiction, expand, limit_proof, side_proof};
 pub use orthant::BoundedSum;

@@ -183,18 +183,20 @@ impl Sum {
             .fold(BigInt::one(), |l, w| l.lcm(w.denom()));
         // Cofactors may have a factor in common with all weights.
         let whole = |q: &BigRational| q.numer() * (&common / q.denom());
-        let contents = self.cofactors.iter().map(|(w, p, _)| whole(w) * p.primitive().0);
-        let gcd = weights().map(whole).chain(contents).fold(BigInt::zero(), |g, w| g.gcd(&w));
+        let part = |(w, p, fact): &(BigRational, Poly, Fact)| {
+            let (content, p) = p.primitive();
+            (whole(w) * content, p, *fact)
+        };
+        let parts: Vec<(BigInt, Poly, Fact)> = self.cofactors.iter().map(part).collect();
+        let weighed = weights().map(whole).fold(BigInt::zero(), |g, w| g.gcd(&w));
+        let gcd = parts.iter().fold(weighed, |g, part| g.gcd(&part.0));
         let unit = if gcd.is_zero() { BigInt::one() } else { gcd };
         let terms = self.terms.iter().map(|(w, square, factors)| Term {
             weight: whole(w) / &unit,
             square: square.clone(),
             factors: factors.clone(),
         });
-        let cofactors = self.cofactors.iter().map(|(w, p, fact)| {
-            let (content, p) = p.primitive();
-            (*fact, p.scale(&(whole(w) * content / &unit)))
-        });
+        let cofactors = parts.into_iter().map(|(w, p, fact)| (fact, p.scale(&(w / &unit))));
         let terms: Vec<Term> = terms.collect();
         let cofactors = merged(cofactors);
         let factors = terms.iter().flat_map(|t| t.factors.iter().map(|f| f.0));

@@ -5,9 +5,10 @@ use kane_kernel::{Fuel, Poly, Sign, State};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
 use super::Bounds;
+use super::bound::bound;
 use super::expand::{Work, absurd, at};
 use super::identity::Reducer;
 use super::node::{Known, Node, Sum, power, whole};
@@ -40,9 +41,8 @@ enum Face {
 impl Range {
     /// Reads bounds of a variable off what is known.
     pub(super) fn new(var: usize, lower: Option<&Known>, upper: Option<&Known>) -> Step<Self> {
-        let end = |known: &Known, side: i8| match known.atom.poly.univariate(var).as_deref() {
-            Some([c, k]) if known.atom.sign.is_order() && kane_kernel::sign(k) == side => {
-                let value = BigRational::new(-c, k.clone());
+        let end = |known: &Known, side: i8| match bound(&known.atom, var) {
+            Some((value, k)) if kane_kernel::sign(k) == side => {
                 Ok(End { known: known.clone(), slope: k.clone(), value })
             }
             _ => Err(Flaw::NotABound(var)),
@@ -410,10 +410,5 @@ pub(crate) fn bounded_sum(
 
 /// The value of an atom that bounds a variable, and whether it bounds it below.
 pub(super) fn bound_of(known: &Known, var: usize) -> Option<(BigRational, bool)> {
-    match known.atom.poly.univariate(var).as_deref() {
-        Some([c, k]) if known.atom.sign.is_order() && !k.is_zero() => {
-            Some((BigRational::new(-c, k.clone()), k.is_positive()))
-        }
-        _ => None,
-    }
+    bound(&known.atom, var).map(|(value, k)| (value, k.is_positive()))
 }

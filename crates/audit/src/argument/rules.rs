@@ -208,10 +208,8 @@ fn orthant(state: &State<'_, '_>, atom: usize, bounds: &[Bounds]) -> Step {
 /// Reads atom i as a lower (side 1) or upper (side −1) bound of v: its value, and if it is open.
 fn bound(state: &State<'_, '_>, i: usize, v: usize, side: i8) -> Step<(BigRational, bool)> {
     let atom = atom(state, i)?;
-    match (atom.poly.univariate(v).as_deref(), atom.sign.is_order()) {
-        (Some([c, k]), true) if sign(k) == side => {
-            Ok((BigRational::new(-c, k.clone()), atom.sign == Sign::Positive))
-        }
+    match super::bound(atom, v) {
+        Some((value, k)) if sign(k) == side => Ok((value, atom.sign == Sign::Positive)),
         _ => Err(Flaw::NotABound(i)),
     }
 }

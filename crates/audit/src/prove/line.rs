@@ -2,12 +2,12 @@
 
 use kane_algebra::ring::univariate;
 use kane_algebra::sign_table::{Cell, SignTable};
-use kane_kernel::{Fuel, Poly, Rejection, Sign, State};
+use kane_kernel::{Fuel, Rejection, Sign, State};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use crate::argument::{Argument, Rules};
+use crate::argument::{Argument, Rules, bound, zero};
 
 type Q = BigRational;
 
@@ -16,11 +16,7 @@ pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<
     let mut lower: Option<(Q, usize)> = None;
     let mut upper: Option<(Q, usize)> = None;
     for (i, a) in state.atoms.iter().enumerate() {
-        if !a.sign.is_order() || a.poly.len() > 2 {
-            continue;
-        }
-        let Some((c, k)) = of_line(&a.poly, v) else { continue };
-        let at = Q::new(-c, k.clone());
+        let Some((at, k)) = bound(a, v) else { continue };
         // Of equal bounds the strict one is tighter.
         let strict = a.sign == Sign::Positive;
         if k.is_positive() {
@@ -34,22 +30,9 @@ pub(crate) fn bounds(state: &State<'_, '_>, v: usize) -> (Option<usize>, Option<
     (lower.map(|b| b.1), upper.map(|b| b.1))
 }
 
-/// c and k of a polynomial c + k·v with k not 0.
-fn of_line(p: &Poly, v: usize) -> Option<(BigInt, &BigInt)> {
-    let (mut c, mut k) = (BigInt::zero(), None);
-    for (m, coefficient) in p.terms() {
-        match m {
-            [] => c = coefficient.clone(),
-            [power] if *power == (v, 1) => k = Some(coefficient),
-            _ => return None,
-        }
-    }
-    Some((c, k?))
-}
-
 /// The value of a bound.
 pub(crate) fn bound_value(state: &State<'_, '_>, i: usize, v: usize) -> Q {
-    of_line(&state.atoms[i].poly, v).map_or_else(Q::zero, |(c, k)| Q::new(-c, k.clone()))
+    zero(&state.atoms[i].poly, v).map_or_else(Q::zero, |found| found.0)
 }
 
 /// Whether the bounds of a variable leave it no value.

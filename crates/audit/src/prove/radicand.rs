@@ -81,11 +81,9 @@ fn radicand(state: &State<'_, '_>, i: usize) -> Option<(usize, Poly, i32)> {
     if atom.sign != Sign::Zero || atom.poly.len() > TERMS {
         return None;
     }
-    let mut roots = atom.poly.vars().into_iter().rev().filter(|v| state.scope.root(*v).is_some());
+    let is_square = |v: &usize| state.scope.root(*v).is_some() && atom.poly.degree(*v) == 2;
+    let mut roots = atom.poly.vars().into_iter().rev().filter(is_square);
     roots.find_map(|v| {
-        if atom.poly.degree(v) != 2 {
-            return None;
-        }
         let [rest, linear, lead] = &atom.poly.coefficients(v)[..] else { return None };
         let lead = lead.as_constant().filter(|c| c.magnitude().is_one())?;
         let turn = if lead.is_negative() { -1 } else { 1 };

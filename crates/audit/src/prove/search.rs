@@ -532,7 +532,8 @@ impl<'a> Search<'a> {
                 }
                 let d = a.poly.coefficient(v, degree);
                 if !d.is_constant() && cannot_vanish(state, &d) {
-                    out.push((i, v, d.clone(), a.poly.len() + 3 * d.len()));
+                    let size = a.poly.len() + 3 * d.len();
+                    out.push((i, v, d, size));
                 }
             }
         }
