@@ -65,11 +65,14 @@ impl Fuel {
     /// # Errors
     /// [`Rejection::Budget`] when fewer are left.
     pub fn spend(&self, steps: u64) -> Checked {
-        let left = self.left.get();
-        let spent = steps.min(left);
-        self.left.set(left - spent);
-        self.spend_beyond(spent)?;
-        if spent == steps { Ok(()) } else { Err(Rejection::Budget) }
+        let (mut asked, mut is_short, mut budget) = (steps, false, Some(self));
+        while let Some(Self { left, whole }) = budget {
+            let spent = asked.min(left.get());
+            left.set(left.get() - spent);
+            is_short |= spent < asked;
+            (asked, budget) = (spent, whole.as_deref());
+        }
+        if is_short { Err(Rejection::Budget) } else { Ok(()) }
     }
 }
 
@@ -168,7 +171,12 @@ impl Poly {
     /// c·m, the zero polynomial if c = 0; the monomial in any order.
     #[must_use]
     pub fn term(m: Monomial, c: BigInt) -> Self {
-        Self::sum([(m, c)])
+        if c.is_zero() {
+            return Self::default();
+        }
+        let powers = canonical(m);
+        let ends = vec![(powers.len(), c)];
+        Self(Rc::new(Terms { powers, ends }))
     }
 
     /// The sum of c·m over all (m, c); monomials in any order.
@@ -253,7 +261,7 @@ impl Poly {
     /// The opposite.
     #[must_use]
     pub fn neg(&self) -> Self {
-        self.scale(&-BigInt::one())
+        self.each(|c| -c)
     }
 
     /// Product with an integer.
@@ -291,7 +299,10 @@ impl Poly {
         if one(self) || one(other) {
             return Ok(if one(self) { other } else { self }.clone());
         }
-        let mut product = Terms::default();
+        let (terms, powers) = (self.len() * other.len(), self.0.powers.len() * other.len());
+        let powers = powers + other.0.powers.len() * self.len();
+        let mut product =
+            Terms { powers: Vec::with_capacity(powers), ends: Vec::with_capacity(terms) };
         for (m, c) in self.terms() {
             for (n, d) in other.terms() {
                 times(m, n, &mut product.powers)?;
@@ -351,7 +362,9 @@ impl Poly {
     /// Coefficient of vⁿ; free of v. However large n is, it takes no more room than the polynomial.
     #[must_use]
     pub fn coefficient(&self, v: usize, n: u32) -> Self {
-        let mut out = Terms::default();
+        let room = self.0.powers.len();
+        let mut out =
+            Terms { powers: Vec::with_capacity(room), ends: Vec::with_capacity(self.len()) };
         for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) == n) {
             out.powers.extend(m.iter().filter(|p| p.0 != v));
             out.ends.push((out.powers.len(), c.clone()));
@@ -398,6 +411,9 @@ impl Poly {
     /// [`Rejection::Budget`].
     pub fn remainder(&self, v: usize, equation: &Self, even: bool, fuel: &Fuel) -> Checked<Self> {
         let degree = equation.degree(v);
+        if self.degree(v) < degree {
+            return Ok(self.clone());
+        }
         let lead = equation.coefficient(v, degree);
         let (mut rest, mut odd) = (self.clone(), false);
         while degree > 0 && rest.degree(v) >= degree {
