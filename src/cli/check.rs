@@ -223,7 +223,7 @@ fn baseline(
     };
     match output::to_stdout(&shown) {
         Err(error) => bad_input(&format!("cannot print: {error}")),
-        Ok(()) if new.rows == 0 => Outcome::Nothing,
+        Ok(()) if !comparison.compares() => Outcome::Nothing,
         Ok(()) if comparison.is_worse() => Outcome::Unexpected,
         Ok(()) => Outcome::AsExpected,
     }

@@ -82,6 +82,18 @@ fn an_engine_is_named_by_its_log() {
     assert!(worse.stdout.contains("Worse than before."), "{}", worse.stdout);
     assert_eq!(kane(&["check", &whole, "--baseline", &first]).code, 1, "another law of friction");
     assert_eq!(kane(&["check", &whole, "--baseline", &whole]).code, 0);
+
+    let head = dir.join("head.csv");
+    let text = fs::read_to_string(&whole).expect("it was written");
+    fs::write(&head, text.lines().next().expect("a head")).expect("the scratch folder is ours");
+    let head = head.to_str().expect("UTF-8");
+    for (new, old) in [(head, &whole[..]), (&whole, head)] {
+        let run = kane(&["check", new, "--baseline", old]);
+        assert_eq!(run.code, 3, "of nothing nothing is said: {}", run.stdout);
+    }
+    let out = dir.to_str().expect("UTF-8");
+    let run = kane(&["check", &whole, "--baseline", &whole, "--out", out]);
+    assert_eq!(run.code, 2, "a comparison writes no files: {}", run.stdout);
 }
 
 #[test]

@@ -4,24 +4,29 @@ use crate::check::Check;
 use crate::friction::{FrictionFit, FrictionLaw};
 use crate::restitution::NormalLaw;
 use crate::study::Study;
-use crate::tally::Checked;
 
 /// How a check changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// which
     pub check: Check,
+    /// rows that it had something to ask of, before and now
+    pub rows: [u64; 2],
     /// the share of rows on which it failed, before and now
     pub failing: [f64; 2],
-    /// the greatest size of a residual beyond tolerance, before and now
+    /// the share of rows of which it is undecided, before and now
+    pub undecided: [f64; 2],
+    /// the greatest residual beyond tolerance, by [its scale](crate::check::Finding::size), before and now
     pub worst: [f64; 2],
-    /// whether it does worse
+    /// whether it does worse, or is asked of no row any more
     pub worse: bool,
 }
 
 /// What changed between two logs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
+    /// rows that were checked, before and now
+    pub rows: [u64; 2],
     /// every check that either log could be asked
     pub changes: Vec<Change>,
     /// the nearest law of friction, before and now
@@ -50,6 +55,12 @@ const SLACK: f64 = 0.01;
 const MOVED: f64 = 0.002;
 
 impl Comparison {
+    /// Whether both logs have a row that was checked, so that something is compared.
+    #[must_use]
+    pub const fn compares(&self) -> bool {
+        self.rows[0] > 0 && self.rows[1] > 0
+    }
+
     /// Whether a check or a law does worse, or rows are rejected that were not.
     #[must_use]
     pub fn is_worse(&self) -> bool {
@@ -93,14 +104,17 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
         if both.iter().all(|checked| checked.rows == 0) {
             return None;
         }
-        let failing = both.map(failing);
+        let rows = both.map(|checked| checked.rows);
+        let failing = both.map(|checked| part(checked.failed, checked.rows));
+        let undecided = both.map(|checked| part(checked.undecided, checked.rows));
         let worst = both.map(|checked| match checked.worst {
             Some((_, finding)) if finding.fails() => finding.size(),
             _ => 0.0,
         });
         let more = failing[1] > failing[0] + SLACK || failing[0] == 0.0 && failing[1] > 0.0;
         let farther = worst[1] > worst[0] * (1.0 + SLACK) + 1e-12 && failing[1] > 0.0;
-        Some(Change { check, failing, worst, worse: more || farther })
+        let silent = rows[1] == 0;
+        Some(Change { check, rows, failing, undecided, worst, worse: more || farther || silent })
     });
     let studies = [old, new];
     let friction = studies.map(|study| study.friction.first());
@@ -113,6 +127,7 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
     };
     let restitution = studies.map(|study| study.restitution.as_ref());
     Comparison {
+        rows: studies.map(|study| study.rows),
         changes: changes.collect(),
         friction: friction.map(|fit| fit.map(|fit| fit.law)),
         friction_kept: kept,
@@ -127,8 +142,8 @@ pub fn compare(old: &Study, new: &Study) -> Comparison {
 }
 
 #[allow(clippy::cast_precision_loss, reason = "shares of rows")]
-fn failing(checked: &Checked) -> f64 {
-    if checked.rows == 0 { 0.0 } else { checked.failed as f64 / checked.rows as f64 }
+fn part(rows: u64, all: u64) -> f64 {
+    if all == 0 { 0.0 } else { rows as f64 / all as f64 }
 }
 
 #[allow(clippy::cast_precision_loss, reason = "shares of rows")]

@@ -25,9 +25,10 @@ before and after; mu, e, the time step and more if they are known. See docs/reco
 Exit codes:
   0  every check holds, or fails as a published law that gives every row has it; with --baseline,
      nothing is worse than before
-  1  a check fails, a row is rejected, or units are suspected; with --baseline, something is worse
+  1  a check fails or is undecided, a row is rejected, or units are suspected; with --baseline,
+     something is worse
   2  bad input or usage
-  3  no row could be checked";
+  3  no row could be checked; with --baseline, none of one of the logs";
 
 #[derive(Args, Debug)]
 pub(crate) struct CheckArgs {
@@ -73,7 +74,7 @@ pub(crate) struct CheckArgs {
     pub(crate) row: Option<u64>,
 
     /// Compare with an older log: exit code 1 if a check or the law does worse
-    #[arg(long, value_name = "OLD")]
+    #[arg(long, value_name = "OLD", conflicts_with = "out")]
     pub(crate) baseline: Option<PathBuf>,
 
     /// How to print the report

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use kane_records::comparison::Comparison;
 
 use super::RecordsReport;
-use super::compared::news;
+use super::compared::{came as told, news, rejects_more};
 use super::sentence::headline;
 use super::wording::{asks, rejected, residual, suspicion, verdict};
 use crate::wording::number_of;
@@ -75,10 +75,8 @@ pub fn compared_junit(comparison: &Comparison, [old, new]: &[String; 2]) -> Stri
         .changes
         .iter()
         .map(|change| {
-            let ([before, now], [worst, worst_now]) = (change.failing, change.worst);
-            let words = format!(
-                "fails in a share of {before} before and {now} now, the worst {worst} before and {worst_now} now"
-            );
+            let [before, now] = [0, 1].map(|at| told(change, at));
+            let words = format!("{before} before, {now} now");
             let (name, asks) = (change.check.id().to_owned(), asks(change.check).to_owned());
             Test { name, asks, came: came(change.worse, words) }
         })
@@ -105,7 +103,12 @@ pub fn compared_junit(comparison: &Comparison, [old, new]: &[String; 2]) -> Stri
     tests.push(Test {
         name: "rows".to_owned(),
         asks: "no more rows are rejected".to_owned(),
-        came: came(now > before, format!("{before} before and {now} now")),
+        came: came(rejects_more(comparison), format!("{before} before and {now} now")),
+    });
+    tests.push(Test {
+        name: "compared".to_owned(),
+        asks: "both logs have a row that can be checked".to_owned(),
+        came: came(!comparison.compares(), news(comparison).to_owned()),
     });
     suite(&format!("{new}, against {old}"), news(comparison), &tests)
 }

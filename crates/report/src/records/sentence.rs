@@ -1,5 +1,7 @@
 //! One sentence that says what a log follows.
 
+use std::fmt::Display;
+
 use kane_impact::Restitution as Hypothesis;
 use kane_records::check::Check;
 use kane_records::friction::{FrictionFit, FrictionLaw};
@@ -8,6 +10,7 @@ use kane_records::statistics::percent;
 use kane_records::study::Study;
 
 use super::wording::{at_line, brief, factor, formats, friction};
+use crate::wording::number_of;
 
 /// What the log follows, in a sentence.
 #[must_use]
@@ -41,17 +44,16 @@ fn normal(study: &Study) -> String {
         NormalLaw::Close => {
             let off = restitution.stated - restitution.consistent;
             format!(
-                "restitution as stated to 0.01, off beyond rounding in {off} of {} impacts by up to {}",
-                restitution.stated,
+                "restitution as stated to 0.01, off beyond rounding in {} by up to {}",
+                out_of(off, restitution.stated),
                 brief(restitution.worst.0)
             )
         }
         NormalLaw::Threshold(threshold) => at_threshold(&threshold),
         NormalLaw::Constant => format!("restitution is {middle} whatever is stated"),
         NormalLaw::Depends => format!(
-            "restitution is not as stated in {} of {} impacts: e is {least} to {greatest}{}",
-            restitution.stated - restitution.consistent,
-            restitution.stated,
+            "restitution is not as stated in {}: e is {least} to {greatest}{}",
+            out_of(restitution.stated - restitution.consistent, restitution.stated),
             depending(restitution)
         ),
         NormalLaw::Unstated if least == greatest => format!("restitution is {middle}"),
@@ -116,25 +118,27 @@ fn tangential(study: &Study) -> Option<String> {
     } else if best.close == all {
         format!("friction {words}, to 0.01 of k{}", others())
     } else if most(best.close) {
-        format!("friction {words}, to 0.01 of k in {} of {all} impacts{}", best.close, others())
+        format!("friction {words}, to 0.01 of k in {}{}", out_of(best.close, all), others())
     } else if most(best.rough) {
-        let which =
-            if best.rough == all { "all".to_owned() } else { format!("{} of {all}", best.rough) };
+        let which = match best.rough == all {
+            true => "all impacts".to_owned(),
+            false => out_of(best.rough, all),
+        };
         let named = or_others(study, |fit| format!(", in {}", fit.rough));
         let close = best.close;
-        format!("friction {words}, to 0.05 of k in {which} impacts{named} and to 0.01 in {close}")
+        format!("friction {words}, to 0.05 of k in {which}{named} and to 0.01 in {close}")
     } else if let Some(given) = of_rigid_laws(study) {
         format!("friction follows no law of friction alone; every impact is given by {given}")
     } else if best.close * 2 >= all {
         format!(
-            "friction {words}, to 0.01 of k in {} of {all} impacts{} (the nearest; no law that is known here gives all)",
-            best.close,
+            "friction {words}, to 0.01 of k in {}{} (the nearest; no law that is known here gives all)",
+            out_of(best.close, all),
             others()
         )
     } else {
         format!(
-            "friction follows no law that is known here (the nearest {words}, in {} of {all} impacts{})",
-            best.close,
+            "friction follows no law that is known here (the nearest {words}, in {}{})",
+            out_of(best.close, all),
             others()
         )
     })
@@ -178,8 +182,9 @@ fn below_the_cone(study: &Study) -> Option<String> {
         best.law,
         FrictionLaw::Compression | FrictionLaw::Share(_) | FrictionLaw::Coulomb | FrictionLaw::None
     );
-    (said && checked.failed > 0)
-        .then(|| format!("{} of {} impacts slide below the cone", checked.failed, checked.rows))
+    (said && checked.failed > 0).then(|| {
+        format!("{} below the cone", doing(checked.failed, checked.rows, ["slides", "slide"]))
+    })
 }
 
 /// What is odd though no check fails by it.
@@ -189,18 +194,21 @@ fn counts(study: &Study) -> Vec<String> {
     let is_none = study.friction.first().is_some_and(|best| best.law == FrictionLaw::None);
     let none = study.energy.frictionless;
     if none > 0 && !is_none {
-        parts.push(format!("{none} of {rows} impacts slide without any friction"));
+        let slide = doing(none, rows, ["slides", "slide"]);
+        parts.push(format!("{slide} without any friction"));
     }
     let bouncy = study.energy.bouncy;
     if bouncy > 0 {
         parts.push(format!(
-            "e is above 1 in {bouncy} of {rows} impacts without a gain of energy, which mechanics allows"
+            "e is above 1 in {} without a gain of energy, which mechanics allows",
+            out_of(bouncy, rows)
         ));
     }
     let undecided = study.checks.iter().map(|checked| checked.undecided).max().unwrap_or(0);
     if undecided > 0 {
         parts.push(format!(
-            "{undecided} of {rows} impacts are undecided, since too few numbers tell whether they were rounded to {}",
+            "{} undecided, since too few numbers tell whether they were rounded to {}",
+            doing(undecided, rows, ["is", "are"]),
             formats(&study.precision.told)
         ));
     }
@@ -212,9 +220,8 @@ fn energy(study: &Study) -> Option<String> {
     let (line, finding) = checked.worst?;
     (checked.failed > 0).then(|| {
         format!(
-            "energy is created in {} of {} impacts, {} of it at most{}",
-            checked.failed,
-            checked.rows,
+            "energy is created in {}, {} of it at most{}",
+            out_of(checked.failed, checked.rows),
             in_percent(finding.size()),
             at_line(line)
         )
@@ -226,11 +233,21 @@ fn lever(study: &Study) -> Option<String> {
     let (middle, _) = study.arm?;
     (checked.failed > 0).then(|| {
         format!(
-            "the impulse misses the stated contact point in {} impacts, the arm being off by {} in the median",
-            checked.failed,
+            "the impulse misses the stated contact point in {}, the arm being off by {} in the median",
+            number_of(checked.failed, "impact"),
             in_percent(middle)
         )
     })
+}
+
+/// `1 of 1 impact`, `1 of 7 impacts`.
+fn out_of(some: impl Display, all: impl Display) -> String {
+    format!("{some} of {}", number_of(all, "impact"))
+}
+
+/// What some do, in the words for one and for several: `1 of 7 impacts slides`.
+fn doing(some: u64, all: u64, [one, several]: [&str; 2]) -> String {
+    format!("{} {}", out_of(some, all), if some == 1 { one } else { several })
 }
 
 fn in_percent(share: f64) -> String {
@@ -491,6 +508,20 @@ mod tests {
         let undecided = &counts(&Study { checks, ..study })[1];
         let begins = "5 of 10 impacts are undecided, since too few numbers tell whether";
         assert!(undecided.starts_with(begins), "{undecided}");
+    }
+
+    #[test]
+    fn one_impact_is_one_whether_all_of_a_log_or_some_of_it() {
+        let of = |some, all| doing(some, all, ["slides", "slide"]);
+        assert_eq!(of(1, 1), "1 of 1 impact slides");
+        assert_eq!(of(1, 7), "1 of 7 impacts slides");
+        assert_eq!(of(2, 7), "2 of 7 impacts slide");
+        let checks = vec![Checked { undecided: 1, rows: 1, ..Checked::none(Check::Cone) }];
+        let mut study = Study { checks, rows: 1, ..of_a_log() };
+        (study.energy.frictionless, study.energy.bouncy) = (0, 1);
+        let told = counts(&study);
+        assert!(told[0].starts_with("e is above 1 in 1 of 1 impact without"), "{told:?}");
+        assert!(told[1].starts_with("1 of 1 impact is undecided"), "{told:?}");
     }
 
     fn finding(residual: f64, scale: f64) -> Finding {

@@ -144,7 +144,7 @@ fn laws(sheet: &mut Sheet<'_>, report: &RecordsReport<'_>) {
     if shown.is_empty() {
         return;
     }
-    sheet.heading("laws", "Rigid laws, with mu and e as stated: misses of the velocity afterwards");
+    sheet.heading("laws", "Rigid laws, with mu and e as stated: misses of the velocity afterwards, by the speed before");
     let columns = vec![
         Column::left("law"),
         Column::right("gives"),

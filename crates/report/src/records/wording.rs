@@ -202,7 +202,9 @@ pub(super) fn alias(fit: &LawFit) -> &'static str {
 /// An interval of a coefficient.
 pub(super) fn interval(fitted: &Fitted) -> String {
     let (low, high) = (brief(fitted.low), brief(fitted.high));
-    if fitted.high.is_infinite() {
+    if fitted.low.is_infinite() && fitted.high.is_infinite() {
+        "any value".to_owned()
+    } else if fitted.high.is_infinite() {
         format!("at least {low}")
     } else if low == high {
         low
@@ -240,10 +242,10 @@ pub(super) fn untold(untold: &Untold) -> String {
         Untold::NothingSlides => "no impact slides on: mu has a lower bound alone".to_owned(),
         Untold::NothingSticks => "every impact slides on: nothing is said of what happens where slip stops".to_owned(),
         Untold::Same(Factor::Speed) => "all impacts have one approach speed: a threshold of speed cannot be seen".to_owned(),
-        Untold::Same(Factor::Stated) => "one stated e, or none".to_owned(),
-        Untold::Same(Factor::Phase) => "one phase within the step, or none: what depends on it cannot be seen".to_owned(),
-        Untold::Same(Factor::Step) => "one time step, or none: what depends on it cannot be seen".to_owned(),
-        Untold::Same(Factor::Slip) => "one slip".to_owned(),
+        Untold::Same(Factor::Stated) => "no two impacts differ in the stated e: what depends on it cannot be seen".to_owned(),
+        Untold::Same(Factor::Phase) => "no two impacts differ in their phase within the step: what depends on it cannot be seen".to_owned(),
+        Untold::Same(Factor::Step) => "no two impacts differ in their time step: what depends on it cannot be seen".to_owned(),
+        Untold::Same(Factor::Slip) => "all impacts have one slip: what depends on it cannot be seen".to_owned(),
         Untold::SameFriction(laws) => {
             let names: Vec<String> = laws.iter().map(|law| friction_name(*law)).collect();
             format!("these give the same impulses here: {}", names.join("; "))
@@ -409,6 +411,7 @@ mod tests {
     fn an_interval_says_whether_it_has_an_end_and_is_one_value() {
         let of = |low, high, one_value| interval(&Fitted { low, high, rows: 1, one_value });
         assert_eq!(of(0.25, f64::INFINITY, true), "at least 0.25");
+        assert_eq!(of(f64::NEG_INFINITY, f64::INFINITY, true), "any value");
         assert_eq!(of(0.25, 0.25, true), "0.25");
         assert_eq!(of(0.25, 0.5, true), "0.25 to 0.5");
         assert_eq!(of(0.25, 0.5, false), "0.25 to 0.5, not one value");
@@ -492,11 +495,13 @@ mod tests {
             same(Factor::Speed),
             format!("speed: all impacts have one approach speed: a threshold of speed {seen}")
         );
-        assert_eq!(same(Factor::Slip), "slip: one slip");
-        assert_eq!(same(Factor::Stated), "e: one stated e, or none");
         let on = format!("what depends on it {seen}");
-        assert_eq!(same(Factor::Phase), format!("phase: one phase within the step, or none: {on}"));
-        assert_eq!(same(Factor::Step), format!("time step: one time step, or none: {on}"));
+        assert_eq!(same(Factor::Slip), format!("slip: all impacts have one slip: {on}"));
+        let differ = "no two impacts differ in";
+        assert_eq!(same(Factor::Stated), format!("e: {differ} the stated e: {on}"));
+        let phase = "their phase within the step";
+        assert_eq!(same(Factor::Phase), format!("phase: {differ} {phase}: {on}"));
+        assert_eq!(same(Factor::Step), format!("time step: {differ} their time step: {on}"));
         let constant = Untold::ConstantRestitution(0.2);
         assert_eq!(untold_label(&constant), "mu");
         assert!(untold(&constant).ends_with("another friction coefficient, mu = 0.2"));
