@@ -39,7 +39,7 @@ pub enum ParseError {
     ExponentTooLarge {
         /// Where the exponent's digits start.
         at: usize,
-        /// The digits of the exponent as written, cut short after six.
+        /// The digits of the exponent as written, cut short after six with an ellipsis.
         exponent: String,
     },
     /// The denominator is zero.
@@ -163,7 +163,8 @@ impl<'a> Reader<'a> {
         let magnitude = match digits.parse::<u32>() {
             Ok(magnitude) if magnitude <= MAX_EXPONENT => i64::from(magnitude),
             _ => {
-                let exponent = digits.chars().take(6).collect();
+                let cut = if digits.len() > 6 { "…" } else { "" };
+                let exponent = digits.chars().take(6).collect::<String>() + cut;
                 return Err(ParseError::ExponentTooLarge { at, exponent });
             }
         };

@@ -71,7 +71,7 @@ fn all(sheet: &mut Sheet<'_>, collision: &Collision) {
     if let Some((_, first)) = outcomes.first() {
         let readings: Vec<&Reading> = first.readings.iter().filter(|r| r.column).collect();
         let mut columns = vec![Column::left("law")];
-        columns.extend(readings.iter().map(|r| Column::right(r.symbol)));
+        columns.extend(readings.iter().map(|r| Column::right(r.symbol).unit(r.unit)));
         columns.push(Column::long("regime", REGIME));
         let row = |(law, answer): &(&LawAnswer, &Answer)| {
             let mut cells = vec![Words::code(law.id)];
@@ -82,7 +82,12 @@ fn all(sheet: &mut Sheet<'_>, collision: &Collision) {
             cells.push(regime(answer));
             Row::new(cells).toned(tone(answer))
         };
-        sheet.table(Table::new(columns, outcomes.iter().map(row).collect()));
+        let rows: Vec<Row> = outcomes.iter().map(row).collect();
+        let has_dash = rows.iter().any(|row| row.cells.iter().any(|cell| cell.plain() == "-"));
+        sheet.table(Table::new(columns, rows));
+        if has_dash {
+            sheet.prose(NO_MEANING);
+        }
     }
     sheet.labelled(vec![Entry::new("energy is created by", collision.creators().join(", "))]);
     let mut entries = Vec::new();
@@ -93,6 +98,10 @@ fn all(sheet: &mut Sheet<'_>, collision: &Collision) {
     }
     sheet.labelled(entries);
 }
+
+/// What a dash says among the quantities of laws.
+const NO_MEANING: &str =
+    "-: the quantity has no meaning there, as k without slip and i_x without slip or friction.";
 
 /// The value in a table; a dash where the quantity has no meaning.
 fn shown(reading: &Reading) -> String {
@@ -179,7 +188,7 @@ fn readings(answer: &Answer) -> Table {
 }
 
 /// What the columns of errors are.
-const ERRORS: &str = "Errors are in ulps. inputs: what rounding the inputs to floats does to the exact value. plain: what the law in f64 adds to that, from a contact with entries rounded once. wide: what the way by double-double adds; f64 is its result.";
+const ERRORS: &str = "Errors are in ulps. inputs: what rounding the inputs to floats does to the exact value. plain: what the law in f64 adds to that, from a contact with entries rounded once. wide: what the way by double-double adds; f64 is its result. -: there is no such number on that way.";
 
 /// The symbol with its unit.
 fn name(reading: &Reading) -> Words {

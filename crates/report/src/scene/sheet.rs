@@ -15,7 +15,7 @@ const IN_TEXT: usize = 16;
 const ON_PAGE: usize = 200;
 
 /// What the column of costs is.
-const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated.";
+const COST: &str = "Cost: weighted operations of one impact, in additions of f64; \"about\" where a process or a chain takes steps, whose operations are estimated. Error/tol.: the greatest error by its tolerance; - where one is not known, or is more than a tolerance of 0.";
 
 /// That answers have fewer digits here than the bounds beside them are of.
 const ROUNDED: &str = "Answers are rounded here, to at most eight digits; the JSON has more. An error is that of the answer as it was computed.";

@@ -117,7 +117,7 @@ pub enum Stopped {
         source: NoImpulse,
     },
     /// The number system cannot tell what comes next, or does not hold the time of it.
-    #[error("after impact {impact} at {time} s the number system cannot tell what comes next")]
+    #[error("{} the number system cannot tell what comes next", after(*impact, *time))]
     Undecided {
         /// Counted from 1; 0 is the start.
         impact: u64,
@@ -145,7 +145,7 @@ pub enum Stopped {
         time: f64,
     },
     /// Exact numbers have become too long.
-    #[error("after impact {impact} at {time} s the exact numbers are too long to go on with")]
+    #[error("{} the exact numbers are too long to go on with", after(*impact, *time))]
     Long {
         /// Counted from 1.
         impact: u64,
@@ -210,4 +210,25 @@ pub enum Stopped {
         "the ball lies on the floor and slips, and the model does not say how that goes on; give `rest` or `impacts`"
     )]
     LiesUntold,
+}
+
+/// Where a motion is: after an impact, counted from 1, or at the start.
+fn after(impact: u64, time: f64) -> String {
+    match impact {
+        0 => "at the start".to_owned(),
+        _ => format!("after impact {impact} at {time} s"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Stopped;
+
+    #[test]
+    fn what_stops_before_the_first_impact_stops_at_the_start() {
+        let of = |impact, time| Stopped::Undecided { impact, time }.to_string();
+        assert_eq!(of(0, 0.0), "at the start the number system cannot tell what comes next");
+        let later = "after impact 2 at 0.5 s the number system cannot tell what comes next";
+        assert_eq!(of(2, 0.5), later);
+    }
 }
