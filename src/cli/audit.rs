@@ -11,7 +11,7 @@ use kane::report::{self, Picture, Report};
 
 use super::args::{AuditArgs, AuditFormat, JudgeName};
 use super::delivery::Written;
-use super::input::{self, Input, quoted};
+use super::input::{self, Input, Unreadable, quoted};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, labels, output, watch};
 
@@ -58,13 +58,13 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     }
     let (documents, faults) = documents(&inputs);
     for error in &unreadable {
-        bad_input(error);
+        bad_input(&error.message);
     }
     for fault in &faults {
         output::to_stderr(&format!("{fault}\n"));
     }
     if !(unreadable.is_empty() && faults.is_empty()) {
-        return unread(&faults, args.format);
+        return unread(&unreadable, &faults, args.format);
     }
     let wanted: Vec<&String> = args.only.iter().chain(&args.explain).collect();
     for label in &wanted {
@@ -126,9 +126,10 @@ fn once(args: &AuditArgs, mut memos: Option<&mut Memos>) -> Outcome {
     }
 }
 
-/// Ends a run whose documents have faults. What puts remarks beside lines is told of them, too.
-fn unread(faults: &[Diagnostic], format: AuditFormat) -> Outcome {
-    let remarks: Vec<Remark> = faults.iter().map(remarks::of_fault).collect();
+/// Ends a run whose documents cannot be read or have faults. What puts remarks beside lines is told of them, too.
+fn unread(unreadable: &[Unreadable], faults: &[Diagnostic], format: AuditFormat) -> Outcome {
+    let missing = unreadable.iter().map(|file| remarks::unread(&file.name, file.message.clone()));
+    let remarks: Vec<Remark> = missing.chain(faults.iter().map(remarks::of_fault)).collect();
     let shown = match format {
         AuditFormat::Sarif => remarks::sarif(&remarks),
         AuditFormat::Github => remarks::workflow(&remarks),

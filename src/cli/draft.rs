@@ -17,7 +17,8 @@ const ROUNDS: usize = 100;
 pub(super) fn run(args: &DraftArgs) -> Outcome {
     let (inputs, unreadable) = input::read(std::slice::from_ref(&args.file));
     let Some(input) = inputs.into_iter().next() else {
-        return bad_input(&unreadable.join("\n"));
+        let messages: Vec<String> = unreadable.into_iter().map(|file| file.message).collect();
+        return bad_input(&messages.join("\n"));
     };
     if input.bytes.len() > kane::audit::MAX_FILE_BYTES {
         let most = kane::audit::MAX_FILE_BYTES;

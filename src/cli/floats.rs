@@ -22,7 +22,10 @@ pub(super) fn is_fpcore(file: &Path) -> bool {
 
 /// Runs the verb on FPCore.
 pub(super) fn run(args: &StabilityArgs, input: &Input, file: &Path, ranges: &Ranges) -> Outcome {
-    let Some(cores) = cores(input, ranges) else { return Outcome::BadInput };
+    let cores = match cores(input, ranges) {
+        Ok(cores) => cores,
+        Err(outcome) => return outcome,
+    };
     let accounts = accounts(cores, args.rounded_inputs);
     let command = format!("kane stability {}{}", quoted(&file.display().to_string()), flags(args));
     let report = FloatsReport { name: input.name.clone(), accounts: &accounts, command };
@@ -40,24 +43,28 @@ pub(super) fn run(args: &StabilityArgs, input: &Input, file: &Path, ranges: &Ran
     }
 }
 
-/// The formulas of a file over the ranges that are examined; says what is wrong if it cannot be read.
-pub(super) fn cores(input: &Input, ranges: &Ranges) -> Option<Vec<Core>> {
+/// The formulas of a file over the ranges that are examined; says what is wrong if it cannot be read, or has none.
+pub(super) fn cores(input: &Input, ranges: &Ranges) -> Result<Vec<Core>, Outcome> {
     let Ok(text) = std::str::from_utf8(&input.bytes) else {
         output::to_stderr(&Diagnostic::not_utf8(&input.name, &input.bytes).to_string());
-        return None;
+        return Err(Outcome::BadInput);
     };
     let mut cores = match fpcore::read(&input.name, text) {
         Ok(cores) => cores,
         Err(fault) => {
             output::to_stderr(&format!("{fault}\n"));
-            return None;
+            return Err(Outcome::BadInput);
         }
     };
+    if cores.is_empty() {
+        bad_input(&format!("{} has no FPCore", input.name));
+        return Err(Outcome::Nothing);
+    }
     for core in &mut cores {
         narrow(core, ranges);
     }
     let names = || cores.iter().flat_map(|core| &core.arguments).map(|a| a.name.as_str());
-    known(ranges, names()).then_some(cores)
+    if known(ranges, names()) { Ok(cores) } else { Err(Outcome::BadInput) }
 }
 
 /// What a formula is called, by its place in the file.

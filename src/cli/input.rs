@@ -32,8 +32,16 @@ impl Input {
     }
 }
 
+/// A document that cannot be read.
+pub(super) struct Unreadable {
+    /// as the user wrote it
+    pub(super) name: String,
+    /// what it is, and why
+    pub(super) message: String,
+}
+
 /// Reads every file, or takes the paper if there is none; with one message for every file that cannot be read.
-pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
+pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<Unreadable>) {
     if files.is_empty() {
         let paper = Input {
             name: PAPER_NAME.to_owned(),
@@ -49,7 +57,8 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
         let piped = is_standard_input(file);
         let name = if piped { STANDARD_INPUT.to_owned() } else { file.display().to_string() };
         if piped && files.iter().take(at).any(|other| is_standard_input(other)) {
-            errors.push("`-` is standard input, which can be read once".to_owned());
+            let message = "`-` is standard input, which can be read once".to_owned();
+            errors.push(Unreadable { name, message });
             continue;
         }
         let stem = if piped {
@@ -64,9 +73,12 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<String>) {
                 command: format!("kane audit {}", quoted(&file.display().to_string())),
                 bytes,
             }),
-            Err(error) if piped => errors.push(format!("cannot read {name}: {error}")),
             Err(error) => {
-                errors.push(carried::unreadable(file, &error.to_string(), "md", &DERIVATIONS));
+                let message = match piped {
+                    true => format!("cannot read {name}: {error}"),
+                    false => carried::unreadable(file, &error.to_string(), "md", &DERIVATIONS),
+                };
+                errors.push(Unreadable { name, message });
             }
         }
     }

@@ -23,10 +23,13 @@ pub(super) fn run(args: &ChartArgs, file: &Path, effort: Effort) -> Outcome {
     };
     let (inputs, unreadable) = input::read(&[file.to_owned()]);
     for error in &unreadable {
-        bad_input(error);
+        bad_input(&error.message);
     }
     let Some(input) = inputs.first() else { return Outcome::BadInput };
-    let Some(cores) = cores(input, file, &ranges) else { return Outcome::BadInput };
+    let cores = match cores(input, file, &ranges) {
+        Ok(cores) => cores,
+        Err(outcome) => return outcome,
+    };
     let (mut all, mut left_out) = (Vec::new(), Vec::new());
     let mut progress = Progress::counting("formulas");
     let count = cores.len();
@@ -59,16 +62,14 @@ pub(super) fn run(args: &ChartArgs, file: &Path, effort: Effort) -> Outcome {
 }
 
 /// The formulas with what they are called; says why if there are none to be had.
-fn cores(input: &Input, file: &Path, ranges: &Ranges) -> Option<Vec<(String, Core)>> {
+fn cores(input: &Input, file: &Path, ranges: &Ranges) -> Result<Vec<(String, Core)>, Outcome> {
     if floats::is_fpcore(file) {
         let cores = floats::cores(input, ranges)?;
-        return Some(
-            cores
-                .into_iter()
-                .enumerate()
-                .map(|(index, core)| (floats::label(&core, index), core))
-                .collect(),
-        );
+        return Ok(cores
+            .into_iter()
+            .enumerate()
+            .map(|(index, core)| (floats::label(&core, index), core))
+            .collect());
     }
     let document = match kane::audit::read(&input.name, &input.bytes) {
         Ok(document) => document,
@@ -76,13 +77,13 @@ fn cores(input: &Input, file: &Path, ranges: &Ranges) -> Option<Vec<(String, Cor
             for fault in faults {
                 output::to_stderr(&format!("{fault}\n"));
             }
-            return None;
+            return Err(Outcome::BadInput);
         }
     };
     let found = kane::measure::formulas(&document).formulas;
     let names = found.iter().flat_map(|formula| &formula.inputs).map(|input| input.name.as_str());
     if !floats::known(ranges, names) {
-        return None;
+        return Err(Outcome::BadInput);
     }
-    Some(found.iter().map(|formula| (formula.label.clone(), core_of(formula, ranges))).collect())
+    Ok(found.iter().map(|formula| (formula.label.clone(), core_of(formula, ranges))).collect())
 }

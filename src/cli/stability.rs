@@ -21,7 +21,7 @@ pub(super) fn run(args: &StabilityArgs) -> Outcome {
     let files: Vec<_> = args.file.iter().cloned().collect();
     let (inputs, unreadable) = input::read(&files);
     for error in &unreadable {
-        bad_input(error);
+        bad_input(&error.message);
     }
     let Some(input) = inputs.first() else { return Outcome::BadInput };
     if let Some(file) = args.file.as_deref().filter(|file| floats::is_fpcore(file)) {

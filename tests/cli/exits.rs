@@ -43,6 +43,23 @@ fn a_document_without_claims_exits_3() {
 }
 
 #[test]
+fn a_file_without_a_formula_exits_3_whatever_its_form() {
+    let dir = scratch("no-formula");
+    for (name, text) in [("words.md", "Nothing but words.\n"), ("none.fpcore", "; none\n")] {
+        let path = dir.join(name);
+        std::fs::write(&path, text).expect("the scratch directory is writable");
+        let path = path.to_str().expect("UTF-8");
+        for verb in ["stability", "chart"] {
+            let run = kane(&[verb, path]);
+            let said = run.stdout + &run.stderr;
+            assert_eq!(run.code, 3, "{verb} {name}: {said}");
+            assert!(said.contains("no formula") || said.contains("no FPCore"), "{said}");
+            assert!(!said.contains("0 fail"), "{said}");
+        }
+    }
+}
+
+#[test]
 fn bad_usage_exits_2_and_says_how_it_goes() {
     for arguments in [
         &[][..],

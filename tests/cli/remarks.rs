@@ -72,6 +72,15 @@ fn a_workflow_is_told_what_is_not_proved() {
 }
 
 #[test]
+fn a_claim_that_rests_on_what_is_not_proved_says_on_what() {
+    let text = "var x\nclaim a: x > 0\nclaim b: x > -1 from a";
+    let path = document(&scratch("unsupported"), "notes.md", text);
+    let run = kane(&["audit", &path, "--format", "github"]);
+    let last = run.stdout.lines().last().unwrap_or_default();
+    assert!(last.ends_with("::unsupported: x > -1%0Acites a, not proved; else proved"), "{last}");
+}
+
+#[test]
 fn a_document_without_a_claim_is_told_and_not_passed_over() {
     let path = document(&scratch("nothing"), "empty.md", "var x > 0");
     let run = kane(&["audit", &path, "--format", "github"]);
@@ -99,6 +108,12 @@ fn what_cannot_be_read_is_told_beside_its_line() {
         .expect("it is JSON");
     assert_eq!(sarif["runs"][0]["results"].as_array().map(Vec::len), Some(2));
     assert_eq!(kane(&["audit", &path]).stdout, "", "a report is not begun");
+
+    let gone = dir.join("gone.md");
+    let run = kane(&["audit", &path, gone.to_str().expect("UTF-8"), "--format", "github"]);
+    assert_eq!(run.code, 2);
+    let missing = run.stdout.lines().find(|line| line.contains("gone.md"));
+    assert!(missing.is_some_and(|l| l.starts_with("::error file=") && l.contains("cannot read")));
 
     let log = dir.join("log.csv");
     fs::write(&log, "time,speed\n1,2\n").expect("writable");

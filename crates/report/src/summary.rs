@@ -25,6 +25,8 @@ const NAMED: usize = 10;
 pub struct Summary {
     /// statements whose label is a number in parentheses
     pub equations: usize,
+    /// statements of any kind
+    pub statements: usize,
     /// claims, numbered or not
     pub claims: usize,
     /// claims by verdict; verdicts that do not occur are left out
@@ -49,6 +51,7 @@ impl Summary {
         let label = |entry: &crate::report::Entry<'_>| entry.statement.label.clone();
         Self {
             equations: report.entries().filter(|entry| entry.is_equation()).count(),
+            statements: report.entries().count(),
             claims: claims.len(),
             verdicts: TOLD
                 .map(|verdict| (verdict, count(verdict)))
@@ -108,6 +111,9 @@ impl Summary {
     #[must_use]
     pub fn expectation(&self) -> String {
         match (self.claims, self.surprises.len()) {
+            (0, _) if self.statements > 0 => {
+                "nothing to check: none of these statements is a claim".to_owned()
+            }
             (0, _) => "nothing to check: claims stand in blocks tagged kane".to_owned(),
             (_, 0) if self.expects => "every verdict is as expected".to_owned(),
             (_, 0) => "every claim is proved".to_owned(),
@@ -167,6 +173,8 @@ mod tests {
             assert_eq!(of(statements), (headline.to_owned(), expectation.to_owned()));
         };
         told("", "no claims", "nothing to check: claims stand in blocks tagged kane");
+        let none = "nothing to check: none of these statements is a claim";
+        told("given a: x > 0\n", "no claims", none);
         told("claim a: x^2 >= 0\n", "1 claim: 1 proved", "every claim is proved");
         told(
             "claim (1): x^2 >= 0\nclaim a: x > 0 expect refuted\n",

@@ -62,7 +62,7 @@ them as Rust, C, Python and FPCore. docs/floats.md says how.
 Exit codes:
   0  the formulas are examined, whatever is found
   2  bad input or usage
-  3  the document has no formula";
+  3  the file has no formula";
 
 #[derive(Args, Debug)]
 pub(crate) struct ChartArgs {

@@ -13,16 +13,13 @@ use crate::{Argument, Core, Operation, Precision, Program, Test};
 /// What may be called, in words.
 const OPERATORS: &str = "+ - * / sqrt fma fabs fmin fmax let let* if";
 
-/// Reads every FPCore of a text.
+/// Reads every FPCore of a text; there may be none.
 ///
 /// # Errors
 /// The first fault: its place, with the line and a caret, and the reason.
 pub fn read(file: &str, text: &str) -> Result<Vec<Core>, Box<Diagnostic>> {
     let told = |(span, why): Fault| Box::new(Diagnostic::new(file, text, span, why));
     let expressions = expressions(text).map_err(told)?;
-    if expressions.is_empty() {
-        return Err(Box::new(Diagnostic::at_start(file, "the file has no FPCore".to_owned())));
-    }
     expressions.iter().map(|expression| core(text, expression).map_err(told)).collect()
 }
 

@@ -58,7 +58,6 @@ fn ranges_are_taken_from_what_is_assumed() {
 #[test]
 fn each_fault_has_its_place_and_its_reason() {
     let cases = [
-        ("", 1, 1, "no FPCore"),
         ("(FPCore (x) (sin x))", 1, 14, "`sin` is none of the operators"),
         ("(FPCore (x) (+ x))", 1, 13, "`+` does not take 1 operand"),
         ("(FPCore (x)\n (+ x y))", 2, 7, "`y` is neither an argument"),
@@ -87,6 +86,7 @@ fn each_fault_has_its_place_and_its_reason() {
         assert_eq!((fault.line, fault.column), (line, column), "{text}: {fault}");
         assert!(fault.message.contains(why), "{text}: {fault}");
     }
+    assert_eq!(fpcore::read("t.fpcore", " ; none\n").map(|cores| cores.len()), Ok(0));
     let deep = format!("(FPCore (x) {}x{})", "(- ".repeat(300), ")".repeat(300));
     let fault = fpcore::read("t.fpcore", &deep).expect_err("too deep");
     assert!(fault.message.contains("200 parentheses"), "{fault}");

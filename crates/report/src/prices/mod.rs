@@ -10,6 +10,8 @@ use kane_measure::prices::{Prices, Way};
 use crate::chart::{digits, nanoseconds, quartiles};
 use crate::floats::bits_at_most;
 use crate::sheet::{Column, Row, Sheet, Table, Tone, Words, row};
+use crate::stability::WHICH_FORMULAS;
+use crate::wording::number_of;
 
 #[cfg(feature = "schema")]
 pub(crate) use data::schema;
@@ -38,16 +40,23 @@ evaluation in a column of 128, one operation after another; bits lost at most ar
 /// The report as a sheet.
 #[must_use]
 pub fn sheet<'a>(report: &'a PricesReport<'a>) -> Sheet<'a> {
-    let count = report.all.len();
-    let headline = format!(
-        "{count} {}: what the next digit costs",
-        if count == 1 { "formula" } else { "formulas" }
-    );
+    let left_out = match report.left_out.len() {
+        0 => String::new(),
+        count => format!("; {count} left out"),
+    };
+    let headline = match report.all.len() {
+        0 => format!("no formula was measured{left_out}"),
+        count => format!("{}: what the next digit costs", number_of(count, "formula")),
+    };
     let mut sheet = Sheet::new("Chart", report.name.clone(), headline, &report.command);
     sheet.machine = Some(report.machine.clone());
     sheet.columns = 110;
-    sheet.prose(READING);
-    sheet.figure("prices", "Digits by time", || picture(report));
+    if report.all.is_empty() {
+        sheet.prose(WHICH_FORMULAS);
+    } else {
+        sheet.prose(READING);
+        sheet.figure("prices", "Digits by time", || picture(report));
+    }
     for (index, prices) in report.all.iter().enumerate() {
         let given = prices.forms.first().map_or_else(String::new, |form| form.core.text());
         sheet.heading(

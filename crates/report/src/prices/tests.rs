@@ -136,3 +136,12 @@ fn the_picture_has_a_mark_for_each_way() {
     assert_eq!(seen.circles().len(), 2 + 3);
     assert!(seen.place("gap: x - y").is_some() && seen.place("repair 1").is_some());
 }
+
+#[test]
+fn of_no_formula_it_is_said_that_none_was_measured_and_which_there_might_be() {
+    let report = report(&[]);
+    let text = sheet(&report).text(Page::default());
+    assert!(text.contains("no formula was measured; 1 left out"), "{text}");
+    assert!(text.contains("the bodies of its definitions"), "{text}");
+    assert!(!text.contains("fastest"), "{text}");
+}

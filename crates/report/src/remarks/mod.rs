@@ -61,7 +61,7 @@ pub fn of_audit(report: &Report<'_>) -> Vec<Remark> {
             _ => String::new(),
         };
         let mut message = format!("{verdict}{expected}: {}", entry.saying());
-        for reason in reasons {
+        for reason in entry.support().into_iter().chain(reasons) {
             message.push_str(&format!("\n{reason}"));
         }
         Remark {

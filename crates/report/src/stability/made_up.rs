@@ -144,6 +144,12 @@ fn formulas_that_fail_are_counted_however_they_were_examined() {
     assert_eq!(report(&all).headline(), "4 formulas in f32 and f64: 0 fail somewhere");
     all.subject.examined = 1;
     assert_eq!(report(&all).headline(), "1 formula in f32 and f64: 0 fail somewhere");
+    all.subject.examined = 0;
+    assert_eq!(
+        report(&all).headline(),
+        "no formula was examined",
+        "of none it is not said that it holds"
+    );
 }
 
 #[test]

@@ -15,6 +15,7 @@ pub use json::json;
 #[cfg(feature = "schema")]
 pub(crate) use json::schema;
 pub use picture::picture;
+pub(crate) use sheet::WHICH_FORMULAS;
 pub use sheet::sheet;
 pub(crate) use strips_picture::Strips;
 pub use strips_picture::strips_picture;
@@ -62,16 +63,19 @@ impl<'a> StabilityReport<'a> {
     /// How many formulas there are, and how many of them fail somewhere.
     pub(crate) fn headline(&self) -> String {
         let entries = self.entries();
+        let left_out = self.stability.subject.left_out.len();
+        let and_left_out = match left_out {
+            0 => String::new(),
+            _ => format!("; {left_out} left out"),
+        };
+        if entries.is_empty() {
+            return format!("no formula was examined{and_left_out}");
+        }
         let failing = entries.iter().filter(|entry| entry.fails()).count();
         let formulas = if entries.len() == 1 { "formula" } else { "formulas" };
         let fail = if failing == 1 { "fails" } else { "fail" };
-        let mut headline =
-            format!("{} {formulas} in f32 and f64: {failing} {fail} somewhere", entries.len());
-        let left_out = self.stability.subject.left_out.len();
-        if left_out > 0 {
-            headline.push_str(&format!("; {left_out} left out"));
-        }
-        headline
+        let count = entries.len();
+        format!("{count} {formulas} in f32 and f64: {failing} {fail} somewhere{and_left_out}")
     }
 }
 

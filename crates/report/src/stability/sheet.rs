@@ -10,6 +10,10 @@ const READING: &str = "A range runs from the first to the last failing input tha
 Cells are of a plane of two inputs >= 0; points are a search over more inputs or other signs. Inputs are told to four digits, \
 and in the JSON in full.";
 
+/// Which formulas a document has, told where there are none.
+pub(crate) const WHICH_FORMULAS: &str = "The formulas of a document are the bodies of its definitions, `let`, and what \
+its statements say that a symbol is equal to, in blocks tagged kane, as far as symbols stand in them.";
+
 const BOUNDS: &str = "No float of the ranges has a larger error than the bound; the error found is exact. \
 Repairs are proved equal by the auditor.";
 
@@ -22,8 +26,8 @@ pub fn sheet<'a>(report: &'a StabilityReport<'a>) -> Sheet<'a> {
         None => stability.name.clone(),
     };
     let mut sheet = Sheet::new("Stability", title, report.headline(), &report.command);
-    sheet.prose(READING);
     let entries = report.entries();
+    sheet.prose(if entries.is_empty() { WHICH_FORMULAS } else { READING });
     if entries.iter().any(|e| e.lines.iter().any(|line| !line.ranges.is_empty())) {
         sheet.figure("strips", "At a glance", || strips_picture(report));
     }
