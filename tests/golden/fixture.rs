@@ -164,6 +164,7 @@ fn link(document: &Document, label: &str, number: usize, verdict: Verdict) -> Li
         work: 3_400,
         accepted: decided.then(|| Rc::new(accepted(goal, finding, Evidence::Limit(Vec::new())))),
         explanation: if decided { told.into() } else { kane::audit::Explanation::default() },
+        beside: None,
         standing: match (verdict, label) {
             (Verdict::Refuted, "half") => Some(Standing::Unmet(vec![1])),
             (Verdict::Refuted, _) => Some(Standing::AllMet),

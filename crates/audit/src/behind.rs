@@ -2,6 +2,7 @@
 //! do if it were cited.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 
 use kane_algebra::syntax::{Evaluator, compares};
 use kane_kernel::{
@@ -11,10 +12,10 @@ use kane_kernel::{
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use crate::explain::mentions;
+use crate::explain::{beside, mentions, values};
 use crate::motion::mentioned;
 use crate::prove::{Budget, Decided, Memory, Prover, Verdicts};
-use crate::{Body, Document, Standing};
+use crate::{Assignment, Beside, Body, Document, Standing, Step};
 
 /// Givens that are tried as a further premise.
 const MOST_TRIED: usize = 4;
@@ -40,7 +41,7 @@ impl Witnessed<'_> {
     ///
     /// The witness is continued to a point at which all of them hold. Where that cannot be, another witness is looked for
     /// that can, and takes its place.
-    pub(crate) fn standing(&self, found: &mut Verdicts) -> Option<Standing> {
+    pub(crate) fn standing(&self, found: &mut Verdicts) -> Option<(Standing, Option<Beside>)> {
         let certificate = &found.decided.as_ref()?.certificate;
         let Evidence::Model(model) = &certificate.evidence else { return None };
         if !matches!(certificate.finding, Finding::Refuted | Finding::IllDefined) {
@@ -48,19 +49,42 @@ impl Witnessed<'_> {
         }
         let others = self.others();
         if others.is_empty() {
-            return Some(Standing::AllMet);
+            return Some((Standing::AllMet, None));
         }
-        let Model::Point(point) = model else { return Some(Standing::NotShown) };
+        let Model::Point(point) = model else { return Some((Standing::NotShown, None)) };
         let failing = self.failing(&others, point);
         let finding = certificate.finding;
         let pins = if failing.is_empty() { self.pins(point) } else { Vec::new() };
         let stays = if pins.is_empty() { None } else { self.everywhere(&others, pins, finding) };
         let all_met = stays.or_else(|| self.everywhere(&others, Vec::new(), finding));
-        if let Some(decided) = all_met {
+        if let Some((decided, model)) = all_met {
             found.decided = Some(decided);
-            return Some(Standing::AllMet);
+            let beside = match model {
+                Model::Point(point) => {
+                    Some(Beside { all: true, givens: others, point, further: Vec::new() })
+                }
+                Model::Functions(_) => None,
+            };
+            return Some((Standing::AllMet, beside));
         }
-        Some(if failing.is_empty() { Standing::NotShown } else { Standing::Unmet(failing) })
+        if failing.is_empty() {
+            return Some((Standing::NotShown, None));
+        }
+        let beside = Beside {
+            all: false,
+            givens: failing.clone(),
+            further: self.further_values(&failing, point),
+            point: point.clone(),
+        };
+        Some((Standing::Unmet(failing), Some(beside)))
+    }
+
+    /// The values of the symbols that these givens speak of.
+    fn further_values(&self, givens: &[usize], point: &Point) -> Vec<Assignment> {
+        let said: Vec<Hypothesis> = givens.iter().filter_map(|i| said(self.document, *i)).collect();
+        let context = &self.document.context;
+        let all = said.iter().flat_map(|given| mentions(context, &given.sentence));
+        values(point, &all.collect::<BTreeSet<usize>>())
     }
 
     /// The givens above that are not cited, those first on which the claim rests.
@@ -88,14 +112,6 @@ impl Witnessed<'_> {
         others.retain(|i| {
             stands_for.get(i).is_none_or(|symbols| symbols.iter().any(|v| spoken.contains(v)))
         });
-    }
-
-    /// What a given says.
-    fn said(&self, index: usize) -> Option<Hypothesis> {
-        match &self.document.statements[index].body {
-            Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
-            _ => None,
-        }
     }
 
     /// Those of the givens that fail at a point. Only those are asked whose symbols all have a rational value there.
@@ -130,8 +146,9 @@ impl Witnessed<'_> {
         others: &[usize],
         pins: Vec<Hypothesis>,
         finding: Finding,
-    ) -> Option<Decided> {
-        let given: Vec<Hypothesis> = others.iter().filter_map(|i| self.said(*i)).collect();
+    ) -> Option<(Decided, Model)> {
+        let given: Vec<Hypothesis> =
+            others.iter().filter_map(|i| said(self.document, *i)).collect();
         let is_limit = |link: &Link| matches!(link, Link::Limit(_));
         // a point cannot be held against a limit
         if given.iter().any(|h| h.sentence.links.iter().any(is_limit)) {
@@ -149,8 +166,8 @@ impl Witnessed<'_> {
         let motion = &self.document.motion;
         let moves = !motion.concerns(&all)
             || ids.len() == all.hypotheses.len()
-                && motion.is_met(&all, &ids, &Evidence::Model(model));
-        moves.then_some(decided)
+                && motion.is_met(&all, &ids, &Evidence::Model(model.clone()));
+        moves.then_some((decided, model))
     }
 
     fn prover<'p>(&self, resting: &'p Goal, earlier: &'p RefCell<Vec<Model>>) -> Prover<'p> {
@@ -173,13 +190,32 @@ impl Witnessed<'_> {
             return None;
         }
         let proves = |i: &usize| {
-            let Some(given) = self.said(*i) else { return false };
+            let Some(given) = said(self.document, *i) else { return false };
             let mut goal = self.goal.clone();
             goal.hypotheses.push(given);
             goal.context.lets.clone_from(&self.document.context.lets);
             self.prover(&goal, &RefCell::default()).follows(&goal)
         };
         failing.iter().take(MOST_TRIED).copied().find(proves)
+    }
+}
+
+impl Beside {
+    /// What the givens say there, as a step; each is the hypothesis of its place. The goal is that of the witness.
+    #[must_use]
+    pub fn step(&self, document: &Document, goal: &Goal) -> Step {
+        let givens: Vec<Hypothesis> =
+            self.givens.iter().filter_map(|i| said(document, *i)).collect();
+        let (values, said) = beside(&document.context, &givens, goal, &self.point);
+        Step::Beside { all: self.all, values, said }
+    }
+}
+
+/// What a given says.
+fn said(document: &Document, index: usize) -> Option<Hypothesis> {
+    match &document.statements.get(index)?.body {
+        Body::Given(sentence) => Some(Hypothesis { sentence: sentence.clone(), given: true }),
+        _ => None,
     }
 }
 

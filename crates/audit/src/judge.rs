@@ -430,12 +430,13 @@ fn judge(
             budget,
             work,
         };
-        let standing = witnessed.standing(&mut found);
+        let (standing, beside) = witnessed.standing(&mut found).unzip();
+        let beside = beside.flatten().map(Rc::new);
         read_above |= standing.is_some();
         let would_do = witnessed.would_do(standing.as_ref());
         let judged = link_judgement((&goal, &resting), &cited, found);
         let work = before.saturating_sub(work.left());
-        links.push(LinkJudgement { work, unreached, standing, would_do, at, ..judged });
+        links.push(LinkJudgement { work, unreached, standing, beside, would_do, at, ..judged });
     }
     let worst = links.iter().map(|l| rank(l.verdict)).max().map_or(Verdict::Undecided, |r| r.1);
     let judgement = Judgement {

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use kane_algebra::syntax::NoValue;
-use kane_kernel::{Approach, Atom, Rejection};
+use kane_kernel::{Approach, Atom, Point, Rejection};
 
-use crate::Variable;
+use crate::{Assignment, Variable};
 
 pub use crate::argument::Flaw;
 
@@ -198,6 +198,19 @@ pub struct Unreached {
     pub var: usize,
     /// how it moves
     pub at: Approach,
+}
+
+/// Givens above a claim that it does not cite, and the witness against it at which they are asked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Beside {
+    /// whether these are all of them, and hold there; else they are those that fail
+    pub all: bool,
+    /// which, by their indices
+    pub givens: Vec<usize>,
+    /// the witness, with values for all of which they speak
+    pub(crate) point: Point,
+    /// of symbols in those that fail, the values there
+    pub(crate) further: Vec<Assignment>,
 }
 
 /// How a witness stands to the givens above the claim: whether the claim is false, or only does not follow.

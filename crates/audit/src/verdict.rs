@@ -7,7 +7,7 @@ use kane_kernel::{Certificate, Evidence, Goal};
 
 use crate::argument::Grounds;
 use crate::kept::Kept;
-use crate::{Assignment, Attempt, Open, Proof, Reason, Standing, Unreached, explain};
+use crate::{Assignment, Attempt, Beside, Open, Proof, Reason, Standing, Unreached, explain};
 
 /// How a statement fares. The order is that of increasing trouble for a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -96,6 +96,8 @@ pub struct LinkJudgement {
     pub explanation: Explanation,
     /// how a witness against it stands to the givens above; `None` where there is no such witness
     pub standing: Option<Standing>,
+    /// the givens above that are not cited, at the witness, where there is something to tell of them
+    pub beside: Option<Rc<Beside>>,
     /// why the search ended, when undecided
     pub open: Option<Open>,
     /// what was tried in vain, when undecided
@@ -129,6 +131,7 @@ impl Default for LinkJudgement {
             accepted: None,
             explanation: Explanation::default(),
             standing: None,
+            beside: None,
             open: None,
             attempt: None,
             unreached: None,
@@ -139,9 +142,20 @@ impl Default for LinkJudgement {
 }
 
 impl LinkJudgement {
-    /// The proof or the witness in outline; `None` when undecided.
+    /// The proof or the witness in outline; `None` when undecided. A point has the values that the givens ask for of
+    /// which it is said that they fail there, too.
     #[must_use]
     pub fn reason(&self) -> Option<Reason> {
+        let mut reason = self.own_reason();
+        if let (Some(Reason::Point { values, .. }), Some(beside)) = (&mut reason, &self.beside) {
+            let is_new = |new: &&Assignment| values.iter().all(|old| old.symbol != new.symbol);
+            let further: Vec<_> = beside.further.iter().filter(is_new).cloned().collect();
+            values.extend(further);
+        }
+        reason
+    }
+
+    fn own_reason(&self) -> Option<Reason> {
         match &self.explanation.0 {
             Source::Nothing => None,
             Source::Told(reason, _) => Some(reason.clone()),

@@ -109,4 +109,50 @@ mod tests {
         assert_eq!(verdict, Verdict::Proved);
         assert!(told.contains(none), "{told}");
     }
+
+    /// The lines of what was told that come behind one, down to the next that is not indented further.
+    fn below<'t>(told: &'t str, head: &str) -> Vec<&'t str> {
+        let behind = told.lines().skip_while(|line| line.trim() != head).skip(1);
+        behind.take_while(|line| line.starts_with("      ")).map(str::trim).collect()
+    }
+
+    const GIVENS: &str = "var u > 0, v, w, e >= 0\ngiven rebound: v = -e*u\ngiven other: w = 2*u\n";
+
+    #[test]
+    fn what_is_false_under_all_is_told_with_a_point_at_which_all_can_be_checked() {
+        let (verdict, told) = explained(&format!("{GIVENS}claim c: v = 0 from rebound\n"));
+        assert_eq!(verdict, Verdict::Refuted);
+        let head = "All else that is assumed above holds there too, with w = 2:";
+        assert_eq!(below(&told, head), ["other, w = 2*u: 2 = 2"], "{told}");
+    }
+
+    #[test]
+    fn a_given_that_fails_at_a_witness_is_told_in_numbers_that_the_outline_has() {
+        let (verdict, told) =
+            explained(&format!("{GIVENS}given sum: w + v > 0\nclaim c: u < w from rebound\n"));
+        assert_eq!(verdict, Verdict::Refuted);
+        let outline = told.lines().find(|line| line.starts_with("  refuted: ")).expect("a reason");
+        for symbol in ["u = ", "v = ", "w = "] {
+            assert!(outline.contains(symbol), "{symbol}: {outline}");
+        }
+        let failing = below(&told, "What is assumed above and not cited fails there:");
+        assert!(!failing.is_empty(), "{told}");
+        assert!(failing.iter().all(|line| line.ends_with(" is false")), "{told}");
+    }
+
+    #[test]
+    fn a_premise_that_says_nothing_at_a_point_is_not_told_to_be_false_there() {
+        let conditional =
+            "var x, y\ngiven g: x = 5 when y > 0\nclaim c: x = 1 or x = 5 when y < 0 from g\n";
+        let (verdict, told) = explained(conditional);
+        assert_eq!(verdict, Verdict::Refuted);
+        assert!(told.contains("g says nothing there, since y > 0: "), "{told}");
+        assert!(!told.contains("g, x = 5:"), "{told}");
+        let undefined =
+            "var x\ngiven p: x > 0\nclaim q: x*(1/x) = 1 from p\nclaim c: x != 0 from q\n";
+        let (verdict, told) = explained(undefined);
+        assert_eq!(verdict, Verdict::Refuted);
+        let says = "q says nothing there, since x*(1/x) = 1: undefined (division by zero: x = 0)";
+        assert!(told.contains(says), "{told}");
+    }
 }

@@ -1,9 +1,12 @@
 //! What is shown of an audit.
 
 use kane_algebra::syntax::{Notation as _, latex_name, surface, visible};
-use kane_audit::{Audit, Body, Claim, Content, Judgement, LinkJudgement, Statement, Verdict};
+use kane_audit::{
+    Audit, Beside, Body, Claim, Content, Judgement, LinkJudgement, Proof, Statement, Variable,
+    Verdict,
+};
 use kane_judges::Judge;
-use kane_kernel::{Context, Link, Sentence};
+use kane_kernel::{Conclusion, Context, Goal, Link, Sentence};
 
 use crate::origin::Origin;
 use crate::place::Place;
@@ -340,7 +343,24 @@ impl<'a> Entry<'a> {
     pub(crate) fn steps(&self, link: &LinkJudgement, form: Form) -> Vec<Line> {
         let Some(accepted) = link.accepted.as_deref() else { return Vec::new() };
         let labels = self.labels(&self.judgement.hypotheses);
-        Subject { goal: &accepted.goal, labels: &labels }.steps(&link.steps(), form)
+        let goal = &accepted.goal;
+        let mut lines = Subject { goal, labels: &labels }.steps(&link.steps(), form);
+        if let Some(beside) = &link.beside {
+            lines.extend(self.beside(beside, goal, form));
+        }
+        lines
+    }
+
+    /// What the givens that are not cited say at the witness of a goal.
+    fn beside(&self, beside: &Beside, goal: &Goal, form: Form) -> Vec<Line> {
+        let document = &self.audit.document;
+        let (context, hypotheses) = (document.context.clone(), Vec::new());
+        let (behind, when, conclusion) = (Vec::new(), Vec::new(), Conclusion::Contradiction);
+        let of = Goal { context, hypotheses, behind, when, conclusion };
+        let labels = self.labels(&beside.givens);
+        let variables = (0..of.context.vars.len()).map(Variable::Symbol).collect();
+        let proof = Proof { variables, steps: vec![beside.step(document, goal)] };
+        Subject { goal: &of, labels: &labels }.steps(&proof, form)
     }
 
     /// What a link of the claim says, in the notation of documents.

@@ -28,7 +28,7 @@ use crate::kept::Kept;
 pub(crate) use prune::without_idle;
 pub use step::*;
 pub(crate) use summary::{reason, used};
-pub(crate) use witness::{mentions, model};
+pub(crate) use witness::{beside, mentions, model, values};
 
 /// Work that one explanation may take.
 const FUEL: u64 = 400_000_000;

@@ -212,6 +212,15 @@ pub enum Step {
         /// what the hypotheses, the condition and the claim say there
         said: Vec<Said>,
     },
+    /// What the givens that are not cited say at a point.
+    Beside {
+        /// whether all of them hold there, and not only those fail that are told
+        all: bool,
+        /// the symbols that they speak of besides
+        values: Vec<Assignment>,
+        /// what they say there; each is the hypothesis of its place
+        said: Vec<Said>,
+    },
     /// Functions of one symbol, for which all hypotheses hold and the claim does not.
     Functions {
         /// the symbol
@@ -292,6 +301,9 @@ pub struct Said {
 pub enum Speaker {
     /// the hypothesis with this index
     Hypothesis(usize),
+    /// the hypothesis with this index, which says nothing there: the relation is a condition of it that fails or, of a
+    /// cited claim, what is undefined
+    Idle(usize),
     /// the `when` of the claim
     Condition,
     /// the claim

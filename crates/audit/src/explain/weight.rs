@@ -57,7 +57,7 @@ fn step(step: &Step) -> usize {
             polynomial(&along.poly) + polynomial(&end.poly) + all(otherwise)
         }
         Step::LimitFrom { quotient: q, otherwise, .. } => quotient(q) + all(otherwise),
-        Step::Kept(_) | Step::Point { .. } | Step::Functions { .. } => 0,
+        Step::Kept(_) | Step::Point { .. } | Step::Beside { .. } | Step::Functions { .. } => 0,
     }
 }
 

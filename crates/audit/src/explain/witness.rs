@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 
 use kane_algebra::point::Partial;
 use kane_algebra::rational_function::RationalFunction;
-use kane_algebra::syntax::{Evaluator, Logic, NoValue, eval};
+use kane_algebra::syntax::{Evaluator, Logic, NoValue, compares, eval};
 use kane_kernel::{
-    Approach, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Limit, Link,
-    Model, Point, Proof, Relation, Root, Sentence, Target, expressions,
+    Approach, Conclusion, Context, Expr, Failure, Finding, Fuel, Functions, Goal, Hypothesis,
+    Limit, Link, Model, Point, Proof, Relation, Root, Sentence, Target, expressions,
 };
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -48,9 +48,7 @@ pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
             let coordinates = Coordinates::of(goal, point);
             let mut at = Evaluator::new(&goal.context, &coordinates.at);
             for (h, hypothesis) in goal.hypotheses.iter().enumerate() {
-                // premises are defined; it is the claim that may not be
-                let of = Speaker::Hypothesis(h);
-                said.extend(coordinates.said(&mut at, of, &hypothesis.sentence.links, false));
+                said.extend(coordinates.hypothesis(&mut at, h, hypothesis));
             }
             let when: Vec<Link> = goal.when.iter().cloned().map(Link::Relation).collect();
             said.extend(coordinates.said(&mut at, Speaker::Condition, &when, false));
@@ -75,6 +73,30 @@ pub(super) fn step(goal: &Goal, finding: Finding, model: &Model) -> Step {
             }
         }
     }
+}
+
+/// What givens that are not cited say at the witness of a goal, and the values that this asks for besides.
+pub(crate) fn beside(
+    context: &Context,
+    givens: &[Hypothesis],
+    goal: &Goal,
+    point: &Point,
+) -> (Vec<Assignment>, Vec<Said>) {
+    let speaks = Goal {
+        context: context.clone(),
+        hypotheses: givens.to_vec(),
+        behind: Vec::new(),
+        when: Vec::new(),
+        conclusion: Conclusion::Contradiction,
+    };
+    let coordinates = Coordinates::of(&speaks, point);
+    let mut at = Evaluator::new(&speaks.context, &coordinates.at);
+    let said = givens.iter().enumerate().flat_map(|(h, g)| coordinates.hypothesis(&mut at, h, g));
+    let said = said.collect();
+    let known = mentioned(goal, true);
+    let besides: Vec<usize> =
+        mentioned(&speaks, true).into_iter().filter(|v| !known.contains(v)).collect();
+    (values(point, &besides), said)
 }
 
 /// The coordinates of a point: numbers, or where they are.
@@ -147,6 +169,29 @@ impl<'g> Coordinates<'g> {
         false
     }
 
+    /// What becomes of a hypothesis, the index of which is given; if it says nothing at the point, why.
+    fn hypothesis(&self, at: &mut Evaluator<'_>, h: usize, hypothesis: &Hypothesis) -> Vec<Said> {
+        let Sentence { when, links } = &hypothesis.sentence;
+        let mut told = |r| (r, self.compared(at, r, true));
+        let mut idle = when.iter().map(&mut told).find(|(r, told)| is_false(r, told));
+        // a premise is defined, a cited claim need not be
+        if idle.is_none() && !hypothesis.given {
+            let relations = links.iter().filter_map(|link| match link {
+                Link::Relation(r) => Some(r),
+                Link::Limit(_) => None,
+            });
+            let is_undefined = |told: &Comparison| matches!(told, Comparison::Undefined(..));
+            idle = relations.map(&mut told).find(|(_, told)| is_undefined(told));
+        }
+        match idle {
+            Some((relation, comparison)) => {
+                let (of, relation) = (Speaker::Idle(h), relation.clone());
+                vec![Said { of, relation, comparison, parts: Vec::new() }]
+            }
+            None => self.said(at, Speaker::Hypothesis(h), links, false),
+        }
+    }
+
     /// What becomes of links at the point.
     fn said(
         &self,
@@ -190,6 +235,18 @@ impl<'g> Coordinates<'g> {
             }
             (None, ..) => Comparison::Sides(a, b),
         }
+    }
+}
+
+/// Whether a relation is seen to be false, or to have no meaning.
+fn is_false(relation: &Relation, comparison: &Comparison) -> bool {
+    match comparison {
+        Comparison::Undefined(..) => true,
+        Comparison::Truth(holds) => !holds,
+        Comparison::Sides(Measured::Exact(a), Measured::Exact(b)) => {
+            !compares(relation.rel, a.cmp(b))
+        }
+        Comparison::Sides(..) => false,
     }
 }
 
@@ -245,9 +302,12 @@ fn conclusion(goal: &Goal, finding: Finding, point: &Point) -> Vec<Comparison> {
 }
 
 /// Values of these symbols.
-fn values(point: &Point, symbols: &[usize]) -> Vec<Assignment> {
+pub(crate) fn values<'v>(
+    point: &Point,
+    symbols: impl IntoIterator<Item = &'v usize>,
+) -> Vec<Assignment> {
     let one = |v: &usize| Some(Assignment { symbol: *v, value: value(point, *v)? });
-    symbols.iter().filter_map(one).collect()
+    symbols.into_iter().filter_map(one).collect()
 }
 
 /// Functions for the symbols that the goal mentions.

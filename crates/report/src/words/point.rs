@@ -7,6 +7,9 @@ use super::lines::Sentence;
 use super::teller::Teller;
 use super::value::{assigned, in_numbers, measured};
 
+/// Relations of givens that are not cited of which it is told what they say.
+const MOST_BESIDE: usize = 12;
+
 impl Teller<'_> {
     /// The values, those of definitions, and a line for each relation of a statement.
     pub(super) fn point(
@@ -45,9 +48,37 @@ impl Teller<'_> {
             false => at.end(",").and(Sentence::of("where")).and(defined),
         };
         self.say(depth, at.end(":"));
+        self.all_said(depth + 1, said);
+    }
+
+    /// Whether all givens that are not cited hold there, or which of them fail, and a line for each relation.
+    pub(super) fn beside(&mut self, depth: usize, all: bool, values: &[Assignment], said: &[Said]) {
+        let lead = match all {
+            true => "All else that is assumed above holds there too",
+            false => "What is assumed above and not cited fails there",
+        };
+        let one = |i: usize| self.pen.write(|f| assigned(f, &values[i..=i]).concat());
+        let lead = match values.len() {
+            0 => Sentence::of(lead),
+            count => {
+                let values = Sentence::list((0..count).map(one).collect());
+                Sentence::of(lead).end(",").and(Sentence::of("with")).and(values)
+            }
+        };
+        self.say(depth, lead.end(":"));
+        let told = said.len().min(MOST_BESIDE);
+        self.all_said(depth + 1, &said[..told]);
+        if said.len() > told {
+            let more = format!("and {} more", said.len() - told);
+            self.say(depth + 1, Sentence::of(&more).end("."));
+        }
+    }
+
+    /// A line for each relation of a statement.
+    fn all_said(&mut self, depth: usize, said: &[Said]) {
         for said in said {
             let label = match said.of {
-                Speaker::Hypothesis(h) => match self.labels.get(h) {
+                Speaker::Hypothesis(h) | Speaker::Idle(h) => match self.labels.get(h) {
                     Some(label) => Some(*label),
                     // a given behind the cited claims
                     None => continue,
@@ -55,7 +86,7 @@ impl Teller<'_> {
                 Speaker::Condition | Speaker::Claim => None,
             };
             let told = self.said(label, said);
-            self.say(depth + 1, told);
+            self.say(depth, told);
         }
     }
 
@@ -72,7 +103,11 @@ impl Teller<'_> {
             Comparison::Truth(false) => "false".to_owned(),
             told => in_numbers(f, &said.relation, told),
         });
-        let told = whose.end(",").and(says).end(":").and(numbers);
+        let whose = match said.of {
+            Speaker::Idle(_) => whose.and(Sentence::of("says nothing there, since")),
+            _ => whose.end(","),
+        };
+        let told = whose.and(says).end(":").and(numbers);
         if said.parts.is_empty() {
             return told;
         }

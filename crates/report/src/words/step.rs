@@ -174,6 +174,7 @@ impl Teller<'_> {
                 });
                 self.say(depth, ends);
             }
+            Step::Beside { all, values, said } => self.beside(depth, *all, values, said),
             Step::Point { values, definitions, said } => {
                 self.point(depth, values, definitions, said)
             }
@@ -249,6 +250,7 @@ impl Teller<'_> {
             | Step::Pass { .. }
             | Step::LimitFrom { .. }
             | Step::Point { .. }
+            | Step::Beside { .. }
             | Step::Functions { .. } => return None,
             _ => self.contradiction(step)?,
         })
