@@ -13,7 +13,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::elimination::open_vars;
-use super::search::{Search, Step};
+use super::search::Search;
+use super::simplification::Step;
 use super::{line, tactics};
 use crate::argument::{Argument, Rules as _};
 

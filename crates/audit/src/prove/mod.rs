@@ -65,6 +65,7 @@ mod sample;
 mod search;
 mod series;
 mod settled;
+mod simplification;
 
 mod squares;
 mod squeeze;
