@@ -17,6 +17,10 @@ class Place:
         self.scope = document.scope(values)
         self.memo = {}
 
+    def beside(self, more):
+        """The same place with these values."""
+        return Place(self.document, {**self.values, **more})
+
     def truth(self, label):
         """Of a given: whether it holds. Of a claim: whether it holds as an implication; 'maybe' if the
         page leaves open how a list with an undefined item is read."""

@@ -3,6 +3,8 @@
     At the point x = 1, y = 2, where F = about 1.4142, G is undefined (division by zero):
     g, x = 1: 1 = 1
     the claim, F = y: left side about 1.4142, right side 2
+    All else that is assumed above holds there too, with z = 3:
+    h, z > x: 3 > 1
 """
 
 import re
@@ -10,9 +12,10 @@ from fractions import Fraction
 
 from algebraic import sign
 from point import Ambiguous, Undefined, evaluate, holds
-from reader import Reader, Unreadable, number
+from reader import Reader, Unreadable, number, pairs
 
 HEAD = re.compile(r"^At (?:the point (.*?)|every point)(?:, where (.*))?:$")
+BESIDE = re.compile(r"^(All else that is assumed above holds|What is assumed above and not cited fails) there(?: too)?(?:, with (.*))?:$")
 DEFINED = re.compile(r"(?:^|, )([A-Za-z_][A-Za-z_0-9']*) (?:=|is) ")
 LINE = re.compile(r"^(.*?), (.*?): (undefined \(.*\)|left side .*, right side .*|[^:]*)$")
 ABOUT = re.compile(r"^about (-?)(\d+)\.(\d+)(?:e(-?\d+))?$")
@@ -55,10 +58,10 @@ def fits(text, v):
 
 
 def lines(link):
-    """The lines of a witness; the first, of the point, may be broken where it is long."""
+    """The lines of a witness; those that name values may be broken where they are long."""
     out = []
     for step in link["steps"]:
-        if out and out[-1].startswith("At ") and not out[-1].endswith(":"):
+        if out and out[-1].startswith(("At ", "All else ", "What is assumed ")) and not out[-1].endswith(":"):
             out[-1] += " " + step["text"]
         else:
             out.append(step["text"])
@@ -75,10 +78,14 @@ def relation(text):
 
 def mistakes(link, place):
     """Lines of a witness that are not so at the place; and how many lines were read."""
-    wrong, read = [], 0
+    wrong, read, all_hold = [], 0, False
     for text in lines(link):
-        head = point(text)
+        head, beside = point(text), BESIDE.match(text)
         try:
+            if beside is not None:
+                all_hold = beside.group(1).endswith("holds")
+                place = place.beside({n: number(v, {}) for n, v in pairs(beside.group(2) or "")})
+                continue
             if head is not None:
                 for name, said in head[1].items():
                     read += 1
@@ -92,7 +99,8 @@ def mistakes(link, place):
             if ";" in said or said in ("true", "false"):
                 continue
             read += 1
-            if not so(relation(written), said, place):
+            fails = said.endswith(" is false") or said.startswith("undefined")
+            if not so(relation(written), said, place) or all_hold and fails:
                 wrong.append(text)
         except (Unreadable, Ambiguous, KeyError):
             continue

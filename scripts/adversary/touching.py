@@ -14,6 +14,7 @@ import re
 import sys
 import time
 from decimal import Decimal
+from fractions import Fraction
 
 import told
 import witness
@@ -45,7 +46,11 @@ class Place:
     """A point for those who ask exactly."""
 
     def __init__(self, values):
-        self.scope = Scope({}, values)
+        self.values, self.scope = values, Scope({}, values)
+
+    def beside(self, more):
+        """The same place with these values."""
+        return Place({**self.values, **more})
 
 
 def in_digits(v):
@@ -187,6 +192,12 @@ def selftest():
     assert seen(wrong, said("refuted", "a = 1, b = -1")), "it is not defined there"
     assert seen(wrong, said("ill-defined", "a = 1, b = 1")), "it is defined there"
     assert seen(wrong, said("vacuous")), "the premises hold somewhere"
+    beside = said("refuted", "a = 1, b = 4")["links"][0]
+    for last, is_so in [("g, b > a: 4 > 1", True), ("g, w > b: 5 > 4", True), ("g, w > b: 4 > 4", False), ("g, w < b: 5 < 4 is false", False)]:
+        head = "All else that is assumed above holds there too, with w = 5:"
+        steps = [*beside["steps"], *({"depth": 1, "text": text} for text in (head, last))]
+        place = Place({"a": Fraction(1), "b": Fraction(4)})
+        assert bool(told.mistakes({"steps": steps}, place)[0]) is not is_so, last
 
 
 def main():
