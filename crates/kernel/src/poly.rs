@@ -95,6 +95,12 @@ struct Terms {
     ends: Vec<(usize, BigInt)>,
 }
 
+impl Terms {
+    fn with_room(powers: usize, terms: usize) -> Self {
+        Self { powers: Vec::with_capacity(powers), ends: Vec::with_capacity(terms) }
+    }
+}
+
 /// The sum of terms in any order.
 fn sum(all: Terms) -> Poly {
     let all = Poly(Rc::new(all));
@@ -106,8 +112,7 @@ fn sum(all: Terms) -> Poly {
 
 fn summed(mut terms: Vec<(&[Power], &BigInt)>) -> Poly {
     terms.sort_by_key(|t| t.0);
-    let powers = Vec::with_capacity(terms.iter().map(|t| t.0.len()).sum());
-    let mut sum = Terms { powers, ends: Vec::with_capacity(terms.len()) };
+    let mut sum = Terms::with_room(terms.iter().map(|t| t.0.len()).sum(), terms.len());
     for same in terms.chunk_by(|a, b| a.0 == b.0) {
         let c = same[1..].iter().fold(same[0].1.clone(), |sum, t| sum + t.1);
         if !c.is_zero() {
@@ -171,12 +176,8 @@ impl Poly {
     /// c·m, the zero polynomial if c = 0; the monomial in any order.
     #[must_use]
     pub fn term(m: Monomial, c: BigInt) -> Self {
-        if c.is_zero() {
-            return Self::default();
-        }
         let powers = canonical(m);
-        let ends = vec![(powers.len(), c)];
-        Self(Rc::new(Terms { powers, ends }))
+        sum(Terms { ends: vec![(powers.len(), c)], powers })
     }
 
     /// The sum of c·m over all (m, c); monomials in any order.
@@ -212,8 +213,7 @@ impl Poly {
     /// Its value if it is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<BigInt> {
-        let first = self.0.ends.first().map_or_else(BigInt::zero, |t| t.1.clone());
-        self.is_constant().then_some(first)
+        self.is_constant().then(|| self.0.ends.first().map_or_else(BigInt::zero, |t| t.1.clone()))
     }
 
     /// Whether it is a constant.
@@ -281,9 +281,8 @@ impl Poly {
     /// # Errors
     /// [`Rejection::Budget`].
     pub fn mul(&self, other: &Self, fuel: &Fuel) -> Checked<Self> {
-        let size = |p: &Self| u64::try_from(p.len()).unwrap_or(u64::MAX);
         let words = |p: &Self| 1 + p.bits() / 64;
-        let pairs = size(self).saturating_mul(size(other));
+        let pairs = (self.len() as u64).saturating_mul(other.len() as u64);
         // what is held before like terms are added up: memory, where `pairs` is time
         let held = |p: &Self| p.len() + p.0.powers.len();
         if held(self).saturating_mul(held(other)) > WIDEST {
@@ -291,18 +290,13 @@ impl Poly {
         }
         fuel.spend(pairs.saturating_mul(words(self)).saturating_mul(words(other)))?;
         // terms are as long as they have powers, and are sorted, which its own budget does not count
-        let powers = |p: &Self| u64::try_from(p.0.powers.len()).unwrap_or(u64::MAX);
-        let long = powers(self).saturating_mul(size(other));
-        let long = long.saturating_add(powers(other).saturating_mul(size(self)));
-        fuel.spend_beyond(long.saturating_mul(1 + u64::from(pairs.max(1).ilog2())) / 8)?;
+        let long = self.0.powers.len() * other.len() + other.0.powers.len() * self.len();
+        fuel.spend_beyond(long as u64 * (1 + u64::from(pairs.max(1).ilog2())) / 8)?;
         let one = |p: &Self| matches!(&p.0.ends[..], [(0, c)] if c.is_one());
         if one(self) || one(other) {
             return Ok(if one(self) { other } else { self }.clone());
         }
-        let (terms, powers) = (self.len() * other.len(), self.0.powers.len() * other.len());
-        let powers = powers + other.0.powers.len() * self.len();
-        let mut product =
-            Terms { powers: Vec::with_capacity(powers), ends: Vec::with_capacity(terms) };
+        let mut product = Terms::with_room(long, self.len() * other.len());
         for (m, c) in self.terms() {
             for (n, d) in other.terms() {
                 times(m, n, &mut product.powers)?;
@@ -362,9 +356,7 @@ impl Poly {
     /// Coefficient of vⁿ; free of v. However large n is, it takes no more room than the polynomial.
     #[must_use]
     pub fn coefficient(&self, v: usize, n: u32) -> Self {
-        let room = self.0.powers.len();
-        let mut out =
-            Terms { powers: Vec::with_capacity(room), ends: Vec::with_capacity(self.len()) };
+        let mut out = Terms::with_room(self.0.powers.len(), self.len());
         for (m, c) in self.terms().filter(|(m, _)| exponent(m, v) == n) {
             out.powers.extend(m.iter().filter(|p| p.0 != v));
             out.ends.push((out.powers.len(), c.clone()));
@@ -411,19 +403,16 @@ impl Poly {
     /// [`Rejection::Budget`].
     pub fn remainder(&self, v: usize, equation: &Self, even: bool, fuel: &Fuel) -> Checked<Self> {
         let degree = equation.degree(v);
-        if self.degree(v) < degree {
-            return Ok(self.clone());
-        }
-        let lead = equation.coefficient(v, degree);
+        let lead = || equation.coefficient(v, degree);
         let (mut rest, mut odd) = (self.clone(), false);
         while degree > 0 && rest.degree(v) >= degree {
             // lead·p − top·vᵏ·equation loses the top power.
             let shift = Self::power(v, rest.degree(v) - degree);
             let top = rest.coefficient(v, rest.degree(v)).mul(&shift, fuel)?;
-            rest = rest.mul(&lead, fuel)?.sub(&top.mul(equation, fuel)?);
+            rest = rest.mul(&lead(), fuel)?.sub(&top.mul(equation, fuel)?);
             odd = !odd;
         }
-        if even && odd { rest.mul(&lead, fuel) } else { Ok(rest) }
+        if even && odd { rest.mul(&lead(), fuel) } else { Ok(rest) }
     }
 }
 
