@@ -108,6 +108,17 @@ impl Algebraic {
         }
     }
 
+    /// The number written out, `3/2` or `1 - sqrt(2)`, where a fraction and one square root of an integer can; exact.
+    /// `None` for others, which [`Display`](fmt::Display) names by a polynomial.
+    #[must_use]
+    pub fn written_out(&self) -> Option<String> {
+        match &self.0 {
+            Kind::Rational(exact) => Some(exact.to_string()),
+            Kind::Surd(surd) => Some(surd.to_string()),
+            Kind::Element(_) => None,
+        }
+    }
+
     /// A square-free polynomial that is zero here, by ascending powers: coprime integers, the
     /// last one positive. The minimal polynomial, unless a factorisation remained incomplete.
     #[must_use]

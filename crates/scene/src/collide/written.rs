@@ -13,13 +13,10 @@ const SHORT: usize = 24;
 /// first 20 significant digits, cut and not rounded, with an ellipsis if others follow.
 #[must_use]
 pub fn written(exact: &Algebraic) -> String {
-    let in_full = exact.as_rational().map_or_else(String::new, Rational::to_string);
-    if !in_full.is_empty() && in_full.len() <= SHORT {
-        return in_full;
-    }
-    let in_full = if in_full.is_empty() { exact.to_string() } else { String::new() };
     // a root that is named by its polynomial is a description, not a value
-    if !in_full.is_empty() && in_full.len() <= SHORT && !in_full.starts_with("root") {
+    if let Some(in_full) = exact.written_out()
+        && in_full.len() <= SHORT
+    {
         return in_full;
     }
     let mut bits = 128;
@@ -95,12 +92,15 @@ mod tests {
         written(&Algebraic::from(parse(text).expect("a literal")))
     }
 
+    fn of_two() -> Algebraic {
+        Algebraic::from(parse("2").expect("a literal"))
+    }
+
     #[test]
     fn a_short_number_is_written_in_full() {
         assert_eq!(of("0.092"), "23/250");
         assert_eq!(of("0"), "0");
-        let two = Algebraic::from(parse("2").expect("a literal"));
-        assert_eq!(written(&two.sqrt().expect("2 is positive")), "sqrt(2)");
+        assert_eq!(written(&of_two().sqrt().expect("2 is positive")), "sqrt(2)");
     }
 
     #[test]
@@ -110,6 +110,14 @@ mod tests {
         assert_eq!(of("1e30"), "1e30");
         assert_eq!(of("-1.25e-30"), "-1.25e-30");
         assert_eq!(of("2000000000000000000000003/3000000000000"), "666666666666.66666666…");
+    }
+
+    #[test]
+    fn a_root_of_a_root_has_no_polynomial_but_digits() {
+        let root = |exact: &Algebraic| exact.sqrt().expect("it is positive");
+        let nested = root(&(Algebraic::from(Rational::from_integer(1.into())) + root(&of_two())));
+        assert_eq!((nested.written_out(), &*written(&nested)), (None, "1.5537739740300373073…"));
+        assert_eq!(root(&of_two()).written_out().as_deref(), Some("sqrt(2)"));
     }
 
     #[test]
