@@ -125,7 +125,7 @@ pub fn log(path: impl AsRef<Path>) -> Tested {
     if study.rows > 0 && study.as_expected() {
         return Ok(());
     }
-    let command = format!("kane check {name}");
+    let command = format!("kane check {}", crate::report::quoted_file(&name));
     let report = RecordsReport { study: &study, log: &name, command: &command };
     Err(Failure(sheet(&report).text(Page::default())))
 }

@@ -19,7 +19,7 @@ use kane::report::remarks;
 
 use super::args::{CheckArgs, CheckFormat, Format};
 use super::delivery::Written;
-use super::input::quoted;
+use super::input::{quoted, quoted_file};
 use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Bytes that are read at once.
@@ -169,7 +169,7 @@ fn studied(args: &CheckArgs, log: &Path, options: &Options<'_>) -> Result<Study,
 
 /// The command that prints the report again.
 fn command(args: &CheckArgs, name: &str) -> String {
-    let mut command = format!("kane check {}", quoted(name));
+    let mut command = format!("kane check {}", quoted_file(name));
     if let Some(preset) = &args.preset {
         command.push_str(&format!(" --preset {preset}"));
     }

@@ -14,7 +14,7 @@ use kane::scene::read;
 use super::args::{BodyArgs, CollideArgs};
 use super::carried::{self, COLLISIONS};
 use super::ids::{law_ids, parameter_ids, unknown};
-use super::input::quoted;
+use super::input::{quoted, quoted_file};
 use super::{Outcome, bad_input, deliver, forms, output};
 
 /// Runs the verb.
@@ -164,7 +164,7 @@ fn question_of(path: &Path, flags: &BodyArgs) -> Result<Question, Fault> {
             .map_err(|error| carried::unreadable(path, &error, "toml", &COLLISIONS))?,
     };
     let mut question = read::collision(&name, &text)?;
-    question.command = format!("kane collide {}", quoted(&name));
+    question.command = format!("kane collide {}", quoted_file(&name));
     Ok(question)
 }
 

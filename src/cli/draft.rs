@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use kane::algebra::syntax::visible;
 use kane::audit::{Diagnostic, read};
 use kane::latex::{Draft, Format, draft};
 
@@ -18,7 +19,7 @@ pub(super) fn run(args: &DraftArgs) -> Outcome {
     let (inputs, unreadable) = input::read(std::slice::from_ref(&args.file));
     let Some(input) = inputs.into_iter().next() else {
         let messages: Vec<String> = unreadable.into_iter().map(|file| file.message).collect();
-        return bad_input(&messages.join("\n"));
+        return bad_input(&messages.join("; "));
     };
     if input.bytes.len() > kane::audit::MAX_FILE_BYTES {
         let most = kane::audit::MAX_FILE_BYTES;
@@ -78,9 +79,12 @@ fn summary(name: &str, draft: &Draft) -> String {
         .iter()
         .filter_map(|equation| Some((equation, equation.fault.as_ref()?)))
         .collect();
+    let name = visible(name);
     let mut out = format!("{name}: {} of {all} equations are statements now\n", all - unread.len());
     for (equation, fault) in unread {
-        let _ = writeln!(out, "  line {}: {} is not read: {fault}", equation.line, equation.label);
+        let (label, fault) = (visible(&equation.label), fault.to_string());
+        let fault = visible(&fault);
+        let _ = writeln!(out, "  line {}: {label} is not read: {fault}", equation.line);
     }
     out
 }

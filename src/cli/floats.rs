@@ -11,7 +11,7 @@ use kane::report::floats::{FloatsReport, json, questions, sheet, sources};
 
 use super::args::StabilityArgs;
 use super::delivery::Written;
-use super::input::{Input, quoted};
+use super::input::{Input, quoted, quoted_file};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, forms, output};
 
@@ -27,7 +27,8 @@ pub(super) fn run(args: &StabilityArgs, input: &Input, file: &Path, ranges: &Ran
         Err(outcome) => return outcome,
     };
     let accounts = accounts(cores, args.rounded_inputs);
-    let command = format!("kane stability {}{}", quoted(&file.display().to_string()), flags(args));
+    let command =
+        format!("kane stability {}{}", quoted_file(&file.display().to_string()), flags(args));
     let report = FloatsReport { name: input.name.clone(), accounts: &accounts, command };
     let sheet = sheet(&report);
     let shown = || forms::printed(args.format, &sheet, || json(&report));

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, StyledStr};
 use clap::error::{ContextKind, ContextValue, Error};
 use clap::{Command, CommandFactory as _, ValueHint};
 
+use kane::algebra::syntax::visible;
 use kane::impact::laws;
 use kane::scene::model_names;
 
@@ -84,6 +85,30 @@ pub(super) fn with_format(
     {
         let tip = StyledStr::from(format!("the form of a report is `--format {form}`"));
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+    }
+    error
+}
+
+/// The error with what was typed on one line, and all of it seen: a workflow reads lines as commands.
+pub(super) fn seen(mut error: Error) -> Error {
+    let text = |text: &String| visible(text).into_owned();
+    let tip = |tip: &StyledStr| {
+        let plain = tip.to_string();
+        if visible(&plain) == plain { tip.clone() } else { text(&plain).into() }
+    };
+    let typed = error.context().filter_map(|(kind, value)| {
+        let value = match value {
+            ContextValue::String(one) => ContextValue::String(text(one)),
+            ContextValue::Strings(all) => ContextValue::Strings(all.iter().map(text).collect()),
+            ContextValue::StyledStrs(all) => {
+                ContextValue::StyledStrs(all.iter().map(tip).collect())
+            }
+            _ => return None,
+        };
+        Some((kind, value))
+    });
+    for (kind, value) in typed.collect::<Vec<_>>() {
+        error.insert(kind, value);
     }
     error
 }

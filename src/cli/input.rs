@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::carried::{self, DERIVATIONS};
 
+pub(super) use kane::report::{quoted, quoted_file};
+
 /// The paper, carried along so that an installed program needs no checkout.
 const PAPER: &str = include_str!("../../docs/derivations/oblique-collision.md");
 /// Where the paper stands in a checkout.
@@ -70,7 +72,7 @@ pub(super) fn read(files: &[PathBuf]) -> (Vec<Input>, Vec<Unreadable>) {
             Ok(bytes) => inputs.push(Input {
                 name,
                 stem,
-                command: format!("kane audit {}", quoted(&file.display().to_string())),
+                command: format!("kane audit {}", quoted_file(&file.display().to_string())),
                 bytes,
             }),
             Err(error) => {
@@ -101,26 +103,4 @@ fn load(file: &PathBuf) -> io::Result<Vec<u8>> {
 /// Whether a file is written as `-`. A file of that name is `./-`.
 fn is_standard_input(file: &Path) -> bool {
     file.as_os_str() == "-"
-}
-
-/// The word as a shell takes it.
-pub(super) fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./+:=@,%".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn a_shell_reads_the_word_back() {
-        assert_eq!(quoted("docs/two-body.md"), "docs/two-body.md");
-        assert_eq!(quoted("(9)"), "'(9)'");
-        assert_eq!(quoted("it's"), r"'it'\''s'");
-    }
 }

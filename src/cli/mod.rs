@@ -32,6 +32,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::FromArgMatches as _;
+use kane::algebra::syntax::visible;
 
 use args::{Cli, Verb};
 use delivery::Written;
@@ -67,7 +68,7 @@ pub(crate) fn run() -> ExitCode {
     let command = help::command().color(when.of_help());
     let matches = command
         .try_get_matches()
-        .unwrap_or_else(|error| help::with_format(error, std::env::args_os()).exit());
+        .unwrap_or_else(|error| help::seen(help::with_format(error, std::env::args_os())).exit());
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     output::choose(cli.color);
     let outcome = match cli.verb {
@@ -88,8 +89,10 @@ pub(crate) fn run() -> ExitCode {
 }
 
 /// Reports on standard error that the run cannot go on. A closed standard error leaves the exit code to speak.
+///
+/// It is one line, whatever names of files and values stand in it: a workflow reads lines as commands.
 fn bad_input(message: &str) -> Outcome {
-    output::to_stderr(&format!("error: {message}\n"));
+    output::to_stderr(&format!("error: {}\n", visible(message)));
     Outcome::BadInput
 }
 

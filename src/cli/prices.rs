@@ -11,7 +11,7 @@ use kane::report::prices::{PricesReport, csv, json, sheet};
 
 use super::args::ChartArgs;
 use super::delivery::Written;
-use super::input::{self, Input, quoted};
+use super::input::{self, Input, quoted_file};
 use super::machine::machine;
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, floats, forms, output};
@@ -42,7 +42,7 @@ pub(super) fn run(args: &ChartArgs, file: &Path, effort: Effort) -> Outcome {
         }
     }
     drop(progress);
-    let mut command = format!("kane chart {}", quoted(&file.display().to_string()));
+    let mut command = format!("kane chart {}", quoted_file(&file.display().to_string()));
     command.push_str(&floats::range_flags(&args.range, args.full_line));
     command.push_str(if args.quick { " --quick" } else { "" });
     let name = input.name.clone();

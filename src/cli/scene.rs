@@ -7,7 +7,7 @@ use kane::scene::{Effort, Model, Verdict, answer, read};
 use super::args::SceneArgs;
 use super::carried::{self, SCENES};
 use super::delivery::Written;
-use super::input::quoted;
+use super::input::{quoted, quoted_file};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, forms, output};
 
@@ -46,7 +46,7 @@ pub(super) fn run(args: &SceneArgs) -> Outcome {
             return Outcome::Nothing;
         }
     };
-    let mut command = format!("kane scene {}", quoted(&name));
+    let mut command = format!("kane scene {}", quoted_file(&name));
     if let Some(model) = &args.model {
         command.push_str(&format!(" --model {}", quoted(model)));
     }

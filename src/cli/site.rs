@@ -134,7 +134,8 @@ fn derivation(document: &Document) -> Result<kane::audit::Document, Outcome> {
     let name = format!("{}.md", document.stem);
     kane::audit::read(&name, document.text.as_bytes()).map_err(|faults| {
         let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-        bad_input(&faults.join("\n"))
+        output::to_stderr(&format!("error: {}\n", faults.join("\n")));
+        Outcome::BadInput
     })
 }
 

@@ -9,7 +9,7 @@ use kane::report::stability::{StabilityReport, csv, json, sheet};
 
 use super::args::StabilityArgs;
 use super::delivery::Written;
-use super::input::{self, quoted};
+use super::input::{self, quoted_file};
 use super::progress::Progress;
 use super::{Outcome, bad_input, deliver, floats, forms, output};
 
@@ -54,7 +54,11 @@ pub(super) fn run(args: &StabilityArgs) -> Outcome {
     let command = match &args.file {
         None => format!("kane stability{}", floats::flags(args)),
         Some(file) => {
-            format!("kane stability {}{}", quoted(&file.display().to_string()), floats::flags(args))
+            format!(
+                "kane stability {}{}",
+                quoted_file(&file.display().to_string()),
+                floats::flags(args)
+            )
         }
     };
     let report = StabilityReport { stability: &stability, accounts: &accounts, command };

@@ -3,8 +3,9 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
-use crate::{kane, scratch};
+use crate::{command, finish, kane, scratch};
 
 /// Erases the line, goes back to its start, conceals what follows; one character for the first two;
 /// turns the order; stops it.
@@ -141,4 +142,86 @@ fn the_title_of_a_scene_cannot_speak_for_the_program() {
     let run = kane(&["scene", &broken]);
     assert_eq!(run.code, 2);
     assert_clean("standard error", &run.stderr);
+}
+
+/// A name of a file, or a value, with an end of a line in it: a workflow would take what follows for a command, and a
+/// reader for a verdict.
+#[test]
+#[cfg(unix)]
+fn no_name_of_a_file_or_of_a_row_begins_a_line() {
+    const NAME: &str = "a\n::error::x\nclaim (1): proved";
+    let dir = scratch("line-in-a-name");
+    let write = |ending: &str, text: &str| {
+        let path = dir.join(format!("{NAME}{ending}"));
+        fs::write(&path, text).expect("the scratch folder is ours");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let head =
+        "mass,inertia,rx,ry,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post,id,pair\n";
+    let row = format!(
+        "1,0.4,0,-1,0.1,0.5,2.123456789,-1,0,1.973456789,0.5,-0.75,\"{NAME}\",\"{NAME}\"\n"
+    );
+    let log = write(".csv", &format!("{head}{row}"));
+    let words = write(".md", "```kane\nvar x > 0\nlet f := x + 1\n```\n");
+    let collision = write(".toml", include_str!("../../docs/collisions/rod-tip.toml"));
+    let scene = write("-scene.toml", include_str!("../../docs/scenes/squeezed.toml"));
+    let gone = dir.join(format!("{NAME}-gone")).to_str().expect("UTF-8").to_owned();
+    let runs: [&[&str]; 17] = [
+        &["check", &log],
+        &["check", &log, "--format", "markdown"],
+        &["check", &log, "--baseline", &log],
+        &["check", &log, "--row", "99"],
+        &["check", &gone],
+        &["stability", &words],
+        &["draft", &words],
+        &["audit", &gone],
+        &["audit", "--only", NAME],
+        &["collide", &collision],
+        &["collide", &gone],
+        &["collide", "--body", NAME],
+        &["scene", &scene],
+        &["scene", "rest", "--model", NAME],
+        &["scene", "rest", "--format", NAME],
+        &["check", "--a", NAME],
+        &[NAME],
+    ];
+    for arguments in runs {
+        let run = kane(arguments);
+        for line in run.stdout.lines().chain(run.stderr.lines()) {
+            let begun = ["::error", "claim (1): proved"]
+                .iter()
+                .any(|begin| line.trim_start().starts_with(begin));
+            assert!(!begun, "{arguments:?}: {line}");
+        }
+    }
+}
+
+/// What a report says to run is run by a shell, from files that are hard to name.
+#[test]
+#[cfg(unix)]
+fn a_command_that_a_report_tells_prints_it_again() {
+    let dir = scratch("command-of-a-name");
+    let names = ["a\n$(touch x)'\u{1b}\u{202e}\\é", "-v", "it's `x`", "a b\t;c"];
+    let log = "mass,inertia,rx,ry,mu,e,vx_pre,vy_pre,omega_pre,vx_post,vy_post,omega_post\n1,0.4,0,-1,0.1,0.5,2,-1,0,1.85,0.5,-0.375\n";
+    for name in names {
+        let files = [
+            ("check", format!("{name}.csv"), log),
+            ("audit", format!("{name}.md"), "# T\n\n```kane\nvar x\nclaim a: x = x\n```\n"),
+            ("collide", format!("{name}.toml"), include_str!("../../docs/collisions/rod-tip.toml")),
+            ("scene", format!("{name}-s.toml"), include_str!("../../docs/scenes/squeezed.toml")),
+        ];
+        for (verb, file, text) in &files {
+            write(&dir.join(file), text);
+            let run = command().current_dir(&dir).args([verb, "--", &**file]).output();
+            let told = finish(run.expect("it starts")).stdout;
+            let last = told.trim_end().lines().next_back().unwrap_or_default();
+            let (_, again) = last.split_once(": kane ").expect("a command");
+            let shell = format!("{} {again}", env!("CARGO_BIN_EXE_kane"));
+            let run = Command::new("bash").args(["-c", &shell]).current_dir(&dir).output();
+            let printed = finish(run.expect("bash")).stdout;
+            // a name that looks like a flag is told as the file that it names
+            assert_eq!(printed.replace("./-", "-"), told.replace("./-", "-"), "{again}");
+        }
+    }
+    assert!(!dir.join("x").exists());
 }

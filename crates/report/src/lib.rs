@@ -39,6 +39,7 @@ pub mod scene;
 #[cfg(feature = "schema")]
 mod schema;
 mod sheet;
+mod shell;
 mod shorten;
 pub mod site;
 pub mod stability;
@@ -60,5 +61,6 @@ pub use report::{Picture, Report};
 #[cfg(feature = "schema")]
 pub use schema::schemas;
 pub use sheet::{Page, Sheet};
+pub use shell::{quoted, quoted_file};
 pub use summary::Summary;
 pub use text::text;

@@ -122,7 +122,7 @@ impl Excerpt {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "error: {}", shown(&self.message))?;
+        writeln!(f, "error: {}", visible(&self.message))?;
         let number = self.line.to_string();
         let margin = " ".repeat(number.len());
         writeln!(f, "{margin}--> {}:{}:{}", visible(&self.file), self.line, self.column)?;
@@ -134,15 +134,10 @@ impl fmt::Display for Diagnostic {
             writeln!(f, "{margin} | {indent}{carets}")?;
         }
         if let Some(note) = &self.note {
-            writeln!(f, "{margin} = {}", shown(note))?;
+            writeln!(f, "{margin} = {}", visible(note))?;
         }
         Ok(())
     }
-}
-
-/// The lines of a message with what cannot be seen written out.
-fn shown(message: &str) -> String {
-    message.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
 /// The nearest character boundary at or before `at`.

@@ -2,10 +2,12 @@
 
 use std::fmt::Write as _;
 
+use kane_algebra::syntax::visible;
+
 use super::palette::{Ink, Pen, STYLE};
 use super::trace::trace;
 use super::{LEADING, NUMBERS, Point, TITLE, broken, count};
-use crate::words::escaped;
+use crate::words;
 
 /// Where words stand from their place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,7 +161,7 @@ impl Canvas {
             self.body,
             "<text{class} x=\"{}\" y=\"{y}\"{down}{font}{more}>{}</text>",
             short(x),
-            escaped(words)
+            shown(words)
         );
     }
 
@@ -179,17 +181,22 @@ impl Canvas {
             let y = height - below + LEADING * (count(line) + 0.6);
             frame.words((MARGIN, y), note, NUMBERS, Anchor::Start);
         }
-        let (w, h, title) = (short(width), short(height), escaped(&title));
+        let (w, h, title) = (short(width), short(height), shown(&title));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"kane\" role=\"img\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\">\n\
              <title>{title}</title>\n<desc>{}</desc>\n<style>{STYLE}</style>\n\
              <rect class=\"p\" fill=\"currentColor\" width=\"{w}\" height=\"{h}\"/>\n{}\
              <g transform=\"translate(0 {})\">\n{body}</g>\n</svg>\n",
-            escaped(&described),
+            shown(&described),
             frame.body,
             short(above),
         )
     }
+}
+
+/// Words as XML, which has no way to write control characters.
+fn shown(text: &str) -> String {
+    words::escaped(&visible(text))
 }
 
 fn place((x, y): Point, radius: f64) -> String {
@@ -219,5 +226,17 @@ mod tests {
         assert!(svg.contains("<title>k &lt; 0 &amp; more</title>\n<desc>what it shows</desc>"));
         assert!(svg.contains("prefers-color-scheme:dark"));
         assert!(svg.contains("class=\"c0 line\" stroke-width=\"2\" d=\"M0 .33l10-.33\""));
+    }
+
+    #[test]
+    fn words_of_a_picture_are_seen_and_end_nothing() {
+        let hostile = "</desc><script>\u{1b}\u{202e}\n";
+        let mut canvas = Canvas::new((100.0, 50.0), hostile, &[hostile.to_owned()]);
+        canvas.words((1.0, 1.0), hostile, TITLE, Anchor::Start);
+        let svg = canvas.finish();
+        let shown = r"&lt;/desc&gt;&lt;script&gt;\u{1b}\u{202e}";
+        // as title, description, their lines, and words
+        assert_eq!(svg.matches(shown).count(), 5, "{svg}");
+        assert!(!svg.contains("<script") && !svg.contains(['\u{1b}', '\u{202e}']), "{svg}");
     }
 }

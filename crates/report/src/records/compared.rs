@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use kane_algebra::syntax::visible;
 use kane_records::comparison::{Change, Comparison};
 use kane_records::friction::FrictionLaw;
 use kane_records::restitution::NormalLaw;
@@ -14,6 +15,7 @@ use crate::envelope::{Program, Schema, written};
 /// What changed, for people; the names are those of the older and the newer log.
 #[must_use]
 pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> String {
+    let [old, new] = [old, new].map(|name| visible(name));
     let mut out = format!("{new}, against {old}\n{}\n", news(comparison));
     if !comparison.compares() {
         let _ = writeln!(out, "\n       {}", rejected(comparison));

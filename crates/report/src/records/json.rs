@@ -129,7 +129,7 @@ pub fn json(report: &RecordsReport<'_>) -> String {
                 "check": worst.check.id(),
                 "residual": worst.finding.residual,
                 "tolerance": worst.finding.tolerance,
-                "replay": replayed(worst, report.log),
+                "replay": replayed(worst, report),
                 "file": file,
             })
         })

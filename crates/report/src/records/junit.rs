@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use kane_algebra::syntax::visible;
 use kane_records::comparison::Comparison;
 
 use super::RecordsReport;
@@ -140,22 +141,16 @@ fn suite(name: &str, headline: &str, tests: &[Test]) -> String {
     out
 }
 
-/// The words as XML has them; characters that XML 1.0 has no way to write become U+FFFD.
+/// The words as XML has them, on one line; what XML 1.0 has no way to write, or nobody sees, is written out or becomes U+FFFD.
 fn escaped(words: &str) -> String {
     let mut out = String::with_capacity(words.len());
-    for c in words.chars() {
+    for c in visible(words).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            c if c < ' '
-                || ('\u{7f}'..='\u{9f}').contains(&c)
-                || c == '\u{fffe}'
-                || c == '\u{ffff}' =>
-            {
-                out.push('\u{fffd}');
-            }
+            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
             c => out.push(c),
         }
     }

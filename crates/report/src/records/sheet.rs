@@ -62,7 +62,7 @@ pub fn sheet<'a>(report: &RecordsReport<'a>) -> Sheet<'a> {
         let line = |worst: &kane_records::worst::Worst| {
             let left = residual(worst.check, &worst.finding);
             let what = format!("{}: {} - left {left}", name(worst), asks(worst.check));
-            [Entry::new("row", what), Entry::new("", Words::code(replayed(worst, report.log)))]
+            [Entry::new("row", what), Entry::new("", Words::code(replayed(worst, report)))]
         };
         sheet.labelled(study.worst.iter().flat_map(line).collect());
     }

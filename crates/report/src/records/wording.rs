@@ -18,6 +18,7 @@ use kane_records::untold::Untold;
 use kane_records::worst::Worst;
 
 use super::RecordsReport;
+use crate::shell::quoted_file;
 use crate::wording::number_of;
 
 /// A float in few digits.
@@ -292,8 +293,8 @@ pub(super) fn log_facts(report: &RecordsReport<'_>) -> String {
     text
 }
 
-/// How to see what laws say of a row.
-pub(super) fn replayed(worst: &Worst, log: &str) -> String {
+/// How to see what laws say of a row: with what the log was read by, where a command line read it.
+pub(super) fn replayed(worst: &Worst, report: &RecordsReport<'_>) -> String {
     match &worst.replay {
         Replay::Flags(flags) => format!("kane collide {flags}"),
         Replay::File(_) if worst.line == 0 => {
@@ -301,7 +302,11 @@ pub(super) fn replayed(worst: &Worst, log: &str) -> String {
         }
         Replay::File(_) => {
             let line = worst.line;
-            format!("kane check {log} --row {line} > row-{line}.toml; kane collide row-{line}.toml")
+            let check = match report.command.starts_with("kane check ") {
+                true => report.command.to_owned(),
+                false => format!("kane check {}", quoted_file(report.log)),
+            };
+            format!("{check} --row {line} > row-{line}.toml; kane collide row-{line}.toml")
         }
     }
 }

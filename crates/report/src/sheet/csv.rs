@@ -1,13 +1,15 @@
 //! Rows for spreadsheets and plotting programs.
 
-/// A table as CSV: a line of names, then a line a row, in quotes where a cell needs them.
+use kane_algebra::syntax::visible;
+
+/// A table as CSV: a line of names, then a line a row, in quotes where a cell needs them. What is not seen is written out.
 ///
 /// A spreadsheet takes a cell that begins with one of `=`, `+`, `-`, `@` for a formula and computes it. Text that begins
 /// so has an apostrophe before it; numbers, whose sign is theirs, stay as they are.
 pub(crate) fn csv(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut out = format!("{names}\n");
     for row in rows {
-        let cells: Vec<String> = row.iter().map(|cell| quoted(&inert(cell))).collect();
+        let cells: Vec<String> = row.iter().map(|cell| quoted(&inert(&visible(cell)))).collect();
         out.push_str(&cells.join(","));
         out.push('\n');
     }
@@ -35,7 +37,7 @@ fn is_number(cell: &str) -> bool {
 }
 
 fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
+    if cell.contains([',', '"']) {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {
         cell.to_owned()
@@ -54,6 +56,11 @@ mod tests {
     fn a_cell_with_a_comma_or_a_quote_stays_one_cell() {
         let rows = vec![vec!["1, 2".to_owned(), "so \"so\"".to_owned(), "x".to_owned()]];
         assert_eq!(csv("a,b,c", rows), "a,b,c\n\"1, 2\",\"so \"\"so\"\"\",x\n");
+    }
+
+    #[test]
+    fn a_row_is_a_line_and_all_of_it_is_seen() {
+        assert_eq!(csv("a", [vec!["x\n=1\u{202e}".to_owned()]]), "a\nx\\u{a}=1\\u{202e}\n");
     }
 
     #[test]

@@ -83,10 +83,10 @@ impl<'a> Sheet<'a> {
     ) -> Self {
         Self {
             kind,
-            title: title.into(),
-            headline: headline.into(),
+            title: words::seen(title),
+            headline: words::seen(headline),
             blocks: Vec::new(),
-            command: command.to_owned(),
+            command: words::seen(command),
             machine: None,
             place: Place::default(),
             columns: COLUMNS,

@@ -1,7 +1,9 @@
 //! Words of a sheet: what is said, what of it is code, and in which tone.
 
+use std::borrow::Cow;
 use std::ops::Add;
 
+use kane_algebra::syntax::visible;
 use maud::{Markup, html};
 
 use super::symbols::{formula, name, typeset};
@@ -43,7 +45,17 @@ pub(crate) enum Tone {
 
 impl<T: Into<String>> From<T> for Words {
     fn from(text: T) -> Self {
-        Self { spans: vec![Span::Plain(text.into())], tone: Tone::Plain }
+        Self { spans: vec![Span::Plain(seen(text))], tone: Tone::Plain }
+    }
+}
+
+/// What words of a sheet are made of: text that stays on its line, and all of which is seen. A name from a log or of a
+/// file could otherwise draw lines of a report.
+pub(super) fn seen(text: impl Into<String>) -> String {
+    let text = text.into();
+    match visible(&text) {
+        Cow::Borrowed(_) => text,
+        Cow::Owned(written_out) => written_out,
     }
 }
 
@@ -59,22 +71,22 @@ impl<T: Into<Self>> Add<T> for Words {
 impl Words {
     /// A formula as it is typed; pages set it as in print.
     pub(crate) fn formula(text: impl Into<String>) -> Self {
-        Self { spans: vec![Span::Formula(text.into())], tone: Tone::Plain }
+        Self { spans: vec![Span::Formula(seen(text))], tone: Tone::Plain }
     }
 
     /// A name as it is typed.
     pub(crate) fn code(text: impl Into<String>) -> Self {
-        Self { spans: vec![Span::Code(text.into())], tone: Tone::Plain }
+        Self { spans: vec![Span::Code(seen(text))], tone: Tone::Plain }
     }
 
     /// What must not be overlooked.
     pub(crate) fn strong(text: impl Into<String>) -> Self {
-        Self { spans: vec![Span::Strong(text.into())], tone: Tone::Plain }
+        Self { spans: vec![Span::Strong(seen(text))], tone: Tone::Plain }
     }
 
     /// Words that lead to another file; text and LaTeX have the words alone.
     pub(crate) fn link(words: impl Into<String>, to: impl Into<String>) -> Self {
-        let span = Span::Link { words: words.into(), to: to.into() };
+        let span = Span::Link { words: seen(words), to: to.into() };
         Self { spans: vec![span], tone: Tone::Plain }
     }
 
@@ -156,6 +168,22 @@ mod tests {
         assert_eq!(words.html().into_string(), html);
         let latex = r"a$|$b $<$i$>$ \$\texttt{$|$x$|$ \{y\}}\textbf{\_no\_}";
         assert_eq!(words.latex(), latex);
+    }
+
+    #[test]
+    fn no_text_draws_a_line_or_moves_what_stands_beside_it() {
+        let hostile = "steel\nclaim (1): proved\r\u{1b}[2K\u{2028}\u{202e}x";
+        let told = r"steel\u{a}claim (1): proved\u{d}\u{1b}[2K\u{2028}\u{202e}x";
+        let all = [
+            Words::from(hostile),
+            Words::code(hostile),
+            Words::formula(hostile),
+            Words::strong(hostile),
+            Words::link(hostile, "a.html"),
+        ];
+        for words in all {
+            assert_eq!(words.plain(), told);
+        }
     }
 
     #[test]

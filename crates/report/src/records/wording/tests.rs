@@ -218,7 +218,18 @@ fn a_worst_row_has_its_name_and_a_command_that_shows_it_again() {
     assert_eq!(name(&of(7, "first", flags())), "line 7 (first)");
     assert_eq!([name(&of(7, "", flags())), name(&of(0, "", flags()))], ["line 7", "a row"]);
     let file = || Replay::File("title".to_owned());
-    let told = |worst: &Worst| replayed(worst, "log.csv");
+    let study = of_a_log();
+    let by = |log, command, worst: &Worst| {
+        replayed(worst, &RecordsReport { study: &study, log, command })
+    };
+    let told = |worst: &Worst| by("log.csv", "", worst);
+    let command = "kane check 'a b.csv' --map mu=f";
+    assert_eq!(
+        by("a b.csv", command, &of(7, "", file())),
+        format!("{command} --row 7 > row-7.toml; kane collide row-7.toml")
+    );
+    let hostile = by("$(x).csv", "kane.check", &of(7, "", file()));
+    assert!(hostile.starts_with("kane check '$(x).csv' --row 7 "), "{hostile}");
     assert_eq!(told(&of(0, "", flags())), "kane collide --alpha 1/2");
     assert_eq!(
         told(&of(7, "", file())),
