@@ -9,6 +9,9 @@ use crate::machine::rounded;
 use crate::{Core, Operation, Precision, Test, text};
 
 mod branches;
+mod names;
+
+pub(crate) use names::{arguments, identifier};
 
 /// A programming language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,12 +44,15 @@ impl Language {
 /// `-ffp-contract=off`).
 #[must_use]
 pub fn emit(core: &Core, precision: Precision, language: Language) -> String {
-    Writer { core, precision, language, named: &|_, _, _| None }.function()
+    let arguments = arguments(core);
+    Writer { core, arguments: &arguments, precision, language, named: &|_, _, _| None }.function()
 }
 
 /// Writes a formula in a language.
 pub(crate) struct Writer<'a> {
     pub(crate) core: &'a Core,
+    /// what its arguments are called
+    pub(crate) arguments: &'a [String],
     pub(crate) precision: Precision,
     pub(crate) language: Language,
     /// comparisons that are functions by their names; the others are compared as they stand
@@ -57,8 +63,7 @@ impl Writer<'_> {
     /// The formula as a function.
     pub(crate) fn function(&self) -> String {
         let name = identifier(self.core.name.as_deref().unwrap_or("f"));
-        let arguments: Vec<String> =
-            (0..self.core.arguments.len()).map(|i| self.argument(i)).collect();
+        let arguments = self.arguments;
         let float = match (self.language, self.precision) {
             (Language::Rust, precision) => precision.name(),
             (_, Precision::F32) => "float",
@@ -79,7 +84,7 @@ impl Writer<'_> {
         }
         .expect("a string takes all");
         if self.language == Language::Python && self.precision == Precision::F32 {
-            for argument in &arguments {
+            for argument in arguments {
                 writeln!(text, "    {argument} = float32({argument})").expect("a string takes all");
             }
         }
@@ -116,20 +121,12 @@ impl Writer<'_> {
         text
     }
 
-    /// The name of an argument.
-    pub(crate) fn argument(&self, index: usize) -> String {
-        let name = self.core.arguments.get(index).map_or("x", |argument| argument.name.as_str());
-        let name = identifier(name);
-        // two names may come out the same
-        let earlier = self.core.arguments.iter().take(index);
-        let same = earlier.filter(|other| identifier(&other.name) == name).count();
-        if same == 0 { name } else { format!("{name}_{}", same + 1) }
-    }
-
     fn at(&self, index: usize) -> String {
         match self.core.program.get(index) {
             Some(Operation::Number(number)) => self.number(number),
-            Some(Operation::Input(input)) => self.argument(*input),
+            Some(Operation::Input(input)) => {
+                self.arguments.get(*input).cloned().unwrap_or_default()
+            }
             _ => format!("t{index}"),
         }
     }
@@ -201,7 +198,7 @@ impl Writer<'_> {
     /// A test in the language.
     fn guard(&self, test: &Test) -> String {
         let compare = |rel, a, b| self.comparison(rel, a, b);
-        in_words_of(self.language, &text::condition(test, &compare))
+        text::condition(test, words(self.language), &compare)
     }
 
     /// A comparison, by its function if it has one.
@@ -209,25 +206,26 @@ impl Writer<'_> {
         match (self.named)(rel, a, b) {
             None => format!("{} {} {}", self.at(a), text::sign(rel), self.at(b)),
             Some(name) => {
-                let widened = |index: usize| match (self.language, self.precision) {
-                    (Language::Rust, Precision::F32) => {
-                        format!("f64::from({})", self.argument(index))
-                    }
-                    _ => self.argument(index),
+                let widened = |argument: &String| match (self.language, self.precision) {
+                    (Language::Rust, Precision::F32) => format!("f64::from({argument})"),
+                    _ => argument.clone(),
                 };
-                let arguments: Vec<String> = (0..self.core.arguments.len()).map(widened).collect();
+                let arguments: Vec<String> = self.arguments.iter().map(widened).collect();
                 format!("{name}({})", arguments.join(", "))
             }
         }
     }
 }
 
-/// A condition in the words of a language.
-pub(crate) fn in_words_of(language: Language, guard: &str) -> String {
+/// How a language says conditions.
+pub(crate) const fn words(language: Language) -> &'static text::Words {
     match language {
-        Language::Python => guard.replace("true", "True").replace("false", "False"),
-        Language::Rust | Language::C => {
-            guard.replace(" and ", " && ").replace(" or ", " || ").replace("not (", "!(")
+        Language::Rust => {
+            &text::Words { all: " && ", any: " || ", not: "!", yes: "true", no: "false" }
+        }
+        Language::C => &text::Words { all: " && ", any: " || ", not: "!", yes: "1", no: "0" },
+        Language::Python => {
+            &text::Words { all: " and ", any: " or ", not: "not ", yes: "True", no: "False" }
         }
     }
 }
@@ -246,28 +244,8 @@ pub(crate) fn infinity(language: Language, precision: Precision, negative: bool)
 pub(crate) fn comment(language: Language, text: &str) -> String {
     match language {
         Language::Rust => format!("/// {text}"),
-        // an argument may be called so
+        // a name may end so
         Language::C => format!("/* {} */", text.replace("*/", "* /")),
         Language::Python => format!("# {text}"),
     }
-}
-
-/// A name that all three languages take.
-pub(crate) fn identifier(name: &str) -> String {
-    let mut text: String =
-        name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        text.insert(0, 'v');
-    }
-    const RESERVED: [&str; 20] = [
-        "as", "if", "in", "is", "do", "for", "fn", "let", "lambda", "def", "int", "float",
-        "double", "true", "false", "self", "type", "sqrt", "fma", "abs",
-    ];
-    // temporaries are `t` and a number
-    let temporary =
-        text.strip_prefix('t').is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()));
-    if RESERVED.contains(&text.as_str()) || temporary {
-        text.push('_');
-    }
-    text
 }

@@ -61,7 +61,7 @@ fn one(core: &Core, operation: &Operation, written: &[(String, u8)]) -> (String,
         Operation::Max(a, b) => (format!("max({}, {})", at(a, 0), at(b, 0)), ATOM),
         Operation::If(test, a, b) => {
             let compare = |rel, a, b| format!("{} {} {}", at(&a, SUM), sign(rel), at(&b, SUM));
-            let guard = condition(test, &compare);
+            let guard = condition(test, &PLAIN, &compare);
             (format!("(if {guard} then {} else {})", at(a, 0), at(b, 0)), ATOM)
         }
     }
@@ -120,21 +120,36 @@ pub const fn sign(rel: Rel) -> &'static str {
     }
 }
 
+/// How conditions are said.
+pub(crate) struct Words {
+    pub(crate) all: &'static str,
+    pub(crate) any: &'static str,
+    pub(crate) not: &'static str,
+    pub(crate) yes: &'static str,
+    pub(crate) no: &'static str,
+}
+
+/// In text for people.
+const PLAIN: Words = Words { all: " and ", any: " or ", not: "not ", yes: "true", no: "false" };
+
 /// A condition, with comparisons in a notation of choice.
-pub(crate) fn condition(test: &Test, compare: &impl Fn(Rel, usize, usize) -> String) -> String {
+pub(crate) fn condition(
+    test: &Test,
+    words: &Words,
+    compare: &impl Fn(Rel, usize, usize) -> String,
+) -> String {
     let joined = |tests: &[Test], word: &str, none: &str| match tests {
         [] => none.to_owned(),
-        [test] => condition(test, compare),
+        [test] => condition(test, words, compare),
         tests => {
-            let parts: Vec<String> =
-                tests.iter().map(|test| format!("({})", condition(test, compare))).collect();
-            parts.join(word)
+            let part = |test: &Test| format!("({})", condition(test, words, compare));
+            tests.iter().map(part).collect::<Vec<_>>().join(word)
         }
     };
     match test {
         Test::Compare(rel, a, b) => compare(*rel, *a, *b),
-        Test::All(tests) => joined(tests, " and ", "true"),
-        Test::Any(tests) => joined(tests, " or ", "false"),
-        Test::Not(test) => format!("not ({})", condition(test, compare)),
+        Test::All(tests) => joined(tests, words.all, words.yes),
+        Test::Any(tests) => joined(tests, words.any, words.no),
+        Test::Not(test) => format!("{}({})", words.not, condition(test, words, compare)),
     }
 }

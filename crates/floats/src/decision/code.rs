@@ -6,7 +6,7 @@ use kane_kernel::Rel;
 
 use super::compared::{Decision, decisions};
 use super::exact::Steps;
-use crate::emit::{Writer, comment, identifier};
+use crate::emit::{Writer, arguments, comment, identifier};
 use crate::{Core, Language, Precision};
 
 /// The certified comparisons of a formula as functions, and the formula that calls them in place of its own; it
@@ -20,9 +20,11 @@ use crate::{Core, Language, Precision};
 pub fn certified(core: &Core, precision: Precision, language: Language) -> Option<String> {
     let all = decisions(core);
     let name = identifier(core.name.as_deref().unwrap_or("f"));
-    let functions: Vec<Option<String>> = (0..all.len())
-        .map(|index| Function { core, language, all: &all, name: &name, index }.text())
-        .collect();
+    let arguments = arguments(core);
+    let function = |index| {
+        Function { core, arguments: &arguments, language, all: &all, name: &name, index }.text()
+    };
+    let functions: Vec<Option<String>> = (0..all.len()).map(function).collect();
     if functions.iter().all(Option::is_none) {
         return None;
     }
@@ -39,7 +41,8 @@ pub fn certified(core: &Core, precision: Precision, language: Language) -> Optio
         let place = all.iter().position(|known| known.rel == rel && known.operands == (a, b))?;
         called.get(place)?.clone()
     };
-    let function = Writer { core: &named, precision, language, named: &named_by };
+    let function =
+        Writer { core: &named, arguments: &arguments, precision, language, named: &named_by };
     parts.push(format!("{}\n{}", comment(language, what), function.function()));
     Some(parts.join("\n\n"))
 }
@@ -53,6 +56,8 @@ pub fn function_name(formula: &str, index: usize) -> String {
 /// One comparison.
 pub(super) struct Function<'a> {
     pub(super) core: &'a Core,
+    /// what its arguments are called
+    pub(super) arguments: &'a [String],
     pub(super) language: Language,
     pub(super) all: &'a [Decision],
     pub(super) name: &'a str,
@@ -65,16 +70,17 @@ impl Function<'_> {
         let decision = self.all.get(self.index)?;
         let steps = Steps::of(self.core, decision)?;
         let filter = self.filter(decision)?;
-        let arguments: Vec<String> =
-            (0..self.core.arguments.len()).map(|index| self.argument(index)).collect();
         let name = function_name(self.name, self.index);
         let mut text = comment(
             self.language,
             &format!("Whether {}, of exact values.", decision.text(self.core)),
         );
         let typed = |before: &str, after: &str| {
-            let typed: Vec<String> =
-                arguments.iter().map(|argument| format!("{before}{argument}{after}")).collect();
+            let typed: Vec<String> = self
+                .arguments
+                .iter()
+                .map(|argument| format!("{before}{argument}{after}"))
+                .collect();
             typed.join(", ")
         };
         text.push('\n');
@@ -85,7 +91,7 @@ impl Function<'_> {
         }
         .expect("a string takes all");
         if self.language == Language::Python {
-            for argument in &arguments {
+            for argument in self.arguments {
                 writeln!(text, "    {argument} = float({argument})").expect("a string takes all");
             }
         }
@@ -98,19 +104,8 @@ impl Function<'_> {
         Some(text.trim_end().to_owned())
     }
 
-    /// An argument: the names in here begin with k.
-    pub(super) fn argument(&self, index: usize) -> String {
-        let writer = Writer {
-            core: self.core,
-            precision: Precision::F64,
-            language: self.language,
-            named: &|_, _, _| None,
-        };
-        let name = writer.argument(index);
-        let ours = ["kt", "ke", "kn", "kd"].iter().any(|start| {
-            name.strip_prefix(start).is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()))
-        });
-        if ours || name == "kpool" { format!("{name}_") } else { name }
+    pub(super) fn argument(&self, index: usize) -> &str {
+        self.arguments.get(index).map_or("", String::as_str)
     }
 
     pub(super) fn line(&self, indent: &str, name: &str, value: &str) -> String {

@@ -7,7 +7,7 @@ use kane_number::{Rational, Rounding, decode, encode};
 
 use super::code::{Function, function_name};
 use super::compared::Decision;
-use crate::emit::infinity;
+use crate::emit::{infinity, words};
 use crate::machine::rounded;
 use crate::{Language, Operation, Precision, text};
 
@@ -70,8 +70,7 @@ impl Function<'_> {
             .ok()?;
         }
         // what is not finite has no exact value
-        let arguments: Vec<String> =
-            (0..self.core.arguments.len()).map(|index| self.argument(index)).collect();
+        let arguments = self.arguments;
         let sign = text::sign(decision.rel);
         match self.language {
             Language::Rust => {
@@ -148,7 +147,9 @@ impl Function<'_> {
         };
         Some(match *operation {
             Operation::Number(ref number) => self.constant(number),
-            Operation::Input(input) => Filtered { value: self.argument(input), off: None },
+            Operation::Input(input) => {
+                Filtered { value: self.argument(input).to_owned(), off: None }
+            }
             Operation::Neg(a) => {
                 let a = at(a)?;
                 Filtered { value: format!("(-{})", a.value), off: a.off }
@@ -246,8 +247,7 @@ impl Function<'_> {
         let value = |index: usize| {
             found.get(index).and_then(Option::as_ref).map_or("", |known| known.value.as_str())
         };
-        let arguments: Vec<String> =
-            (0..self.core.arguments.len()).map(|index| self.argument(index)).collect();
+        let arguments = self.arguments;
         let compare = |rel: Rel, a: usize, b: usize| {
             let place =
                 self.all.iter().position(|known| known.rel == rel && known.operands == (a, b));
@@ -259,7 +259,7 @@ impl Function<'_> {
                 None => format!("{} {} {}", value(a), text::sign(rel), value(b)),
             }
         };
-        crate::emit::in_words_of(self.language, &text::condition(test, &compare))
+        text::condition(test, words(self.language), &compare)
     }
 
     /// A constant to the nearest float, and how far that is.

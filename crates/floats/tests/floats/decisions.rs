@@ -122,6 +122,17 @@ fn inputs() -> Vec<(f64, f64)> {
     found
 }
 
+/// What the arguments are called, a case each: as the code around them calls what it needs.
+const NAMES: [[&str; 2]; 7] = [
+    ["HALF", "KANE_HALF"],
+    ["sqrt", "kt3"],
+    ["MORE", "KANE_MORE"],
+    ["abs", "fabs"],
+    ["TINY", "KANE_TINY"],
+    ["Fraction", "exact_sign"],
+    ["min", "falsely"],
+];
+
 /// A program that prints the certified answers of all cases at all inputs.
 fn program(language: Language) -> String {
     let mut text = match language {
@@ -132,7 +143,11 @@ fn program(language: Language) -> String {
     text.push_str(prelude(language));
     for (index, (test, _)) in CASES.iter().enumerate() {
         let formula = format!("(FPCore (x y) :name \"f{index}\" (if {test} 1 0))");
-        let code = certified(&core(&formula), Precision::F64, language).expect("it compares");
+        let mut core = core(&formula);
+        for (argument, name) in core.arguments.iter_mut().zip(NAMES[index]) {
+            name.clone_into(&mut argument.name);
+        }
+        let code = certified(&core, Precision::F64, language).expect("it compares");
         text.push('\n');
         text.push_str(&code);
         text.push('\n');
