@@ -71,10 +71,11 @@ impl Function<'_> {
         let steps = Steps::of(self.core, decision)?;
         let filter = self.filter(decision)?;
         let name = function_name(self.name, self.index);
-        let mut text = comment(
-            self.language,
-            &format!("Whether {}, of exact values.", decision.text(self.core)),
-        );
+        let what = decision.text(self.core);
+        // a name may be a tag for those who read documentation as HTML, and has no backtick
+        let mark = if self.language == Language::Rust { "`" } else { "" };
+        let mut text =
+            comment(self.language, &format!("Whether {mark}{what}{mark}, of exact values."));
         let typed = |before: &str, after: &str| {
             let typed: Vec<String> = self
                 .arguments

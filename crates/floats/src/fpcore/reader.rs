@@ -50,6 +50,10 @@ fn core(text: &str, expression: &Sexpr<'_>) -> Result<Core, Fault> {
         let Some(plain) = name.atom().filter(|name| literal(name).is_none()) else {
             return fault(&name.span, "an argument is a name, without annotations");
         };
+        // none of them begins or ends anything where a name is written: in Scheme, in comments, in pages
+        if let Some(c) = plain.chars().find(|c| "'`,|\\{}#".contains(*c)) {
+            return fault(&name.span, format!("a name of FPCore has no `{c}`"));
+        }
         if found.iter().any(|known: &Argument| known.name == plain) {
             return fault(&name.span, format!("there are two arguments `{plain}`"));
         }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use kane_algebra::syntax::{is_control, is_hidden};
+
 /// The deepest nesting that is read.
 const MAX_DEPTH: usize = 200;
 /// The most bytes of a file.
@@ -46,6 +48,10 @@ impl<'a> Sexpr<'a> {
 pub(super) fn expressions(text: &str) -> Result<Vec<Sexpr<'_>>, Fault> {
     if text.len() > MAX_BYTES {
         return Err((0..0, format!("the file has more than {MAX_BYTES} bytes")));
+    }
+    if let Some((at, c)) = text.char_indices().find(|(_, c)| is_hidden(*c)) {
+        let kind = if is_control(c) { "control" } else { "invisible" };
+        return Err((at..at + c.len_utf8(), format!("{kind} character U+{:04X}", u32::from(c))));
     }
     let mut reader = Reader { text, at: 0 };
     let mut found = Vec::new();

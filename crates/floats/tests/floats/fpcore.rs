@@ -80,6 +80,11 @@ fn each_fault_has_its_place_and_its_reason() {
         ("(FPCore (x) :pre)", 1, 13, "neither an argument"),
         ("(FPCore (x))", 1, 1, "the expression is missing"),
         ("(FPCore (x) ())", 1, 13, "an expression is missing here"),
+        ("(FPCore (x|y) 1)", 1, 10, "has no `|`"),
+        ("(FPCore (a`b) 1)", 1, 10, "has no ``"),
+        ("(FPCore (x)\n :name \"a\u{1b}[8m\" x)", 2, 10, "control character U+001B"),
+        ("(FPCore (x) x) ; \u{202e}", 1, 18, "invisible character U+202E"),
+        ("(FPCore (x\u{200b}) 1)", 1, 11, "invisible character U+200B"),
     ];
     for (text, line, column, why) in cases {
         let fault = fpcore::read("t.fpcore", text).expect_err(text);
