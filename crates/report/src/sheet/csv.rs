@@ -16,11 +16,15 @@ pub(crate) fn csv(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> S
     out
 }
 
-/// What no spreadsheet computes.
+/// What no spreadsheet computes. Where a comma is decimal, a cell ends at a semicolon.
 fn inert(cell: &str) -> String {
-    // spaces are skipped by some
-    let computed = cell.trim_start().starts_with(['=', '+', '-', '@']);
-    if computed && !is_number(cell) { format!("'{cell}") } else { cell.to_owned() }
+    let piece = |piece: &str| {
+        // spaces are skipped by some; in the widths of East Asia the signs are others
+        let computed = piece.trim_start().starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠']);
+        let is_number = is_number(piece.strip_suffix(';').unwrap_or(piece));
+        if computed && !is_number { format!("'{piece}") } else { piece.to_owned() }
+    };
+    cell.split_inclusive(';').map(piece).collect()
 }
 
 /// Whether it is a decimal number, a power or a fraction of two, or infinity, with a sign or without.
@@ -80,9 +84,11 @@ mod tests {
             "-.5",
             "-infinity",
             "+nan",
+            "＝1+1",
         ] {
             assert_eq!(row(text), format!("'{text}"));
         }
+        assert_eq!(row("a;=1+1; @b;-2;c"), "a;'=1+1;' @b;-2;c");
         assert_eq!(row("=HYPERLINK(\"a\",\"b\")"), "\"'=HYPERLINK(\"\"a\"\",\"\"b\"\")\"");
     }
 
