@@ -13,7 +13,8 @@ use kane::records::reader::{Kind, names};
 use kane::records::study::{Options, Study, study};
 use kane::records::{replay, sweep};
 use kane::report::records::{
-    RecordsReport, compared_json, compared_junit, compared_text, json, junit, schema, sheet,
+    RecordsReport, compared_json, compared_junit, compared_markdown, compared_text, json, junit,
+    schema, sheet,
 };
 use kane::report::remarks;
 
@@ -217,7 +218,8 @@ fn baseline(
     let shown = match args.format {
         CheckFormat::Json => compared_json(&comparison, &names),
         CheckFormat::Junit => compared_junit(&comparison, &names),
-        CheckFormat::Text | CheckFormat::Markdown | CheckFormat::Sarif | CheckFormat::Github => {
+        CheckFormat::Markdown => compared_markdown(&comparison, &names),
+        CheckFormat::Text | CheckFormat::Sarif | CheckFormat::Github => {
             compared_text(&comparison, &names)
         }
     };

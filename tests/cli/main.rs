@@ -13,6 +13,7 @@ mod figures; // the figures, and the page that shows them
 mod files; // --out
 mod forms; // --format, --only, --explain, and that two runs agree
 mod hidden; // characters that are not seen reach nothing that is shown
+mod injection; // names and titles that speak the languages of reports
 mod laws; // the matrix: exit codes, one cell in full, files
 mod limits;
 mod lsp; // the language server as an editor starts it

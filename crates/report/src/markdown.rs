@@ -115,14 +115,19 @@ fn write_link(out: &mut String, entry: &Entry<'_>, link: &LinkJudgement) {
     }
 }
 
-/// The steps, indented by their depth, in a fence that none of them can close.
+/// The steps, indented by their depth.
 fn steps(told: &[Line]) -> String {
     let mut steps = String::new();
     for Line { depth, text, .. } in told {
         let _ = writeln!(steps, "{:indent$}{text}", "", indent = 2 * depth);
     }
-    let fence = "`".repeat(longest_run(&steps, '`').max(2) + 1);
-    format!("{fence}text\n{steps}{fence}\n")
+    fenced(&steps)
+}
+
+/// Lines as they are, in a fence that none of them can close.
+pub(crate) fn fenced(lines: &str) -> String {
+    let fence = "`".repeat(longest_run(lines, '`').max(2) + 1);
+    format!("{fence}text\n{lines}{fence}\n")
 }
 
 /// The formula in a fence of its own, on one line: between dollar signs GitHub takes backslashes for its own.

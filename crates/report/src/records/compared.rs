@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::wording::{asks, brief, friction_name};
 use crate::envelope::{Program, Schema, written};
+use crate::markdown::fenced;
 
 /// What changed, for people; the names are those of the older and the newer log.
 #[must_use]
@@ -59,6 +60,12 @@ pub fn compared_text(comparison: &Comparison, [old, new]: &[String; 2]) -> Strin
         );
     }
     out
+}
+
+/// The same for the web: its lines as they are, so that no name in them is markup.
+#[must_use]
+pub fn compared_markdown(comparison: &Comparison, names: &[String; 2]) -> String {
+    fenced(&compared_text(comparison, names))
 }
 
 /// What stands before a line.

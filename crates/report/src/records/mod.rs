@@ -12,7 +12,7 @@ mod wording;
 
 #[cfg(feature = "schema")]
 pub(crate) use compared::baseline_schema;
-pub use compared::{compared_json, compared_text};
+pub use compared::{compared_json, compared_markdown, compared_text};
 #[cfg(feature = "schema")]
 pub(crate) use json::report_schema;
 pub use json::{RECORDS_SCHEMA_NAME, RECORDS_SCHEMA_VERSION, json};
