@@ -180,3 +180,21 @@ fn a_step_of_a_workflow_reads_all_lines_and_patterns_of_its_lists() {
     assert_eq!(step(&dir, "good.md none/*.md", "").code, 2, "a pattern without a file");
     assert_eq!(step(&dir, " \n", "").code, 3, "nothing is checked");
 }
+
+/// A pull request may bring files of any name.
+#[test]
+#[cfg(unix)]
+fn a_file_that_is_called_as_a_flag_is_a_file_to_a_step_of_a_workflow() {
+    let dir = scratch("step-flag");
+    for name in ["--only=other.md", "--out=x.md", "good.md"] {
+        document(&dir, name, "var x > 0\nclaim other: x > 0\nclaim false: x > 1");
+    }
+    fs::write(dir.join("--schema"), "mass\n").expect("writable");
+    let run = step(&dir, "*.md", "--s*");
+    for name in ["--only=other.md", "--out=x.md", "good.md"] {
+        assert!(run.stdout.contains(&format!("::error file={name},line=6,")), "{}", run.stdout);
+    }
+    assert!(run.stderr.contains("--schema: "), "{}", run.stderr);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    assert!(!dir.join("x.md").exists());
+}
