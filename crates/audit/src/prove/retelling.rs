@@ -36,12 +36,15 @@ impl Prover<'_> {
         if finding != Finding::Proved || cost > LONG || !is_told_again(goal, &decided.grounds) {
             return;
         }
+        let (defined, opaque) = (defined(goal), opaque(goal));
+        if defined.is_empty() && opaque.is_none() {
+            return;
+        }
         let weight = |goal: &Goal, g: &Grounds| explain::steps(goal, finding, g).weight();
         let mut least = weight(goal, &decided.grounds);
         if least < SHORT {
             return;
         }
-        let defined = defined(goal);
         if !defined.is_empty()
             && let Some((certificate, grounds)) = shown(goal, defined, &self.work)
         {
@@ -51,7 +54,7 @@ impl Prover<'_> {
                 (decided.certificate, decided.grounds) = (certificate, grounds);
             }
         }
-        let Some((opaque, definitions)) = opaque(goal) else { return };
+        let Some((opaque, definitions)) = opaque else { return };
         for order in [Vec::new(), self::defined(&opaque)] {
             let Some((_, grounds)) = shown(&opaque, order, &self.work) else { continue };
             let other = weight(&opaque, &grounds);
