@@ -81,10 +81,9 @@ fn link(report: &Report<'_>, claim: &Claim, rests_on: &[usize], judged: &LinkJud
     let label = |i: usize| {
         statements[i].label.trim_start_matches('(').trim_end_matches(')').trim().to_owned()
     };
-    // the step of an induction has more premises of its own, and no other finding but these
-    let by_point = matches!(accepted.certificate.evidence, Evidence::Model(_));
-    let all =
-        accepted.goal.hypotheses.len() > cited.len() && (claim.induction.is_none() || by_point);
+    // a witness may be one of all that is assumed above; the step of an induction has more premises of its own
+    let is_model = matches!(accepted.certificate.evidence, Evidence::Model(_));
+    let all = accepted.goal.hypotheses.len() > cited.len() && is_model;
     let mut labels =
         Labels { cited: cited.iter().copied().map(label).collect(), behind: Vec::new() };
     match all {
@@ -404,20 +403,13 @@ impl Writer<'_> {
                 let scope = scope(&there, Fuel::new(u64::MAX))?;
                 json!({ "at": self.point(&scope, point) })
             }
-            Failure::Reaches(sides) => {
-                let Conclusion::Link(Link::Limit(l)) = &goal.conclusion else {
-                    return Err(Rejection::WrongEvidence);
-                };
-                let zero = Expr::int(0);
-                let zero = Limit { expr: zero.clone(), to: Target::Finite(zero), ..l.clone() };
-                json!({ "reaches": self.sides(&tends(&zero, &goal.when), &labels, sides)? })
-            }
+            // that hypotheses are consistent is no finding on a claim
+            Failure::Reaches(_) => return Err(Rejection::WrongEvidence),
             Failure::Limit { link, target, proof, apart } => {
                 let Some(Link::Limit(claimed)) = goal.conclusion.links().get(*link) else {
                     return Err(Rejection::WrongEvidence);
                 };
-                let at = proof.germ.side.approach();
-                let found = Limit { to: target.clone(), at, ..claimed.clone() };
+                let found = Limit { to: target.clone(), ..claimed.clone() };
                 let side = self.sides(&tends(&found, &[]), &labels, std::slice::from_ref(proof))?;
                 let to = match target {
                     Target::Finite(e) => e.plain(self.context),
