@@ -6,10 +6,10 @@ use num_traits::Signed;
 
 use super::chain::{Hand, chained};
 use super::logic::Logic;
-use super::names::latex_name;
+use super::names::{is_word, latex_name};
 use super::number::{decimal, literal};
 use super::parser::Level;
-use super::plain::{let_name, level, var_name};
+use super::plain::{let_name, level, symbol_name, var_name};
 
 pub(crate) fn whole_expr(expr: &Expr, context: &Context) -> String {
     Writer { context, beyond: &|_| None }.expr(expr, Level::Sum)
@@ -212,14 +212,21 @@ impl Writer<'_> {
             Expr::Deriv(..) => true,
             // a function before parentheses would seem to be applied
             Expr::Var(v) if is_function(*v, self.context) && is_parenthesised(&right) => true,
-            // juxtaposed digits would read as one number, a difference of E as the product Δ·E
-            _ => {
+            // juxtaposed digits would read as one number, words as one, a difference of E as the product Δ·E
+            last => {
                 right.starts_with(|c: char| c.is_ascii_digit())
+                    || self.is_word(last)
+                    || self.is_word(b)
                     || (right.starts_with("\\frac") && left.ends_with(|c: char| c.is_ascii_digit()))
                     || left.ends_with("\\Delta")
             }
         };
         format!("{left} {}{right}", if dot { "\\cdot " } else { "" })
+    }
+
+    /// Whether a symbol is set as a word; the names of functions before their arguments have spaces about them.
+    fn is_word(&self, e: &Expr) -> bool {
+        symbol_name(e, self.context).is_some_and(|name| !name.contains('(') && is_word(name))
     }
 
     fn cases(&self, branches: &[(Vec<Relation>, Expr)], otherwise: Option<&Expr>) -> String {

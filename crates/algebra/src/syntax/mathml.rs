@@ -12,12 +12,12 @@ use super::letters::greek_letter;
 use super::lexer::{self, Token};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, exponent, greek_subscript, name_parts, of_argument, power, rates,
-    summed,
+    applied, canonical_name, exponent, greek_subscript, is_difference, is_word, name_parts,
+    of_argument, power, rates, summed,
 };
 use super::number::decimal;
 use super::parser::Level;
-use super::plain::{let_name, var_name};
+use super::plain::{let_name, symbol_name, var_name};
 
 /// An expression; further symbols, which the context does not name, are set as `beyond` says.
 #[must_use]
@@ -180,16 +180,18 @@ impl Writer<'_> {
                 let sign = if *n < 0 { "<mo>−</mo>" } else { "" };
                 let n = format!("{sign}<mn>{}</mn>", n.unsigned_abs());
                 let n = if sign.is_empty() { n } else { self::row(&n) };
+                let is_difference = symbol_name(a, self.context).is_some_and(is_difference);
                 // the power of a letter stands above its subscript
-                let with_subscript = base.strip_prefix("<msub>").filter(|_| is_one_element(a));
+                let is_letter = is_one_element(a) && !is_difference;
+                let with_subscript = base.strip_prefix("<msub>").filter(|_| is_letter);
                 if let Some(letter) = with_subscript.and_then(|l| l.strip_suffix("</msub>")) {
                     return format!("<msubsup>{letter}{n}</msubsup>");
                 }
                 // behind arguments an exponent would seem to belong to them alone
                 let base = match **a {
                     Expr::Min(..) | Expr::Max(..) => in_parentheses(&base),
-                    // an exponent would seem to belong to the top of a fraction
-                    Expr::Var(_) if base.starts_with("<mfrac>") => in_parentheses(&base),
+                    // to the top of a fraction, or to what stands behind a Δ or d
+                    _ if is_difference || base.starts_with("<mfrac>") => in_parentheses(&base),
                     _ => base,
                 };
                 let is_whole = is_one_element(a) || base.starts_with("<mrow>");
@@ -231,12 +233,12 @@ impl Writer<'_> {
             Expr::Deriv(..) => true,
             // a function before parentheses would seem to be applied
             Expr::Var(v) if is_function(*v, self.context) => right.starts_with("<mrow><mo>("),
-            // numbers side by side would read as one, words as a word
+            // numbers side by side would read as one, words as a word, the product Δ·E as a difference of E
             _ => {
                 right.starts_with("<mn>")
                     || (right.starts_with("<mfrac") && left.ends_with("</mn>"))
-                    || is_word(last, self.context)
-                    || is_word(b, self.context)
+                    || [last, b].iter().any(|e| symbol_name(e, self.context).is_some_and(is_word))
+                    || left.ends_with("<mi>Δ</mi>")
             }
         };
         format!("{left}{}{right}", if dot { "<mo>·</mo>" } else { "" })
@@ -283,18 +285,6 @@ fn is_one_element(e: &Expr) -> bool {
         Expr::Num(value) => !value.is_negative(),
         _ => false,
     }
-}
-
-/// Whether a symbol is set as a word of several letters.
-fn is_word(e: &Expr, context: &Context) -> bool {
-    let name = match e {
-        Expr::Var(v) => var_name(*v, context),
-        Expr::Let(i) => let_name(*i, context),
-        _ => return false,
-    };
-    let name = canonical_name(name);
-    let (base, _) = name_parts(&name);
-    base.iter().any(|part| part.len() > 1 && greek_letter(part).is_none())
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ pub(crate) fn parse_literal(text: &str) -> BigRational {
     let fraction = fraction.trim_end_matches('0');
     let digits = format!("{whole}{fraction}");
     let mut numer = digits.parse::<BigUint>().expect("the lexer lets only digits through");
-    if fraction.is_empty() || numer.is_zero() {
+    if fraction.is_empty() {
         return BigRational::from_integer(numer.into());
     }
     let places = fraction.len();

@@ -15,6 +15,8 @@ mod parsing;
 mod printing;
 /// powers with an index for exponent, and sequences
 mod sequences;
+/// formulas as they are set, where another way would be read as something else
+mod setting;
 
 /// x, y, mu, alpha, k(alpha); and f := x^2 + 1.
 fn scope() -> Scope {
