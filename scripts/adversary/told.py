@@ -21,6 +21,9 @@ LINE = re.compile(r"^(.*?), (.*?): (undefined \(.*\)|left side .*, right side .*
 ABOUT = re.compile(r"^about (-?)(\d+)\.(\d+)(?:e(-?\d+))?$")
 
 
+BROKEN = ("At ", "All else ", "What is assumed ", "Take ")
+
+
 def point(text):
     """The values of 'At the point …:' as a text, and those of definitions by their names; None if it is another line."""
     m = HEAD.match(text)
@@ -61,7 +64,7 @@ def lines(link):
     """The lines of a witness; those that name values may be broken where they are long."""
     out = []
     for step in link["steps"]:
-        if out and out[-1].startswith(("At ", "All else ", "What is assumed ")) and not out[-1].endswith(":"):
+        if out and out[-1].startswith(BROKEN) and not out[-1].endswith((":", ".")):
             out[-1] += " " + step["text"]
         else:
             out.append(step["text"])

@@ -23,7 +23,7 @@ def point(link):
 
 def functions(link):
     """Expressions named by 'Take …', {} if nothing had to be chosen, or None if it is another kind."""
-    texts = [s["text"] for s in link["steps"]]
+    texts = told.lines(link)
     for t in texts:
         m = TAKE.match(t)
         if m:

@@ -142,7 +142,7 @@ def inside_range(goal, germ, local, given, values):
 
 
 def read_values(document, values):
-    """Values of symbols: expressions without definitions."""
+    """Values of symbols, in the order of declaration: expressions without definitions."""
     demand(isinstance(values, dict), "values are expected")
     found = {}
     for name, value in values.items():
@@ -150,7 +150,8 @@ def read_values(document, values):
         demand(symbol is not None and not symbol.body, f"`{name}` is no symbol")
         found[name] = document.expression(text(value))
         demand(explicit(found[name]), "a value mentions a definition")
-    return found
+    # names of an object have no order
+    return {name: found[name] for name in document.symbols if name in found}
 
 
 def explicit(expression):

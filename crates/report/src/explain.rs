@@ -155,4 +155,21 @@ mod tests {
         let says = "q says nothing there, since x*(1/x) = 1: undefined (division by zero: x = 0)";
         assert!(told.contains(says), "{told}");
     }
+
+    #[test]
+    fn at_an_irrational_point_a_premise_whose_condition_fails_or_is_not_seen_to_hold_says_nothing()
+    {
+        let of = |when: &str| {
+            let givens = "var v > 4, y\ngiven a: v = 10\ngiven root: y^3 = 3\n";
+            let (verdict, told) = explained(&format!(
+                "{givens}given b: y = 5 when {when}\nclaim c: contradiction from a\n"
+            ));
+            assert_eq!(verdict, Verdict::Refuted);
+            assert!(told.contains("All else that is assumed above holds there too"), "{told}");
+            assert!(!told.contains("b, y = 5"), "{told}");
+            told
+        };
+        assert!(of("y < 0").contains("b says nothing there, since y < 0: left side about 1.44"));
+        assert!(!of("abs(y^3 - 3) > 0").contains("      b"));
+    }
 }

@@ -189,11 +189,16 @@ impl<'a> Enclosure<'a> {
     /// Whether all relations hold; `None` if that is not settled.
     fn all_hold(&mut self, guards: &[Relation]) -> Option<bool> {
         for guard in guards {
-            if !self.value(&guard.lhs)?.compare(guard.rel, &self.value(&guard.rhs)?)? {
+            if !self.holds(guard)? {
                 return Some(false);
             }
         }
         Some(true)
+    }
+
+    /// Whether a relation holds; `None` if that is not settled.
+    pub(super) fn holds(&mut self, r: &Relation) -> Option<bool> {
+        self.value(&r.lhs)?.compare(r.rel, &self.value(&r.rhs)?)
     }
 
     fn definition(&mut self, i: usize) -> Option<Span> {

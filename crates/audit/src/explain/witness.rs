@@ -169,19 +169,30 @@ impl<'g> Coordinates<'g> {
         false
     }
 
-    /// What becomes of a hypothesis, the index of which is given; if it says nothing at the point, why.
+    /// What becomes of a hypothesis, the index of which is given; if it says nothing at the point, why. Nothing is told
+    /// where it is not seen whether its condition holds.
     fn hypothesis(&self, at: &mut Evaluator<'_>, h: usize, hypothesis: &Hypothesis) -> Vec<Said> {
         let Sentence { when, links } = &hypothesis.sentence;
-        let mut told = |r| (r, self.compared(at, r, true));
-        let mut idle = when.iter().map(&mut told).find(|(r, told)| is_false(r, told));
+        let (mut idle, mut is_seen) = (None, true);
+        for r in when {
+            let comparison = self.compared(at, r, true);
+            match self.holds(r, &comparison) {
+                Some(true) => {}
+                Some(false) => idle = idle.or(Some((r, comparison))),
+                None => is_seen = false,
+            }
+        }
+        if idle.is_none() && !is_seen {
+            return Vec::new();
+        }
         // a premise is defined, a cited claim need not be
         if idle.is_none() && !hypothesis.given {
             let relations = links.iter().filter_map(|link| match link {
                 Link::Relation(r) => Some(r),
                 Link::Limit(_) => None,
             });
-            let is_undefined = |told: &Comparison| matches!(told, Comparison::Undefined(..));
-            idle = relations.map(&mut told).find(|(_, told)| is_undefined(told));
+            let mut told = relations.map(|r| (r, self.compared(at, r, true)));
+            idle = told.find(|(_, told)| matches!(told, Comparison::Undefined(..)));
         }
         match idle {
             Some((relation, comparison)) => {
@@ -189,6 +200,18 @@ impl<'g> Coordinates<'g> {
                 vec![Said { of, relation, comparison, parts: Vec::new() }]
             }
             None => self.said(at, Speaker::Hypothesis(h), links, false),
+        }
+    }
+
+    /// Whether a relation holds, if that is seen; one that is undefined does not.
+    fn holds(&self, relation: &Relation, comparison: &Comparison) -> Option<bool> {
+        match comparison {
+            Comparison::Undefined(..) => Some(false),
+            Comparison::Truth(holds) => Some(*holds),
+            Comparison::Sides(Measured::Exact(a), Measured::Exact(b)) => {
+                Some(compares(relation.rel, a.cmp(b)))
+            }
+            Comparison::Sides(..) => Enclosure::new(self.context, &self.within).holds(relation),
         }
     }
 
@@ -235,18 +258,6 @@ impl<'g> Coordinates<'g> {
             }
             (None, ..) => Comparison::Sides(a, b),
         }
-    }
-}
-
-/// Whether a relation is seen to be false, or to have no meaning.
-fn is_false(relation: &Relation, comparison: &Comparison) -> bool {
-    match comparison {
-        Comparison::Undefined(..) => true,
-        Comparison::Truth(holds) => !holds,
-        Comparison::Sides(Measured::Exact(a), Measured::Exact(b)) => {
-            !compares(relation.rel, a.cmp(b))
-        }
-        Comparison::Sides(..) => false,
     }
 }
 
