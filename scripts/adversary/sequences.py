@@ -222,6 +222,8 @@ def named(claim, link):
     """The n and the values of a witness; None if the report does not tell them all."""
     found = FOUND.match(link["reason"])
     n = found[1] or (BOUND.search(link["text"]) or [None, None])[1]
+    if n is None and claim.way == "plain" and "n" not in re.findall(r"\w+", claim.text("c")):
+        n = 0  # it speaks of none
     values = dict(pair.split(" = ") for pair in found[2].rstrip(", ").split(", ")) if found[2] else {}
     at = {s: Fraction(values.get(s, choices[-1])) for s, (_, choices) in SYMBOLS.items()}
     return None if n is None else (int(n), at)
