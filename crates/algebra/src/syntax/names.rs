@@ -195,7 +195,7 @@ pub(crate) fn exponent(text: &str, at: usize) -> (usize, &str) {
         return (first.end, text.get(first).unwrap_or_default());
     }
     let (mut depth, mut end) = (1_usize, first.end);
-    while depth > 0 && token != Token::End {
+    while token != Token::End {
         let span;
         (token, span) = lexer::next(text, end);
         match token {

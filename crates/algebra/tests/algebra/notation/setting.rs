@@ -1,5 +1,5 @@
 use kane_algebra::syntax::{
-    Notation as _, Scope, latex_with, mathml, mathml_name, parse_expr, parse_sentence,
+    Notation as _, Scope, latex_name, latex_with, mathml, mathml_name, parse_expr, parse_sentence,
 };
 use kane_kernel::{Expr, Link, Var};
 
@@ -72,6 +72,8 @@ fn what_would_be_read_as_something_else_stands_apart() {
         ("v_0^-1", "v_0^{-1}", "_^v 0 {− 1 }"),
         ("x^-2", "x^{-2}", "^x {− 2 }"),
         ("2^3", "2^{3}", "^2 3 "),
+        ("x^0", "x^{0}", "^x 0 "),
+        ("Delta^2", r"\Delta^{2}", "^Δ 2 "),
         ("sqrt(y)^2", r"\sqrt{y}^{2}", "^√[y ]2 "),
         // the sign of a product keeps numbers, words and differences apart
         ("2*3*x", r"2 \cdot 3 x", "2 · 3 x "),
@@ -148,6 +150,24 @@ fn names_of_powers_sums_and_angles_have_their_parts() {
     ] {
         assert_eq!(seen(&mathml_name(name)), shown, "{name}");
     }
+    let half = "<mrow><mi>cos</mi><mo>(</mo><mi>θ</mi><mo>/</mo><mn>2</mn><mo>)</mo></mrow>";
+    assert_eq!(mathml_name("cos(theta/2)"), half);
+    let sum = mathml_name("sum(k + 2 for k in 1..n)");
+    assert!(sum.contains("<mi>k</mi><mo>+</mo><mn>2</mn>"), "{sum}");
+    for (name, latex) in [
+        ("cos(10*theta/2)", r"\cos(10 \theta/2)"),
+        ("sum(alpha^k for k in 0..n)", r"\left(\sum_{k=0}^{n} \alpha^{k}\right)"),
+        (
+            "prod(2^((k + 1)*(k - 1)) for k in 1..n)",
+            r"\left(\prod_{k=1}^{n} 2^{(k+1)\,(k-1)}\right)",
+        ),
+        ("Omicron", "O"),
+        ("omicron", "o"),
+        ("k_muon", "k_{muon}"),
+        ("k_mu0", r"k_{\mu 0}"),
+    ] {
+        assert_eq!(latex_name(name), latex, "{name}");
+    }
 }
 
 #[test]
@@ -171,5 +191,26 @@ fn a_link_alone_is_written_as_its_sentence() {
                 assert_eq!((&*both.0, &*both.1), (text, latex));
             }
         }
+    }
+}
+
+/// `or`, `implies` and `iff` are comparisons of cases with 1 and 0 in certain places; with others, they stay what they are.
+#[test]
+fn what_only_resembles_a_formula_is_written_as_it_is() {
+    for text in [
+        "cases { x > 0: 2; y > 0: 1; else: 0 } = 1",
+        "cases { x > 0: 1; y > 0: 1; else: 2 } = 1",
+        "cases { x > 0: 1; y > 0: 1; else: 0 } = 2",
+        "cases { x > 0: 1; y > 0: 1; else: 0 } >= 1",
+        "cases { x > 0: cases { y > 0: 2; else: 0 }; else: 1 } = 1",
+        "cases { x > 0: cases { y > 0: 1; else: 2 }; else: 1 } = 1",
+        "cases { x > 0: cases { y > 0: 1; else: 0 }; else: 2 } = 1",
+        "cases { x > 0: 1; else: 2 } = cases { y > 0: 1; else: 0 }",
+        "cases { x > 0: 1; else: 0 } = cases { y > 0: 2; else: 0 }",
+        "cases { x > 0: 1; else: 0 } = 1",
+    ] {
+        let sentence = parse_sentence(text, &scope()).expect(text);
+        assert_eq!(sentence.plain(scope().context()), text);
+        assert!(sentence.latex(scope().context()).contains("cases"), "{text}");
     }
 }
