@@ -10,10 +10,30 @@ use kane_kernel::{
 
 use crate::oracle::inside;
 use crate::support::{
-    Q, X, Y, at_least, bound, cited, closing, distinct, div, equal, germ, given, judged, limit,
-    link, minus_one, n, nothing, number, one_is_zero, plain, plenty, positive, q, relation, side,
-    symbol, term, times, var, with_function, x,
+    Q, X, Y, add, at_least, bound, cited, closing, distinct, div, equal, germ, given, judged,
+    limit, link, minus_one, mul, n, nothing, number, one_is_zero, plain, plenty, positive, q,
+    relation, side, sqrt, symbol, term, times, var, with_function, x,
 };
+
+/// A root of the limit that the function has not is to be known beside it.
+#[test]
+fn a_root_of_the_limit_alone_stands_beside_the_function_times_nothing() {
+    let two = || sqrt(number(2, 1));
+    let beside = |f: Expr, to: Expr| {
+        let found = limit(f.clone(), Target::Finite(to.clone()), Approach::PlusInf);
+        let conclusion = Conclusion::Link(Link::Limit(found.clone()));
+        let goal = Goal { conclusion, ..plain() };
+        let scope = scope(&goal, plenty()).expect("the goal is plain");
+        let compared = found.compared(&scope).into_owned();
+        let owned = add(f.clone(), mul(number(0, 1), to));
+        assert!(compared == f || compared == owned, "{compared:?}");
+        compared == owned
+    };
+    assert!(beside(var(X), two()));
+    assert!(beside(sqrt(number(3, 1)), add(two(), number(1, 1))));
+    assert!(!beside(mul(two(), var(X)), two()));
+    assert!(!beside(var(X), number(2, 1)));
+}
 
 /// 1/x as x → ∞, as a goal, and its proof with x = 1/t.
 fn tends_to_zero() -> (Goal, SideProof) {

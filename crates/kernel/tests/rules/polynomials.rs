@@ -28,6 +28,7 @@ fn polynomials() -> Vec<Poly> {
         n(-6),
         x(),
         y().scale(&(-3).into()),
+        x2.scale(&2.into()).sub(&xy),
         x2.add(&xy).sub(&n(4)),
         y3.scale(&2.into()).sub(&x()).add(&n(6)),
         times(&x2, &y3).sub(&xy.scale(&9.into())).add(&x2.scale(&3.into())),
@@ -95,6 +96,12 @@ fn the_length_of_terms_is_charged_to_the_whole_and_not_to_a_part() {
     long(0, 1_999).mul(&long(1_999, 3_999), &part).expect("one pair of terms");
     assert_eq!(part.left(), 9, "a step for the pair");
     assert_eq!(1_000_000 - whole.left(), 1 + 5_998 / 8, "and an eighth of one for each power");
+    let (whole, z) = (Fuel::new(1_000), Poly::var(2));
+    let p = times(&x(), &y()).add(&z);
+    let q = Poly::var(3).add(&Poly::var(4)).add(&long(5, 3));
+    p.mul(&q, &whole.within(10)).expect("six pairs of terms");
+    // of 3 and 5 powers, each three or two times, for each time that six is halved and once more
+    assert_eq!(1_000 - whole.left(), 6 + (3 * 3 + 5 * 2) * 3 / 8);
 }
 
 #[test]
