@@ -6,10 +6,10 @@ use num_traits::Signed;
 
 use super::chain::{Hand, chained};
 use super::logic::Logic;
-use super::names::{is_word, latex_name};
+use super::names::latex_name;
 use super::number::{decimal, literal};
 use super::parser::Level;
-use super::plain::{let_name, level, symbol_name, var_name};
+use super::plain::{let_name, level, var_name};
 
 pub(crate) fn whole_expr(expr: &Expr, context: &Context) -> String {
     Writer { context, beyond: &|_| None }.expr(expr, Level::Sum)
@@ -224,9 +224,9 @@ impl Writer<'_> {
         format!("{left} {}{right}", if dot { "\\cdot " } else { "" })
     }
 
-    /// Whether a symbol is set as a word; the names of functions before their arguments have spaces about them.
+    /// Whether a symbol is set as a word of several letters.
     fn is_word(&self, e: &Expr) -> bool {
-        symbol_name(e, self.context).is_some_and(|name| !name.contains('(') && is_word(name))
+        matches!(e, Expr::Var(_) | Expr::Let(_)) && self.bare(e).starts_with("\\mathrm{")
     }
 
     fn cases(&self, branches: &[(Vec<Relation>, Expr)], otherwise: Option<&Expr>) -> String {

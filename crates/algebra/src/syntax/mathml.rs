@@ -12,12 +12,12 @@ use super::letters::greek_letter;
 use super::lexer::{self, Token};
 use super::logic::Logic;
 use super::names::{
-    applied, canonical_name, exponent, greek_subscript, is_difference, is_word, name_parts,
-    of_argument, power, rates, summed,
+    applied, canonical_name, exponent, greek_subscript, name_parts, of_argument, power, rates,
+    summed,
 };
 use super::number::decimal;
 use super::parser::Level;
-use super::plain::{let_name, symbol_name, var_name};
+use super::plain::{let_name, var_name};
 
 /// An expression; further symbols, which the context does not name, are set as `beyond` says.
 #[must_use]
@@ -180,7 +180,7 @@ impl Writer<'_> {
                 let sign = if *n < 0 { "<mo>−</mo>" } else { "" };
                 let n = format!("{sign}<mn>{}</mn>", n.unsigned_abs());
                 let n = if sign.is_empty() { n } else { self::row(&n) };
-                let is_difference = symbol_name(a, self.context).is_some_and(is_difference);
+                let is_difference = is_difference(a, &base);
                 // the power of a letter stands above its subscript
                 let is_letter = is_one_element(a) && !is_difference;
                 let with_subscript = base.strip_prefix("<msub>").filter(|_| is_letter);
@@ -237,7 +237,8 @@ impl Writer<'_> {
             _ => {
                 right.starts_with("<mn>")
                     || (right.starts_with("<mfrac") && left.ends_with("</mn>"))
-                    || [last, b].iter().any(|e| symbol_name(e, self.context).is_some_and(is_word))
+                    || is_word(last, self.context)
+                    || is_word(b, self.context)
                     || left.ends_with("<mi>Δ</mi>")
             }
         };
@@ -285,6 +286,27 @@ fn is_one_element(e: &Expr) -> bool {
         Expr::Num(value) => !value.is_negative(),
         _ => false,
     }
+}
+
+/// Whether a symbol is set as a difference, ΔE or dE: an exponent would seem to belong to its last letter.
+fn is_difference(e: &Expr, set: &str) -> bool {
+    let letters = set.split_once("<mi>").map_or("", |(_, letters)| letters);
+    let of_capital = |rest: &str| rest.starts_with(|c: char| c.is_ascii_uppercase());
+    matches!(e, Expr::Var(_) | Expr::Let(_))
+        && (letters.strip_prefix('Δ').is_some_and(|rest| !rest.starts_with('<'))
+            || letters.strip_prefix('d').is_some_and(of_capital))
+}
+
+/// Whether a symbol is set as a word of several letters.
+fn is_word(e: &Expr, context: &Context) -> bool {
+    let name = match e {
+        Expr::Var(v) => var_name(*v, context),
+        Expr::Let(i) => let_name(*i, context),
+        _ => return false,
+    };
+    let name = canonical_name(name);
+    let (base, _) = name_parts(&name);
+    base.iter().any(|part| part.len() > 1 && greek_letter(part).is_none())
 }
 
 #[cfg(test)]

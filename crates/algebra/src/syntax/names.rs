@@ -227,20 +227,6 @@ pub(crate) fn of_argument(
     argument.split('/').map(product).collect::<Vec<_>>().join(over)
 }
 
-/// Whether a name is set as a word of several letters: beside another name it would seem to be one word with it.
-pub(crate) fn is_word(name: &str) -> bool {
-    let name = canonical_name(name);
-    let (base, _) = name_parts(&name);
-    base.iter().any(|part| part.len() > 1 && greek_letter(part).is_none())
-}
-
-/// Whether a name is that of a difference, as `DeltaE` and `dE`: an exponent would seem to belong to its last letter.
-pub(crate) fn is_difference(name: &str) -> bool {
-    let name = canonical_name(name);
-    let (base, _) = name_parts(&name);
-    base.len() > 1 && matches!(base[0].as_str(), "Delta" | "d")
-}
-
 /// A canonical name taken apart: the letters or the word that carry it, and its subscripts.
 pub(crate) fn name_parts(canonical: &str) -> (Vec<String>, Vec<String>) {
     let bare: String = canonical.chars().filter(|c| *c != '\'').collect();

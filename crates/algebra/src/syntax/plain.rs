@@ -86,15 +86,6 @@ pub(crate) fn let_name(index: usize, context: &Context) -> &str {
     context.lets.get(index).map_or("?", |definition| &definition.name)
 }
 
-/// The name of a symbol or of a definition.
-pub(crate) fn symbol_name<'a>(e: &Expr, context: &'a Context) -> Option<&'a str> {
-    match e {
-        Expr::Var(index) => Some(var_name(*index, context)),
-        Expr::Let(index) => Some(let_name(*index, context)),
-        _ => None,
-    }
-}
-
 /// The loosest operator of what is printed for this expression.
 pub(crate) fn level(expr: &Expr) -> Level {
     match expr {

@@ -187,10 +187,7 @@ impl<'g> Coordinates<'g> {
         }
         // a premise is defined, a cited claim need not be
         if idle.is_none() && !hypothesis.given {
-            let relations = links.iter().filter_map(|link| match link {
-                Link::Relation(r) => Some(r),
-                Link::Limit(_) => None,
-            });
+            let relations = hypothesis.sentence.relations();
             let mut told = relations.map(|r| (r, self.compared(at, r, true)));
             idle = told.find(|(_, told)| matches!(told, Comparison::Undefined(..)));
         }

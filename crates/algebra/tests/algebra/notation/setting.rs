@@ -116,6 +116,13 @@ fn what_would_be_read_as_something_else_stands_apart() {
     let beyond = Expr::Pow(Expr::Var(99).into(), 2);
     let fraction = |_| Some(r"\frac{a}{b}".to_owned());
     assert_eq!(latex_with(&beyond, scope().context(), &fraction), r"\left(\frac{a}{b}\right)^{2}");
+    let difference = |_| Some(latex_name("DeltaE"));
+    assert_eq!(latex_with(&beyond, scope().context(), &difference), r"(\Delta E)^{2}");
+    let difference = |_| Some(mathml_name("DeltaE"));
+    assert_eq!(seen(&mathml(&beyond, scope().context(), &difference)), "^{( ΔE ) }2 ");
+    let twice = Expr::Mul(Expr::Var(99).into(), Expr::Var(0).into());
+    let word = |v| (v == 99).then(|| latex_name("slope"));
+    assert_eq!(latex_with(&twice, scope().context(), &word), r"\mathrm{slope} \cdot x");
     let fraction = |_| Some("<mfrac><mi>a</mi><mi>b</mi></mfrac>".to_owned());
     assert_eq!(seen(&mathml(&beyond, scope().context(), &fraction)), "^{( /a b ) }2 ");
 }
